@@ -1,0 +1,1 @@
+//! Pass timings and named statistics to and from MCAP; serves any wgpu program

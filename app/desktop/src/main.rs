@@ -1,0 +1,2 @@
+//! The brooklet program.
+fn main() {}

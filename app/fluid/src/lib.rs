@@ -1,0 +1,1 @@
+//! The particle-fluid simulation: scene, particles, neighbour grid, solvers, measures

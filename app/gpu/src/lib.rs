@@ -1,0 +1,1 @@
+//! Vulkan device, recordings as data, engine and GPU timing; knows no fluids

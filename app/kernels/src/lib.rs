@@ -1,0 +1,13 @@
+//! Every compute and draw kernel of Brooklet as SPIR-V, with typed binding structs.
+//!
+//! What `src/generated` and `spirv` hold is written by the shader compiler (`tools/compiler`)
+//! from `shaders/hlsl`; the few types those files are made of stand beside this page. This crate
+//! knows no GPU API: `brooklet-gpu` runs what it describes.
+
+pub mod module;
+pub mod resource;
+
+pub use module::{
+    Access, BindingError, BindingInfo, BindingKind, Bound, Draw, Kernel, Module, StageKind, Tier,
+};
+pub use resource::{Buf, BufMut, Buffer, Format, ResourceId, Tex, TexMut, Texture, Uniform};

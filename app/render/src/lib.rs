@@ -1,0 +1,1 @@
+//! Surfaces and pictures of the fluid: camera, impostors, frame

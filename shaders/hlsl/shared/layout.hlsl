@@ -1,0 +1,127 @@
+// The only structs that the host sees. Every field is placed alike in a uniform and in a
+// structured buffer, with no hidden padding: the shader compiler refuses anything else.
+// Lengths are metres, relative to the domain's lowest corner; y is up.
+#ifndef BROOKLET_LAYOUT
+#define BROOKLET_LAYOUT
+
+// A particle where it is, and which one it is.
+struct Position
+{
+    float3 position_m;
+    uint tag;           // bits 0-23 id, 24-30 fluid, 31 quarantined
+};
+
+// A particle's position during the iterations, with its constraint's multiplier.
+struct Iterate
+{
+    float3 position_m;
+    float lambda_m2;    // Macklin & Muller 2013, eq. (11), times h^2: no unit
+};
+
+struct Velocity
+{
+    float3 velocity_m_s;
+    float reserved;
+};
+
+// Curl of the velocity field and its length, 1/s.
+struct Vorticity
+{
+    float3 vorticity_per_s;
+    float magnitude_per_s;
+};
+
+// Where the counting sort puts a particle: its cell, and how many came before it in that cell.
+struct CellSlot
+{
+    uint cell;
+    uint rank;
+};
+
+// One substep.
+struct StepParams
+{
+    float3 gravity_m_s2;
+    float dt_s;
+    float3 domain_size_m;
+    float wall_offset_m;    // particles stay at least this far from a wall
+    float max_speed_m_s;
+    uint particle_count;
+    uint fluid_count;
+    uint reserved;
+};
+
+// The neighbour grid: dense cells over the domain, x fastest. Cell `cell_count` holds what is
+// outside or quarantined; it is nobody's neighbour.
+struct GridParams
+{
+    uint3 cells;
+    uint cell_count;        // cells.x * cells.y * cells.z
+    float cell_size_m;
+    float inverse_cell_size_per_m;
+    float support_m;        // h: the kernel is zero beyond it
+    uint particle_count;
+    uint neighbour_slots;   // room for neighbours a particle
+    uint3 reserved;
+};
+
+// The smoothing kernel, Wendland C2, scaled so that the initial lattice has density ratio 1.
+struct KernelParams
+{
+    float support_m;
+    float inverse_support_per_m;
+    float weight;           // 1 / sum of W over the lattice, W(0) = 1
+    float spacing_m;
+};
+
+// Position Based Fluids, Macklin & Muller 2013. Lengths in units of h where no unit is named.
+struct PbfParams
+{
+    float relaxation;       // Jacobi under-relaxation
+    float cfm;              // constraint force mixing, in units of |grad C|^2 h^2
+    float s_corr_k;         // artificial pressure, eq. (13)
+    float s_corr_inverse_w; // 1 / W(dq)
+    float xsph;             // eq. (17)
+    float vorticity;        // eq. (16), m/s
+    float max_correction_m; // an iteration moves a particle no further
+    float reserved;
+};
+
+// What is counted rather than hidden. Each is a sum since it was last cleared.
+struct Counters
+{
+    uint neighbour_overflow;    // neighbours that had no slot
+    uint speed_clamps;
+    uint correction_clamps;
+    uint wall_contacts;         // predictions moved back into the domain
+};
+
+// Sums and extremes of one group of particles; the last stage reduces them to one of these.
+struct MeasureSums
+{
+    float density_error_sum;    // of |rho/rho0 - 1|
+    float density_error_max;
+    float compression_sum;      // of max(rho/rho0 - 1, 0)
+    float compression_max;
+    float3 position_sum_m;
+    float front_m;              // largest x
+    float3 velocity_sum_m_s;
+    float speed_max_m_s;
+    float speed_squared_sum_m2_s2;
+    uint particles;             // that were measured
+    uint quarantined;
+    uint escaped;               // outside an open domain
+};
+
+// What a measurement gives back to the host.
+struct Measure
+{
+    MeasureSums sums;
+    float density_error_p99;
+    float compression_p99;
+    uint reserved0;
+    uint reserved1;
+    Counters counters;
+};
+
+#endif

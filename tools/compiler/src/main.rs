@@ -1,0 +1,2 @@
+//! The shader compiler.
+fn main() {}
