@@ -15,7 +15,7 @@ struct Position
 struct Iterate
 {
     float3 position_m;
-    float lambda_m2;    // Macklin & Muller 2013, eq. (11), times h^2: no unit
+    float lambda;    // Macklin & Muller 2013, eq. (11), times h^2: no unit
 };
 
 struct Velocity
@@ -93,7 +93,7 @@ struct Counters
     uint neighbour_overflow;    // neighbours that had no slot
     uint speed_clamps;
     uint correction_clamps;
-    uint wall_contacts;         // predictions moved back into the domain
+    uint reserved;
 };
 
 // Sums and extremes of one group of particles; the last stage reduces them to one of these.
