@@ -1,1 +1,7 @@
-//! f64 CPU twin of every stage, and error norms; knows no GPU
+//! f64 CPU twin of every stage, and error norms; knows no GPU.
+//!
+//! Each twin is written from the mathematics of its stage, in f64 and without regard to speed, in a
+//! file of the stage's name. Tests run a kernel and its twin on the same input and compare.
+
+pub mod boundary;
+pub mod shared;

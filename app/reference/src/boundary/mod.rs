@@ -1,0 +1,3 @@
+//! What the domain's walls add to the fluid.
+
+pub mod walls;

@@ -1,0 +1,5 @@
+//! What several stages need: the smoothing kernel, sums over the lattice, quadrature.
+
+pub mod lattice;
+pub mod quadrature;
+pub mod wendland;
