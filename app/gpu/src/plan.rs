@@ -1,0 +1,548 @@
+//! The backward sweep: which commands feed what is wanted, and which are left out.
+
+use crate::recording::{Command, RecordError, Recording, Touch};
+use crate::resources::{ResourceInfo, Resources, Shape};
+use brooklet_kernels::{BindingKind, Bound, Module, ResourceId};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// The recordings of a program without what nothing wanted needs. Made once, run often.
+#[derive(Clone, Debug)]
+pub struct Plan {
+    pub(crate) resources: Resources,
+    pub(crate) recordings: Vec<PlannedRecording>,
+    pub(crate) wanted: Vec<ResourceId>,
+    used: BTreeSet<ResourceId>,
+    left_out: Vec<LeftOut>,
+}
+
+/// A recording after the sweep; one whose commands were all left out runs as nothing.
+#[derive(Clone, Debug)]
+pub(crate) struct PlannedRecording {
+    pub name: &'static str,
+    pub commands: Vec<Command>,
+}
+
+/// Runs of one module in one recording.
+#[derive(Clone, Copy, Debug)]
+pub struct PassInfo {
+    /// The recording.
+    pub recording: &'static str,
+    /// The stage.
+    pub stage: &'static str,
+    /// Module of the chosen variant; of a draw, its vertex module.
+    pub module: &'static Module,
+    /// How often the recording runs it.
+    pub count: u32,
+}
+
+/// A resource that gets memory.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct KeptBuffer {
+    /// Its index in the table.
+    pub id: ResourceId,
+    /// Its name.
+    pub label: String,
+    /// Size of its content in bytes.
+    pub bytes: u64,
+}
+
+/// What kind of thing was left out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum LeftOutKind {
+    /// A dispatch or draw, named by its stage.
+    Stage,
+    /// An upload, clear or copy, named by what it does (`clear counts`).
+    Command,
+    /// A buffer, which is not allocated.
+    Buffer,
+    /// A texture, which is not allocated.
+    Texture,
+}
+
+/// Something that the sweep left out.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LeftOut {
+    /// Its name.
+    pub name: String,
+    /// What it is.
+    pub kind: LeftOutKind,
+    /// Memory that is saved; 0 for stages and commands.
+    pub bytes: u64,
+    /// Why: `nothing wanted reads density_ratio`.
+    pub reason: String,
+}
+
+/// A plan could not be made; a mistake in the program that recorded it.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum PlanError {
+    /// Recording failed.
+    #[error("recording {recording}: {error}")]
+    Record {
+        /// The recording.
+        recording: &'static str,
+        /// What failed.
+        error: RecordError,
+    },
+    /// Two recordings have one name.
+    #[error("two recordings are called {name}")]
+    SameName {
+        /// The name.
+        name: &'static str,
+    },
+    /// A resource of another table is used.
+    #[error(
+        "{user} uses resource {id}, and the table has {count}; it was declared in another table"
+    )]
+    UnknownResource {
+        /// Stage or `wanted`.
+        user: String,
+        /// Index of the resource.
+        id: u32,
+        /// Number of resources in the table.
+        count: usize,
+    },
+    /// A transient is read before its recording wrote it.
+    #[error(
+        "recording {recording}: {user} reads {resource}, which the recording has not written yet; \
+         declare it with Resources::state if it is to last between recordings"
+    )]
+    ReadBeforeWrite {
+        /// The recording.
+        recording: &'static str,
+        /// The command that reads.
+        user: String,
+        /// The resource.
+        resource: String,
+    },
+    /// A command uses one resource in two ways that exclude each other.
+    #[error("recording {recording}: {user} both reads and writes {resource} at once")]
+    ReadAndWritten {
+        /// The recording.
+        recording: &'static str,
+        /// The command.
+        user: String,
+        /// The resource.
+        resource: String,
+    },
+    /// A resource does not fit the slot it is bound to.
+    #[error("recording {recording}: {user} binds {resource} to {field}: {reason}")]
+    Misfit {
+        /// The recording.
+        recording: &'static str,
+        /// The command.
+        user: String,
+        /// The resource.
+        resource: String,
+        /// Name of the binding in HLSL.
+        field: &'static str,
+        /// What does not fit.
+        reason: String,
+    },
+}
+
+impl Plan {
+    /// Sweeps `recordings` backward, once. A command stays if it writes something wanted: a
+    /// resource of `wanted`, state, or what a command that stays reads. Clears, uploads and
+    /// copies over all of a resource end the want above them. The recordings' order does not
+    /// matter: only state lasts from one to the next.
+    pub fn sweep(
+        resources: Resources,
+        recordings: Vec<Recording>,
+        wanted: &[ResourceId],
+    ) -> Result<Plan, PlanError> {
+        check_known(&resources, wanted.iter().copied(), || {
+            "the list of wanted outputs".into()
+        })?;
+        let mut names = BTreeSet::new();
+        for recording in &recordings {
+            if !names.insert(recording.name()) {
+                let name = recording.name();
+                return Err(PlanError::SameName { name });
+            }
+            check_recording(&resources, recording)?;
+        }
+
+        let lasting: BTreeSet<ResourceId> = wanted
+            .iter()
+            .copied()
+            .chain(resources.iter().filter(|(_, r)| r.state).map(|(id, _)| id))
+            .collect();
+        let mut planned = Vec::new();
+        let mut dropped: Vec<Command> = Vec::new();
+        for recording in recordings {
+            let keep = sweep_one(&resources, recording.commands(), lasting.clone());
+            let mut commands = Vec::new();
+            for (command, keep) in recording.commands().iter().zip(keep) {
+                if keep {
+                    commands.push(command.clone());
+                } else {
+                    dropped.push(command.clone());
+                }
+            }
+            planned.push(PlannedRecording {
+                name: recording.name(),
+                commands,
+            });
+        }
+
+        let used = planned
+            .iter()
+            .flat_map(|recording| &recording.commands)
+            .flat_map(|command| command.touches())
+            .map(|(id, _)| id)
+            .chain(wanted.iter().copied())
+            .collect();
+        let left_out = list_left_out(&resources, &planned, &dropped, &used);
+        Ok(Plan {
+            resources,
+            recordings: planned,
+            wanted: wanted.to_vec(),
+            used,
+            left_out,
+        })
+    }
+
+    /// The table it was made from.
+    pub fn resources(&self) -> &Resources {
+        &self.resources
+    }
+
+    /// The outputs it was made for.
+    pub fn wanted(&self) -> &[ResourceId] {
+        &self.wanted
+    }
+
+    /// Names of the recordings, those that run as nothing included.
+    pub fn recordings(&self) -> impl Iterator<Item = &'static str> + '_ {
+        self.recordings.iter().map(|recording| recording.name)
+    }
+
+    /// Commands that stayed of a recording; empty if there is none of that name.
+    pub fn commands(&self, recording: &str) -> &[Command] {
+        self.recordings
+            .iter()
+            .find(|planned| planned.name == recording)
+            .map_or(&[], |planned| &planned.commands)
+    }
+
+    /// Every dispatch and draw that stayed, those of one module in one recording together, in
+    /// order of their first run.
+    pub fn passes(&self) -> Vec<PassInfo> {
+        let mut passes: Vec<PassInfo> = Vec::new();
+        for recording in &self.recordings {
+            for command in &recording.commands {
+                let (stage, module) = match command {
+                    Command::Dispatch(dispatch) => (dispatch.stage, dispatch.module),
+                    Command::Draw(draw) => (draw.stage, draw.vertex),
+                    _ => continue,
+                };
+                let same = passes.iter_mut().find(|pass| {
+                    pass.recording == recording.name
+                        && pass.stage == stage
+                        && pass.module.name == module.name
+                });
+                match same {
+                    Some(pass) => pass.count += 1,
+                    None => passes.push(PassInfo {
+                        recording: recording.name,
+                        stage,
+                        module,
+                        count: 1,
+                    }),
+                }
+            }
+        }
+        passes
+    }
+
+    /// Every resource that gets memory, in order of declaration, textures included.
+    pub fn buffers(&self) -> Vec<KeptBuffer> {
+        self.used
+            .iter()
+            .map(|id| KeptBuffer {
+                id: *id,
+                label: self.resources.label(*id).to_owned(),
+                bytes: self.resources.bytes(*id),
+            })
+            .collect()
+    }
+
+    /// Whether a resource gets memory.
+    pub fn uses(&self, id: ResourceId) -> bool {
+        self.used.contains(&id)
+    }
+
+    /// Bytes of all resources that get memory.
+    pub fn bytes(&self) -> u64 {
+        self.used.iter().map(|id| self.resources.bytes(*id)).sum()
+    }
+
+    /// What was left out, and why: stages, then commands, buffers, textures.
+    pub fn left_out(&self) -> &[LeftOut] {
+        &self.left_out
+    }
+}
+
+/// Which of a recording's commands stay. `live` starts as what is wanted at its end.
+fn sweep_one(
+    resources: &Resources,
+    commands: &[Command],
+    mut live: BTreeSet<ResourceId>,
+) -> Vec<bool> {
+    let mut keep = vec![false; commands.len()];
+    for (index, command) in commands.iter().enumerate().rev() {
+        let touches = command.touches();
+        keep[index] = touches
+            .iter()
+            .any(|(id, touch)| *touch != Touch::Read && live.contains(id));
+        if !keep[index] {
+            continue;
+        }
+        // First what it ends, then what it needs: a copy ends the want for its destination, and
+        // starts one for its source.
+        for (id, touch) in &touches {
+            if let Touch::Overwrite(bytes) = touch
+                && *bytes >= resources.bytes(*id)
+            {
+                live.remove(id);
+            }
+        }
+        for (id, touch) in &touches {
+            if !matches!(touch, Touch::Overwrite(_)) {
+                live.insert(*id);
+            }
+        }
+    }
+    keep
+}
+
+fn check_known(
+    resources: &Resources,
+    ids: impl Iterator<Item = ResourceId>,
+    user: impl Fn() -> String,
+) -> Result<(), PlanError> {
+    for id in ids {
+        if resources.get(id).is_none() {
+            return Err(PlanError::UnknownResource {
+                user: user(),
+                id: id.0,
+                count: resources.iter().count(),
+            });
+        }
+    }
+    Ok(())
+}
+
+/// Refuses what no GPU could run, before anything is left out: a mistake in a stage that happens
+/// to be unwanted today would otherwise show only when somebody wants it.
+fn check_recording(resources: &Resources, recording: &Recording) -> Result<(), PlanError> {
+    let name = recording.name();
+    if let Some(error) = recording.errors().first() {
+        return Err(PlanError::Record {
+            recording: name,
+            error: error.clone(),
+        });
+    }
+    let mut written = BTreeSet::new();
+    for command in recording.commands() {
+        let user = || describe(resources, command);
+        let touches = command.touches();
+        check_known(resources, touches.iter().map(|(id, _)| *id), user)?;
+        for (id, touch) in &touches {
+            let state = resources.get(*id).is_some_and(|entry| entry.state);
+            if *touch == Touch::Read && !state && !written.contains(id) {
+                return Err(PlanError::ReadBeforeWrite {
+                    recording: name,
+                    user: user(),
+                    resource: resources.label(*id).to_owned(),
+                });
+            }
+            let clash = touches.iter().any(|(other, how)| {
+                other == id && (*how == Touch::Read) != (*touch == Touch::Read)
+            });
+            if clash {
+                return Err(PlanError::ReadAndWritten {
+                    recording: name,
+                    user: user(),
+                    resource: resources.label(*id).to_owned(),
+                });
+            }
+        }
+        for bound in bindings(command) {
+            check_fit(resources, name, command, bound)?;
+        }
+        written.extend(
+            touches
+                .iter()
+                .filter(|(_, touch)| *touch != Touch::Read)
+                .map(|(id, _)| *id),
+        );
+    }
+    Ok(())
+}
+
+fn bindings(command: &Command) -> &[Bound] {
+    match command {
+        Command::Dispatch(dispatch) => &dispatch.bindings,
+        Command::Draw(draw) => &draw.bindings,
+        _ => &[],
+    }
+}
+
+fn check_fit(
+    resources: &Resources,
+    recording: &'static str,
+    command: &Command,
+    bound: &Bound,
+) -> Result<(), PlanError> {
+    let misfit = |resource: &str, reason: String| {
+        Err(PlanError::Misfit {
+            recording,
+            user: describe(resources, command),
+            resource: resource.to_owned(),
+            field: bound.info.name,
+            reason,
+        })
+    };
+    let entry = bound.resource.and_then(|id| resources.get(id));
+    let Some(ResourceInfo { label, shape, .. }) = entry else {
+        return match bound.info.kind {
+            BindingKind::Sampler => Ok(()),
+            _ => misfit("nothing", "a resource is needed".into()),
+        };
+    };
+    match (bound.info.kind, *shape) {
+        (BindingKind::Uniform { bytes }, Shape::Buffer { .. }) => {
+            let has = bound.resource.map_or(0, |id| resources.bytes(id));
+            if has < u64::from(bytes) {
+                return misfit(label, format!("it has {has} bytes, {bytes} are needed"));
+            }
+        }
+        (
+            BindingKind::Storage {
+                stride_bytes: wanted,
+                ..
+            },
+            Shape::Buffer { stride_bytes, .. },
+        ) => {
+            // A stride of 4 stands for raw words, which any element is made of.
+            if wanted != stride_bytes && wanted != 4 {
+                return misfit(
+                    label,
+                    format!("its elements have {stride_bytes} bytes, {wanted} are needed"),
+                );
+            }
+        }
+        (BindingKind::Texture { .. }, Shape::Texture { .. }) => {}
+        (BindingKind::StorageTexture { format: wanted, .. }, Shape::Texture { format, .. }) => {
+            if wanted != format {
+                return misfit(
+                    label,
+                    format!("its format is {format:?}, {wanted:?} is needed"),
+                );
+            }
+        }
+        (kind, _) => return misfit(label, format!("{kind:?} is needed")),
+    }
+    Ok(())
+}
+
+/// A command's name: its stage, or what it does to what.
+pub(crate) fn describe(resources: &Resources, command: &Command) -> String {
+    match command {
+        Command::Upload { to, .. } => format!("upload {}", resources.label(*to)),
+        Command::Clear { to } => format!("clear {}", resources.label(*to)),
+        Command::Copy { from, to, .. } => {
+            format!(
+                "copy {} to {}",
+                resources.label(*from),
+                resources.label(*to)
+            )
+        }
+        Command::Dispatch(dispatch) => dispatch.stage.to_owned(),
+        Command::Draw(draw) => draw.stage.to_owned(),
+    }
+}
+
+fn list_left_out(
+    resources: &Resources,
+    planned: &[PlannedRecording],
+    dropped: &[Command],
+    used: &BTreeSet<ResourceId>,
+) -> Vec<LeftOut> {
+    let label = |id: &ResourceId| resources.label(*id).to_owned();
+    // By name: a stage dropped forty times is one thing left out.
+    let mut commands: BTreeMap<(LeftOutKind, String), BTreeSet<ResourceId>> = BTreeMap::new();
+    let mut order = Vec::new();
+    let mut users: BTreeMap<ResourceId, BTreeSet<String>> = BTreeMap::new();
+    for command in dropped {
+        let name = describe(resources, command);
+        let kind = match command.stage() {
+            Some(_) => LeftOutKind::Stage,
+            None => LeftOutKind::Command,
+        };
+        let key = (kind, name.clone());
+        if !commands.contains_key(&key) {
+            order.push(key.clone());
+        }
+        let outputs = commands.entry(key).or_default();
+        for (id, touch) in command.touches() {
+            users.entry(id).or_default().insert(name.clone());
+            if touch != Touch::Read {
+                outputs.insert(id);
+            }
+        }
+    }
+    let kept: BTreeSet<&str> = planned
+        .iter()
+        .flat_map(|recording| &recording.commands)
+        .filter_map(Command::stage)
+        .collect();
+    order.sort_by_key(|(kind, _)| *kind);
+    let mut left_out = Vec::new();
+    for key in order {
+        let outputs = &commands[&key];
+        let names: Vec<String> = outputs.iter().map(label).collect();
+        let reason = match (names.as_slice(), kept.contains(key.1.as_str())) {
+            ([], _) => "it writes nothing".to_owned(),
+            (names, false) => format!("nothing wanted reads {}", names.join(" or ")),
+            (names, true) => format!(
+                "some of its runs: nothing wanted reads {} then",
+                names.join(" or ")
+            ),
+        };
+        left_out.push(LeftOut {
+            name: key.1,
+            kind: key.0,
+            bytes: 0,
+            reason,
+        });
+    }
+    let mut memory: Vec<LeftOut> = resources
+        .iter()
+        .filter(|(id, _)| !used.contains(id))
+        .map(|(id, entry)| LeftOut {
+            name: entry.label.clone(),
+            kind: if entry.is_texture() {
+                LeftOutKind::Texture
+            } else {
+                LeftOutKind::Buffer
+            },
+            bytes: entry.bytes(),
+            reason: match users.get(&id) {
+                Some(users) => format!(
+                    "only left out: {}",
+                    users.iter().cloned().collect::<Vec<_>>().join(", ")
+                ),
+                None => "nothing recorded uses it".to_owned(),
+            },
+        })
+        .collect();
+    memory.sort_by_key(|entry| entry.kind);
+    left_out.extend(memory);
+    left_out
+}
+
+#[cfg(test)]
+#[path = "plan_tests.rs"]
+mod tests;

@@ -1,0 +1,372 @@
+//! A recording: what the GPU is to do, as data that can be printed, counted and tested without one.
+
+use crate::draw::{DrawState, Load, RecordedTargets, Targets};
+use brooklet_kernels::{
+    Access, BindingError, BindingKind, Bound, Buffer, Draw, Kernel, Module, ResourceId,
+};
+use bytemuck::Pod;
+use std::sync::Arc;
+
+/// Groups beyond this many go to a second row: shaders linearise a group as
+/// `group.y * GROUP_ROW + group.x`. Every device allows 65,535 groups a dimension.
+pub const GROUP_ROW: u32 = 32_768;
+
+/// How many groups a dispatch runs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Groups {
+    /// This many.
+    Fixed([u32; 3]),
+    /// As the first three numbers of this buffer say.
+    Indirect(ResourceId),
+}
+
+/// A kernel's run.
+#[derive(Clone, Debug)]
+pub struct Dispatch {
+    /// The stage's name.
+    pub stage: &'static str,
+    /// Module of the chosen variant.
+    pub module: &'static Module,
+    /// What is bound, by slot.
+    pub bindings: Vec<Bound>,
+    /// How many groups.
+    pub groups: Groups,
+}
+
+/// A draw call with its pipeline's state.
+#[derive(Clone, Debug)]
+pub struct DrawCall {
+    /// The stage's name.
+    pub stage: &'static str,
+    /// Vertex module of the chosen variant.
+    pub vertex: &'static Module,
+    /// Fragment module; `None` draws depth only.
+    pub fragment: Option<&'static Module>,
+    /// What is bound, by slot.
+    pub bindings: Vec<Bound>,
+    /// What is drawn to.
+    pub targets: RecordedTargets,
+    /// Fixed state of the pipeline.
+    pub state: DrawState,
+    /// Vertices of an instance.
+    pub vertices: u32,
+    /// Instances.
+    pub instances: u32,
+}
+
+/// One entry of a recording.
+#[derive(Clone, Debug)]
+pub enum Command {
+    /// Copies host data to the start of a buffer.
+    Upload {
+        /// The buffer.
+        to: ResourceId,
+        /// The data.
+        data: Arc<[u8]>,
+    },
+    /// Sets a whole buffer to zero.
+    Clear {
+        /// The buffer.
+        to: ResourceId,
+    },
+    /// Copies a whole buffer to the start of another.
+    Copy {
+        /// The source.
+        from: ResourceId,
+        /// The destination.
+        to: ResourceId,
+        /// Size in bytes.
+        bytes: u64,
+    },
+    /// Runs a kernel.
+    Dispatch(Dispatch),
+    /// Draws.
+    Draw(Box<DrawCall>),
+}
+
+/// How a command touches a resource.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Touch {
+    /// It needs what is there.
+    Read,
+    /// It may need what is there, and changes it.
+    ReadWrite,
+    /// It writes, from the start, this many bytes, and needs nothing of what was there.
+    Overwrite(u64),
+}
+
+impl Command {
+    /// Name of its stage: the kernel's or the draw's; `None` for uploads, clears and copies.
+    pub fn stage(&self) -> Option<&'static str> {
+        match self {
+            Self::Dispatch(dispatch) => Some(dispatch.stage),
+            Self::Draw(draw) => Some(draw.stage),
+            _ => None,
+        }
+    }
+
+    /// Every resource it touches, and how. A resource may be listed more than once.
+    pub fn touches(&self) -> Vec<(ResourceId, Touch)> {
+        match self {
+            Self::Upload { to, data } => vec![(*to, Touch::Overwrite(data.len() as u64))],
+            Self::Clear { to } => vec![(*to, Touch::Overwrite(u64::MAX))],
+            Self::Copy { from, to, bytes } => {
+                vec![(*from, Touch::Read), (*to, Touch::Overwrite(*bytes))]
+            }
+            Self::Dispatch(dispatch) => {
+                let mut touches = bound_touches(&dispatch.bindings);
+                if let Groups::Indirect(args) = dispatch.groups {
+                    touches.push((args, Touch::Read));
+                }
+                touches
+            }
+            Self::Draw(draw) => {
+                let mut touches = bound_touches(&draw.bindings);
+                for (id, load) in &draw.targets.color {
+                    touches.push((*id, target_touch(*load == Load::Keep)));
+                }
+                if let Some((id, load)) = draw.targets.depth {
+                    touches.push((id, target_touch(load == Load::Keep)));
+                }
+                touches
+            }
+        }
+    }
+}
+
+fn target_touch(kept: bool) -> Touch {
+    if kept {
+        Touch::ReadWrite
+    } else {
+        Touch::Overwrite(u64::MAX)
+    }
+}
+
+fn bound_touches(bindings: &[Bound]) -> Vec<(ResourceId, Touch)> {
+    bindings
+        .iter()
+        .filter_map(|bound| {
+            let touch = match bound.info.kind {
+                BindingKind::Storage { access, .. }
+                | BindingKind::StorageTexture { access, .. }
+                    if access == Access::ReadWrite =>
+                {
+                    Touch::ReadWrite
+                }
+                _ => Touch::Read,
+            };
+            bound.resource.map(|id| (id, touch))
+        })
+        .collect()
+}
+
+/// A mistake made while recording; a plan refuses a recording that holds one.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum RecordError {
+    /// A variant needs a resource that was not given.
+    #[error(transparent)]
+    Binding(#[from] BindingError),
+    /// More was uploaded or copied than the destination holds.
+    #[error("{what} of {elements} elements does not fit a buffer of {room}")]
+    TooLong {
+        /// `upload` or `copy`.
+        what: &'static str,
+        /// Elements of the source.
+        elements: u32,
+        /// Elements of the destination.
+        room: u32,
+    },
+    /// Vulkan copies whole words.
+    #[error("{what} of {bytes} bytes: only multiples of 4 can be copied on a GPU")]
+    Unaligned {
+        /// `upload` or `copy`.
+        what: &'static str,
+        /// Size of the data in bytes.
+        bytes: u64,
+    },
+    /// A buffer was copied onto itself.
+    #[error("a buffer is copied onto itself")]
+    SelfCopy,
+    /// A draw without a target.
+    #[error("{stage} draws to no target")]
+    NoTarget {
+        /// The draw.
+        stage: &'static str,
+    },
+    /// More groups than any device runs.
+    #[error("{stage} runs {groups:?} groups; at most 65535 a dimension are allowed")]
+    TooManyGroups {
+        /// The kernel.
+        stage: &'static str,
+        /// The groups asked for.
+        groups: [u32; 3],
+    },
+}
+
+/// A list of commands under a name.
+#[derive(Clone, Debug)]
+pub struct Recording {
+    name: &'static str,
+    commands: Vec<Command>,
+    errors: Vec<RecordError>,
+}
+
+impl Recording {
+    /// An empty recording.
+    pub fn new(name: &'static str) -> Self {
+        Self {
+            name,
+            commands: Vec::new(),
+            errors: Vec::new(),
+        }
+    }
+
+    /// Its name.
+    pub fn name(&self) -> &'static str {
+        self.name
+    }
+
+    /// What was recorded.
+    pub fn commands(&self) -> &[Command] {
+        &self.commands
+    }
+
+    /// Mistakes made while recording.
+    pub fn errors(&self) -> &[RecordError] {
+        &self.errors
+    }
+
+    /// Takes the commands of another recording at the end of this one.
+    pub fn append(&mut self, other: &Recording) {
+        self.commands.extend_from_slice(&other.commands);
+        self.errors.extend_from_slice(&other.errors);
+    }
+
+    /// Copies `data` to the start of `to`, each time the recording runs.
+    pub fn upload<T: Pod>(&mut self, to: &mut Buffer<T>, data: &[T]) {
+        let bytes: &[u8] = bytemuck::cast_slice(data);
+        if data.len() > to.len as usize {
+            self.errors.push(RecordError::TooLong {
+                what: "upload",
+                elements: data.len().min(u32::MAX as usize) as u32,
+                room: to.len,
+            });
+        } else if !bytes.len().is_multiple_of(4) {
+            self.errors.push(RecordError::Unaligned {
+                what: "upload",
+                bytes: bytes.len() as u64,
+            });
+        } else if !data.is_empty() {
+            self.commands.push(Command::Upload {
+                to: to.id,
+                data: bytes.into(),
+            });
+        }
+    }
+
+    /// Sets all of `to` to zero.
+    pub fn clear<T>(&mut self, to: &mut Buffer<T>) {
+        self.commands.push(Command::Clear { to: to.id });
+    }
+
+    /// Copies all of `from` to the start of `to`.
+    pub fn copy<T>(&mut self, from: &Buffer<T>, to: &mut Buffer<T>) {
+        let bytes = u64::from(from.len) * size_of::<T>() as u64;
+        if from.id == to.id {
+            self.errors.push(RecordError::SelfCopy);
+        } else if from.len > to.len {
+            self.errors.push(RecordError::TooLong {
+                what: "copy",
+                elements: from.len,
+                room: to.len,
+            });
+        } else if !bytes.is_multiple_of(4) {
+            self.errors.push(RecordError::Unaligned {
+                what: "copy",
+                bytes,
+            });
+        } else if bytes > 0 {
+            self.commands.push(Command::Copy {
+                from: from.id,
+                to: to.id,
+                bytes,
+            });
+        }
+    }
+
+    /// Runs `kernel` with one thread an item. No items: nothing is recorded. Kernels must ignore
+    /// the threads beyond the last item.
+    pub fn dispatch<K: Kernel>(&mut self, kernel: &K, items: u32) {
+        let threads: u32 = K::GROUP_SIZE.iter().product();
+        self.dispatch_groups(kernel, group_grid(items.div_ceil(threads.max(1))));
+    }
+
+    /// Runs `kernel` with this many groups; any of them 0: nothing is recorded.
+    pub fn dispatch_groups<K: Kernel>(&mut self, kernel: &K, groups: [u32; 3]) {
+        if groups.contains(&0) {
+            return;
+        }
+        if groups.iter().any(|count| *count > 65_535) {
+            self.errors.push(RecordError::TooManyGroups {
+                stage: K::STAGE,
+                groups,
+            });
+            return;
+        }
+        self.push_dispatch(kernel, Groups::Fixed(groups));
+    }
+
+    /// Runs `kernel` with as many groups as the GPU wrote to `args`.
+    pub fn dispatch_indirect<K: Kernel>(&mut self, kernel: &K, args: &Buffer<[u32; 3]>) {
+        self.push_dispatch(kernel, Groups::Indirect(args.id));
+    }
+
+    fn push_dispatch<K: Kernel>(&mut self, kernel: &K, groups: Groups) {
+        match kernel.bindings() {
+            Ok(bindings) => self.commands.push(Command::Dispatch(Dispatch {
+                stage: K::STAGE,
+                module: kernel.module(),
+                bindings,
+                groups,
+            })),
+            Err(error) => self.errors.push(error.into()),
+        }
+    }
+
+    /// Draws; no vertices or no instances still clears the targets that are to be cleared.
+    pub fn draw<D: Draw>(
+        &mut self,
+        draw: &D,
+        targets: &Targets<'_>,
+        state: DrawState,
+        vertices: u32,
+        instances: u32,
+    ) {
+        if targets.color.is_empty() && targets.depth.is_none() {
+            self.errors.push(RecordError::NoTarget { stage: D::STAGE });
+            return;
+        }
+        match draw.bindings() {
+            Ok(bindings) => self.commands.push(Command::Draw(Box::new(DrawCall {
+                stage: D::STAGE,
+                vertex: draw.vertex(),
+                fragment: draw.fragment(),
+                bindings,
+                targets: targets.into(),
+                state,
+                vertices,
+                instances,
+            }))),
+            Err(error) => self.errors.push(error.into()),
+        }
+    }
+}
+
+/// Lays `groups` out in rows of [`GROUP_ROW`].
+fn group_grid(groups: u32) -> [u32; 3] {
+    if groups <= GROUP_ROW {
+        [groups, 1, 1]
+    } else {
+        [GROUP_ROW, groups.div_ceil(GROUP_ROW), 1]
+    }
+}

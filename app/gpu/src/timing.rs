@@ -1,0 +1,228 @@
+//! GPU times as plain data: raw ticks, flags for those that cannot be right, and sums.
+
+use brooklet_kernels::ResourceId;
+
+/// How GPU times are taken.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum TimingStatus {
+    /// Not asked for.
+    Off,
+    /// The device has no timestamps.
+    Unsupported,
+    /// Each dispatch is a compute pass of its own, because the device cannot write a timestamp
+    /// inside one: the passes themselves cost time that an untimed run does not have.
+    PassPerStage,
+    /// A timestamp between any two dispatches of a pass.
+    InsidePasses,
+}
+
+impl TimingStatus {
+    /// Whether there are spans at all.
+    pub fn is_measured(self) -> bool {
+        matches!(self, Self::PassPerStage | Self::InsidePasses)
+    }
+}
+
+/// Whether a span can be believed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum SpanFlag {
+    /// Nothing speaks against it.
+    Ok,
+    /// It begins and ends at the same tick: shorter than the clock's period, or not measured.
+    Zero,
+    /// It ends before it begins: the counter wrapped, or the driver is wrong.
+    Negative,
+    /// It begins before an earlier span of its frame ended, so both count the same time.
+    Overlapping,
+}
+
+impl SpanFlag {
+    /// The flag of a span, `previous_end` being the latest end of the frame's earlier spans.
+    pub fn of(begin_ticks: u64, end_ticks: u64, previous_end: Option<u64>) -> Self {
+        if end_ticks < begin_ticks {
+            Self::Negative
+        } else if previous_end.is_some_and(|end| begin_ticks < end) {
+            Self::Overlapping
+        } else if end_ticks == begin_ticks {
+            Self::Zero
+        } else {
+            Self::Ok
+        }
+    }
+}
+
+/// One timed dispatch or render pass.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Span {
+    /// Recording it belongs to.
+    pub recording: &'static str,
+    /// Its stage; of a render pass without inner timestamps, the first draw's.
+    pub stage: &'static str,
+    /// Tick when everything before it was done, as the device wrote it.
+    pub begin_ticks: u64,
+    /// Tick when it was done, as the device wrote it.
+    pub end_ticks: u64,
+    /// Whether that can be believed.
+    pub flag: SpanFlag,
+}
+
+impl Span {
+    /// Its length in ticks; 0 if negative.
+    pub fn ticks(&self) -> u64 {
+        self.end_ticks.saturating_sub(self.begin_ticks)
+    }
+}
+
+/// What is known of a frame once the GPU is done with it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FrameReport {
+    /// Its number, as `Engine::run` gave it.
+    pub frame: u64,
+    /// When it was handed to the GPU, in nanoseconds since the engine was made.
+    pub wall_ns: u64,
+    /// Its spans, in the order in which they ran.
+    pub spans: Vec<Span>,
+    /// The buffers that were asked for, as they were at the frame's end.
+    pub readbacks: Vec<(ResourceId, Vec<u8>)>,
+    /// How the spans were taken.
+    pub timing: TimingStatus,
+    /// Nanoseconds a tick lasts.
+    pub timestamp_period_ns: f64,
+}
+
+impl FrameReport {
+    /// Milliseconds and number of spans of each stage, in order of their first span. Negative
+    /// spans count as 0.
+    pub fn stage_ms(&self) -> Vec<(&'static str, f64, u32)> {
+        let mut stages: Vec<(&'static str, f64, u32)> = Vec::new();
+        for span in &self.spans {
+            let ms = self.ms(span.ticks());
+            match stages.iter_mut().find(|(stage, ..)| *stage == span.stage) {
+                Some((_, sum, count)) => {
+                    *sum += ms;
+                    *count += 1;
+                }
+                None => stages.push((span.stage, ms, 1)),
+            }
+        }
+        stages
+    }
+
+    /// Milliseconds from the first span's begin to the last span's end, what lies between spans
+    /// (clears, copies, barriers) included; `None` if nothing was measured or the ticks run back.
+    pub fn gpu_ms(&self) -> Option<f64> {
+        let begin = self.spans.iter().map(|span| span.begin_ticks).min()?;
+        let end = self.spans.iter().map(|span| span.end_ticks).max()?;
+        (end > begin).then(|| self.ms(end - begin))
+    }
+
+    /// Number of spans that are flagged.
+    pub fn flagged(&self) -> usize {
+        self.spans
+            .iter()
+            .filter(|span| span.flag != SpanFlag::Ok)
+            .count()
+    }
+
+    fn ms(&self, ticks: u64) -> f64 {
+        ticks as f64 * self.timestamp_period_ns * 1e-6
+    }
+}
+
+/// A span before its ticks are known: which ticks of the frame are its own.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct SpanSlot {
+    pub recording: &'static str,
+    pub stage: &'static str,
+    pub begin: u32,
+    pub end: u32,
+}
+
+/// Puts the ticks to their spans and flags them.
+pub(crate) fn spans(slots: &[SpanSlot], ticks: &[u64]) -> Vec<Span> {
+    let mut previous_end: Option<u64> = None;
+    slots
+        .iter()
+        .filter_map(|slot| {
+            let begin_ticks = *ticks.get(slot.begin as usize)?;
+            let end_ticks = *ticks.get(slot.end as usize)?;
+            let flag = SpanFlag::of(begin_ticks, end_ticks, previous_end);
+            previous_end = previous_end.max(Some(end_ticks));
+            Some(Span {
+                recording: slot.recording,
+                stage: slot.stage,
+                begin_ticks,
+                end_ticks,
+                flag,
+            })
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn slot(stage: &'static str, begin: u32, end: u32) -> SpanSlot {
+        SpanSlot {
+            recording: "step",
+            stage,
+            begin,
+            end,
+        }
+    }
+
+    fn report(spans: Vec<Span>) -> FrameReport {
+        FrameReport {
+            frame: 0,
+            wall_ns: 0,
+            spans,
+            readbacks: Vec::new(),
+            timing: TimingStatus::InsidePasses,
+            timestamp_period_ns: 2.0,
+        }
+    }
+
+    #[test]
+    fn each_lie_has_its_flag() {
+        let slots = [
+            slot("ok", 0, 1),
+            slot("zero", 1, 2),
+            slot("negative", 2, 3),
+            slot("overlapping", 4, 5),
+            slot("after_all", 5, 6),
+        ];
+        let flags: Vec<_> = spans(&slots, &[100, 200, 200, 150, 199, 300, 301])
+            .iter()
+            .map(|span| span.flag)
+            .collect();
+        use SpanFlag::*;
+        assert_eq!(flags, [Ok, Zero, Negative, Overlapping, Ok]);
+    }
+
+    #[test]
+    fn missing_ticks_give_no_span() {
+        assert_eq!(spans(&[slot("a", 0, 1), slot("b", 1, 2)], &[5, 6]).len(), 1);
+    }
+
+    #[test]
+    fn stages_are_summed_and_the_frame_spans_the_gaps() {
+        let slots = [slot("a", 0, 1), slot("b", 2, 3), slot("a", 3, 4)];
+        let report = report(spans(&slots, &[1_000, 2_000, 4_000, 4_500, 6_000]));
+        let near = |a: f64, b: f64| (a - b).abs() < 1e-12;
+        let stages = report.stage_ms();
+        assert_eq!(stages.len(), 2);
+        assert!(stages[0].0 == "a" && stages[0].2 == 2 && near(stages[0].1, 5e-3));
+        assert!(stages[1].0 == "b" && stages[1].2 == 1 && near(stages[1].1, 1e-3));
+        assert!(report.gpu_ms().is_some_and(|ms| near(ms, 0.01)));
+        assert_eq!(report.flagged(), 0);
+    }
+
+    #[test]
+    fn nothing_measured_is_not_zero_time() {
+        assert_eq!(report(Vec::new()).gpu_ms(), None);
+        let stopped_clock = report(spans(&[slot("a", 0, 1)], &[0, 0]));
+        assert_eq!(stopped_clock.gpu_ms(), None);
+        assert_eq!(stopped_clock.flagged(), 1);
+    }
+}
