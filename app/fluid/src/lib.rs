@@ -1,1 +1,20 @@
-//! The particle-fluid simulation: scene, particles, neighbour grid, solvers, measures
+//! The particle-fluid simulation: scene, particles, neighbour grid, solvers, measures.
+//!
+//! [`scene::Scene`] says what to simulate; [`record`] turns it into recordings that any engine of
+//! `brooklet-gpu` runs, beside others' (pictures, say); [`Simulation`] is the two together for a
+//! program that only simulates.
+
+pub mod boundary;
+pub mod grid;
+pub mod kernel;
+pub mod measure;
+pub mod particles;
+pub mod scene;
+mod simulation;
+pub mod solver;
+mod step;
+
+pub use measure::Stats;
+pub use scene::{Scene, SceneError, shipped_scenes};
+pub use simulation::{Simulation, SimulationError};
+pub use step::{INIT, MEASURE, Recorded, STEP, record};

@@ -7,7 +7,5 @@
 pub mod module;
 pub mod resource;
 
-pub use module::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Draw, Kernel, Module, StageKind, Tier,
-};
+pub use module::{Access, BindingError, BindingInfo, BindingKind, Bound, Draw, Kernel, Module, StageKind, Tier};
 pub use resource::{Buf, BufMut, Buffer, Format, ResourceId, Tex, TexMut, Texture, Uniform};

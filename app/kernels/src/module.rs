@@ -122,11 +122,7 @@ pub struct BindingError {
 
 impl std::fmt::Display for BindingError {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(
-            f,
-            "kernel {} needs {}, which was not given",
-            self.module, self.field
-        )
+        write!(f, "kernel {} needs {}, which was not given", self.module, self.field)
     }
 }
 

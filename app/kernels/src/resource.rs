@@ -20,32 +20,19 @@ pub struct Buffer<T> {
 impl<T> Buffer<T> {
     /// Names the buffer `id`; made by the resource table, which knows its size.
     pub fn new(id: ResourceId, len: u32) -> Self {
-        Self {
-            id,
-            len,
-            element: PhantomData,
-        }
+        Self { id, len, element: PhantomData }
     }
     /// Binds it to be read.
     pub fn read(&self) -> Buf<'_, T> {
-        Buf {
-            id: self.id,
-            borrow: PhantomData,
-        }
+        Buf { id: self.id, borrow: PhantomData }
     }
     /// Binds it to be read and written.
     pub fn write(&mut self) -> BufMut<'_, T> {
-        BufMut {
-            id: self.id,
-            borrow: PhantomData,
-        }
+        BufMut { id: self.id, borrow: PhantomData }
     }
     /// Binds it as a uniform buffer.
     pub fn uniform(&self) -> Uniform<'_, T> {
-        Uniform {
-            id: self.id,
-            borrow: PhantomData,
-        }
+        Uniform { id: self.id, borrow: PhantomData }
     }
     /// A second name of the same buffer, for another room that only reads it (drawing what was
     /// simulated).
@@ -107,24 +94,15 @@ pub struct Texture {
 impl Texture {
     /// Binds it to be sampled or loaded.
     pub fn read(&self) -> Tex<'_> {
-        Tex {
-            id: self.id,
-            borrow: PhantomData,
-        }
+        Tex { id: self.id, borrow: PhantomData }
     }
     /// Binds it as a storage image.
     pub fn write(&mut self) -> TexMut<'_> {
-        TexMut {
-            id: self.id,
-            borrow: PhantomData,
-        }
+        TexMut { id: self.id, borrow: PhantomData }
     }
     /// A second name of the same texture, for another room that only reads it.
     pub fn alias(&self) -> Self {
-        Self {
-            id: self.id,
-            size_px: self.size_px,
-        }
+        Self { id: self.id, size_px: self.size_px }
     }
 }
 

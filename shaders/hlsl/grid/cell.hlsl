@@ -8,10 +8,12 @@
 // outside gets the cell behind the last.
 uint CellOf(float3 position_m, GridParams grid)
 {
-    int3 cell = int3(floor(position_m * grid.inverse_cell_size_per_m));
-    if (any(cell < 0) || any(cell >= int3(grid.cells)))
+    float3 place = floor(position_m * grid.inverse_cell_size_per_m);
+    // Compared before the conversion: beyond the integers' range its result is anything.
+    if (any(place < 0.0) || any(place >= float3(grid.cells)))
         return grid.cell_count;
-    return (uint(cell.z) * grid.cells.y + uint(cell.y)) * grid.cells.x + uint(cell.x);
+    uint3 cell = uint3(place);
+    return (cell.z * grid.cells.y + cell.y) * grid.cells.x + cell.x;
 }
 
 #endif

@@ -1,0 +1,5 @@
+//! What bounds the fluid.
+
+mod walls;
+
+pub use walls::{WALL_NODES, wall_weights};

@@ -1,0 +1,158 @@
+//! The neighbour grid: counting sort into cells of h/2 with full reorder, and neighbour lists.
+
+mod scan;
+
+pub use scan::Scan;
+
+use brooklet_gpu::{Recording, Resources};
+use brooklet_kernels::{
+    Buffer, CellSlot, CountCells, Counters, GridParams, Iterate, ListNeighbours, Position, Reorder, Velocity,
+};
+
+use crate::scene::Scene;
+
+/// Cells along each axis. Half the support wide: rows of cells then fit the support sphere so
+/// closely that about half as many candidates are looked at as with cells of h.
+pub fn cells(scene: &Scene) -> [u64; 3] {
+    let cell_m = 0.5 * scene.support_m();
+    scene.domain.size_m().map(|size_m| (size_m / cell_m).ceil().max(1.0) as u64)
+}
+
+/// What the shaders are given.
+pub fn params(scene: &Scene, particle_count: u32) -> GridParams {
+    let cells = cells(scene).map(|n| n as u32);
+    let cell_m = 0.5 * scene.support_m();
+    GridParams {
+        cells,
+        cell_count: cells.iter().product(),
+        cell_size_m: cell_m as f32,
+        inverse_cell_size_per_m: (1.0 / cell_m) as f32,
+        support_m: scene.support_m() as f32,
+        particle_count,
+        neighbour_slots: scene.solver.neighbour_slots,
+        reserved: [0; 3],
+    }
+}
+
+/// The grid's buffers.
+pub struct Grid {
+    /// Sizes and scales.
+    pub params: Buffer<GridParams>,
+    /// Particles a cell; the last but one counts what lies outside, the last stays 0 so that
+    /// `cell_starts` ends with the number of particles.
+    pub cell_counts: Buffer<u32>,
+    /// First sorted particle of each cell.
+    pub cell_starts: Buffer<u32>,
+    /// Where each unsorted particle goes.
+    pub cell_slots: Buffer<CellSlot>,
+    scan: Scan,
+}
+
+impl Grid {
+    /// Declares the buffers of a grid with `params`.
+    pub fn declare(resources: &mut Resources, params: &GridParams) -> Self {
+        let starts = params.cell_count + 2;
+        Self {
+            params: resources.state("grid_params", 1),
+            cell_counts: resources.buffer("cell_counts", starts),
+            cell_starts: resources.buffer("cell_starts", starts),
+            cell_slots: resources.buffer("cell_slots", params.particle_count),
+            scan: Scan::declare(resources, "cell_starts", starts),
+        }
+    }
+
+    /// Sorts `positions` and `velocities` by cell into `sorted`.
+    pub fn record_sort(
+        &mut self,
+        recording: &mut Recording,
+        positions: &Buffer<Position>,
+        velocities: &Buffer<Velocity>,
+        sorted: &mut Sorted,
+    ) {
+        recording.clear(&mut self.cell_counts);
+        recording.dispatch(
+            &CountCells {
+                positions: positions.read(),
+                cell_counts: self.cell_counts.write(),
+                cell_slots: self.cell_slots.write(),
+                grid: self.params.uniform(),
+            },
+            positions.len,
+        );
+        self.scan.record(recording, &self.cell_counts, &mut self.cell_starts);
+        recording.dispatch(
+            &Reorder {
+                positions: positions.read(),
+                velocities: velocities.read(),
+                cell_slots: self.cell_slots.read(),
+                cell_starts: self.cell_starts.read(),
+                sorted_positions: sorted.positions.write(),
+                sorted_velocities: sorted.velocities.write(),
+                iterates: sorted.iterates.write(),
+                grid: self.params.uniform(),
+            },
+            positions.len,
+        );
+    }
+}
+
+/// The particles in cell order, as they were predicted.
+pub struct Sorted {
+    /// Predicted positions.
+    pub positions: Buffer<Position>,
+    /// Predicted velocities.
+    pub velocities: Buffer<Velocity>,
+    /// The same positions, for the iterations to change.
+    pub iterates: Buffer<Iterate>,
+}
+
+impl Sorted {
+    /// Declares the buffers of `particle_count` particles.
+    pub fn declare(resources: &mut Resources, particle_count: u32) -> Self {
+        Self {
+            positions: resources.buffer("sorted_positions", particle_count),
+            velocities: resources.buffer("sorted_velocities", particle_count),
+            iterates: resources.buffer("iterates", particle_count),
+        }
+    }
+}
+
+/// Each particle's neighbours, listed once a substep.
+pub struct Neighbours {
+    /// Sorted indices, slot-major: slot s of particle i stands at s·n + i.
+    pub indices: Buffer<u32>,
+    /// Slots used.
+    pub counts: Buffer<u32>,
+}
+
+impl Neighbours {
+    /// Declares the lists of a grid with `params`. They persist from the step that made them to
+    /// the measurement that reads them.
+    pub fn declare(resources: &mut Resources, params: &GridParams) -> Self {
+        Self {
+            indices: resources.state("neighbours", params.particle_count.saturating_mul(params.neighbour_slots)),
+            counts: resources.state("neighbour_counts", params.particle_count),
+        }
+    }
+
+    /// Lists the neighbours of the sorted particles.
+    pub fn record(
+        &mut self,
+        recording: &mut Recording,
+        grid: &Grid,
+        sorted_positions: &Buffer<Position>,
+        counters: &mut Buffer<Counters>,
+    ) {
+        recording.dispatch(
+            &ListNeighbours {
+                sorted_positions: sorted_positions.read(),
+                cell_starts: grid.cell_starts.read(),
+                neighbours: self.indices.write(),
+                neighbour_counts: self.counts.write(),
+                counters: counters.write(),
+                grid: grid.params.uniform(),
+            },
+            sorted_positions.len,
+        );
+    }
+}

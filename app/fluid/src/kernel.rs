@@ -1,0 +1,60 @@
+//! The smoothing kernel's constants: Wendland C2 in q = r/h with W(0) = 1, scaled so that the
+//! initial lattice has density ratio 1. (Shader: `shared/wendland.hlsl`.)
+
+use brooklet_kernels::KernelParams;
+
+/// W(q) = (1-q)⁴ (4q+1) for q < 1 (Wendland 1995).
+pub fn wendland(q: f64) -> f64 {
+    let t = (1.0 - q).max(0.0);
+    t.powi(4) * (4.0 * q + 1.0)
+}
+
+/// Length of W's gradient over r/h: 20 q (1-q)³.
+pub fn wendland_slope(q: f64) -> f64 {
+    20.0 * q * (1.0 - q).max(0.0).powi(3)
+}
+
+/// Sums over the infinite cubic lattice of spacing d = h / `support_ratio` around one of its points.
+#[derive(Clone, Copy, Debug)]
+pub struct Lattice {
+    /// 1 / ΣW, the point itself among them.
+    pub weight: f64,
+    /// Σ|∇C|² h²: the density constraint's stiffness in the bulk.
+    pub stiffness: f64,
+}
+
+/// The lattice's sums at a support of `support_ratio` spacings.
+pub fn lattice(support_ratio: f64) -> Lattice {
+    let (mut density, mut slopes) = (0.0, 0.0);
+    for_lattice(support_ratio, |_, q| {
+        density += wendland(q);
+        slopes += wendland_slope(q).powi(2);
+    });
+    let weight = 1.0 / density;
+    Lattice { weight, stiffness: slopes * weight * weight }
+}
+
+/// Calls `visit` with each lattice point inside the support, as steps along the axes, and its q.
+pub(crate) fn for_lattice(support_ratio: f64, mut visit: impl FnMut([i32; 3], f64)) {
+    let reach = support_ratio.ceil() as i32;
+    for z in -reach..=reach {
+        for y in -reach..=reach {
+            for x in -reach..=reach {
+                let q = f64::from(x * x + y * y + z * z).sqrt() / support_ratio;
+                if q < 1.0 {
+                    visit([x, y, z], q);
+                }
+            }
+        }
+    }
+}
+
+/// What the shaders are given.
+pub(crate) fn params(scene: &crate::scene::Scene) -> KernelParams {
+    KernelParams {
+        support_m: scene.support_m() as f32,
+        inverse_support_per_m: (1.0 / scene.support_m()) as f32,
+        weight: lattice(scene.solver.support_ratio).weight as f32,
+        spacing_m: scene.spacing_m as f32,
+    }
+}

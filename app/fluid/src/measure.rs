@@ -1,0 +1,154 @@
+//! Density error, energy and place of the fluid, measured on the GPU. (Shaders: `measure/`.)
+
+use brooklet_gpu::{Recording, Resources};
+use brooklet_kernels::{
+    Buffer, Counters, Kernel, Measure, MeasureParticles, MeasureParticlesVariant, MeasureParticlesWalls, MeasureSums,
+    MeasureTotals, Position, Velocity,
+};
+
+use crate::grid::Neighbours;
+use crate::scene::Scene;
+use crate::solver::pbf::Shared;
+
+/// Bins of a histogram: the shader's HISTOGRAM_BINS.
+pub const HISTOGRAM_BINS: u32 = 512;
+
+/// The measuring stages' buffers.
+pub struct Measuring {
+    /// What the host reads back.
+    pub measure: Buffer<Measure>,
+    group_measures: Buffer<MeasureSums>,
+    histograms: Buffer<u32>,
+}
+
+impl Measuring {
+    /// Declares the buffers for `particle_count` particles.
+    pub fn declare(resources: &mut Resources, particle_count: u32) -> Self {
+        let groups = particle_count.div_ceil(MeasureParticles::GROUP_SIZE[0]);
+        Self {
+            measure: resources.buffer("measure", 1),
+            group_measures: resources.buffer("group_measures", groups),
+            histograms: resources.buffer("histograms", 2 * HISTOGRAM_BINS),
+        }
+    }
+
+    /// Measures the state after a step, with the neighbour lists of its last substep.
+    pub fn record(
+        &mut self,
+        recording: &mut Recording,
+        shared: &mut Shared,
+        neighbours: &Neighbours,
+        positions: &Buffer<Position>,
+        velocities: &Buffer<Velocity>,
+    ) {
+        let walls = match (&shared.wall_weights, shared.narrow) {
+            (None, _) => MeasureParticlesWalls::Off,
+            (Some(_), false) => MeasureParticlesWalls::Walls,
+            (Some(_), true) => MeasureParticlesWalls::NarrowWalls,
+        };
+        recording.clear(&mut self.histograms);
+        recording.dispatch(
+            &MeasureParticles {
+                variant: MeasureParticlesVariant { walls },
+                positions: positions.read(),
+                velocities: velocities.read(),
+                neighbours: neighbours.indices.read(),
+                neighbour_counts: neighbours.counts.read(),
+                group_measures: self.group_measures.write(),
+                histograms: self.histograms.write(),
+                wall_weights: shared.wall_weights.as_ref().map(Buffer::read),
+                step_params: shared.step.uniform(),
+                kernel: shared.kernel.uniform(),
+            },
+            positions.len,
+        );
+        recording.dispatch_groups(
+            &MeasureTotals {
+                group_measures: self.group_measures.read(),
+                histograms: self.histograms.read(),
+                counters: shared.counters.read(),
+                measure: self.measure.write(),
+                step_params: shared.step.uniform(),
+            },
+            [1; 3],
+        );
+        // Counted from one measurement to the next.
+        recording.clear(&mut shared.counters);
+    }
+}
+
+/// Mean, 99th percentile and largest value over the particles.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Spread {
+    /// Mean.
+    pub mean: f64,
+    /// 99th percentile, within 3 % of itself; 0 below 6e-5.
+    pub p99: f64,
+    /// Largest.
+    pub max: f64,
+}
+
+/// A measurement in SI units.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Stats {
+    /// Of |ρ/ρ0 − 1|.
+    pub density_error: Spread,
+    /// Of max(ρ/ρ0 − 1, 0).
+    pub compression: Spread,
+    /// m/s.
+    pub max_speed_m_s: f64,
+    /// J.
+    pub kinetic_j: f64,
+    /// J, against gravity, from the domain's lowest corner.
+    pub potential_j: f64,
+    /// Centre of mass, in the scene's coordinates, m.
+    pub centre_of_mass_m: [f64; 3],
+    /// kg·m/s.
+    pub momentum_kg_m_s: [f64; 3],
+    /// Largest x of a particle's middle plus half a spacing, in the scene's coordinates, m.
+    pub front_m: f64,
+    /// Particles measured.
+    pub particles: u32,
+    /// Particles whose state was not finite; they are out of the simulation.
+    pub quarantined: u32,
+    /// Particles outside an open domain.
+    pub escaped: u32,
+    /// Events since the last measurement.
+    pub counters: Counters,
+}
+
+impl Stats {
+    /// Reads what the GPU measured. `bytes` are those of one [`Measure`].
+    ///
+    /// # Panics
+    /// If `bytes` is not as long as a [`Measure`].
+    pub fn new(bytes: &[u8], scene: &Scene) -> Self {
+        let measure: Measure = bytemuck::pod_read_unaligned(bytes);
+        let sums = measure.sums;
+        let count = f64::from(sums.particles.max(1));
+        let mass_kg = scene.particle_mass_kg();
+        let mean_m = sums.position_sum_m.map(|sum| f64::from(sum) / count);
+        let spread = |sum: f32, p99: f32, max: f32| Spread {
+            mean: f64::from(sum) / count,
+            p99: f64::from(p99).min(f64::from(max)),
+            max: f64::from(max),
+        };
+        let potential_m2_s2: f64 = (0..3).map(|axis| -scene.gravity_m_s2[axis] * mean_m[axis]).sum();
+        let origin_m = scene.domain.min_m;
+        let present = sums.particles > 0;
+        Self {
+            density_error: spread(sums.density_error_sum, measure.density_error_p99, sums.density_error_max),
+            compression: spread(sums.compression_sum, measure.compression_p99, sums.compression_max),
+            max_speed_m_s: f64::from(sums.speed_max_m_s),
+            kinetic_j: 0.5 * mass_kg * f64::from(sums.speed_squared_sum_m2_s2),
+            potential_j: mass_kg * f64::from(sums.particles) * potential_m2_s2,
+            centre_of_mass_m: std::array::from_fn(|axis| if present { origin_m[axis] + mean_m[axis] } else { 0.0 }),
+            momentum_kg_m_s: sums.velocity_sum_m_s.map(|sum| mass_kg * f64::from(sum)),
+            front_m: if present { origin_m[0] + f64::from(sums.front_m) + 0.5 * scene.spacing_m } else { 0.0 },
+            particles: sums.particles,
+            quarantined: sums.quarantined,
+            escaped: sums.escaped,
+            counters: measure.counters,
+        }
+    }
+}

@@ -1,0 +1,253 @@
+//! The scene: what a TOML file says, with defaults for everything optional. SI units throughout,
+//! y up. Camera and picture settings live here too and are read by whoever needs them.
+
+mod check;
+mod error;
+mod load;
+mod shipped;
+
+pub use error::SceneError;
+pub use shipped::shipped_scenes;
+
+use serde::{Deserialize, Serialize};
+
+/// A whole scene. [`Scene::load`] reads one, [`shipped_scenes`] lists those that come along.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Scene {
+    /// Name: the file's, without its ending.
+    #[serde(skip)]
+    pub name: String,
+    /// One line that says what happens.
+    #[serde(default)]
+    pub summary: String,
+    /// Particle spacing d of the initial lattice, m.
+    pub spacing_m: f64,
+    /// Acceleration of gravity, m/s².
+    #[serde(default = "default_gravity")]
+    pub gravity_m_s2: [f64; 3],
+    /// The box that holds the fluid.
+    pub domain: Domain,
+    /// The fluids at the start.
+    #[serde(default, rename = "fluid")]
+    pub fluids: Vec<Fluid>,
+    /// Solver settings.
+    #[serde(default)]
+    pub solver: Solver,
+    /// Where the pictures are taken from; framed on the domain when left out.
+    #[serde(default)]
+    pub camera: Option<Camera>,
+    /// What a run writes.
+    #[serde(default)]
+    pub outputs: Outputs,
+}
+
+/// An axis-aligned box.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Domain {
+    /// Lowest corner, m. The GPU's positions are relative to it.
+    pub min_m: [f64; 3],
+    /// Highest corner, m.
+    pub max_m: [f64; 3],
+    /// Whether the box has walls. Without them a particle that leaves the box is counted as
+    /// escaped and flies on alone. Safe to drop where no fluid reaches the box's faces.
+    #[serde(default = "yes")]
+    pub walls: bool,
+}
+
+impl Domain {
+    /// Extent along each axis, m.
+    pub fn size_m(&self) -> [f64; 3] {
+        std::array::from_fn(|axis| self.max_m[axis] - self.min_m[axis])
+    }
+}
+
+/// One body of fluid: a block or a sphere, filled with a cubic lattice of particles.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Fluid {
+    /// A box of fluid; exactly one of `block` and `sphere` is given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub block: Option<Block>,
+    /// A ball of fluid.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sphere: Option<Sphere>,
+    /// Velocity at the start, m/s.
+    #[serde(default)]
+    pub velocity_m_s: [f64; 3],
+    /// Density at rest, kg/m³. It scales energies; all fluids of a scene share one value.
+    #[serde(default = "default_rest_density")]
+    pub rest_density_kg_m3: f64,
+}
+
+/// An axis-aligned box of fluid.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Block {
+    /// Lowest corner, m.
+    pub min_m: [f64; 3],
+    /// Highest corner, m.
+    pub max_m: [f64; 3],
+}
+
+/// A ball of fluid.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Sphere {
+    /// Its middle, m.
+    pub centre_m: [f64; 3],
+    /// Its radius, m.
+    pub radius_m: f64,
+}
+
+/// Which solver.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Method {
+    /// Position Based Fluids (Macklin & Müller 2013).
+    #[default]
+    Pbf,
+}
+
+impl Method {
+    /// Its name in scenes and summaries.
+    pub fn name(self) -> &'static str {
+        match self {
+            Method::Pbf => "pbf",
+        }
+    }
+}
+
+/// Solver settings. A coefficient of 0 leaves its term out: no pass, no buffer, no code.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Solver {
+    /// Which solver.
+    pub method: Method,
+    /// Time a step advances, s.
+    pub dt_s: f64,
+    /// Equal parts a step is advanced in. Each sorts and lists neighbours anew; at the same
+    /// total of iterations, substeps buy more accuracy than iterations.
+    pub substeps: u32,
+    /// Jacobi iterations a substep.
+    pub iterations: u32,
+    /// Support radius of the kernel over the spacing, h/d.
+    pub support_ratio: f64,
+    /// Jacobi under-relaxation ω. Plain Jacobi (1) is unstable at ordinary neighbour counts:
+    /// at h = 2d the limit is about 0.7.
+    pub relaxation: f64,
+    /// Constraint force mixing ε (Macklin & Müller 2013, eq. 11) over the lattice's |∇C|².
+    pub cfm: f64,
+    /// Artificial pressure k (eq. 13), no unit; 0 leaves it out. Wendland's kernel does not
+    /// pair particles, so it is not needed for stability.
+    pub s_corr_k: f64,
+    /// Distance at which the artificial pressure is k, over h.
+    pub s_corr_distance_ratio: f64,
+    /// XSPH viscosity c (eq. 17), 0 to 1; 0 leaves it out.
+    pub xsph: f64,
+    /// Vorticity confinement (eq. 16), m/s; 0 leaves it out.
+    pub vorticity_m_s: f64,
+    /// No particle goes faster; clamps are counted. Default: h a substep.
+    pub max_speed_m_s: Option<f64>,
+    /// Room for neighbours a particle; what does not fit is counted.
+    pub neighbour_slots: u32,
+}
+
+impl Default for Solver {
+    fn default() -> Self {
+        Self {
+            method: Method::Pbf,
+            dt_s: 1.0 / 240.0,
+            substeps: 1,
+            iterations: 4,
+            support_ratio: 2.0,
+            relaxation: 0.5,
+            cfm: 0.01,
+            s_corr_k: 0.0,
+            s_corr_distance_ratio: 0.2,
+            xsph: 0.01,
+            vorticity_m_s: 0.0,
+            max_speed_m_s: None,
+            neighbour_slots: 48,
+        }
+    }
+}
+
+/// Where pictures are taken from.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Camera {
+    /// The eye, m.
+    pub eye_m: [f64; 3],
+    /// What it looks at, m.
+    pub target_m: [f64; 3],
+    /// Vertical angle of view, degrees.
+    #[serde(default = "default_fov")]
+    pub fov_deg: f64,
+}
+
+/// What a run writes and measures.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Outputs {
+    /// Simulated time, s.
+    pub seconds: f64,
+    /// Pictures, spread evenly over the run; 0: none, and nothing that draws is there.
+    pub images: u32,
+    /// Width of a picture, pixels.
+    pub width_px: u32,
+    /// Height of a picture, pixels.
+    pub height_px: u32,
+    /// Steps between two measurements; 0: none, and nothing that measures is there.
+    pub measure_every_steps: u32,
+}
+
+impl Default for Outputs {
+    fn default() -> Self {
+        Self { seconds: 2.0, images: 5, width_px: 960, height_px: 540, measure_every_steps: 4 }
+    }
+}
+
+impl Scene {
+    /// Support radius h of the kernel, m.
+    pub fn support_m(&self) -> f64 {
+        self.spacing_m * self.solver.support_ratio
+    }
+
+    /// Time a substep advances, s.
+    pub fn substep_s(&self) -> f64 {
+        self.solver.dt_s / f64::from(self.solver.substeps)
+    }
+
+    /// Speed no particle exceeds, m/s: what the scene says, else h a substep.
+    pub fn max_speed_m_s(&self) -> f64 {
+        self.solver.max_speed_m_s.unwrap_or(self.support_m() / self.substep_s())
+    }
+
+    /// Density at rest of the scene's fluids, kg/m³.
+    pub fn rest_density_kg_m3(&self) -> f64 {
+        self.fluids.first().map_or_else(default_rest_density, |fluid| fluid.rest_density_kg_m3)
+    }
+
+    /// Mass of a particle, kg: what its lattice cell holds.
+    pub fn particle_mass_kg(&self) -> f64 {
+        self.rest_density_kg_m3() * self.spacing_m.powi(3)
+    }
+}
+
+fn default_gravity() -> [f64; 3] {
+    [0.0, -9.81, 0.0]
+}
+
+fn default_rest_density() -> f64 {
+    1000.0
+}
+
+fn default_fov() -> f64 {
+    40.0
+}
+
+fn yes() -> bool {
+    true
+}

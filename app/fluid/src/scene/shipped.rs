@@ -1,0 +1,37 @@
+//! The scenes that come with the program.
+
+use super::{SceneError, load::nearest};
+
+const SCENES: &[(&str, &str)] = &[
+    ("dam-break", include_str!("../../scenes/dam-break.toml")),
+    ("double-dam-break", include_str!("../../scenes/double-dam-break.toml")),
+    ("falling-ball", include_str!("../../scenes/falling-ball.toml")),
+    ("calm-pool", include_str!("../../scenes/calm-pool.toml")),
+    ("martin-moyce", include_str!("../../scenes/martin-moyce.toml")),
+    ("colliding-drops", include_str!("../../scenes/colliding-drops.toml")),
+];
+
+/// Name and summary of each shipped scene.
+pub fn shipped_scenes() -> impl Iterator<Item = (&'static str, &'static str)> {
+    SCENES.iter().map(|&(name, text)| {
+        let summary = text
+            .lines()
+            .find_map(|line| line.strip_prefix("summary = \""))
+            .and_then(|rest| rest.strip_suffix('"'))
+            .unwrap_or_default();
+        (name, summary)
+    })
+}
+
+pub(super) fn text_of(name: &str) -> Option<&'static str> {
+    SCENES.iter().find(|(shipped, _)| *shipped == name).map(|&(_, text)| text)
+}
+
+pub(super) fn unknown(name: &str) -> SceneError {
+    let names: Vec<&str> = SCENES.iter().map(|&(shipped, _)| shipped).collect();
+    SceneError::Unknown {
+        name: name.into(),
+        nearest: nearest(name, names.iter().copied()).unwrap_or_default().into(),
+        shipped: names.join(", "),
+    }
+}

@@ -1,0 +1,129 @@
+//! The simulation and its engine together, for a program that only simulates.
+
+use brooklet_gpu::{Engine, Gpu, GpuError, Plan, PlanError, Resources};
+use brooklet_kernels::{Buffer, Position, ResourceId, Velocity};
+use thiserror::Error;
+
+use crate::measure::Stats;
+use crate::scene::Scene;
+use crate::step::{INIT, MEASURE, STEP, record};
+
+/// A scene running on a GPU.
+pub struct Simulation {
+    engine: Engine,
+    scene: Scene,
+    positions: Buffer<Position>,
+    velocities: Buffer<Velocity>,
+    measure: Option<ResourceId>,
+    latest: Option<Stats>,
+}
+
+/// Why a simulation cannot start or go on.
+#[derive(Debug, Error)]
+pub enum SimulationError {
+    /// The device.
+    #[error(transparent)]
+    Gpu(#[from] GpuError),
+    /// The recordings (a fault of this program).
+    #[error(transparent)]
+    Plan(#[from] PlanError),
+}
+
+impl Simulation {
+    /// Plans the scene, allocates what the plan keeps, and uploads the particles.
+    ///
+    /// # Errors
+    /// If the device lacks memory or limits for the scene.
+    pub fn new(gpu: &Gpu, scene: &Scene) -> Result<Self, SimulationError> {
+        let mut resources = Resources::new();
+        let recorded = record(&mut resources, scene);
+        let measure = recorded.measure.as_ref().map(|measure| measure.id);
+        let plan = Plan::sweep(resources, recorded.recordings, measure.as_slice())?;
+        let mut engine = Engine::new(gpu, plan)?;
+        engine.run(&[INIT], &[])?;
+        Ok(Self {
+            engine,
+            scene: scene.clone(),
+            positions: recorded.positions,
+            velocities: recorded.velocities,
+            measure,
+            latest: None,
+        })
+    }
+
+    /// Advances by the scene's `dt_s`. Returns before the GPU is done.
+    ///
+    /// # Errors
+    /// If the device is lost.
+    pub fn step(&mut self) -> Result<(), SimulationError> {
+        self.engine.run(&[STEP], &[])?;
+        Ok(())
+    }
+
+    /// Measures the state; the result arrives a frame or two later in [`Simulation::stats`].
+    ///
+    /// # Errors
+    /// If the device is lost.
+    pub fn measure(&mut self) -> Result<(), SimulationError> {
+        if let Some(measure) = self.measure {
+            self.engine.run(&[MEASURE], &[measure])?;
+        }
+        Ok(())
+    }
+
+    /// The newest measurement that has arrived.
+    pub fn stats(&mut self) -> Option<Stats> {
+        for report in self.engine.reports() {
+            self.keep(&report);
+        }
+        self.latest
+    }
+
+    /// Waits for all that was asked for; returns the newest measurement.
+    ///
+    /// # Errors
+    /// If the device is lost.
+    pub fn finish(&mut self) -> Result<Option<Stats>, SimulationError> {
+        for report in self.engine.finish()? {
+            self.keep(&report);
+        }
+        Ok(self.latest)
+    }
+
+    fn keep(&mut self, report: &brooklet_gpu::FrameReport) {
+        for (id, bytes) in &report.readbacks {
+            if Some(*id) == self.measure {
+                self.latest = Some(Stats::new(bytes, &self.scene));
+            }
+        }
+    }
+
+    /// Waits, and copies the particles to the host, in cell order.
+    ///
+    /// # Errors
+    /// If the device is lost.
+    pub fn particles(&mut self) -> Result<(Vec<Position>, Vec<Velocity>), SimulationError> {
+        Ok((self.engine.read(&self.positions)?, self.engine.read(&self.velocities)?))
+    }
+
+    /// Replaces the particles; as many as there are.
+    pub fn set_particles(&mut self, positions: &[Position], velocities: &[Velocity]) {
+        self.engine.write(&self.positions, positions);
+        self.engine.write(&self.velocities, velocities);
+    }
+
+    /// The positions' buffer on the GPU, for drawing without a copy.
+    pub fn positions(&self) -> &Buffer<Position> {
+        &self.positions
+    }
+
+    /// What runs the simulation.
+    pub fn engine(&mut self) -> &mut Engine {
+        &mut self.engine
+    }
+
+    /// The scene.
+    pub fn scene(&self) -> &Scene {
+        &self.scene
+    }
+}

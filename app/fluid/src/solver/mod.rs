@@ -1,0 +1,3 @@
+//! Solvers: what turns sorted, listed particles into their next positions and velocities.
+
+pub mod pbf;

@@ -1,0 +1,95 @@
+//! Position Based Fluids (Macklin & Müller 2013): Jacobi iterations of the density constraint,
+//! then velocities, vorticity confinement and XSPH viscosity. Each optional term is a variant or
+//! a pass of its own, chosen here once.
+
+mod constraint;
+mod velocity;
+
+use brooklet_gpu::{Recording, Resources};
+use brooklet_kernels::{Buffer, Counters, Iterate, KernelParams, PbfParams, Position, StepParams, Velocity};
+
+use crate::grid::{Neighbours, Sorted};
+use crate::kernel::{lattice, wendland};
+use crate::scene::Scene;
+use velocity::Vortices;
+
+/// What every stage of a substep shares.
+pub struct Shared {
+    /// Time, gravity, domain.
+    pub step: Buffer<StepParams>,
+    /// The smoothing kernel.
+    pub kernel: Buffer<KernelParams>,
+    /// The walls' table, if there are walls.
+    pub wall_weights: Option<Buffer<[f32; 4]>>,
+    /// Whether opposite walls are within reach of one particle.
+    pub narrow: bool,
+    /// Events that are counted.
+    pub counters: Buffer<Counters>,
+}
+
+/// The solver's settings and buffers.
+pub struct Pbf {
+    /// Settings as the shaders see them.
+    pub params: Buffer<PbfParams>,
+    iterations: u32,
+    s_corr: bool,
+    constrained: Buffer<Iterate>,
+    vortices: Option<Vortices>,
+    /// Velocities before viscosity; without it they are the result.
+    unsmoothed: Option<Buffer<Velocity>>,
+}
+
+/// What the shaders are given.
+pub fn params(scene: &Scene) -> PbfParams {
+    let solver = &scene.solver;
+    PbfParams {
+        relaxation: solver.relaxation as f32,
+        cfm: (solver.cfm * lattice(solver.support_ratio).stiffness) as f32,
+        s_corr_k: solver.s_corr_k as f32,
+        s_corr_inverse_w: (1.0 / wendland(solver.s_corr_distance_ratio)) as f32,
+        xsph: solver.xsph as f32,
+        vorticity: solver.vorticity_m_s as f32,
+        // Half a spacing: further, and two particles a correction drives together pass each other.
+        max_correction_m: (0.5 * scene.spacing_m) as f32,
+        reserved: 0.0,
+    }
+}
+
+impl Pbf {
+    /// Declares the buffers of the terms that `scene` has.
+    pub fn declare(resources: &mut Resources, scene: &Scene, particle_count: u32) -> Self {
+        let solver = &scene.solver;
+        Self {
+            params: resources.state("pbf_params", 1),
+            iterations: solver.iterations,
+            s_corr: solver.s_corr_k > 0.0,
+            constrained: resources.buffer("constrained", particle_count),
+            vortices: (solver.vorticity_m_s > 0.0).then(|| Vortices::declare(resources, particle_count)),
+            unsmoothed: (solver.xsph > 0.0).then(|| resources.buffer("unsmoothed_velocities", particle_count)),
+        }
+    }
+
+    /// From predicted, sorted particles to their positions and velocities after the substep.
+    pub fn record(
+        &mut self,
+        recording: &mut Recording,
+        shared: &mut Shared,
+        neighbours: &Neighbours,
+        sorted: &mut Sorted,
+        positions: &mut Buffer<Position>,
+        velocities: &mut Buffer<Velocity>,
+    ) {
+        for _ in 0..self.iterations {
+            constraint::constrain_density(recording, self, shared, neighbours, &sorted.iterates);
+            constraint::correct_positions(recording, self, shared, neighbours, &mut sorted.iterates);
+        }
+        let updated = self.unsmoothed.as_mut().unwrap_or(&mut *velocities);
+        velocity::update_velocity(recording, shared, sorted, positions, updated);
+        if let Some(vortices) = &mut self.vortices {
+            vortices.record(recording, &self.params, shared, neighbours, positions, updated);
+        }
+        if let Some(unsmoothed) = &self.unsmoothed {
+            velocity::viscosity(recording, &self.params, shared, neighbours, positions, unsmoothed, velocities);
+        }
+    }
+}

@@ -1,0 +1,105 @@
+//! From corrections to velocities, and what is done to velocities alone.
+
+use brooklet_gpu::{Recording, Resources};
+use brooklet_kernels::{
+    Buffer, ConfineVorticity, Curl, PbfParams, Position, UpdateVelocity, Velocity, Viscosity, Vorticity,
+};
+
+use super::Shared;
+use crate::grid::{Neighbours, Sorted};
+
+/// Positions and velocities after the corrections. (Shader: `solver/pbf/update_velocity.compute`.)
+pub(super) fn update_velocity(
+    recording: &mut Recording,
+    shared: &mut Shared,
+    sorted: &Sorted,
+    positions: &mut Buffer<Position>,
+    velocities: &mut Buffer<Velocity>,
+) {
+    let count = positions.len;
+    recording.dispatch(
+        &UpdateVelocity {
+            iterates: sorted.iterates.read(),
+            sorted_positions: sorted.positions.read(),
+            sorted_velocities: sorted.velocities.read(),
+            positions: positions.write(),
+            velocities: velocities.write(),
+            counters: shared.counters.write(),
+            step_params: shared.step.uniform(),
+        },
+        count,
+    );
+}
+
+/// XSPH viscosity. (Shader: `solver/pbf/viscosity.compute`.)
+pub(super) fn viscosity(
+    recording: &mut Recording,
+    pbf: &Buffer<PbfParams>,
+    shared: &Shared,
+    neighbours: &Neighbours,
+    positions: &Buffer<Position>,
+    velocities: &Buffer<Velocity>,
+    smoothed: &mut Buffer<Velocity>,
+) {
+    recording.dispatch(
+        &Viscosity {
+            positions: positions.read(),
+            velocities: velocities.read(),
+            neighbours: neighbours.indices.read(),
+            neighbour_counts: neighbours.counts.read(),
+            smoothed_velocities: smoothed.write(),
+            step_params: shared.step.uniform(),
+            kernel: shared.kernel.uniform(),
+            pbf: pbf.uniform(),
+        },
+        positions.len,
+    );
+}
+
+/// Vorticity confinement: its one buffer and two passes.
+pub(super) struct Vortices {
+    vorticities: Buffer<Vorticity>,
+}
+
+impl Vortices {
+    pub(super) fn declare(resources: &mut Resources, particle_count: u32) -> Self {
+        Self { vorticities: resources.buffer("vorticities", particle_count) }
+    }
+
+    /// (Shaders: `solver/pbf/curl.compute`, `solver/pbf/confine_vorticity.compute`.)
+    pub(super) fn record(
+        &mut self,
+        recording: &mut Recording,
+        pbf: &Buffer<PbfParams>,
+        shared: &Shared,
+        neighbours: &Neighbours,
+        positions: &Buffer<Position>,
+        velocities: &mut Buffer<Velocity>,
+    ) {
+        recording.dispatch(
+            &Curl {
+                positions: positions.read(),
+                velocities: velocities.read(),
+                neighbours: neighbours.indices.read(),
+                neighbour_counts: neighbours.counts.read(),
+                vorticities: self.vorticities.write(),
+                step_params: shared.step.uniform(),
+                kernel: shared.kernel.uniform(),
+            },
+            positions.len,
+        );
+        recording.dispatch(
+            &ConfineVorticity {
+                positions: positions.read(),
+                vorticities: self.vorticities.read(),
+                neighbours: neighbours.indices.read(),
+                neighbour_counts: neighbours.counts.read(),
+                velocities: velocities.write(),
+                step_params: shared.step.uniform(),
+                kernel: shared.kernel.uniform(),
+                pbf: pbf.uniform(),
+            },
+            positions.len,
+        );
+    }
+}

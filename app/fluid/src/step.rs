@@ -1,0 +1,126 @@
+//! The chain of one step, top to bottom: predict, sort, list, solve; and its measurement.
+
+use brooklet_gpu::{Recording, Resources};
+use brooklet_kernels::{Buffer, Measure, Position, Predict, PredictVariant, StepParams, Velocity};
+
+use crate::grid::{self, Grid, Neighbours, Sorted};
+use crate::measure::Measuring;
+use crate::particles::{Emitted, emit};
+use crate::scene::Scene;
+use crate::solver::pbf::{self, Pbf, Shared};
+use crate::{boundary, kernel};
+
+/// Name of the recording that uploads the scene; run it once, first.
+pub const INIT: &str = "init";
+/// Name of the recording of one step.
+pub const STEP: &str = "step";
+/// Name of the recording of one measurement.
+pub const MEASURE: &str = "measure";
+
+/// A scene as recordings, and the buffers others read.
+pub struct Recorded {
+    /// Number of particles.
+    pub particle_count: u32,
+    /// `init`, `step` and, if the scene measures, `measure`.
+    pub recordings: Vec<Recording>,
+    /// Where the particles are after a step, relative to the domain's lowest corner; in cell
+    /// order, named by the ids in their tags.
+    pub positions: Buffer<Position>,
+    /// Their velocities, in the same order.
+    pub velocities: Buffer<Velocity>,
+    /// The last measurement, if the scene measures.
+    pub measure: Option<Buffer<Measure>>,
+}
+
+/// Declares the scene's buffers in `resources` and records its chain.
+pub fn record(resources: &mut Resources, scene: &Scene) -> Recorded {
+    record_particles(resources, scene, emit(scene))
+}
+
+/// As [`record`], with particles of the caller's instead of the scene's fluids.
+pub fn record_particles(resources: &mut Resources, scene: &Scene, emitted: Emitted) -> Recorded {
+    let particle_count = emitted.positions.len() as u32;
+    let grid_params = grid::params(scene, particle_count);
+    let mut positions = resources.state("positions", particle_count);
+    let mut velocities = resources.state("velocities", particle_count);
+    let mut grid = Grid::declare(resources, &grid_params);
+    let mut neighbours = Neighbours::declare(resources, &grid_params);
+    let mut sorted = Sorted::declare(resources, particle_count);
+    let mut pbf = Pbf::declare(resources, scene, particle_count);
+    let mut shared = Shared {
+        step: resources.state("step_params", 1),
+        kernel: resources.state("kernel_params", 1),
+        wall_weights: scene.domain.walls.then(|| resources.state("wall_weights", boundary::WALL_NODES.pow(3) as u32)),
+        narrow: scene.domain.size_m().iter().any(|&size_m| size_m < 2.0 * scene.support_m()),
+        counters: resources.state("counters", 1),
+    };
+
+    let mut init = Recording::new(INIT);
+    init.upload(&mut positions, &emitted.positions);
+    init.upload(&mut velocities, &emitted.velocities);
+    init.upload(&mut grid.params, &[grid_params]);
+    init.upload(&mut shared.step, &[step_params(scene, particle_count)]);
+    init.upload(&mut shared.kernel, &[kernel::params(scene)]);
+    init.upload(&mut pbf.params, &[pbf::params(scene)]);
+    if let Some(wall_weights) = &mut shared.wall_weights {
+        init.upload(wall_weights, &boundary::wall_weights(scene.solver.support_ratio));
+    }
+    init.clear(&mut shared.counters);
+    init.clear(&mut neighbours.counts);
+
+    let mut step = Recording::new(STEP);
+    for _ in 0..scene.solver.substeps {
+        predict(&mut step, &mut shared, &mut positions, &mut velocities);
+        grid.record_sort(&mut step, &positions, &velocities, &mut sorted);
+        neighbours.record(&mut step, &grid, &sorted.positions, &mut shared.counters);
+        pbf.record(&mut step, &mut shared, &neighbours, &mut sorted, &mut positions, &mut velocities);
+    }
+
+    let mut recordings = vec![init, step];
+    let measure = (scene.outputs.measure_every_steps > 0).then(|| {
+        let mut measuring = Measuring::declare(resources, particle_count);
+        let mut recording = Recording::new(MEASURE);
+        measuring.record(&mut recording, &mut shared, &neighbours, &positions, &velocities);
+        recordings.push(recording);
+        measuring.measure
+    });
+    Recorded { particle_count, recordings, positions, velocities, measure }
+}
+
+/// (Shader: `particles/predict.compute`.)
+fn predict(
+    recording: &mut Recording,
+    shared: &mut Shared,
+    positions: &mut Buffer<Position>,
+    velocities: &mut Buffer<Velocity>,
+) {
+    let count = positions.len;
+    recording.dispatch(
+        &Predict {
+            variant: PredictVariant { walls: shared.wall_weights.is_some() },
+            positions: positions.write(),
+            velocities: velocities.write(),
+            counters: shared.counters.write(),
+            step_params: shared.step.uniform(),
+        },
+        count,
+    );
+}
+
+/// What the shaders are given.
+pub fn step_params(scene: &Scene, particle_count: u32) -> StepParams {
+    StepParams {
+        gravity_m_s2: scene.gravity_m_s2.map(|g| g as f32),
+        dt_s: scene.substep_s() as f32,
+        domain_size_m: scene.domain.size_m().map(|size| size as f32),
+        wall_offset_m: (WALL_OFFSET_RATIO * scene.spacing_m) as f32,
+        max_speed_m_s: scene.max_speed_m_s() as f32,
+        particle_count,
+        fluid_count: scene.fluids.len() as u32,
+        reserved: 0,
+    }
+}
+
+/// How near a wall a particle's middle may come, over the spacing. The lattice starts at a half;
+/// what is nearer than this the walls' density alone did not hold back.
+const WALL_OFFSET_RATIO: f64 = 0.25;

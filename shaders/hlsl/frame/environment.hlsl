@@ -1,0 +1,49 @@
+// What surrounds the fluid, as every drawing stage sees it: sky, sun, and their light.
+#ifndef BROOKLET_ENVIRONMENT
+#define BROOKLET_ENVIRONMENT
+
+#include "layout.hlsl"
+
+// Where a ray leaves to: a gradient from horizon to zenith with a soft sun. Below the horizon it
+// stays the horizon's colour, which is what the floor melts into.
+float3 sky_radiance(FrameLight light, float3 direction)
+{
+    float height = saturate(direction.y);
+    // The gradient is steep near the horizon, as a real sky's is.
+    float3 color = lerp(light.sky_horizon, light.sky_zenith, 1.0 - exp2(-4.0 * height));
+    float toward_sun = saturate(dot(direction, light.to_sun));
+    float glow = 0.10 * pow(toward_sun, 6.0) + 0.30 * pow(toward_sun, 48.0) + 2.0 * pow(toward_sun, 900.0);
+    return color + glow * light.sun_color;
+}
+
+// Diffuse light of sky and floor on a surface facing `normal`.
+float3 ambient_light(FrameLight light, float3 floor_color, float3 normal)
+{
+    float3 sky = lerp(light.sky_horizon, light.sky_zenith, 0.55);
+    float3 bounce = floor_color * (0.35 * light.sun_color + 0.3 * light.sky_horizon);
+    return lerp(bounce, sky, 0.5 + 0.5 * normal.y);
+}
+
+// Share of light a smooth dielectric reflects: Schlick 1994.
+float fresnel(float f0, float cosine)
+{
+    float x = 1.0 - saturate(cosine);
+    float x2 = x * x;
+    return f0 + (1.0 - f0) * x2 * x2 * x;
+}
+
+// Column and row in the shadow map, and depth there (1 nearest the sun).
+float3 shadow_position(FrameLight light, float3 world_m)
+{
+    float4 p = float4(world_m, 1.0);
+    return float3(dot(light.shadow_u, p), dot(light.shadow_v, p), dot(light.shadow_depth, p));
+}
+
+// Depth of the map's texel at `uv`; zero (nothing there) outside.
+float shadow_load(Texture2D<float> shadow_map, FrameLight light, float2 uv)
+{
+    float2 texel = clamp(uv * light.shadow_texels, 0.0, light.shadow_texels - 1.0);
+    return shadow_map.Load(int3(int2(texel), 0));
+}
+
+#endif

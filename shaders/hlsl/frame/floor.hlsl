@@ -1,0 +1,117 @@
+// The floor under the domain: satin tiles with the fluid's soft shadow, melting into the horizon.
+// Blended over the mirrored particles: alpha is the share that is not mirror.
+#pragma vertex FloorVertex
+#pragma fragment FloorFragment
+
+#include "camera.hlsl"
+#include "environment.hlsl"
+
+Texture2D<float> shadow_map;
+ConstantBuffer<FrameView> view;
+ConstantBuffer<FrameLight> light;
+ConstantBuffer<FrameStyle> style;
+
+struct Varyings
+{
+    float4 position : SV_Position;
+    [[vk::location(0)]] float3 world_m : TEXCOORD0;
+};
+
+Varyings FloorVertex(uint vertex : SV_VertexID)
+{
+    // As wide as the fade lets anything be seen.
+    float2 corner = quad_corner(vertex) * style.floor_fade_m * 4.0;
+    Varyings output;
+    output.world_m = float3(0.5 * style.domain_size_m.x + corner.x, 0.0, 0.5 * style.domain_size_m.z + corner.y);
+    output.position = clip_from_offset(view, output.world_m - view.eye_m);
+    return output;
+}
+
+// How much of a pixel's footprint `width` (in tiles) around `at` lies on a joint that takes
+// `joint` of each tile: the integral over the footprint, so that it fades out and never flickers.
+float2 joint_integral(float2 x, float joint)
+{
+    return floor(x) * joint + min(frac(x), joint);
+}
+
+float joints(float2 at, float2 width, float joint)
+{
+    float2 share = (joint_integral(at + 0.5 * width, joint) - joint_integral(at - 0.5 * width, joint)) / width;
+    return 1.0 - (1.0 - saturate(share.x)) * (1.0 - saturate(share.y));
+}
+
+float tile_tone(float2 tile)
+{
+    float2 h = frac(tile * float2(0.1031, 0.1130) + 0.37);
+    h += dot(h, h.yx + 33.33);
+    return frac((h.x + h.y) * h.x * 7.13);
+}
+
+// Share of the sun that arrives: a disc of taps that widens with the blocker's distance, for a
+// shadow that is crisp where the fluid stands on the floor and soft far from it.
+float sun_arriving(float3 world_m)
+{
+    float3 at = shadow_position(light, world_m);
+    if (any(abs(at.xy - 0.5) > 0.5))
+        return 1.0;
+    const float golden = 2.399963;
+    float texel = 1.0 / light.shadow_texels;
+    float bias = 0.5 * light.shadow_texel_m / light.shadow_range_m;
+    float wide = 14.0 * texel;
+    float blockers = 0.0;
+    float gap = 0.0;
+    [loop]
+    for (uint i = 0; i < 8; i++)
+    {
+        float radius = wide * sqrt((i + 0.5) / 8.0);
+        float angle = i * golden;
+        float depth = shadow_load(shadow_map, light, at.xy + radius * float2(cos(angle), sin(angle)));
+        if (depth > at.z + bias)
+        {
+            blockers += 1.0;
+            gap += depth - at.z;
+        }
+    }
+    if (blockers == 0.0)
+        return 1.0;
+    float gap_m = gap / blockers * light.shadow_range_m;
+    float soft = clamp(0.06 * gap_m / light.shadow_texel_m, 2.0, 14.0) * texel;
+    float lit = 0.0;
+    [loop]
+    for (uint k = 0; k < 20; k++)
+    {
+        float radius = soft * sqrt((k + 0.5) / 20.0);
+        float angle = k * golden;
+        float depth = shadow_load(shadow_map, light, at.xy + radius * float2(cos(angle), sin(angle)));
+        lit += depth > at.z + bias ? 0.0 : 1.0;
+    }
+    return lit / 20.0;
+}
+
+float4 FloorFragment(Varyings input) : SV_Target0
+{
+    float3 offset = input.world_m - view.eye_m;
+    float distance_m = length(offset);
+    float3 direction = offset / distance_m;
+    float2 at = input.world_m.xz / style.tile_m;
+    float2 width = max(fwidth(at), 1e-4);
+    float near = saturate(1.0 - max(width.x, width.y) * 1.5);
+    float3 albedo = style.floor_color * (1.0 + 0.06 * near * (tile_tone(floor(at)) - 0.5));
+    albedo *= 1.0 - 0.22 * joints(at, width, 0.018);
+
+    float sun = sun_arriving(input.world_m);
+    float3 up = float3(0.0, 1.0, 0.0);
+    float3 ambient = lerp(light.sky_horizon, light.sky_zenith, 0.45);
+    // Sunlight that went through the fluid is not gone: it arrives blue.
+    float3 arriving = lerp(float3(0.05, 0.16, 0.24), float3(1.0, 1.0, 1.0), sun);
+    float3 color = albedo * (light.to_sun.y * arriving * light.sun_color * 0.75 + ambient * (0.55 + 0.2 * sun));
+
+    float mirror = style.reflection_strength * fresnel(0.08, -direction.y);
+    color = color * (1.0 - mirror) + mirror * sky_radiance(light, reflect(direction, up));
+
+    float fade = 1.0 - exp(-pow(distance_m / style.floor_fade_m, 2.0));
+    color = lerp(color, sky_radiance(light, normalize(float3(direction.x, 0.0, direction.z))), fade);
+    float opaque = 1.0 - mirror * (1.0 - fade);
+    // The blend multiplies by alpha; `color` already holds the sky's mirror image.
+    return float4(color / opaque, opaque);
+}

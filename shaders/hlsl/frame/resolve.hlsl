@@ -1,0 +1,103 @@
+// From linear light to the picture: ambient occlusion from the depth, tone mapping of every drawn
+// pixel, their mean, sRGB, and a dither of one step against banding.
+#pragma vertex ResolveVertex
+#pragma fragment ResolveFragment
+
+#include "camera.hlsl"
+
+Texture2D<float4> radiance;
+Texture2D<float> depth_map;
+ConstantBuffer<FrameView> view;
+ConstantBuffer<FrameLight> light;
+ConstantBuffer<FrameStyle> style;
+
+struct Varyings
+{
+    float4 position : SV_Position;
+};
+
+Varyings ResolveVertex(uint vertex : SV_VertexID)
+{
+    Varyings output;
+    output.position = float4(covering_corner(vertex), 0.0, 1.0);
+    return output;
+}
+
+float distance_at(float2 drawn_px)
+{
+    int2 at = int2(clamp(drawn_px, 0.0, view.size_px - 1.0));
+    return view.near_m / max(depth_map.Load(int3(at, 0)), 1e-7);
+}
+
+// How much of the sky a pixel does not see, from the depths around it: each tap counts by how far
+// it stands in front, and not at all when it is so far in front that it is another thing.
+float occlusion(float2 drawn_px, float distance_m)
+{
+    float reach_px = style.occlusion_m / (distance_m * view.pixel_angle);
+    if (reach_px < 1.0)
+        return 0.0;
+    reach_px = min(reach_px, 48.0 * view.supersample);
+    const float golden = 2.399963;
+    const uint taps = 12;
+    float sum = 0.0;
+    [loop]
+    for (uint i = 0; i < taps; i++)
+    {
+        float share = (i + 0.5) / taps;
+        float angle = i * golden;
+        float2 aside = reach_px * share * float2(cos(angle), sin(angle));
+        // Pairs of opposite taps: on a tilted plane what one gains the other loses.
+        float front = distance_m - distance_at(drawn_px + aside);
+        float back = distance_m - distance_at(drawn_px - aside);
+        float limit = style.occlusion_m;
+        float gain = clamp(front, -limit, limit) + clamp(back, -limit, limit);
+        float known = step(front, 3.0 * limit) * step(back, 3.0 * limit);
+        sum += known * saturate(gain / (limit * (share + 0.3)));
+    }
+    return sum / taps;
+}
+
+// A film's curve: Narkowicz 2016, a fit to the ACES reference.
+float3 film(float3 x)
+{
+    return saturate((x * (2.51 * x + 0.03)) / (x * (2.43 * x + 0.59) + 0.14));
+}
+
+float3 srgb_encode(float3 linear_light)
+{
+    float3 low = linear_light * 12.92;
+    float3 high = 1.055 * pow(max(linear_light, 1e-6), 1.0 / 2.4) - 0.055;
+    return lerp(high, low, step(linear_light, 0.0031308));
+}
+
+// Jimenez 2014, interleaved gradient noise.
+float noise(float2 px)
+{
+    return frac(52.9829189 * frac(dot(px, float2(0.06711056, 0.00583715))));
+}
+
+float4 ResolveFragment(Varyings input) : SV_Target0
+{
+    uint side = uint(view.supersample + 0.5);
+    int2 corner = int2(input.position.xy) * int(side);
+    float3 sum = 0.0;
+    float nearest = 0.0;
+    [loop]
+    for (uint i = 0; i < side * side; i++)
+    {
+        int3 at = int3(corner + int2(i % side, i / side), 0);
+        // Each drawn pixel by itself: a highlight must not outshine its pixel's other parts.
+        sum += film(radiance.Load(at).rgb * light.exposure);
+        nearest = max(nearest, depth_map.Load(at));
+    }
+    float3 color = sum / float(side * side);
+    if (nearest > 0.0)
+    {
+        float occluded = occlusion(float2(corner) + 0.5 * view.supersample, view.near_m / nearest);
+        color *= 1.0 - style.occlusion_strength * occluded;
+    }
+    float2 ndc = input.position.xy * view.supersample / view.size_px * 2.0 - 1.0;
+    color *= 1.0 - 0.10 * dot(ndc, ndc) * 0.5;
+    float3 encoded = srgb_encode(color) + (noise(input.position.xy) - 0.5) / 255.0;
+    return float4(encoded, 1.0);
+}

@@ -1,0 +1,41 @@
+// The shadow map: each particle as a disc, seen along the sun's rays. Depth only.
+#pragma vertex ShadowVertex
+#pragma fragment ShadowFragment
+
+#include "../shared/layout.hlsl"
+#include "camera.hlsl"
+#include "environment.hlsl"
+
+StructuredBuffer<Position> positions;
+ConstantBuffer<FrameLight> light;
+ConstantBuffer<FrameStyle> style;
+
+struct Varyings
+{
+    float4 position : SV_Position;
+    [[vk::location(0)]] float2 disc : TEXCOORD0;
+};
+
+Varyings ShadowVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID)
+{
+    Position particle = positions[instance];
+    float2 corner = quad_corner(vertex);
+    float3 center = shadow_position(light, particle.position_m);
+    float radius_uv = style.radius_m / (light.shadow_texel_m * light.shadow_texels);
+    // The particle's front, so that the half facing the sun does not shade itself.
+    float depth = center.z + style.radius_m / light.shadow_range_m;
+    float2 uv = center.xy + corner * radius_uv;
+
+    Varyings output;
+    output.position = float4(2.0 * uv.x - 1.0, 1.0 - 2.0 * uv.y, depth, 1.0);
+    output.disc = corner;
+    if (particle.tag >> 31)
+        output.position = float4(0.0, 0.0, 0.0, 1.0);   // quarantined: every corner in one point
+    return output;
+}
+
+void ShadowFragment(Varyings input)
+{
+    if (dot(input.disc, input.disc) > 1.0)
+        discard;
+}
