@@ -4,4 +4,13 @@
 //! file of the stage's name. Tests run a kernel and its twin on the same input and compare.
 
 pub mod boundary;
+pub mod compression;
+pub mod dam_break;
+pub mod grid;
+pub mod measure;
+pub mod norms;
+pub mod params;
+pub mod particles;
 pub mod shared;
+pub mod solver;
+pub mod step;

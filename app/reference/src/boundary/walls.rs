@@ -44,9 +44,7 @@ fn line(gauss: &Gauss, x: f64, y: f64) -> f64 {
 
 /// Integral of W along the part beyond `z` of the line at (x, y).
 fn ray(gauss: &Gauss, x: f64, y: f64, z: f64) -> f64 {
-    gauss.integrate(z, chord(&[x, y]), |z| {
-        kernel((x * x + y * y + z * z).sqrt())
-    })
+    gauss.integrate(z, chord(&[x, y]), |z| kernel((x * x + y * y + z * z).sqrt()))
 }
 
 /// Integral of W beyond three walls, at `x`, `y` and `z`.
@@ -61,9 +59,7 @@ fn quarter_plane(gauss: &Gauss, x: f64, y: f64, z: f64) -> f64 {
 
 /// Where the unit ball ends along one axis, given the other coordinates.
 fn chord(others: &[f64]) -> f64 {
-    (1.0 - others.iter().map(|o| o * o).sum::<f64>())
-        .max(0.0)
-        .sqrt()
+    (1.0 - others.iter().map(|o| o * o).sum::<f64>()).max(0.0).sqrt()
 }
 
 /// The wall-weight function for one support ratio h / spacing.
@@ -135,11 +131,117 @@ impl Walls {
     /// Derivative of [`Walls::density`] by each distance, per h.
     pub fn gradient(&self, distance: DVec3) -> DVec3 {
         let by_first = |x: f64, y: f64, z: f64| {
-            self.plane_slope(x) - self.edge_slope(x, y) - self.edge_slope(x, z)
-                + self.corner_slope(x, y, z)
+            self.plane_slope(x) - self.edge_slope(x, y) - self.edge_slope(x, z) + self.corner_slope(x, y, z)
         };
         let [x, y, z] = distance.to_array();
         DVec3::new(by_first(x, y, z), by_first(y, z, x), by_first(z, x, y))
+    }
+}
+
+/// What walls add at a point.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct WallDensity {
+    /// Density ratio.
+    pub density: f64,
+    /// Its gradient by position (by distance, where distances are asked about), per h.
+    pub gradient: DVec3,
+}
+
+/// A wall-weight function of the distances (in h) to one wall an axis, 1 or more being no wall.
+pub trait WallWeight {
+    /// What the walls add, with the gradient by the distances.
+    fn weigh(&self, distance: DVec3) -> WallDensity;
+}
+
+impl WallWeight for Walls {
+    fn weigh(&self, distance: DVec3) -> WallDensity {
+        WallDensity { density: self.density(distance), gradient: self.gradient(distance) }
+    }
+}
+
+/// The wall-weight function at `nodes`^3 points from distance 0 to 1, linear between them; x
+/// fastest; each node is the gradient over the distances, then the density ratio.
+pub struct WallTable {
+    /// Points along an axis.
+    pub nodes: usize,
+    /// The values at the points.
+    pub values: Vec<[f64; 4]>,
+}
+
+impl WallWeight for WallTable {
+    fn weigh(&self, distance: DVec3) -> WallDensity {
+        let place = distance.clamp(DVec3::ZERO, DVec3::ONE) * (self.nodes - 1) as f64;
+        let mut sum = [0.0; 4];
+        // Each of the eight nodes around counts by the product of its closeness on each axis.
+        for corner in 0..8_usize {
+            let mut index = 0;
+            let mut share = 1.0;
+            for axis in [2, 1, 0] {
+                let low = (place[axis].floor() as usize).min(self.nodes - 2);
+                let upper = corner >> axis & 1;
+                let part = place[axis] - low as f64;
+                share *= if upper == 1 { part } else { 1.0 - part };
+                index = index * self.nodes + low + upper;
+            }
+            for (sum, value) in sum.iter_mut().zip(self.values[index]) {
+                *sum += share * value;
+            }
+        }
+        WallDensity { density: sum[3], gradient: DVec3::new(sum[0], sum[1], sum[2]) }
+    }
+}
+
+/// All six walls of a box.
+pub struct DomainWalls<'a> {
+    /// What three walls add.
+    pub weight: &'a dyn WallWeight,
+    /// The box; its lowest corner is the origin.
+    pub domain_size_m: DVec3,
+    /// Support radius, m.
+    pub support_m: f64,
+}
+
+impl DomainWalls<'_> {
+    /// What the walls add at a position, with the gradient by the position.
+    ///
+    /// Beyond two opposite walls no point is the same, so along an axis where both are in reach the
+    /// share inside is (inside the low one) + (inside the high one) - (without either).
+    pub fn at(&self, position_m: DVec3) -> WallDensity {
+        let mut sum = WallDensity::default();
+        let low = position_m / self.support_m;
+        let high = (self.domain_size_m - position_m) / self.support_m;
+        let choices = [0, 1, 2].map(|axis| axis_choices(low[axis], high[axis]));
+        for x in &choices[0] {
+            for y in &choices[1] {
+                for z in &choices[2] {
+                    let distance = DVec3::new(x.distance, y.distance, z.distance);
+                    let direction = DVec3::new(x.direction, y.direction, z.direction);
+                    let sign = x.sign * y.sign * z.sign;
+                    let weight = self.weight.weigh(distance);
+                    sum.density += sign * weight.density;
+                    sum.gradient += sign * direction * weight.gradient;
+                }
+            }
+        }
+        sum
+    }
+}
+
+/// One way to count the walls of an axis.
+struct AxisChoice {
+    distance: f64,
+    direction: f64,
+    sign: f64,
+}
+
+/// The nearer wall alone, or, where both are in reach, either less none.
+fn axis_choices(low: f64, high: f64) -> Vec<AxisChoice> {
+    let choice = |distance, direction, sign| AxisChoice { distance, direction, sign };
+    match (low < 1.0, high < 1.0) {
+        (true, true) => vec![choice(low, 1.0, 1.0), choice(high, -1.0, 1.0), choice(1.0, 0.0, -1.0)],
+        (true, false) => vec![choice(low, 1.0, 1.0)],
+        (false, true) => vec![choice(high, -1.0, 1.0)],
+        (false, false) => vec![choice(1.0, 0.0, 1.0)],
     }
 }
 
@@ -212,11 +314,7 @@ mod tests {
     #[test]
     fn gradient_is_the_derivative() {
         let walls = Walls::new(2.0);
-        for at in [
-            DVec3::new(0.25, 0.3, 0.1),
-            DVec3::new(0.1, 0.8, 2.0),
-            DVec3::new(0.5, 2.0, 2.0),
-        ] {
+        for at in [DVec3::new(0.25, 0.3, 0.1), DVec3::new(0.1, 0.8, 2.0), DVec3::new(0.5, 2.0, 2.0)] {
             let gradient = walls.gradient(at);
             for axis in 0..3 {
                 let mut e = DVec3::ZERO;
@@ -232,5 +330,40 @@ mod tests {
         let walls = Walls::new(2.0);
         assert_eq!(walls.density(DVec3::ONE), 0.0);
         assert_eq!(walls.gradient(DVec3::ONE), DVec3::ZERO);
+    }
+
+    #[test]
+    fn narrow_channels_keep_density_one() {
+        // One layer between two walls, and one particle in a box of its own size.
+        let walls = Walls::new(2.0);
+        let weight = lattice::weight(2.0);
+        for (size, layer) in [(DVec3::new(9.0, 1.0, 9.0), true), (DVec3::ONE, false)] {
+            let box_walls = DomainWalls { weight: &walls, domain_size_m: size, support_m: 2.0 };
+            let at = box_walls.at(size / 2.0);
+            let inside = lattice::sum_where(2.0, |k| k == [0; 3] || layer && k[1] == 0);
+            let ratio = weight * inside + at.density;
+            assert!((ratio - 1.0).abs() < 1e-12, "{size}: {ratio}");
+            assert!(at.gradient.length() < 1e-14);
+        }
+    }
+
+    #[test]
+    fn tables_are_exact_for_linear_functions() {
+        let nodes = 5;
+        let mut values = Vec::new();
+        for z in 0..nodes {
+            for y in 0..nodes {
+                for x in 0..nodes {
+                    let [x, y, z] = [x, y, z].map(|k| k as f64 / 4.0);
+                    values.push([x, y, z, x + 2.0 * y + 3.0 * z]);
+                }
+            }
+        }
+        let table = WallTable { nodes, values };
+        let at = DVec3::new(0.31, 0.9, 1.0);
+        let got = table.weigh(at);
+        assert!((got.gradient - at).length() < 1e-15);
+        assert!((got.density - (0.31 + 1.8 + 3.0)).abs() < 1e-14);
+        assert_eq!(table.weigh(at + 5.0).gradient, DVec3::ONE);
     }
 }

@@ -1,5 +1,6 @@
 //! What several stages need: the smoothing kernel, sums over the lattice, quadrature.
 
+pub mod cells;
 pub mod lattice;
 pub mod quadrature;
 pub mod wendland;

@@ -34,11 +34,7 @@ impl Gauss {
             return 0.0;
         }
         let (middle, half) = ((a + b) / 2.0, (b - a) / 2.0);
-        half * self
-            .nodes
-            .iter()
-            .map(|&(x, w)| w * f(middle + half * x))
-            .sum::<f64>()
+        half * self.nodes.iter().map(|&(x, w)| w * f(middle + half * x)).sum::<f64>()
     }
 }
 

@@ -39,9 +39,7 @@ mod tests {
 
     #[test]
     fn integrates_to_its_volume() {
-        let integral = Gauss::new(16).integrate(0.0, 1.0, |q| {
-            4.0 * std::f64::consts::PI * q * q * kernel(q)
-        });
+        let integral = Gauss::new(16).integrate(0.0, 1.0, |q| 4.0 * std::f64::consts::PI * q * q * kernel(q));
         assert!((integral - VOLUME).abs() < 1e-14, "{integral}");
     }
 

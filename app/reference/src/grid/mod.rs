@@ -1,0 +1,6 @@
+//! The counting sort into cells, and the neighbour list.
+
+pub mod count_cells;
+pub mod list_neighbours;
+pub mod reorder;
+pub mod scan;

@@ -1,0 +1,42 @@
+//! Moving attributes to their places in cell order.
+
+/// The place of each particle: its cell's start plus its rank there.
+pub fn places(cells: &[u32], ranks: &[u32], starts: &[u32]) -> Vec<usize> {
+    cells.iter().zip(ranks).map(|(&cell, &rank)| (starts[cell as usize] + rank) as usize).collect()
+}
+
+/// `values[i]` at `places[i]`.
+pub fn reorder<T: Copy>(values: &[T], places: &[usize]) -> Vec<T> {
+    let mut out = values.to_vec();
+    for (value, &place) in values.iter().zip(places) {
+        out[place] = *value;
+    }
+    out
+}
+
+/// The places of a stable sort by cell, one of the orders that the atomic sort may give.
+pub fn stable_places(cells: &[u32]) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..cells.len()).collect();
+    order.sort_by_key(|&i| cells[i]);
+    let mut places = vec![0; cells.len()];
+    for (place, &i) in order.iter().enumerate() {
+        places[i] = place;
+    }
+    places
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::grid::{count_cells::count_cells, scan::scan};
+
+    #[test]
+    fn starts_and_ranks_are_the_stable_sort() {
+        let cells = [3, 1, 3, 0, 1, 3];
+        let ranks = [0, 0, 1, 0, 1, 2];
+        let starts = scan(&count_cells(&cells, 4));
+        let places = places(&cells, &ranks, &starts);
+        assert_eq!(places, stable_places(&cells));
+        assert_eq!(reorder(&cells, &places), [0, 1, 1, 3, 3, 3]);
+    }
+}

@@ -1,0 +1,3 @@
+//! Particles on their own, before they meet.
+
+pub mod predict;

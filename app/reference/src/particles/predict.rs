@@ -1,0 +1,103 @@
+//! Where each particle would go without its neighbours (Macklin & Muller 2013, algorithm 1, lines
+//! 1-4): symplectic Euler, then the walls, whose contact is inelastic.
+
+use crate::params::Step;
+use glam::DVec3;
+
+/// A particle's state.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Particle {
+    /// Relative to the domain's lowest corner.
+    pub position_m: DVec3,
+    /// Velocity, m/s.
+    pub velocity_m_s: DVec3,
+    /// Its state was not finite: it is parked at the origin, at rest, and met by nobody.
+    pub quarantined: bool,
+}
+
+/// What became of a particle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Predicted {
+    /// Its state at the substep's end, were it alone.
+    pub particle: Particle,
+    /// Whether its speed was limited.
+    pub slowed: bool,
+}
+
+/// Predicts one particle.
+pub fn predict(before: Particle, step: &Step) -> Predicted {
+    if before.quarantined {
+        return Predicted { particle: before, slowed: false };
+    }
+    if !before.position_m.is_finite() || !before.velocity_m_s.is_finite() {
+        let particle = Particle { position_m: DVec3::ZERO, velocity_m_s: DVec3::ZERO, quarantined: true };
+        return Predicted { particle, slowed: false };
+    }
+    let (velocity_m_s, slowed) = step.slowed(before.velocity_m_s + step.gravity_m_s2 * step.dt_s);
+    let free_m = before.position_m + velocity_m_s * step.dt_s;
+    let position_m = step.inside(free_m);
+    let particle =
+        Particle { position_m, velocity_m_s: velocity_m_s + (position_m - free_m) / step.dt_s, quarantined: false };
+    Predicted { particle, slowed }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn step(walls: bool) -> Step {
+        Step {
+            gravity_m_s2: DVec3::new(0.0, -9.81, 0.0),
+            dt_s: 1.0 / 240.0,
+            domain_size_m: DVec3::new(2.0, 1.0, 1.0),
+            walls,
+            wall_offset_m: 0.005,
+            max_speed_m_s: 100.0,
+        }
+    }
+
+    fn at_rest(position_m: DVec3) -> Particle {
+        Particle { position_m, velocity_m_s: DVec3::ZERO, quarantined: false }
+    }
+
+    #[test]
+    fn free_fall_is_the_integrators_closed_form() {
+        // Symplectic Euler from rest: after n substeps v = n g dt and x = n (n + 1) / 2 g dt^2.
+        let step = step(false);
+        let mut particle = at_rest(DVec3::ZERO);
+        for n in 1..=100 {
+            particle = predict(particle, &step).particle;
+            let n = f64::from(n);
+            let v = step.gravity_m_s2 * step.dt_s * n;
+            let x = step.gravity_m_s2 * step.dt_s.powi(2) * (n * (n + 1.0) / 2.0);
+            assert!((particle.velocity_m_s - v).length() < 1e-13);
+            assert!((particle.position_m - x).length() < 1e-13);
+        }
+    }
+
+    #[test]
+    fn a_wall_stops_what_runs_into_it() {
+        let mut particle = at_rest(DVec3::new(1.0, 0.006, 0.5));
+        particle.velocity_m_s = DVec3::new(1.0, -2.0, 0.0);
+        let step = step(true);
+        let after = predict(particle, &step).particle;
+        assert_eq!(after.position_m.y, step.wall_offset_m);
+        let travelled = (after.position_m - particle.position_m) / step.dt_s;
+        assert!((after.velocity_m_s - travelled).length() < 1e-12);
+        assert_eq!(after.velocity_m_s.x, 1.0);
+    }
+
+    #[test]
+    fn limits_speed_and_quarantines() {
+        let mut particle = at_rest(DVec3::splat(0.5));
+        particle.velocity_m_s = DVec3::new(300.0, 0.0, 400.0);
+        let after = predict(particle, &step(false));
+        assert!(after.slowed);
+        assert!((after.particle.velocity_m_s.length() - 100.0).abs() < 1e-12);
+        particle.velocity_m_s.y = f64::NAN;
+        let after = predict(particle, &step(false)).particle;
+        assert!(after.quarantined);
+        assert_eq!(after.position_m, DVec3::ZERO);
+        assert_eq!(after.velocity_m_s, DVec3::ZERO);
+    }
+}

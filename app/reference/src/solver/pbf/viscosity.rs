@@ -1,0 +1,24 @@
+//! XSPH viscosity (Schechter & Bridson 2012; Macklin & Muller 2013, eq. 17).
+
+use crate::params::{Pbf, Smoothing};
+use crate::shared::wendland;
+use glam::DVec3;
+
+/// The velocity of particle `i`, moved towards its neighbours' mean.
+pub fn viscosity(
+    i: usize,
+    positions_m: &[DVec3],
+    velocities_m_s: &[DVec3],
+    neighbours: &[usize],
+    smoothing: &Smoothing,
+    pbf: &Pbf,
+) -> DVec3 {
+    let pull: DVec3 = neighbours
+        .iter()
+        .map(|&j| {
+            let q = (positions_m[i] - positions_m[j]).length() / smoothing.support_m;
+            (velocities_m_s[j] - velocities_m_s[i]) * (smoothing.weight * wendland::kernel(q))
+        })
+        .sum();
+    velocities_m_s[i] + pull * pbf.xsph
+}
