@@ -62,7 +62,9 @@ struct GridParams
     float support_m;        // h: the kernel is zero beyond it
     uint particle_count;
     uint neighbour_slots;   // room for neighbours a particle
-    uint3 reserved;
+    uint reserved0;
+    uint reserved1;
+    uint reserved2;
 };
 
 // The smoothing kernel, Wendland C2, scaled so that the initial lattice has density ratio 1.

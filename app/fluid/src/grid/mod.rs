@@ -30,7 +30,9 @@ pub fn params(scene: &Scene, particle_count: u32) -> GridParams {
         support_m: scene.support_m() as f32,
         particle_count,
         neighbour_slots: scene.solver.neighbour_slots,
-        reserved: [0; 3],
+        reserved0: 0,
+        reserved1: 0,
+        reserved2: 0,
     }
 }
 

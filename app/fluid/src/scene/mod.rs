@@ -5,6 +5,8 @@ mod check;
 mod error;
 mod load;
 mod shipped;
+#[cfg(test)]
+mod tests;
 
 pub use error::SceneError;
 pub use shipped::shipped_scenes;

@@ -1,0 +1,32 @@
+//! Brooklet inside another wgpu program, on that program's own device.
+//! `cargo run --release -p brooklet-fluid --example embed`
+
+use brooklet_fluid::{Scene, Simulation};
+use brooklet_gpu::Gpu;
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    // The host program's own wgpu set-up; Brooklet only says which features and limits it needs.
+    let instance = wgpu::Instance::new(wgpu::InstanceDescriptor {
+        backends: wgpu::Backends::VULKAN,
+        ..wgpu::InstanceDescriptor::new_without_display_handle()
+    });
+    let adapter = pollster::block_on(instance.request_adapter(&Default::default()))?;
+    let tier = brooklet_gpu::highest_tier(&adapter)?;
+    let (device, queue) = pollster::block_on(adapter.request_device(&wgpu::DeviceDescriptor {
+        required_features: Gpu::required_features(&adapter),
+        required_limits: Gpu::required_limits(&adapter, tier),
+        ..Default::default()
+    }))?;
+
+    // The simulation shares device and queue; `positions` stay on the GPU for the host to draw.
+    let gpu = Gpu::from_device(&adapter, device, queue, Some(tier))?;
+    let scene = Scene::load("falling-ball", &["spacing_m=0.04".into()])?;
+    let mut simulation = Simulation::new(&gpu, &scene)?;
+    for _ in 0..60 {
+        simulation.step()?;
+    }
+    simulation.measure()?;
+    let stats = simulation.finish()?.ok_or("the scene does not measure")?;
+    println!("{} particles, mean compression {:.2} %", stats.particles, 100.0 * stats.compression.mean);
+    Ok(())
+}
