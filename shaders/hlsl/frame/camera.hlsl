@@ -26,6 +26,13 @@ float2 covering_corner(uint vertex)
     return float2(vertex == 1 ? 3.0 : -1.0, vertex == 2 ? 3.0 : -1.0);
 }
 
+// Corner of a triangle around the unit circle: half the vertices of a quad, for discs of a few
+// pixels drawn by the ten thousand.
+float2 disc_corner(uint vertex)
+{
+    return float2(vertex == 0 ? 0.0 : (vertex == 1 ? -1.7320508 : 1.7320508), vertex == 0 ? 2.0 : -1.0);
+}
+
 // Corner of a quad made of two triangles, in -1..1.
 float2 quad_corner(uint vertex)
 {

@@ -6,14 +6,31 @@
 
 // Where a ray leaves to: a gradient from horizon to zenith with a soft sun. Below the horizon it
 // stays the horizon's colour, which is what the floor melts into.
+float3 sky_gradient(FrameLight light, float3 direction)
+{
+    // Steep near the horizon, as a real sky's is. Squares, as `pow` is dear on a CPU driver.
+    float below = 1.0 - saturate(direction.y);
+    below *= below;
+    return lerp(light.sky_zenith, light.sky_horizon, below * below);
+}
+
+// The same with the sun's glow.
 float3 sky_radiance(FrameLight light, float3 direction)
 {
-    float height = saturate(direction.y);
-    // The gradient is steep near the horizon, as a real sky's is.
-    float3 color = lerp(light.sky_horizon, light.sky_zenith, 1.0 - exp2(-4.0 * height));
     float toward_sun = saturate(dot(direction, light.to_sun));
-    float glow = 0.10 * pow(toward_sun, 6.0) + 0.30 * pow(toward_sun, 48.0) + 2.0 * pow(toward_sun, 900.0);
-    return color + glow * light.sun_color;
+    float glow = 0.08 * pow(toward_sun, 6.0) + 0.25 * pow(toward_sun, 48.0) + 2.0 * pow(toward_sun, 900.0);
+    return sky_gradient(light, direction) + glow * light.sun_color;
+}
+
+// x to the power of 64.
+float power64(float x)
+{
+    x *= x;
+    x *= x;
+    x *= x;
+    x *= x;
+    x *= x;
+    return x * x;
 }
 
 // Diffuse light of sky and floor on a surface facing `normal`.

@@ -1,10 +1,10 @@
 // The floor under the domain: satin tiles with the fluid's soft shadow, melting into the horizon.
-// Blended over the mirrored particles: alpha is the share that is not mirror.
 #pragma vertex FloorVertex
 #pragma fragment FloorFragment
 
 #include "camera.hlsl"
 #include "environment.hlsl"
+#include "sampling.hlsl"
 
 Texture2D<float> shadow_map;
 ConstantBuffer<FrameView> view;
@@ -48,44 +48,40 @@ float tile_tone(float2 tile)
 }
 
 // Share of the sun that arrives: a disc of taps that widens with the blocker's distance, for a
-// shadow that is crisp where the fluid stands on the floor and soft far from it.
-float sun_arriving(float3 world_m)
+// shadow that is crisp where the fluid stands on the floor and soft far from it. The disc is
+// turned from pixel to pixel, which breaks the taps' pattern up.
+float sun_arriving(float3 world_m, float2 pixel)
 {
     float3 at = shadow_position(light, world_m);
     if (any(abs(at.xy - 0.5) > 0.5))
         return 1.0;
-    const float golden = 2.399963;
+    float own = max(at.z, 0.0) + 0.5 * light.shadow_texel_m / light.shadow_range_m;
     float texel = 1.0 / light.shadow_texels;
-    float bias = 0.5 * light.shadow_texel_m / light.shadow_range_m;
-    float wide = 14.0 * texel;
+    float turn = 6.2831853 * pixel_noise(pixel);
+    float2x2 turned = float2x2(cos(turn), -sin(turn), sin(turn), cos(turn));
+
+    const uint probes = 8;
     float blockers = 0.0;
     float gap = 0.0;
-    [loop]
-    for (uint i = 0; i < 8; i++)
+    [unroll]
+    for (uint i = 0; i < probes; i++)
     {
-        float radius = wide * sqrt((i + 0.5) / 8.0);
-        float angle = i * golden;
-        float depth = shadow_load(shadow_map, light, at.xy + radius * float2(cos(angle), sin(angle)));
-        if (depth > at.z + bias)
-        {
-            blockers += 1.0;
-            gap += depth - at.z;
-        }
+        float depth = shadow_load(shadow_map, light, at.xy + 16.0 * texel * mul(turned, disc_tap(i, probes)));
+        float blocks = step(own, depth);
+        blockers += blocks;
+        gap += blocks * (depth - own);
     }
     if (blockers == 0.0)
         return 1.0;
     float gap_m = gap / blockers * light.shadow_range_m;
-    float soft = clamp(0.06 * gap_m / light.shadow_texel_m, 2.0, 14.0) * texel;
-    float lit = 0.0;
-    [loop]
-    for (uint k = 0; k < 20; k++)
-    {
-        float radius = soft * sqrt((k + 0.5) / 20.0);
-        float angle = k * golden;
-        float depth = shadow_load(shadow_map, light, at.xy + radius * float2(cos(angle), sin(angle)));
-        lit += depth > at.z + bias ? 0.0 : 1.0;
-    }
-    return lit / 20.0;
+    float soft = clamp(0.07 * gap_m / light.shadow_texel_m, 2.5, 16.0) * texel;
+
+    const uint taps = 16;
+    float shaded = 0.0;
+    [unroll]
+    for (uint k = 0; k < taps; k++)
+        shaded += step(own, shadow_load(shadow_map, light, at.xy + soft * mul(turned, disc_tap(k, taps))));
+    return 1.0 - shaded / taps;
 }
 
 float4 FloorFragment(Varyings input) : SV_Target0
@@ -99,19 +95,16 @@ float4 FloorFragment(Varyings input) : SV_Target0
     float3 albedo = style.floor_color * (1.0 + 0.06 * near * (tile_tone(floor(at)) - 0.5));
     albedo *= 1.0 - 0.22 * joints(at, width, 0.018);
 
-    float sun = sun_arriving(input.world_m);
+    float sun = sun_arriving(input.world_m, input.position.xy);
     float3 up = float3(0.0, 1.0, 0.0);
     float3 ambient = lerp(light.sky_horizon, light.sky_zenith, 0.45);
     // Sunlight that went through the fluid is not gone: it arrives blue.
     float3 arriving = lerp(float3(0.05, 0.16, 0.24), float3(1.0, 1.0, 1.0), sun);
     float3 color = albedo * (light.to_sun.y * arriving * light.sun_color * 0.75 + ambient * (0.55 + 0.2 * sun));
 
-    float mirror = style.reflection_strength * fresnel(0.08, -direction.y);
-    color = color * (1.0 - mirror) + mirror * sky_radiance(light, reflect(direction, up));
+    color = lerp(color, sky_gradient(light, reflect(direction, up)), fresnel(0.04, -direction.y));
 
     float fade = 1.0 - exp(-pow(distance_m / style.floor_fade_m, 2.0));
     color = lerp(color, sky_radiance(light, normalize(float3(direction.x, 0.0, direction.z))), fade);
-    float opaque = 1.0 - mirror * (1.0 - fade);
-    // The blend multiplies by alpha; `color` already holds the sky's mirror image.
-    return float4(color / opaque, opaque);
+    return float4(color, 1.0);
 }

@@ -52,8 +52,7 @@ struct FrameStyle
     float edge_opacity;
     float occlusion_m;              // reach of the ambient occlusion
     float occlusion_strength;
-    float reflection_m;             // height up to which the floor mirrors the fluid
-    float reflection_strength;
+    float2 reserved;
 };
 
 #endif

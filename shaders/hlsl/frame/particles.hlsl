@@ -1,9 +1,8 @@
-// The particles as shaded spheres: one camera-facing quad each, on which every pixel meets the
+// The particles as shaded spheres: one camera-facing triangle each, on which every pixel meets the
 // exact sphere, in perspective.
 #pragma vertex ParticlesVertex
 #pragma fragment ParticlesFragment
 #pragma multi_compile COLOR_SPEED COLOR_FLUID
-#pragma multi_compile _ MIRRORED
 
 #include "../shared/layout.hlsl"
 #include "camera.hlsl"
@@ -52,11 +51,7 @@ Varyings ParticlesVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceI
 {
     Position particle = positions[instance];
     float3 world_m = particle.position_m;
-    float3 drawn_m = world_m;
-#if defined(MIRRORED)
-    drawn_m.y = -drawn_m.y;
-#endif
-    float3 center = drawn_m - view.eye_m;
+    float3 center = world_m - view.eye_m;
     float distance_m = length(center);
     float3 axis = center / distance_m;
     // Any two directions across the axis do; the camera's own keep the corners screen-aligned.
@@ -65,12 +60,12 @@ Varyings ParticlesVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceI
 
     float radius2 = style.radius_m * style.radius_m;
     float tan2 = radius2 / (distance_m * distance_m - radius2);
-    float2 corner = quad_corner(vertex);
+    float2 corner = disc_corner(vertex);
     float3 ray = axis + sqrt(tan2) * (corner.x * across + corner.y * upward);
 
     Varyings output;
-    // The quad stands at the sphere's nearest point, so the depth written is never nearer than
-    // the quad's: hidden spheres can be rejected before they are shaded (SV_DepthLessEqual).
+    // The triangle stands at the sphere's nearest point, so the depth written is never nearer
+    // than its own: hidden spheres can be rejected before they are shaded (SV_DepthLessEqual).
     output.position = clip_from_offset(view, ray * (distance_m - style.radius_m));
     output.disc = corner;
     output.ray = ray;
@@ -84,9 +79,6 @@ Varyings ParticlesVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceI
     output.color = float4(albedo, sun_reaching(world_m));
 
     bool drawn = (particle.tag >> 31) == 0 && distance_m > style.radius_m;
-#if defined(MIRRORED)
-    drawn = drawn && world_m.y < style.reflection_m;
-#endif
     if (!drawn)
         output.position = float4(0.0, 0.0, 0.0, 1.0);   // every corner in one point: nothing is drawn
     return output;
@@ -109,9 +101,9 @@ float3 shade(float3 normal, float3 to_eye, float3 albedo, float sun)
     float through = saturate(-dot(to_eye, light.to_sun)) * saturate(0.6 - n_dot_l);
     color += sqrt(albedo) * float3(0.10, 0.32, 0.36) * through * sun * light.sun_color * 0.35;
     float f = fresnel(0.02, dot(normal, to_eye));
-    color += f * sky_radiance(light, reflect(-to_eye, normal)) * (0.25 + 0.45 * sun);
+    color += f * sky_gradient(light, reflect(-to_eye, normal)) * (0.25 + 0.45 * sun);
     float3 halfway = normalize(light.to_sun + to_eye);
-    color += pow(saturate(dot(normal, halfway)), 90.0) * 0.55 * sun * light.sun_color;
+    color += power64(saturate(dot(normal, halfway))) * 0.45 * sun * light.sun_color;
     return color;
 }
 
@@ -125,20 +117,7 @@ Shaded ParticlesFragment(Varyings input)
     float3 hit_m = input.ray * ((input.shape.x - style.radius_m * sqrt(1.0 - s)) / (1.0 + s * input.shape.y));
     float3 normal = (hit_m - input.center_m) / style.radius_m;
     float3 to_eye = -normalize(hit_m);
-    float3 color;
-#if defined(MIRRORED)
-    // Stored as the difference to the sky's reflection that the floor stage adds everywhere; it
-    // fades with height, as a reflection in a satin floor does.
-    float3 mirrored_normal = normal * float3(1.0, -1.0, 1.0);
-    float height = -(hit_m.y + view.eye_m.y);
-    if (height < 0.0)
-        discard;
-    float fade = saturate(1.0 - height / style.reflection_m);
-    float3 sky = sky_radiance(light, float3(-to_eye.x, to_eye.y, -to_eye.z));
-    color = (shade(mirrored_normal, to_eye * float3(1.0, -1.0, 1.0), input.color.rgb, input.color.a) - sky) * fade * fade;
-#else
-    color = shade(normal, to_eye, input.color.rgb, input.color.a);
-#endif
+    float3 color = shade(normal, to_eye, input.color.rgb, input.color.a);
     Shaded output;
     output.color = float4(color, 1.0);
     output.depth = view.near_m / dot(hit_m, view.forward);

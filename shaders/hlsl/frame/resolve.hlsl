@@ -4,6 +4,7 @@
 #pragma fragment ResolveFragment
 
 #include "camera.hlsl"
+#include "sampling.hlsl"
 
 Texture2D<float4> radiance;
 Texture2D<float> depth_map;
@@ -37,22 +38,21 @@ float occlusion(float2 drawn_px, float distance_m)
     if (reach_px < 1.0)
         return 0.0;
     reach_px = min(reach_px, 48.0 * view.supersample);
-    const float golden = 2.399963;
-    const uint taps = 12;
+    float turn = 6.2831853 * pixel_noise(drawn_px);
+    float2x2 turned = float2x2(cos(turn), -sin(turn), sin(turn), cos(turn));
+    float limit = style.occlusion_m;
+    const uint taps = 8;
     float sum = 0.0;
-    [loop]
+    [unroll]
     for (uint i = 0; i < taps; i++)
     {
-        float share = (i + 0.5) / taps;
-        float angle = i * golden;
-        float2 aside = reach_px * share * float2(cos(angle), sin(angle));
+        float2 aside = reach_px * mul(turned, disc_tap(i, taps));
         // Pairs of opposite taps: on a tilted plane what one gains the other loses.
         float front = distance_m - distance_at(drawn_px + aside);
         float back = distance_m - distance_at(drawn_px - aside);
-        float limit = style.occlusion_m;
         float gain = clamp(front, -limit, limit) + clamp(back, -limit, limit);
         float known = step(front, 3.0 * limit) * step(back, 3.0 * limit);
-        sum += known * saturate(gain / (limit * (share + 0.3)));
+        sum += known * saturate(gain / limit);
     }
     return sum / taps;
 }
@@ -68,12 +68,6 @@ float3 srgb_encode(float3 linear_light)
     float3 low = linear_light * 12.92;
     float3 high = 1.055 * pow(max(linear_light, 1e-6), 1.0 / 2.4) - 0.055;
     return lerp(high, low, step(linear_light, 0.0031308));
-}
-
-// Jimenez 2014, interleaved gradient noise.
-float noise(float2 px)
-{
-    return frac(52.9829189 * frac(dot(px, float2(0.06711056, 0.00583715))));
 }
 
 float4 ResolveFragment(Varyings input) : SV_Target0
@@ -98,6 +92,6 @@ float4 ResolveFragment(Varyings input) : SV_Target0
     }
     float2 ndc = input.position.xy * view.supersample / view.size_px * 2.0 - 1.0;
     color *= 1.0 - 0.10 * dot(ndc, ndc) * 0.5;
-    float3 encoded = srgb_encode(color) + (noise(input.position.xy) - 0.5) / 255.0;
+    float3 encoded = srgb_encode(color) + (pixel_noise(input.position.xy) - 0.5) / 255.0;
     return float4(encoded, 1.0);
 }

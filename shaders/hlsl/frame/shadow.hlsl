@@ -19,7 +19,7 @@ struct Varyings
 Varyings ShadowVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID)
 {
     Position particle = positions[instance];
-    float2 corner = quad_corner(vertex);
+    float2 corner = disc_corner(vertex);
     float3 center = shadow_position(light, particle.position_m);
     float radius_uv = style.radius_m / (light.shadow_texel_m * light.shadow_texels);
     // The particle's front, so that the half facing the sun does not shade itself.
