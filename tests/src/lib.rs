@@ -1,5 +1,9 @@
 //! Shared helpers of the integration tests: seeded random numbers, sizes around block edges.
 
+pub mod cases;
+pub mod compare;
+pub mod harness;
+
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 
