@@ -107,20 +107,14 @@ impl RecordedTargets {
         let all_kept = next.color.iter().all(|(_, load)| *load == Load::Keep)
             && next.depth.is_none_or(|(_, load)| load == Load::Keep);
         let colours = |targets: &Self| targets.color.iter().map(|(id, _)| *id).collect::<Vec<_>>();
-        all_kept
-            && colours(self) == colours(next)
-            && self.depth.map(|(id, _)| id) == next.depth.map(|(id, _)| id)
+        all_kept && colours(self) == colours(next) && self.depth.map(|(id, _)| id) == next.depth.map(|(id, _)| id)
     }
 }
 
 impl From<&Targets<'_>> for RecordedTargets {
     fn from(targets: &Targets<'_>) -> Self {
         Self {
-            color: targets
-                .color
-                .iter()
-                .map(|(t, load)| (t.id, *load))
-                .collect(),
+            color: targets.color.iter().map(|(t, load)| (t.id, *load)).collect(),
             depth: targets.depth.map(|(t, load)| (t.id, load)),
         }
     }
@@ -152,18 +146,9 @@ mod tests {
     fn only_kept_targets_continue_a_pass() {
         let a = ResourceId(0);
         let depth = Some((ResourceId(1), Load::Keep));
-        let cleared = RecordedTargets {
-            color: vec![(a, Load::Clear([0.0; 4]))],
-            depth,
-        };
-        let kept = RecordedTargets {
-            color: vec![(a, Load::Keep)],
-            depth,
-        };
-        let no_depth = RecordedTargets {
-            depth: None,
-            ..kept.clone()
-        };
+        let cleared = RecordedTargets { color: vec![(a, Load::Clear([0.0; 4]))], depth };
+        let kept = RecordedTargets { color: vec![(a, Load::Keep)], depth };
+        let no_depth = RecordedTargets { depth: None, ..kept.clone() };
         assert!(cleared.continued_by(&kept));
         assert!(!kept.continued_by(&cleared));
         assert!(!cleared.continued_by(&no_depth));

@@ -116,9 +116,7 @@ pub enum GpuError {
         limit: u32,
     },
     /// The device has no memory left.
-    #[error(
-        "out of GPU memory at {label}: {bytes} bytes more are needed, and {allocated} are allocated"
-    )]
+    #[error("out of GPU memory at {label}: {bytes} bytes more are needed, and {allocated} are allocated")]
     OutOfMemory {
         /// The buffer or texture.
         label: String,

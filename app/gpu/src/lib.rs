@@ -1,17 +1,34 @@
 //! Vulkan device, recordings as data, the sweep that leaves out what nothing wants, an engine
 //! that runs the rest, and GPU times as plain data. Knows no fluids.
 
-pub mod draw;
-pub mod error;
-pub mod plan;
+mod adapters;
+mod cache;
+mod device;
+mod draw;
+mod encode;
+mod engine;
+mod error;
+mod layout;
+mod memory;
+mod pipelines;
+mod plan;
+mod pool;
+mod readback;
 pub mod recording;
-pub mod resources;
-pub mod timing;
+mod resources;
+mod steps;
+mod tier;
+mod timing;
 
+pub use adapters::{AdapterReport, Missing, adapters};
 pub use brooklet_kernels::{Buffer, Format, ResourceId, Texture, Tier};
-pub use draw::{Blend, Cull, DepthTest, DrawState, Load, Targets, Topology};
+pub use cache::CacheStatus;
+pub use device::{DeviceInfo, Gpu, GpuOptions};
+pub use draw::{Blend, Cull, DepthTest, DrawState, Load, RecordedTargets, Targets, Topology};
+pub use engine::{Engine, FRAMES_IN_FLIGHT};
 pub use error::{GpuError, tier_name};
 pub use plan::{KeptBuffer, LeftOut, LeftOutKind, PassInfo, Plan, PlanError};
 pub use recording::{Command, Recording};
 pub use resources::{ResourceInfo, Resources, Shape};
+pub use tier::{Shortfall, TIERS, highest_tier};
 pub use timing::{FrameReport, Span, SpanFlag, TimingStatus};

@@ -90,9 +90,7 @@ pub enum PlanError {
         name: &'static str,
     },
     /// A resource of another table is used.
-    #[error(
-        "{user} uses resource {id}, and the table has {count}; it was declared in another table"
-    )]
+    #[error("{user} uses resource {id}, and the table has {count}; it was declared in another table")]
     UnknownResource {
         /// Stage or `wanted`.
         user: String,
@@ -145,14 +143,8 @@ impl Plan {
     /// resource of `wanted`, state, or what a command that stays reads. Clears, uploads and
     /// copies over all of a resource end the want above them. The recordings' order does not
     /// matter: only state lasts from one to the next.
-    pub fn sweep(
-        resources: Resources,
-        recordings: Vec<Recording>,
-        wanted: &[ResourceId],
-    ) -> Result<Plan, PlanError> {
-        check_known(&resources, wanted.iter().copied(), || {
-            "the list of wanted outputs".into()
-        })?;
+    pub fn sweep(resources: Resources, recordings: Vec<Recording>, wanted: &[ResourceId]) -> Result<Plan, PlanError> {
+        check_known(&resources, wanted.iter().copied(), || "the list of wanted outputs".into())?;
         let mut names = BTreeSet::new();
         for recording in &recordings {
             if !names.insert(recording.name()) {
@@ -162,11 +154,8 @@ impl Plan {
             check_recording(&resources, recording)?;
         }
 
-        let lasting: BTreeSet<ResourceId> = wanted
-            .iter()
-            .copied()
-            .chain(resources.iter().filter(|(_, r)| r.state).map(|(id, _)| id))
-            .collect();
+        let lasting: BTreeSet<ResourceId> =
+            wanted.iter().copied().chain(resources.iter().filter(|(_, r)| r.state).map(|(id, _)| id)).collect();
         let mut planned = Vec::new();
         let mut dropped: Vec<Command> = Vec::new();
         for recording in recordings {
@@ -179,10 +168,7 @@ impl Plan {
                     dropped.push(command.clone());
                 }
             }
-            planned.push(PlannedRecording {
-                name: recording.name(),
-                commands,
-            });
+            planned.push(PlannedRecording { name: recording.name(), commands });
         }
 
         let used = planned
@@ -193,13 +179,7 @@ impl Plan {
             .chain(wanted.iter().copied())
             .collect();
         let left_out = list_left_out(&resources, &planned, &dropped, &used);
-        Ok(Plan {
-            resources,
-            recordings: planned,
-            wanted: wanted.to_vec(),
-            used,
-            left_out,
-        })
+        Ok(Plan { resources, recordings: planned, wanted: wanted.to_vec(), used, left_out })
     }
 
     /// The table it was made from.
@@ -219,10 +199,7 @@ impl Plan {
 
     /// Commands that stayed of a recording; empty if there is none of that name.
     pub fn commands(&self, recording: &str) -> &[Command] {
-        self.recordings
-            .iter()
-            .find(|planned| planned.name == recording)
-            .map_or(&[], |planned| &planned.commands)
+        self.recordings.iter().find(|planned| planned.name == recording).map_or(&[], |planned| &planned.commands)
     }
 
     /// Every dispatch and draw that stayed, those of one module in one recording together, in
@@ -237,18 +214,11 @@ impl Plan {
                     _ => continue,
                 };
                 let same = passes.iter_mut().find(|pass| {
-                    pass.recording == recording.name
-                        && pass.stage == stage
-                        && pass.module.name == module.name
+                    pass.recording == recording.name && pass.stage == stage && pass.module.name == module.name
                 });
                 match same {
                     Some(pass) => pass.count += 1,
-                    None => passes.push(PassInfo {
-                        recording: recording.name,
-                        stage,
-                        module,
-                        count: 1,
-                    }),
+                    None => passes.push(PassInfo { recording: recording.name, stage, module, count: 1 }),
                 }
             }
         }
@@ -284,17 +254,11 @@ impl Plan {
 }
 
 /// Which of a recording's commands stay. `live` starts as what is wanted at its end.
-fn sweep_one(
-    resources: &Resources,
-    commands: &[Command],
-    mut live: BTreeSet<ResourceId>,
-) -> Vec<bool> {
+fn sweep_one(resources: &Resources, commands: &[Command], mut live: BTreeSet<ResourceId>) -> Vec<bool> {
     let mut keep = vec![false; commands.len()];
     for (index, command) in commands.iter().enumerate().rev() {
         let touches = command.touches();
-        keep[index] = touches
-            .iter()
-            .any(|(id, touch)| *touch != Touch::Read && live.contains(id));
+        keep[index] = touches.iter().any(|(id, touch)| *touch != Touch::Read && live.contains(id));
         if !keep[index] {
             continue;
         }
@@ -323,11 +287,7 @@ fn check_known(
 ) -> Result<(), PlanError> {
     for id in ids {
         if resources.get(id).is_none() {
-            return Err(PlanError::UnknownResource {
-                user: user(),
-                id: id.0,
-                count: resources.iter().count(),
-            });
+            return Err(PlanError::UnknownResource { user: user(), id: id.0, count: resources.iter().count() });
         }
     }
     Ok(())
@@ -338,10 +298,7 @@ fn check_known(
 fn check_recording(resources: &Resources, recording: &Recording) -> Result<(), PlanError> {
     let name = recording.name();
     if let Some(error) = recording.errors().first() {
-        return Err(PlanError::Record {
-            recording: name,
-            error: error.clone(),
-        });
+        return Err(PlanError::Record { recording: name, error: error.clone() });
     }
     let mut written = BTreeSet::new();
     for command in recording.commands() {
@@ -357,9 +314,8 @@ fn check_recording(resources: &Resources, recording: &Recording) -> Result<(), P
                     resource: resources.label(*id).to_owned(),
                 });
             }
-            let clash = touches.iter().any(|(other, how)| {
-                other == id && (*how == Touch::Read) != (*touch == Touch::Read)
-            });
+            let clash =
+                touches.iter().any(|(other, how)| other == id && (*how == Touch::Read) != (*touch == Touch::Read));
             if clash {
                 return Err(PlanError::ReadAndWritten {
                     recording: name,
@@ -371,12 +327,7 @@ fn check_recording(resources: &Resources, recording: &Recording) -> Result<(), P
         for bound in bindings(command) {
             check_fit(resources, name, command, bound)?;
         }
-        written.extend(
-            touches
-                .iter()
-                .filter(|(_, touch)| *touch != Touch::Read)
-                .map(|(id, _)| *id),
-        );
+        written.extend(touches.iter().filter(|(_, touch)| *touch != Touch::Read).map(|(id, _)| *id));
     }
     Ok(())
 }
@@ -418,28 +369,16 @@ fn check_fit(
                 return misfit(label, format!("it has {has} bytes, {bytes} are needed"));
             }
         }
-        (
-            BindingKind::Storage {
-                stride_bytes: wanted,
-                ..
-            },
-            Shape::Buffer { stride_bytes, .. },
-        ) => {
+        (BindingKind::Storage { stride_bytes: wanted, .. }, Shape::Buffer { stride_bytes, .. }) => {
             // A stride of 4 stands for raw words, which any element is made of.
             if wanted != stride_bytes && wanted != 4 {
-                return misfit(
-                    label,
-                    format!("its elements have {stride_bytes} bytes, {wanted} are needed"),
-                );
+                return misfit(label, format!("its elements have {stride_bytes} bytes, {wanted} are needed"));
             }
         }
         (BindingKind::Texture { .. }, Shape::Texture { .. }) => {}
         (BindingKind::StorageTexture { format: wanted, .. }, Shape::Texture { format, .. }) => {
             if wanted != format {
-                return misfit(
-                    label,
-                    format!("its format is {format:?}, {wanted:?} is needed"),
-                );
+                return misfit(label, format!("its format is {format:?}, {wanted:?} is needed"));
             }
         }
         (kind, _) => return misfit(label, format!("{kind:?} is needed")),
@@ -453,11 +392,7 @@ pub(crate) fn describe(resources: &Resources, command: &Command) -> String {
         Command::Upload { to, .. } => format!("upload {}", resources.label(*to)),
         Command::Clear { to } => format!("clear {}", resources.label(*to)),
         Command::Copy { from, to, .. } => {
-            format!(
-                "copy {} to {}",
-                resources.label(*from),
-                resources.label(*to)
-            )
+            format!("copy {} to {}", resources.label(*from), resources.label(*to))
         }
         Command::Dispatch(dispatch) => dispatch.stage.to_owned(),
         Command::Draw(draw) => draw.stage.to_owned(),
@@ -493,11 +428,8 @@ fn list_left_out(
             }
         }
     }
-    let kept: BTreeSet<&str> = planned
-        .iter()
-        .flat_map(|recording| &recording.commands)
-        .filter_map(Command::stage)
-        .collect();
+    let kept: BTreeSet<&str> =
+        planned.iter().flat_map(|recording| &recording.commands).filter_map(Command::stage).collect();
     order.sort_by_key(|(kind, _)| *kind);
     let mut left_out = Vec::new();
     for key in order {
@@ -506,34 +438,19 @@ fn list_left_out(
         let reason = match (names.as_slice(), kept.contains(key.1.as_str())) {
             ([], _) => "it writes nothing".to_owned(),
             (names, false) => format!("nothing wanted reads {}", names.join(" or ")),
-            (names, true) => format!(
-                "some of its runs: nothing wanted reads {} then",
-                names.join(" or ")
-            ),
+            (names, true) => format!("some of its runs: nothing wanted reads {} then", names.join(" or ")),
         };
-        left_out.push(LeftOut {
-            name: key.1,
-            kind: key.0,
-            bytes: 0,
-            reason,
-        });
+        left_out.push(LeftOut { name: key.1, kind: key.0, bytes: 0, reason });
     }
     let mut memory: Vec<LeftOut> = resources
         .iter()
         .filter(|(id, _)| !used.contains(id))
         .map(|(id, entry)| LeftOut {
             name: entry.label.clone(),
-            kind: if entry.is_texture() {
-                LeftOutKind::Texture
-            } else {
-                LeftOutKind::Buffer
-            },
+            kind: if entry.is_texture() { LeftOutKind::Texture } else { LeftOutKind::Buffer },
             bytes: entry.bytes(),
             reason: match users.get(&id) {
-                Some(users) => format!(
-                    "only left out: {}",
-                    users.iter().cloned().collect::<Vec<_>>().join(", ")
-                ),
+                Some(users) => format!("only left out: {}", users.iter().cloned().collect::<Vec<_>>().join(", ")),
                 None => "nothing recorded uses it".to_owned(),
             },
         })

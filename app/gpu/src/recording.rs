@@ -1,9 +1,7 @@
 //! A recording: what the GPU is to do, as data that can be printed, counted and tested without one.
 
 use crate::draw::{DrawState, Load, RecordedTargets, Targets};
-use brooklet_kernels::{
-    Access, BindingError, BindingKind, Bound, Buffer, Draw, Kernel, Module, ResourceId,
-};
+use brooklet_kernels::{Access, BindingError, BindingKind, Bound, Buffer, Draw, Kernel, Module, ResourceId};
 use bytemuck::Pod;
 use std::sync::Arc;
 
@@ -135,11 +133,7 @@ impl Command {
 }
 
 fn target_touch(kept: bool) -> Touch {
-    if kept {
-        Touch::ReadWrite
-    } else {
-        Touch::Overwrite(u64::MAX)
-    }
+    if kept { Touch::ReadWrite } else { Touch::Overwrite(u64::MAX) }
 }
 
 fn bound_touches(bindings: &[Bound]) -> Vec<(ResourceId, Touch)> {
@@ -147,8 +141,7 @@ fn bound_touches(bindings: &[Bound]) -> Vec<(ResourceId, Touch)> {
         .iter()
         .filter_map(|bound| {
             let touch = match bound.info.kind {
-                BindingKind::Storage { access, .. }
-                | BindingKind::StorageTexture { access, .. }
+                BindingKind::Storage { access, .. } | BindingKind::StorageTexture { access, .. }
                     if access == Access::ReadWrite =>
                 {
                     Touch::ReadWrite
@@ -214,11 +207,7 @@ pub struct Recording {
 impl Recording {
     /// An empty recording.
     pub fn new(name: &'static str) -> Self {
-        Self {
-            name,
-            commands: Vec::new(),
-            errors: Vec::new(),
-        }
+        Self { name, commands: Vec::new(), errors: Vec::new() }
     }
 
     /// Its name.
@@ -252,15 +241,9 @@ impl Recording {
                 room: to.len,
             });
         } else if !bytes.len().is_multiple_of(4) {
-            self.errors.push(RecordError::Unaligned {
-                what: "upload",
-                bytes: bytes.len() as u64,
-            });
+            self.errors.push(RecordError::Unaligned { what: "upload", bytes: bytes.len() as u64 });
         } else if !data.is_empty() {
-            self.commands.push(Command::Upload {
-                to: to.id,
-                data: bytes.into(),
-            });
+            self.commands.push(Command::Upload { to: to.id, data: bytes.into() });
         }
     }
 
@@ -275,22 +258,11 @@ impl Recording {
         if from.id == to.id {
             self.errors.push(RecordError::SelfCopy);
         } else if from.len > to.len {
-            self.errors.push(RecordError::TooLong {
-                what: "copy",
-                elements: from.len,
-                room: to.len,
-            });
+            self.errors.push(RecordError::TooLong { what: "copy", elements: from.len, room: to.len });
         } else if !bytes.is_multiple_of(4) {
-            self.errors.push(RecordError::Unaligned {
-                what: "copy",
-                bytes,
-            });
+            self.errors.push(RecordError::Unaligned { what: "copy", bytes });
         } else if bytes > 0 {
-            self.commands.push(Command::Copy {
-                from: from.id,
-                to: to.id,
-                bytes,
-            });
+            self.commands.push(Command::Copy { from: from.id, to: to.id, bytes });
         }
     }
 
@@ -307,10 +279,7 @@ impl Recording {
             return;
         }
         if groups.iter().any(|count| *count > 65_535) {
-            self.errors.push(RecordError::TooManyGroups {
-                stage: K::STAGE,
-                groups,
-            });
+            self.errors.push(RecordError::TooManyGroups { stage: K::STAGE, groups });
             return;
         }
         self.push_dispatch(kernel, Groups::Fixed(groups));
@@ -334,14 +303,7 @@ impl Recording {
     }
 
     /// Draws; no vertices or no instances still clears the targets that are to be cleared.
-    pub fn draw<D: Draw>(
-        &mut self,
-        draw: &D,
-        targets: &Targets<'_>,
-        state: DrawState,
-        vertices: u32,
-        instances: u32,
-    ) {
+    pub fn draw<D: Draw>(&mut self, draw: &D, targets: &Targets<'_>, state: DrawState, vertices: u32, instances: u32) {
         if targets.color.is_empty() && targets.depth.is_none() {
             self.errors.push(RecordError::NoTarget { stage: D::STAGE });
             return;
@@ -364,9 +326,5 @@ impl Recording {
 
 /// Lays `groups` out in rows of [`GROUP_ROW`].
 fn group_grid(groups: u32) -> [u32; 3] {
-    if groups <= GROUP_ROW {
-        [groups, 1, 1]
-    } else {
-        [GROUP_ROW, groups.div_ceil(GROUP_ROW), 1]
-    }
+    if groups <= GROUP_ROW { [groups, 1, 1] } else { [GROUP_ROW, groups.div_ceil(GROUP_ROW), 1] }
 }

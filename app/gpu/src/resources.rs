@@ -79,11 +79,7 @@ impl Resources {
 
     fn declare(&mut self, label: &str, shape: Shape, state: bool) -> ResourceId {
         let id = ResourceId(self.entries.len() as u32);
-        self.entries.push(ResourceInfo {
-            label: label.to_owned(),
-            shape,
-            state,
-        });
+        self.entries.push(ResourceInfo { label: label.to_owned(), shape, state });
         id
     }
 
@@ -101,10 +97,7 @@ impl Resources {
 
     /// Declares a transient texture.
     pub fn texture(&mut self, label: &str, format: Format, size_px: [u32; 2]) -> Texture {
-        Texture {
-            id: self.declare(label, Shape::Texture { format, size_px }, false),
-            size_px,
-        }
+        Texture { id: self.declare(label, Shape::Texture { format, size_px }, false), size_px }
     }
 
     /// The entry of `id`; `None` if it belongs to another table.
@@ -124,18 +117,12 @@ impl Resources {
 
     /// All entries in order of their declaration.
     pub fn iter(&self) -> impl Iterator<Item = (ResourceId, &ResourceInfo)> {
-        self.entries
-            .iter()
-            .enumerate()
-            .map(|(index, entry)| (ResourceId(index as u32), entry))
+        self.entries.iter().enumerate().map(|(index, entry)| (ResourceId(index as u32), entry))
     }
 }
 
 fn buffer_shape<T>(len: u32) -> Shape {
-    Shape::Buffer {
-        stride_bytes: size_of::<T>() as u32,
-        len,
-    }
+    Shape::Buffer { stride_bytes: size_of::<T>() as u32, len }
 }
 
 #[cfg(test)]

@@ -118,10 +118,7 @@ impl FrameReport {
 
     /// Number of spans that are flagged.
     pub fn flagged(&self) -> usize {
-        self.spans
-            .iter()
-            .filter(|span| span.flag != SpanFlag::Ok)
-            .count()
+        self.spans.iter().filter(|span| span.flag != SpanFlag::Ok).count()
     }
 
     fn ms(&self, ticks: u64) -> f64 {
@@ -148,13 +145,7 @@ pub(crate) fn spans(slots: &[SpanSlot], ticks: &[u64]) -> Vec<Span> {
             let end_ticks = *ticks.get(slot.end as usize)?;
             let flag = SpanFlag::of(begin_ticks, end_ticks, previous_end);
             previous_end = previous_end.max(Some(end_ticks));
-            Some(Span {
-                recording: slot.recording,
-                stage: slot.stage,
-                begin_ticks,
-                end_ticks,
-                flag,
-            })
+            Some(Span { recording: slot.recording, stage: slot.stage, begin_ticks, end_ticks, flag })
         })
         .collect()
 }
@@ -164,12 +155,7 @@ mod tests {
     use super::*;
 
     fn slot(stage: &'static str, begin: u32, end: u32) -> SpanSlot {
-        SpanSlot {
-            recording: "step",
-            stage,
-            begin,
-            end,
-        }
+        SpanSlot { recording: "step", stage, begin, end }
     }
 
     fn report(spans: Vec<Span>) -> FrameReport {
@@ -192,10 +178,7 @@ mod tests {
             slot("overlapping", 4, 5),
             slot("after_all", 5, 6),
         ];
-        let flags: Vec<_> = spans(&slots, &[100, 200, 200, 150, 199, 300, 301])
-            .iter()
-            .map(|span| span.flag)
-            .collect();
+        let flags: Vec<_> = spans(&slots, &[100, 200, 200, 150, 199, 300, 301]).iter().map(|span| span.flag).collect();
         use SpanFlag::*;
         assert_eq!(flags, [Ok, Zero, Negative, Overlapping, Ok]);
     }

@@ -1,0 +1,436 @@
+//! The device: chosen by name, the best there is, or handed in by the caller.
+
+use crate::error::{GpuError, describe, tier_name};
+use crate::pipelines::Pipelines;
+use crate::pool::Pool;
+use crate::tier;
+use crate::timing::TimingStatus;
+use brooklet_kernels::Tier;
+use std::path::PathBuf;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+/// How to open a device.
+#[derive(Clone, Debug, Default)]
+pub struct GpuOptions {
+    /// Part of the device's name, in any case; the best device if `None`.
+    pub device_name: Option<String>,
+    /// Tier to use it as, asking only for that tier's limits; the highest it reaches if `None`.
+    pub tier: Option<Tier>,
+    /// Folder where compiled pipelines are kept between runs; not kept if `None`.
+    pub pipeline_cache: Option<PathBuf>,
+    /// Whether GPU times are taken.
+    pub timing: bool,
+}
+
+/// What is known of a device.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct DeviceInfo {
+    /// Its name.
+    pub name: String,
+    /// Its driver's name.
+    pub driver: String,
+    /// Its driver's version.
+    pub driver_info: String,
+    /// `vulkan`.
+    pub backend: String,
+    /// `discrete`, `integrated`, `virtual`, `cpu` or `other`.
+    pub device_type: String,
+    /// PCI vendor.
+    pub vendor: u32,
+    /// PCI device.
+    pub device: u32,
+    /// Nanoseconds a timestamp tick lasts.
+    pub timestamp_period_ns: f64,
+    /// Limits it was opened with, by wgpu's names.
+    pub limits: Vec<(&'static str, u64)>,
+}
+
+/// An open device with its queue. Cheap to clone: all clones are the same device.
+#[derive(Clone)]
+pub struct Gpu {
+    inner: Arc<Inner>,
+}
+
+struct Inner {
+    device: wgpu::Device,
+    queue: wgpu::Queue,
+    tier: Tier,
+    info: DeviceInfo,
+    timing: TimingStatus,
+    faults: Arc<Faults>,
+    pool: Mutex<Pool>,
+    pipelines: Mutex<Pipelines>,
+}
+
+/// What the driver reports outside of a call.
+#[derive(Default)]
+pub(crate) struct Faults {
+    lost: Mutex<Option<String>>,
+    stray: Mutex<Option<String>>,
+}
+
+/// The value behind a lock, also after another thread panicked with it: each of ours is whole
+/// between any two statements.
+pub(crate) fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+impl Gpu {
+    /// Opens a device.
+    ///
+    /// # Errors
+    /// If there is no Vulkan, no such device, or it lacks what Brooklet needs.
+    pub fn open(options: &GpuOptions) -> Result<Gpu, GpuError> {
+        let adapter = choose(vulkan_adapters(), options.device_name.as_deref())?;
+        let info = adapter.get_info();
+        require_passthrough(&info, adapter.features())?;
+        let tier = match options.tier {
+            Some(tier) => tier,
+            None => tier::highest_tier(&adapter)?,
+        };
+        let available = adapter.limits();
+        tier::check(&info.name, tier, &available)?;
+        let wanted = Self::required_features(&adapter) | (tier::useful_on(tier) & adapter.features());
+        let request = adapter.request_device(&wgpu::DeviceDescriptor {
+            label: Some("brooklet"),
+            required_features: wanted,
+            required_limits: tier::limits_for(tier, &available),
+            ..Default::default()
+        });
+        let (device, queue) = pollster::block_on(request)
+            .map_err(|error| GpuError::OpenFailed { device: info.name.clone(), reason: describe(&error) })?;
+        let faults = Arc::new(Faults::default());
+        let stray = Arc::clone(&faults);
+        device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
+            lock(&stray.stray).get_or_insert_with(|| describe(&error));
+        }));
+        Ok(Self::assemble(device, queue, tier, options, &info, faults))
+    }
+
+    /// Uses the caller's own device, opened with [`Gpu::required_features`] and
+    /// [`Gpu::required_limits`]. Sets the device's lost callback, and nothing else of it. GPU
+    /// times are taken if the device has timestamps.
+    ///
+    /// # Errors
+    /// If the device lacks a feature, or a limit of the tier (the highest it reaches if `None`).
+    pub fn from_device(
+        adapter: &wgpu::Adapter,
+        device: wgpu::Device,
+        queue: wgpu::Queue,
+        tier: Option<Tier>,
+    ) -> Result<Gpu, GpuError> {
+        let info = adapter.get_info();
+        require_passthrough(&info, adapter.features())?;
+        if !device.features().contains(tier::ESSENTIAL) {
+            return Err(GpuError::MissingFeature { device: info.name, feature: "PASSTHROUGH_SHADERS" });
+        }
+        let limits = device.limits();
+        let tier = match tier {
+            Some(tier) => tier,
+            None => tier::highest(&info.name, info.vendor, &limits)?,
+        };
+        tier::check(&info.name, tier, &limits)?;
+        let options = GpuOptions { timing: true, ..GpuOptions::default() };
+        let faults = Arc::new(Faults::default());
+        Ok(Self::assemble(device, queue, tier, &options, &info, faults))
+    }
+
+    fn assemble(
+        device: wgpu::Device,
+        queue: wgpu::Queue,
+        tier: Tier,
+        options: &GpuOptions,
+        adapter: &wgpu::AdapterInfo,
+        faults: Arc<Faults>,
+    ) -> Gpu {
+        let lost = Arc::clone(&faults);
+        device.set_device_lost_callback(move |reason, message| {
+            let text = match reason {
+                wgpu::DeviceLostReason::Destroyed => "it was destroyed".to_owned(),
+                wgpu::DeviceLostReason::Unknown => message,
+            };
+            lock(&lost.lost).get_or_insert(text);
+        });
+        let features = device.features();
+        let timing = if !options.timing {
+            TimingStatus::Off
+        } else if features.contains(wgpu::Features::TIMESTAMP_QUERY | wgpu::Features::TIMESTAMP_QUERY_INSIDE_PASSES) {
+            TimingStatus::InsidePasses
+        } else if features.contains(wgpu::Features::TIMESTAMP_QUERY) {
+            TimingStatus::PassPerStage
+        } else {
+            TimingStatus::Unsupported
+        };
+        let info = device_info(adapter, &device.limits(), f64::from(queue.get_timestamp_period()));
+        let pipelines = Pipelines::new(&device, adapter, options.pipeline_cache.as_deref());
+        let pool = Pool::new(device.limits().max_buffer_size);
+        Gpu {
+            inner: Arc::new(Inner {
+                device,
+                queue,
+                tier,
+                info,
+                timing,
+                faults,
+                pool: Mutex::new(pool),
+                pipelines: Mutex::new(pipelines),
+            }),
+        }
+    }
+
+    /// Features that a device must be opened with, of those that `adapter` has.
+    pub fn required_features(adapter: &wgpu::Adapter) -> wgpu::Features {
+        tier::ESSENTIAL | (tier::useful() & adapter.features())
+    }
+
+    /// Limits that a device must be opened with to be used as `tier`.
+    pub fn required_limits(adapter: &wgpu::Adapter, tier: Tier) -> wgpu::Limits {
+        tier::limits_for(tier, &adapter.limits())
+    }
+
+    /// The tier it is used as.
+    pub fn tier(&self) -> Tier {
+        self.inner.tier
+    }
+
+    /// What is known of the device.
+    pub fn info(&self) -> &DeviceInfo {
+        &self.inner.info
+    }
+
+    /// How its GPU times are taken.
+    pub fn timing(&self) -> TimingStatus {
+        self.inner.timing
+    }
+
+    /// wgpu's device.
+    pub fn device(&self) -> &wgpu::Device {
+        &self.inner.device
+    }
+
+    /// wgpu's queue.
+    pub fn queue(&self) -> &wgpu::Queue {
+        &self.inner.queue
+    }
+
+    /// Why the device was lost, if it was.
+    pub fn is_lost(&self) -> Option<String> {
+        lock(&self.inner.faults.lost).clone()
+    }
+
+    /// How the kept pipelines were found.
+    pub fn pipeline_cache(&self) -> crate::pipelines::CacheStatus {
+        lock(&self.inner.pipelines).cache_status()
+    }
+
+    /// Bytes of GPU memory that wait in the pool for the next engine.
+    pub fn pooled_bytes(&self) -> u64 {
+        lock(&self.inner.pool).free_bytes()
+    }
+
+    /// Gives pooled memory back to the driver.
+    pub fn trim(&self) {
+        lock(&self.inner.pool).trim();
+    }
+
+    pub(crate) fn pool(&self) -> MutexGuard<'_, Pool> {
+        lock(&self.inner.pool)
+    }
+
+    pub(crate) fn pipelines(&self) -> MutexGuard<'_, Pipelines> {
+        lock(&self.inner.pipelines)
+    }
+
+    /// An error that came outside of any call since the last time, or the device's loss.
+    pub(crate) fn check(&self) -> Result<(), GpuError> {
+        if let Some(reason) = self.is_lost() {
+            return Err(GpuError::DeviceLost { reason });
+        }
+        match lock(&self.inner.faults.stray).take() {
+            Some(reason) => Err(GpuError::Refused { reason }),
+            None => Ok(()),
+        }
+    }
+
+    /// Runs `work`, and turns what wgpu has against it into an error.
+    pub(crate) fn scoped<T>(&self, work: impl FnOnce() -> T) -> Result<T, wgpu::Error> {
+        let device = &self.inner.device;
+        let internal = device.push_error_scope(wgpu::ErrorFilter::Internal);
+        let memory = device.push_error_scope(wgpu::ErrorFilter::OutOfMemory);
+        let validation = device.push_error_scope(wgpu::ErrorFilter::Validation);
+        let result = work();
+        let errors = [
+            pollster::block_on(validation.pop()),
+            pollster::block_on(memory.pop()),
+            pollster::block_on(internal.pop()),
+        ];
+        match errors.into_iter().flatten().next() {
+            Some(error) => Err(error),
+            None => Ok(result),
+        }
+    }
+
+    /// As [`Gpu::scoped`], for commands: what wgpu refuses there is this program's mistake.
+    pub(crate) fn guarded<T>(&self, work: impl FnOnce() -> T) -> Result<T, GpuError> {
+        let result = self.scoped(work);
+        self.check()?;
+        result.map_err(|error| GpuError::Refused { reason: describe(&error) })
+    }
+
+    /// Lets wgpu look after finished work; `None` does not wait.
+    pub(crate) fn poll(&self, wait_for: Option<wgpu::SubmissionIndex>) -> Result<(), GpuError> {
+        self.check()?;
+        let poll_type = match wait_for {
+            Some(index) => wgpu::PollType::Wait { submission_index: Some(index), timeout: None },
+            None => wgpu::PollType::Poll,
+        };
+        // wgpu 30 panics in `poll` when the device is lost while it waits. A loss is no mistake
+        // of the program's, so it must not end it.
+        let polled = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| self.inner.device.poll(poll_type)));
+        self.check()?;
+        match polled {
+            Ok(Ok(_)) => Ok(()),
+            Ok(Err(error)) => Err(GpuError::Refused { reason: describe(&error) }),
+            Err(_) => Err(GpuError::DeviceLost { reason: "waiting for it failed".into() }),
+        }
+    }
+}
+
+impl std::fmt::Debug for Gpu {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "Gpu({}, {})", self.inner.info.name, tier_name(self.inner.tier))
+    }
+}
+
+fn require_passthrough(info: &wgpu::AdapterInfo, features: wgpu::Features) -> Result<(), GpuError> {
+    if info.backend == wgpu::Backend::Vulkan && features.contains(tier::ESSENTIAL) {
+        Ok(())
+    } else {
+        Err(GpuError::NoPassthrough { device: info.name.clone(), backend: format!("{:?}", info.backend) })
+    }
+}
+
+/// Every Vulkan device of this machine.
+pub(crate) fn vulkan_adapters() -> Vec<wgpu::Adapter> {
+    // VALIDATION_INDIRECT_CALL stays off: it would add a hidden dispatch to every indirect one.
+    let mut flags = wgpu::InstanceFlags::empty();
+    if std::env::var_os("BROOKLET_VALIDATION").is_some_and(|value| value == "1") {
+        flags |= wgpu::InstanceFlags::VALIDATION | wgpu::InstanceFlags::DEBUG;
+    }
+    let instance = wgpu::Instance::new(wgpu::InstanceDescriptor {
+        backends: wgpu::Backends::VULKAN,
+        flags,
+        // Refuse an allocation just before the driver would fail or swap: where the driver tells
+        // its budget, too little memory is then an error that names the buffer.
+        memory_budget_thresholds: wgpu::MemoryBudgetThresholds {
+            for_resource_creation: Some(98),
+            for_device_loss: None,
+        },
+        ..wgpu::InstanceDescriptor::new_without_display_handle()
+    });
+    pollster::block_on(instance.enumerate_adapters(wgpu::Backends::VULKAN))
+}
+
+fn choose(adapters: Vec<wgpu::Adapter>, wanted: Option<&str>) -> Result<wgpu::Adapter, GpuError> {
+    if adapters.is_empty() {
+        return Err(GpuError::NoVulkan);
+    }
+    let infos: Vec<wgpu::AdapterInfo> = adapters.iter().map(wgpu::Adapter::get_info).collect();
+    let present: Vec<String> = infos.iter().map(|info| info.name.clone()).collect();
+    let usable = |index: usize| adapters[index].features().contains(tier::ESSENTIAL);
+    let best = (0..infos.len())
+        .filter(|index| wanted.is_none_or(|wanted| is_called(&infos[*index].name, wanted)))
+        .min_by_key(|index| (!usable(*index), rank(infos[*index].device_type)));
+    match best {
+        Some(index) => Ok(adapters.into_iter().nth(index).ok_or(GpuError::NoVulkan)?),
+        None => Err(GpuError::NoSuchDevice { wanted: wanted.unwrap_or_default().to_owned(), present }),
+    }
+}
+
+fn is_called(name: &str, wanted: &str) -> bool {
+    name.to_lowercase().contains(&wanted.to_lowercase())
+}
+
+/// Order of preference, best first.
+pub(crate) fn rank(device_type: wgpu::DeviceType) -> u32 {
+    match device_type {
+        wgpu::DeviceType::DiscreteGpu => 0,
+        wgpu::DeviceType::IntegratedGpu => 1,
+        wgpu::DeviceType::VirtualGpu => 2,
+        wgpu::DeviceType::Cpu => 3,
+        wgpu::DeviceType::Other => 4,
+    }
+}
+
+pub(crate) fn device_info(adapter: &wgpu::AdapterInfo, limits: &wgpu::Limits, timestamp_period_ns: f64) -> DeviceInfo {
+    DeviceInfo {
+        name: adapter.name.clone(),
+        driver: adapter.driver.clone(),
+        driver_info: adapter.driver_info.clone(),
+        backend: adapter.backend.to_str().to_owned(),
+        device_type: match adapter.device_type {
+            wgpu::DeviceType::DiscreteGpu => "discrete",
+            wgpu::DeviceType::IntegratedGpu => "integrated",
+            wgpu::DeviceType::VirtualGpu => "virtual",
+            wgpu::DeviceType::Cpu => "cpu",
+            wgpu::DeviceType::Other => "other",
+        }
+        .to_owned(),
+        vendor: adapter.vendor,
+        device: adapter.device,
+        timestamp_period_ns,
+        limits: named_limits(limits),
+    }
+}
+
+fn named_limits(limits: &wgpu::Limits) -> Vec<(&'static str, u64)> {
+    macro_rules! named {
+        ($($name:ident),* $(,)?) => { vec![$((stringify!($name), u64::from(limits.$name))),*] };
+    }
+    named![
+        max_storage_buffer_binding_size,
+        max_buffer_size,
+        max_uniform_buffer_binding_size,
+        max_storage_buffers_per_shader_stage,
+        max_uniform_buffers_per_shader_stage,
+        max_storage_textures_per_shader_stage,
+        max_sampled_textures_per_shader_stage,
+        max_samplers_per_shader_stage,
+        max_bind_groups,
+        max_compute_workgroup_storage_size,
+        max_compute_invocations_per_workgroup,
+        max_compute_workgroup_size_x,
+        max_compute_workgroup_size_y,
+        max_compute_workgroup_size_z,
+        max_compute_workgroups_per_dimension,
+        max_texture_dimension_2d,
+        max_color_attachments,
+        min_storage_buffer_offset_alignment,
+        min_uniform_buffer_offset_alignment,
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_match_in_part_and_in_any_case() {
+        assert!(is_called("llvmpipe (LLVM 15.0.6, 256 bits)", "LLVMpipe"));
+        assert!(!is_called("llvmpipe (LLVM 15.0.6, 256 bits)", "geforce"));
+    }
+
+    #[test]
+    fn no_adapter_is_no_vulkan() {
+        let error = choose(Vec::new(), None).expect_err("there is none");
+        assert!(error.to_string().contains("mesa-vulkan-drivers"));
+    }
+
+    #[test]
+    fn a_discrete_card_goes_before_a_cpu() {
+        use wgpu::DeviceType as D;
+        let mut kinds = [D::Cpu, D::Other, D::IntegratedGpu, D::DiscreteGpu, D::VirtualGpu];
+        kinds.sort_by_key(|kind| rank(*kind));
+        assert_eq!(kinds, [D::DiscreteGpu, D::IntegratedGpu, D::VirtualGpu, D::Cpu, D::Other]);
+    }
+}
