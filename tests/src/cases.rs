@@ -1,0 +1,200 @@
+//! Seeded fluids for kernel tests: positions, velocities, neighbours and settings, as the GPU gets
+//! them and as the twins do.
+
+use crate::compare::vector;
+use crate::harness::{Bench, small};
+use brooklet_kernels::{Buffer, GridParams, Iterate, KernelParams, PbfParams, Position, StepParams, Velocity};
+use brooklet_reference::boundary::walls::WallTable;
+use brooklet_reference::grid::list_neighbours::{Neighbours, list_neighbours};
+use brooklet_reference::params::{Pbf, Smoothing, Step};
+use brooklet_reference::shared::lattice;
+use glam::DVec3;
+use rand::{Rng, RngExt};
+
+/// Spacing of the test fluids, m.
+pub const SPACING_M: f64 = 0.02;
+/// h / spacing.
+pub const SUPPORT_RATIO: f64 = 2.0;
+/// Support radius, m.
+pub const SUPPORT_M: f64 = SPACING_M * SUPPORT_RATIO;
+/// Room for neighbours of one particle.
+pub const SLOTS: u32 = 96;
+
+/// Particle counts of the tests: around one group of `group`, and one that is large and odd.
+pub fn sizes(group: usize) -> Vec<usize> {
+    let large = if small() { 333 } else { 2049 };
+    vec![0, 1, 2, group - 1, group, group + 1, large]
+}
+
+/// A fluid.
+pub struct Case {
+    /// Particles.
+    pub positions: Vec<Position>,
+    /// Their velocities.
+    pub velocities: Vec<Velocity>,
+    /// Their neighbours, in f64.
+    pub neighbours: Neighbours,
+    /// Size of the domain, m.
+    pub size_m: DVec3,
+}
+
+/// A jittered lattice of `count` particles, squeezed so that most are compressed, which touches
+/// three walls of its domain. Distances of nearly h are left out of the neighbours on both sides.
+pub fn fluid(rng: &mut impl Rng, count: usize) -> Case {
+    let side = (count as f64).cbrt().ceil().max(1.0) as usize;
+    let spacing_m = 0.9 * SPACING_M;
+    let size_m = DVec3::splat((side as f64 * spacing_m).max(2.5 * SUPPORT_M));
+    let mut jitter = || (rng.random::<f64>() - 0.5) * 0.5 * spacing_m;
+    let positions: Vec<Position> = lattice::points([side; 3], spacing_m)
+        .iter()
+        .take(count)
+        .enumerate()
+        .map(|(i, at)| Position {
+            position_m: (*at + DVec3::new(jitter(), jitter(), jitter())).to_array().map(|x| x as f32),
+            tag: i as u32,
+        })
+        .collect();
+    let velocities = (0..count)
+        .map(|_| Velocity { velocity_m_s: [0; 3].map(|_| rng.random::<f32>() * 4.0 - 2.0), reserved: 0.0 })
+        .collect();
+    let neighbours = list_neighbours(&vectors(&positions), |_| false, SUPPORT_M);
+    Case { positions, velocities, neighbours, size_m }
+}
+
+/// Positions in f64.
+pub fn vectors(positions: &[Position]) -> Vec<DVec3> {
+    positions.iter().map(|p| vector(p.position_m)).collect()
+}
+
+impl Case {
+    /// Number of particles.
+    pub fn count(&self) -> usize {
+        self.positions.len()
+    }
+
+    /// Positions in f64.
+    pub fn positions_m(&self) -> Vec<DVec3> {
+        vectors(&self.positions)
+    }
+
+    /// Velocities in f64.
+    pub fn velocities_m_s(&self) -> Vec<DVec3> {
+        self.velocities.iter().map(|v| vector(v.velocity_m_s)).collect()
+    }
+
+    /// Positions as the iterations have them.
+    pub fn iterates(&self, lambdas: &[f32]) -> Vec<Iterate> {
+        self.positions
+            .iter()
+            .enumerate()
+            .map(|(i, p)| Iterate { position_m: p.position_m, lambda: lambdas.get(i).copied().unwrap_or(0.0) })
+            .collect()
+    }
+
+    /// The neighbour lists as the GPU has them: slot-major, and how many each has.
+    pub fn upload_neighbours(&self, bench: &mut Bench) -> (Buffer<u32>, Buffer<u32>) {
+        let count = self.count();
+        let mut slots = vec![0; count * SLOTS as usize];
+        let mut counts = Vec::with_capacity(count);
+        for (i, list) in self.neighbours.iter().enumerate() {
+            assert!(list.len() <= SLOTS as usize, "{} neighbours", list.len());
+            counts.push(list.len() as u32);
+            for (slot, &j) in list.iter().enumerate() {
+                slots[slot * count + i] = j as u32;
+            }
+        }
+        (bench.input("neighbours", &slots), bench.input("neighbour_counts", &counts))
+    }
+
+    /// Settings of a substep.
+    pub fn step_params(&self) -> StepParams {
+        StepParams {
+            gravity_m_s2: [0.3, -9.81, 0.1],
+            dt_s: 1.0 / 240.0,
+            domain_size_m: self.size_m.to_array().map(|x| x as f32),
+            wall_offset_m: (SPACING_M / 4.0) as f32,
+            max_speed_m_s: 2.5,
+            particle_count: self.count() as u32,
+            fluid_count: 1,
+            ..StepParams::default()
+        }
+    }
+}
+
+/// Scale of the smoothing kernel.
+pub fn kernel_params() -> KernelParams {
+    KernelParams {
+        support_m: SUPPORT_M as f32,
+        inverse_support_per_m: (1.0 / SUPPORT_M) as f32,
+        weight: lattice::weight(SUPPORT_RATIO) as f32,
+        spacing_m: SPACING_M as f32,
+    }
+}
+
+/// Settings of the solver, every term on.
+pub fn pbf_params() -> PbfParams {
+    PbfParams {
+        relaxation: 0.5,
+        cfm: 0.05,
+        s_corr_k: 0.02,
+        s_corr_inverse_w: 4.0,
+        xsph: 0.1,
+        vorticity: 0.02,
+        max_correction_m: (0.5 * SPACING_M) as f32,
+        ..PbfParams::default()
+    }
+}
+
+/// Settings of a grid over `size_m` with cells of `cell_m`.
+pub fn grid_params(size_m: DVec3, cell_m: f64, count: usize) -> GridParams {
+    let cells = (size_m / cell_m).ceil().max(DVec3::ONE);
+    let cells = cells.to_array().map(|n| n as u32);
+    GridParams {
+        cells,
+        cell_count: cells.iter().product(),
+        cell_size_m: cell_m as f32,
+        inverse_cell_size_per_m: (1.0 / cell_m) as f32,
+        support_m: SUPPORT_M as f32,
+        particle_count: count as u32,
+        neighbour_slots: SLOTS,
+        ..GridParams::default()
+    }
+}
+
+/// The twin's substep, from the rounded values that the GPU has.
+pub fn step_of(params: &StepParams, walls: bool) -> Step {
+    Step {
+        gravity_m_s2: vector(params.gravity_m_s2),
+        dt_s: f64::from(params.dt_s),
+        domain_size_m: vector(params.domain_size_m),
+        walls,
+        wall_offset_m: f64::from(params.wall_offset_m),
+        max_speed_m_s: f64::from(params.max_speed_m_s),
+    }
+}
+
+/// The twin's smoothing kernel.
+pub fn smoothing_of(params: &KernelParams) -> Smoothing {
+    Smoothing { support_m: f64::from(params.support_m), weight: f64::from(params.weight) }
+}
+
+/// The twin's solver.
+pub fn pbf_of(params: &PbfParams) -> Pbf {
+    Pbf {
+        relaxation: f64::from(params.relaxation),
+        cfm: f64::from(params.cfm),
+        s_corr_k: f64::from(params.s_corr_k),
+        s_corr_inverse_w: f64::from(params.s_corr_inverse_w),
+        xsph: f64::from(params.xsph),
+        vorticity: f64::from(params.vorticity),
+        max_correction_m: f64::from(params.max_correction_m),
+    }
+}
+
+/// The wall table that the GPU has, for the twin.
+pub fn wall_table(weights: &[[f32; 4]]) -> WallTable {
+    WallTable {
+        nodes: brooklet_fluid::boundary::WALL_NODES,
+        values: weights.iter().map(|w| w.map(f64::from)).collect(),
+    }
+}

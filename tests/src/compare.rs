@@ -1,0 +1,123 @@
+//! Comparators of a kernel's output with its twin's, each fed a wrong input once in
+//! `tests/comparators.rs`.
+
+use glam::DVec3;
+
+/// Half the distance of 1 to the next f32: the largest relative error of one rounding.
+pub const ROUNDING: f64 = 5.960_464_477_539_063e-8;
+
+/// Compares floats against a stated tolerance and keeps the largest difference seen.
+#[derive(Debug)]
+pub struct Worst {
+    kernel: &'static str,
+    tolerance: f64,
+    largest: f64,
+    cases: usize,
+}
+
+impl Worst {
+    /// A comparator for `kernel`. Differences are relative to the scale that each comparison names.
+    pub fn new(kernel: &'static str, tolerance: f64) -> Self {
+        Self { kernel, tolerance, largest: 0.0, cases: 0 }
+    }
+
+    /// Compares one number.
+    ///
+    /// # Errors
+    /// If |got - expected| is not within tolerance x scale, as NaN never is.
+    pub fn check(&mut self, got: f32, expected: f64, scale: f64) -> Result<(), String> {
+        let difference = (f64::from(got) - expected).abs() / scale;
+        self.cases += 1;
+        // Written so that a NaN, which compares with nothing, is a failure.
+        if difference <= self.tolerance {
+            self.largest = self.largest.max(difference);
+            return Ok(());
+        }
+        Err(format!(
+            "{}: got {got}, expected {expected}: {difference:e} of {scale:e}, tolerance {:e}",
+            self.kernel, self.tolerance
+        ))
+    }
+
+    /// Compares three numbers by the length of their difference.
+    ///
+    /// # Errors
+    /// As [`Worst::check`].
+    pub fn check3(&mut self, got: [f32; 3], expected: DVec3, scale: f64) -> Result<(), String> {
+        let difference = (vector(got) - expected).length() / scale;
+        self.cases += 1;
+        if difference <= self.tolerance {
+            self.largest = self.largest.max(difference);
+            return Ok(());
+        }
+        Err(format!(
+            "{}: got {got:?}, expected {expected}: {difference:e} of {scale:e}, tolerance {:e}",
+            self.kernel, self.tolerance
+        ))
+    }
+
+    /// Prints the line that the project's reports quote.
+    ///
+    /// # Panics
+    /// If nothing was compared: a test that compared nothing has not passed.
+    pub fn report(&self) {
+        assert!(self.cases > 0, "{}: nothing was compared", self.kernel);
+        println!(
+            "kernel {}: tolerance {:.1e}, largest difference {:.1e} over {} cases",
+            self.kernel, self.tolerance, self.largest, self.cases
+        );
+    }
+}
+
+/// Prints the line of a kernel whose output is integers.
+///
+/// # Panics
+/// If nothing was compared.
+pub fn report_exact(kernel: &str, cases: usize) {
+    assert!(cases > 0, "{kernel}: nothing was compared");
+    println!("kernel {kernel}: exact over {cases} cases");
+}
+
+/// Compares integers.
+///
+/// # Errors
+/// Names the first that differs, or the lengths.
+pub fn check_exact(got: &[u32], expected: &[u32]) -> Result<(), String> {
+    if got.len() != expected.len() {
+        return Err(format!("{} values, expected {}", got.len(), expected.len()));
+    }
+    match got.iter().zip(expected).position(|(a, b)| a != b) {
+        None => Ok(()),
+        Some(i) => Err(format!("value {i}: got {}, expected {}", got[i], expected[i])),
+    }
+}
+
+/// Whether `cell` is that of `position` / cell size, where coordinates within `doubt` of a face may
+/// have been rounded across it. `place` is the position in units of cells.
+///
+/// # Errors
+/// Names the cell that was expected.
+pub fn check_cell(cell: u32, place: DVec3, cells: [u32; 3], doubt: f64) -> Result<(), String> {
+    let outside: u32 = cells.iter().product();
+    let index = |place: DVec3| {
+        let cell = place.floor();
+        let inside = (0..3).all(|a| cell[a] >= 0.0 && cell[a] < f64::from(cells[a]));
+        match inside {
+            true => (cell.z as u32 * cells[1] + cell.y as u32) * cells[0] + cell.x as u32,
+            false => outside,
+        }
+    };
+    let nudges = [-doubt, 0.0, doubt];
+    let allowed = nudges
+        .iter()
+        .any(|&x| nudges.iter().any(|&y| nudges.iter().any(|&z| index(place + DVec3::new(x, y, z)) == cell)));
+    match allowed {
+        true => Ok(()),
+        false => Err(format!("cell {cell} at {place}, expected {}", index(place))),
+    }
+}
+
+/// A GPU vector in f64.
+pub fn vector(v: [f32; 3]) -> DVec3 {
+    DVec3::from_array(v.map(f64::from))
+}

@@ -1,0 +1,117 @@
+//! Runs single kernels on the GPU: inputs in, one recording, outputs back.
+//!
+//! `BROOKLET_TIER` (`floor`, `mobile`, `desktop`) forces a tier; `BROOKLET_SMALL=1` leaves out the
+//! sizes that take minutes on a driver that interprets its shaders.
+
+use brooklet_gpu::{Engine, Gpu, GpuOptions, Plan, Recording, Resources, Tier};
+use brooklet_kernels::{Buffer, Kernel};
+use bytemuck::Pod;
+use std::sync::OnceLock;
+
+/// The device of all tests of this process.
+///
+/// # Panics
+/// If there is none, with the reason; a test cannot go on without it.
+pub fn gpu() -> &'static Gpu {
+    static GPU: OnceLock<Gpu> = OnceLock::new();
+    GPU.get_or_init(|| {
+        let options = GpuOptions { tier: forced_tier(), ..GpuOptions::default() };
+        Gpu::open(&options).unwrap_or_else(|error| panic!("no GPU to test on: {error}"))
+    })
+}
+
+/// The tier that `BROOKLET_TIER` forces.
+///
+/// # Panics
+/// If it is not the name of a tier.
+fn forced_tier() -> Option<Tier> {
+    match std::env::var("BROOKLET_TIER").ok()?.as_str() {
+        "" => None,
+        "floor" => Some(Tier::Floor),
+        "mobile" => Some(Tier::Mobile),
+        "desktop" => Some(Tier::Desktop),
+        other => panic!("BROOKLET_TIER is {other:?}; floor, mobile and desktop are allowed"),
+    }
+}
+
+/// Whether sizes are to be kept small.
+pub fn small() -> bool {
+    std::env::var_os("BROOKLET_SMALL").is_some_and(|value| value != "0" && !value.is_empty())
+}
+
+/// A recording in the making, with its inputs.
+pub struct Bench {
+    resources: Resources,
+    recording: Recording,
+}
+
+impl Default for Bench {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl Bench {
+    /// Nothing yet.
+    pub fn new() -> Self {
+        Self { resources: Resources::new(), recording: Recording::new("bench") }
+    }
+
+    /// A buffer that holds `data`. None is shorter than one element: a binding of no bytes does
+    /// not exist.
+    pub fn input<T: Pod>(&mut self, label: &str, data: &[T]) -> Buffer<T> {
+        let mut buffer = self.output(label, data.len());
+        self.recording.upload(&mut buffer, data);
+        buffer
+    }
+
+    /// A buffer of `len` zeros.
+    pub fn output<T>(&mut self, label: &str, len: usize) -> Buffer<T> {
+        self.resources.state(label, len.max(1) as u32)
+    }
+
+    /// A uniform buffer.
+    pub fn uniform<T: Pod>(&mut self, label: &str, value: T) -> Buffer<T> {
+        self.input(label, &[value])
+    }
+
+    /// Runs `kernel` with a thread an item.
+    pub fn dispatch<K: Kernel>(&mut self, kernel: &K, items: usize) {
+        self.recording.dispatch(kernel, items as u32);
+    }
+
+    /// The parts, for what declares and records itself.
+    pub fn parts(&mut self) -> (&mut Resources, &mut Recording) {
+        (&mut self.resources, &mut self.recording)
+    }
+
+    /// Runs everything, once.
+    ///
+    /// # Panics
+    /// If the recording or the device fails.
+    pub fn run(self) -> Done {
+        let plan =
+            Plan::sweep(self.resources, vec![self.recording], &[]).unwrap_or_else(|error| panic!("plan: {error}"));
+        let mut engine = Engine::new(gpu(), plan).unwrap_or_else(|error| panic!("engine: {error}"));
+        engine.run(&["bench"], &[]).unwrap_or_else(|error| panic!("run: {error}"));
+        Done { engine }
+    }
+}
+
+/// A recording that ran.
+pub struct Done {
+    engine: Engine,
+}
+
+impl Done {
+    /// The first `len` elements of a buffer.
+    ///
+    /// # Panics
+    /// If the device fails, or the buffer is shorter.
+    pub fn read<T: Pod>(&mut self, buffer: &Buffer<T>, len: usize) -> Vec<T> {
+        let mut values = self.engine.read(buffer).unwrap_or_else(|error| panic!("read: {error}"));
+        assert!(values.len() >= len, "{} elements, not {len}", values.len());
+        values.truncate(len);
+        values
+    }
+}

@@ -1,0 +1,418 @@
+//! `grid/` against its twins: the counting sort, its prefix sums, the neighbour list.
+
+use brooklet_fluid::grid::Scan;
+use brooklet_kernels::{
+    CellSlot, CountCells, Counters, GridParams, Iterate, Kernel, ListNeighbours, Position, ReduceGroups, Reorder,
+    ScanGroups, ScanGroupsVariant, Velocity,
+};
+use brooklet_reference::grid::count_cells::{check_ranks, count_cells};
+use brooklet_reference::grid::list_neighbours::{check_list, list_neighbours};
+use brooklet_reference::grid::reorder::{places, reorder};
+use brooklet_reference::grid::scan;
+use brooklet_tests::cases::{SLOTS, SUPPORT_M, fluid, grid_params, sizes, vectors};
+use brooklet_tests::compare::{check_cell, check_exact, report_exact, vector};
+use brooklet_tests::harness::{Bench, small};
+use brooklet_tests::rng;
+use glam::DVec3;
+use proptest::prelude::*;
+use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
+use rand::{Rng, RngExt};
+
+const QUARANTINED: u32 = 1 << 31;
+
+/// Values a group of the scan takes: four a thread.
+const SCAN_GROUP: u32 = 4 * ScanGroups::GROUP_SIZE[0];
+
+/// A runner of few cases (a CPU driver takes tens of milliseconds for each), the same every time.
+fn few_cases() -> TestRunner {
+    let cases = if small() { 4 } else { 12 };
+    let config = Config {
+        cases,
+        failure_persistence: None,
+        ..Config::default()
+    };
+    TestRunner::new_with_rng(config, TestRng::from_seed(RngAlgorithm::ChaCha, &[7; 32]))
+}
+
+/// Particles all over the domain and some outside it or quarantined.
+fn scattered(rng: &mut impl Rng, count: usize, size_m: DVec3) -> Vec<Position> {
+    (0..count)
+        .map(|i| {
+            let beyond = if i % 11 == 3 { 0.2 } else { 0.0 };
+            let mut at = |axis: usize| (rng.random::<f64>() * (size_m[axis] + 2.0 * beyond) - beyond) as f32;
+            Position {
+                position_m: [at(0), at(1), at(2)],
+                tag: i as u32 | if i % 13 == 5 { QUARANTINED } else { 0 },
+            }
+        })
+        .collect()
+}
+
+fn run_count(positions: &[Position], grid: GridParams) -> (Vec<u32>, Vec<CellSlot>) {
+    let mut bench = Bench::new();
+    let at = bench.input("positions", positions);
+    let mut counts = bench.output("cell_counts", grid.cell_count as usize + 1);
+    let mut slots = bench.output("cell_slots", positions.len());
+    let params = bench.uniform("grid", grid);
+    bench.dispatch(
+        &CountCells {
+            positions: at.read(),
+            cell_counts: counts.write(),
+            cell_slots: slots.write(),
+            grid: params.uniform(),
+        },
+        positions.len(),
+    );
+    let mut done = bench.run();
+    (done.read(&counts, grid.cell_count as usize + 1), done.read(&slots, positions.len()))
+}
+
+fn check_count(positions: &[Position], grid: GridParams, doubt: f64) -> Result<(), String> {
+    let (counts, slots) = run_count(positions, grid);
+    let cells: Vec<u32> = slots.iter().map(|slot| slot.cell).collect();
+    let ranks: Vec<u32> = slots.iter().map(|slot| slot.rank).collect();
+    for (position, &cell) in positions.iter().zip(&cells) {
+        if position.tag & QUARANTINED != 0 {
+            check_exact(&[cell], &[grid.cell_count])?;
+        } else {
+            let place = vector(position.position_m) * f64::from(grid.inverse_cell_size_per_m);
+            check_cell(cell, place, grid.cells, doubt)?;
+        }
+    }
+    check_exact(&counts, &count_cells(&cells, grid.cell_count))?;
+    check_ranks(&cells, &ranks, grid.cell_count)
+}
+
+#[test]
+fn count_cells_matches_its_twin() {
+    let mut rng = rng(21);
+    let mut cases = 0;
+    for size in sizes(CountCells::GROUP_SIZE[0] as usize) {
+        // A power of two scales exactly, so each cell is; of another size coordinates within a
+        // rounding of a face may fall on either side of it.
+        for (cell_m, doubt) in [(1.0 / 64.0, 0.0), (0.02, 1e-5)] {
+            let size_m = DVec3::new(0.31, 0.2, 0.17);
+            let positions = scattered(&mut rng, size, size_m);
+            check_count(&positions, grid_params(size_m, cell_m, size), doubt).unwrap();
+            cases += size;
+        }
+    }
+    // All in one cell: every atomic meets every other.
+    let positions = vec![Position { position_m: [0.1; 3], tag: 0 }; 1000];
+    check_count(&positions, grid_params(DVec3::splat(0.3), 0.02, 1000), 0.0).unwrap();
+    report_exact(CountCells::STAGE, cases + 1000);
+}
+
+#[test]
+fn positions_far_outside_have_no_cell() {
+    let far = [1e9, -1e9, 1e30, -1e30, f32::MAX, 3e9, -0.0];
+    let positions: Vec<Position> =
+        far.iter().map(|&x| Position { position_m: [x, 0.1, 0.1], tag: 0 }).collect();
+    let grid = grid_params(DVec3::splat(0.3), 1.0 / 64.0, positions.len());
+    check_count(&positions, grid, 0.0).unwrap();
+}
+
+fn run_reduce(values: &[u32]) -> Vec<u32> {
+    let groups = values.len().div_ceil(SCAN_GROUP as usize);
+    let mut bench = Bench::new();
+    let input = bench.input("values", values);
+    let mut sums = bench.output("group_sums", groups);
+    let kernel = ReduceGroups { values: input.read(), group_sums: sums.write() };
+    bench.dispatch(&kernel, values.len().div_ceil(4));
+    bench.run().read(&sums, groups)
+}
+
+fn run_scan_groups(values: &[u32], offsets: Option<&[u32]>) -> Vec<u32> {
+    let mut bench = Bench::new();
+    let input = bench.input("values", values);
+    let offsets = offsets.map(|offsets| bench.input("group_offsets", offsets));
+    let mut scanned = bench.output("scanned", values.len());
+    let kernel = ScanGroups {
+        variant: ScanGroupsVariant { group_offsets: offsets.is_some() },
+        values: input.read(),
+        group_offsets: offsets.as_ref().map(|offsets| offsets.read()),
+        scanned: scanned.write(),
+    };
+    bench.dispatch(&kernel, values.len().div_ceil(4));
+    bench.run().read(&scanned, values.len())
+}
+
+/// All levels, as the fluid records them.
+fn run_scan(values: &[u32]) -> Vec<u32> {
+    let mut bench = Bench::new();
+    let input = bench.input("values", values);
+    let mut scanned = bench.output("scanned", values.len());
+    let (resources, recording) = bench.parts();
+    if !values.is_empty() {
+        Scan::declare(resources, "test", values.len() as u32).record(recording, &input, &mut scanned);
+    }
+    bench.run().read(&scanned, values.len())
+}
+
+fn numbers(rng: &mut impl Rng, count: usize) -> Vec<u32> {
+    (0..count).map(|_| rng.random()).collect()
+}
+
+#[test]
+fn reduce_and_scan_groups_match_their_twins() {
+    let mut rng = rng(22);
+    let group = SCAN_GROUP as usize;
+    let mut cases = 0;
+    for size in [0, 1, 3, 4, 5, group - 1, group, group + 1, 3 * group, 7 * group + 333] {
+        let values = numbers(&mut rng, size);
+        check_exact(&run_reduce(&values), &scan::reduce_groups(&values, group)).unwrap();
+        check_exact(&run_scan_groups(&values, None), &scan::scan_groups(&values, group, None)).unwrap();
+        let offsets = numbers(&mut rng, size.div_ceil(group));
+        let expected = scan::scan_groups(&values, group, Some(&offsets));
+        check_exact(&run_scan_groups(&values, Some(&offsets)), &expected).unwrap();
+        cases += size;
+    }
+    report_exact(ReduceGroups::STAGE, cases);
+    report_exact(ScanGroups::STAGE, 2 * cases);
+}
+
+#[test]
+fn scan_of_several_levels_matches_its_twin() {
+    let mut rng = rng(23);
+    let group = SCAN_GROUP as usize;
+    let mut sizes = vec![0, 1, group, group + 1, 20 * group + 77, group * group];
+    if !small() {
+        // A third level; and more groups than one row of a dispatch holds.
+        sizes.extend([group * group + 1, 3 * group * group + 1234, 32_768 * group + 1]);
+    }
+    let mut cases = 0;
+    for size in sizes {
+        let values = numbers(&mut rng, size);
+        check_exact(&run_scan(&values), &scan::scan(&values)).unwrap();
+        cases += size;
+    }
+    report_exact("scan of several levels", cases);
+}
+
+#[test]
+fn scan_of_anything() {
+    let lengths = 0..3000_usize;
+    let values = proptest::collection::vec(any::<u32>(), lengths);
+    few_cases()
+        .run(&values, |values| {
+            check_exact(&run_scan(&values), &scan::scan(&values)).map_err(TestCaseError::fail)
+        })
+        .unwrap();
+}
+
+struct Sorted {
+    positions: Vec<Position>,
+    velocities: Vec<Velocity>,
+    iterates: Vec<Iterate>,
+}
+
+fn run_reorder(positions: &[Position], velocities: &[Velocity], slots: &[CellSlot], starts: &[u32], grid: GridParams) -> Sorted {
+    let count = positions.len();
+    let mut bench = Bench::new();
+    let at = bench.input("positions", positions);
+    let moving = bench.input("velocities", velocities);
+    let slots = bench.input("cell_slots", slots);
+    let starts = bench.input("cell_starts", starts);
+    let mut sorted_positions = bench.output("sorted_positions", count);
+    let mut sorted_velocities = bench.output("sorted_velocities", count);
+    let mut iterates = bench.output("iterates", count);
+    let params = bench.uniform("grid", grid);
+    bench.dispatch(
+        &Reorder {
+            positions: at.read(),
+            velocities: moving.read(),
+            cell_slots: slots.read(),
+            cell_starts: starts.read(),
+            sorted_positions: sorted_positions.write(),
+            sorted_velocities: sorted_velocities.write(),
+            iterates: iterates.write(),
+            grid: params.uniform(),
+        },
+        count,
+    );
+    let mut done = bench.run();
+    Sorted {
+        positions: done.read(&sorted_positions, count),
+        velocities: done.read(&sorted_velocities, count),
+        iterates: done.read(&iterates, count),
+    }
+}
+
+#[test]
+fn reorder_matches_its_twin() {
+    let mut rng = rng(24);
+    let mut cases = 0;
+    for size in sizes(Reorder::GROUP_SIZE[0] as usize) {
+        let case = fluid(&mut rng, size);
+        let grid = grid_params(case.size_m, SUPPORT_M / 2.0, size);
+        let cells: Vec<u32> = (0..size).map(|_| rng.random_range(0..=grid.cell_count)).collect();
+        let mut filled = vec![0; grid.cell_count as usize + 1];
+        // Ranks from the last particle to the first: any numbering is to be obeyed.
+        let mut ranks = vec![0; size];
+        for i in (0..size).rev() {
+            ranks[i] = filled[cells[i] as usize];
+            filled[cells[i] as usize] += 1;
+        }
+        let starts = scan::scan(&filled);
+        let slots: Vec<CellSlot> =
+            cells.iter().zip(&ranks).map(|(&cell, &rank)| CellSlot { cell, rank }).collect();
+        let sorted = run_reorder(&case.positions, &case.velocities, &slots, &starts, grid);
+        let places = places(&cells, &ranks, &starts);
+        assert_eq!(sorted.positions, reorder(&case.positions, &places));
+        assert_eq!(sorted.velocities, reorder(&case.velocities, &places));
+        assert_eq!(sorted.iterates, reorder(&case.iterates(&[]), &places));
+        cases += size;
+    }
+    report_exact(Reorder::STAGE, cases);
+}
+
+/// The whole counting sort: counted, scanned, reordered.
+fn sort(positions: &[Position], velocities: &[Velocity], grid: GridParams) -> (Sorted, Vec<u32>) {
+    let (counts, slots) = run_count(positions, grid);
+    let starts = run_scan(&counts);
+    (run_reorder(positions, velocities, &slots, &starts, grid), starts)
+}
+
+#[test]
+fn sort_is_a_permutation_in_order_of_cells() {
+    let seeds = (0..400_usize, any::<u64>(), 1..12_u32);
+    few_cases()
+        .run(&seeds, |(count, seed, cells)| {
+            let mut rng = rng(seed);
+            let size_m = DVec3::new(f64::from(cells), 3.0, 2.0) / 64.0;
+            let positions = scattered(&mut rng, count, size_m);
+            let velocities: Vec<Velocity> = (0..count)
+                .map(|i| Velocity { velocity_m_s: [i as f32, 0.0, 0.0], reserved: 0.0 })
+                .collect();
+            let grid = grid_params(size_m, 1.0 / 64.0, count);
+            let (sorted, _) = sort(&positions, &velocities, grid);
+            let mut seen = vec![false; count];
+            let mut last_cell = 0;
+            for (position, velocity) in sorted.positions.iter().zip(&sorted.velocities) {
+                let id = (position.tag & !QUARANTINED) as usize;
+                prop_assert!(!std::mem::replace(&mut seen[id], true), "particle {} twice", id);
+                prop_assert_eq!(*position, positions[id]);
+                prop_assert_eq!(*velocity, velocities[id]);
+                let cell = match position.tag & QUARANTINED {
+                    0 => brooklet_reference::grid::count_cells::cell_of(
+                        vector(position.position_m),
+                        &brooklet_reference::params::Grid {
+                            cells: grid.cells,
+                            cell_size_m: 1.0 / 64.0,
+                            support_m: SUPPORT_M,
+                        },
+                    ),
+                    _ => grid.cell_count,
+                };
+                prop_assert!(cell >= last_cell, "cell {} after {}", cell, last_cell);
+                last_cell = cell;
+            }
+            Ok(())
+        })
+        .unwrap();
+}
+
+/// Lists the neighbours of sorted particles and compares with brute force; returns how many were
+/// listed and how many had no slot.
+fn check_neighbours(sorted: &[Position], starts: &[u32], grid: GridParams) -> Result<(usize, u32), String> {
+    let count = sorted.len();
+    let mut bench = Bench::new();
+    let positions = bench.input("sorted_positions", sorted);
+    let starts_buffer = bench.input("cell_starts", starts);
+    let mut neighbours = bench.output("neighbours", count * grid.neighbour_slots as usize);
+    let mut counts = bench.output("neighbour_counts", count);
+    let mut counters = bench.input("counters", &[Counters::default()]);
+    let params = bench.uniform("grid", grid);
+    bench.dispatch(
+        &ListNeighbours {
+            sorted_positions: positions.read(),
+            cell_starts: starts_buffer.read(),
+            neighbours: neighbours.write(),
+            neighbour_counts: counts.write(),
+            counters: counters.write(),
+            grid: params.uniform(),
+        },
+        count,
+    );
+    let mut done = bench.run();
+    let neighbours = done.read(&neighbours, count * grid.neighbour_slots as usize);
+    let counts = done.read(&counts, count);
+    let overflow = done.read(&counters, 1)[0].neighbour_overflow;
+
+    let first_outside = starts[grid.cell_count as usize] as usize;
+    let positions_m = vectors(sorted);
+    let support_m = f64::from(grid.support_m);
+    let expected = list_neighbours(&positions_m, |i| i >= first_outside, support_m);
+    let (mut listed, mut missing) = (0, 0);
+    for i in 0..count {
+        let found: Vec<usize> =
+            (0..counts[i] as usize).map(|slot| neighbours[slot * count + i] as usize).collect();
+        listed += found.len();
+        if expected[i].len() > grid.neighbour_slots as usize {
+            // Some are missing, which the counter owns up to; those listed are right.
+            missing += expected[i].len() as u32 - grid.neighbour_slots;
+            check_exact(&[counts[i]], &[grid.neighbour_slots])?;
+            if let Some(j) = found.iter().find(|&&j| expected[i].binary_search(&j).is_err()) {
+                return Err(format!("particle {i} lists {j}, which is no neighbour"));
+            }
+        } else {
+            // Squares of distances round in the seventh digit.
+            check_list(i, &found, &expected[i], &positions_m, support_m, 1e-6 * support_m)?;
+        }
+    }
+    check_exact(&[overflow], &[missing])?;
+    Ok((listed, overflow))
+}
+
+#[test]
+fn list_neighbours_matches_brute_force() {
+    let mut rng = rng(25);
+    let mut listed = 0;
+    for size in sizes(ListNeighbours::GROUP_SIZE[0] as usize) {
+        let case = fluid(&mut rng, size);
+        let grid = grid_params(case.size_m, SUPPORT_M / 2.0, size);
+        let (sorted, starts) = sort(&case.positions, &case.velocities, grid);
+        listed += check_neighbours(&sorted.positions, &starts, grid).unwrap().0;
+
+        // Sparse, with some outside and quarantined, in a domain of few cells along one axis.
+        let size_m = DVec3::new(0.6, 0.05, 0.13);
+        let positions = scattered(&mut rng, size, size_m);
+        let grid = grid_params(size_m, SUPPORT_M / 2.0, size);
+        let (sorted, starts) = sort(&positions, &case.velocities, grid);
+        listed += check_neighbours(&sorted.positions, &starts, GridParams { neighbour_slots: 2048, ..grid }).unwrap().0;
+    }
+    report_exact(ListNeighbours::STAGE, listed);
+}
+
+#[test]
+fn neighbours_without_a_slot_are_counted() {
+    let case = fluid(&mut rng(26), 300);
+    let grid = GridParams { neighbour_slots: 20, ..grid_params(case.size_m, SUPPORT_M / 2.0, 300) };
+    let (sorted, starts) = sort(&case.positions, &case.velocities, grid);
+    let (_, overflow) = check_neighbours(&sorted.positions, &starts, grid).unwrap();
+    assert!(overflow > 0, "the case was meant to overflow");
+
+    // All at one point: each sees all others.
+    let positions = vec![Position { position_m: [0.1; 3], tag: 0 }; 130];
+    let velocities = vec![Velocity::default(); 130];
+    let grid = grid_params(DVec3::splat(0.2), SUPPORT_M / 2.0, 130);
+    let (sorted, starts) = sort(&positions, &velocities, grid);
+    let (_, overflow) = check_neighbours(&sorted.positions, &starts, grid).unwrap();
+    assert_eq!(overflow, 130 * (129 - SLOTS));
+}
+
+#[test]
+fn list_equals_brute_force_anywhere() {
+    let cases = (0..200_usize, any::<u64>(), [1..9_u32, 1..9_u32, 1..9_u32]);
+    few_cases()
+        .run(&cases, |(count, seed, cells)| {
+            let mut rng = rng(seed);
+            let size_m = DVec3::from_array(cells.map(f64::from)) * (SUPPORT_M / 2.0);
+            let positions = scattered(&mut rng, count, size_m);
+            let velocities = vec![Velocity::default(); count];
+            let grid = GridParams { neighbour_slots: 256, ..grid_params(size_m, SUPPORT_M / 2.0, count) };
+            let (sorted, starts) = sort(&positions, &velocities, grid);
+            check_neighbours(&sorted.positions, &starts, grid).map(drop).map_err(TestCaseError::fail)
+        })
+        .unwrap();
+}

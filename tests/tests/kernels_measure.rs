@@ -1,0 +1,243 @@
+//! `measure/` against its twins.
+
+use brooklet_fluid::boundary::wall_weights;
+use brooklet_kernels::{
+    Counters, Kernel, Measure, MeasureParticles, MeasureParticlesVariant, MeasureParticlesWalls, MeasureSums,
+    MeasureTotals, StepParams,
+};
+use brooklet_reference::boundary::walls::DomainWalls;
+use brooklet_reference::measure::measure_particles::{Sample, Sums, measure_particles};
+use brooklet_reference::measure::measure_totals::{measure_totals, percentile_99};
+use brooklet_reference::solver::pbf::density_ratio;
+use brooklet_tests::cases::{Case, SUPPORT_M, SUPPORT_RATIO, fluid, kernel_params, sizes, smoothing_of, wall_table};
+use brooklet_tests::compare::{ROUNDING, Worst, check_exact, vector};
+use brooklet_tests::harness::Bench;
+use brooklet_tests::rng;
+use glam::DVec3;
+use rand::{Rng, RngExt};
+
+/// Bins of one histogram: the shader's HISTOGRAM_BINS.
+const BINS: usize = 512;
+const GROUP: usize = MeasureParticles::GROUP_SIZE[0] as usize;
+
+/// A density is a sum of some 30 terms of a handful of roundings each (64 in all); a mean of 64 of
+/// them adds six more, and a mean of thousands of sums a dozen.
+const TOLERANCE: f64 = 80.0 * ROUNDING;
+
+fn run_particles(case: &Case, params: StepParams, walls: MeasureParticlesWalls) -> (Vec<MeasureSums>, Vec<u32>) {
+    let groups = case.count().div_ceil(GROUP);
+    let mut bench = Bench::new();
+    let positions = bench.input("positions", &case.positions);
+    let velocities = bench.input("velocities", &case.velocities);
+    let (neighbours, neighbour_counts) = case.upload_neighbours(&mut bench);
+    let mut group_measures = bench.output("group_measures", groups);
+    let mut histograms = bench.output("histograms", 2 * BINS);
+    let weights = bench.input("wall_weights", &wall_weights(SUPPORT_RATIO));
+    let step_params = bench.uniform("step_params", params);
+    let kernel = bench.uniform("kernel", kernel_params());
+    bench.dispatch(
+        &MeasureParticles {
+            variant: MeasureParticlesVariant { walls },
+            positions: positions.read(),
+            velocities: velocities.read(),
+            neighbours: neighbours.read(),
+            neighbour_counts: neighbour_counts.read(),
+            group_measures: group_measures.write(),
+            histograms: histograms.write(),
+            wall_weights: (walls != MeasureParticlesWalls::Off).then(|| weights.read()),
+            step_params: step_params.uniform(),
+            kernel: kernel.uniform(),
+        },
+        case.count(),
+    );
+    let mut done = bench.run();
+    (done.read(&group_measures, groups), done.read(&histograms, 2 * BINS))
+}
+
+fn run_totals(groups: &[MeasureSums], histograms: &[u32], counters: Counters, params: StepParams) -> Measure {
+    let mut bench = Bench::new();
+    let group_measures = bench.input("group_measures", groups);
+    let histograms = bench.input("histograms", histograms);
+    let counters = bench.input("counters", &[counters]);
+    let mut measure = bench.output("measure", 1);
+    let step_params = bench.uniform("step_params", params);
+    bench.dispatch(
+        &MeasureTotals {
+            group_measures: group_measures.read(),
+            histograms: histograms.read(),
+            counters: counters.read(),
+            measure: measure.write(),
+            step_params: step_params.uniform(),
+        },
+        1,
+    );
+    bench.run().read(&measure, 1)[0]
+}
+
+/// Compares sums, each relative to the number of particles times the size of one's share.
+fn check_sums(worst: &mut Worst, got: &MeasureSums, expected: &Sums, size_m: f64) -> Result<(), String> {
+    let count = f64::from(expected.particles.max(1));
+    let error = 1.0 + expected.density_error_max;
+    let speed = expected.speed_max_m_s.max(1e-3);
+    worst.check(got.density_error_sum, expected.density_error_sum, count * error)?;
+    worst.check(got.density_error_max, expected.density_error_max, error)?;
+    worst.check(got.compression_sum, expected.compression_sum, count * error)?;
+    worst.check(got.compression_max, expected.compression_max, error)?;
+    worst.check3(got.position_sum_m, expected.position_sum_m, count * size_m)?;
+    worst.check3(got.velocity_sum_m_s, expected.velocity_sum_m_s, count * speed)?;
+    worst.check(got.speed_max_m_s, expected.speed_max_m_s, speed)?;
+    worst.check(got.speed_squared_sum_m2_s2, expected.speed_squared_sum_m2_s2, count * speed * speed)?;
+    if expected.particles > 0 {
+        worst.check(got.front_m, expected.front_m, size_m)?;
+    }
+    check_exact(
+        &[got.particles, got.quarantined, got.escaped],
+        &[expected.particles, expected.quarantined, expected.escaped],
+    )
+}
+
+/// Particles with some quarantined, without any neighbours then, and some outside.
+fn disturbed(rng: &mut impl Rng, size: usize) -> Case {
+    let mut case = fluid(rng, size);
+    for i in (0..size).step_by(9) {
+        case.positions[i].tag |= 1 << 31;
+    }
+    for i in (4..size).step_by(10) {
+        case.positions[i].position_m[i % 3] += if i % 4 == 0 { -1.0 } else { 2.0 };
+    }
+    let positions_m = case.positions_m();
+    let alone = |i: usize| case.positions[i].tag >> 31 == 1;
+    case.neighbours = brooklet_reference::grid::list_neighbours::list_neighbours(&positions_m, alone, SUPPORT_M);
+    case
+}
+
+fn samples(case: &Case, walls: Option<&DomainWalls>) -> Vec<Sample> {
+    let smoothing = smoothing_of(&kernel_params());
+    let (positions_m, velocities_m_s) = (case.positions_m(), case.velocities_m_s());
+    (0..case.count())
+        .map(|i| Sample {
+            position_m: positions_m[i],
+            velocity_m_s: velocities_m_s[i],
+            density_ratio: density_ratio(i, &positions_m, &case.neighbours[i], &smoothing, walls),
+            quarantined: case.positions[i].tag >> 31 == 1,
+        })
+        .collect()
+}
+
+#[test]
+fn measures_match_their_twins() {
+    let mut particles = Worst::new(MeasureParticles::STAGE, TOLERANCE);
+    let mut totals = Worst::new(MeasureTotals::STAGE, TOLERANCE);
+    let mut rng = rng(51);
+    let table = wall_table(&wall_weights(SUPPORT_RATIO));
+    for walls in [MeasureParticlesWalls::Off, MeasureParticlesWalls::Walls, MeasureParticlesWalls::NarrowWalls] {
+        for size in sizes(GROUP) {
+            let mut case = disturbed(&mut rng, size);
+            if walls == MeasureParticlesWalls::NarrowWalls {
+                case.size_m = case.size_m.min(DVec3::new(9.0, 1.3 * SUPPORT_M, 1.7 * SUPPORT_M));
+            }
+            let params = case.step_params();
+            let (groups, histograms) = run_particles(&case, params, walls);
+            let box_walls = DomainWalls {
+                weight: &table,
+                domain_size_m: vector(params.domain_size_m),
+                support_m: SUPPORT_M,
+            };
+            let samples = samples(&case, (walls != MeasureParticlesWalls::Off).then_some(&box_walls));
+            let expected: Vec<Sums> =
+                samples.chunks(GROUP).map(|group| measure_particles(group, box_walls.domain_size_m)).collect();
+            for (got, expected) in groups.iter().zip(&expected) {
+                check_sums(&mut particles, got, expected, 3.0).unwrap();
+            }
+            let total = measure_totals(&expected);
+            for histogram in [&histograms[..BINS], &histograms[BINS..]] {
+                assert_eq!(histogram.iter().sum::<u32>(), total.particles);
+            }
+            if groups.is_empty() {
+                continue;
+            }
+            let counters = Counters { speed_clamps: 3, correction_clamps: 5, ..Counters::default() };
+            let measure = run_totals(&groups, &histograms, counters, params);
+            check_sums(&mut totals, &measure.sums, &total, 3.0).unwrap();
+            assert_eq!(measure.counters, counters);
+            let errors: Vec<f64> =
+                samples.iter().filter(|s| !s.quarantined).map(|s| s.density_ratio - 1.0).collect();
+            let sizes: Vec<f64> = errors.iter().map(|e| e.abs()).collect();
+            let positive: Vec<f64> = errors.iter().map(|e| e.max(0.0)).collect();
+            check_percentile(measure.density_error_p99, percentile_99(&sizes)).unwrap();
+            check_percentile(measure.compression_p99, percentile_99(&positive)).unwrap();
+        }
+    }
+    particles.report();
+    totals.report();
+}
+
+/// Bins are 1/32 of their value wide at most, and what is told is their middle; the first reaches
+/// up to 2^-14 and tells 0.
+fn check_percentile(got: f32, expected: f64) -> Result<(), String> {
+    let smallest = 2.0_f64.powi(-14);
+    let tolerance = expected / 64.0 + TOLERANCE;
+    let below = got == 0.0 && expected < smallest + TOLERANCE;
+    if below || (f64::from(got) - expected).abs() <= tolerance {
+        return Ok(());
+    }
+    Err(format!("99th percentile {got}, expected {expected}"))
+}
+
+#[test]
+fn percentile_comparator_fails() {
+    assert!(check_percentile(0.1, 0.1).is_ok());
+    assert!(check_percentile(0.103, 0.1).is_err());
+    assert!(check_percentile(0.0, 1e-3).is_err());
+    assert!(check_percentile(f32::NAN, 0.1).is_err());
+    assert!(check_percentile(0.0, 1e-5).is_ok());
+}
+
+#[test]
+fn totals_add_up_any_number_of_groups() {
+    let mut worst = Worst::new(MeasureTotals::STAGE, TOLERANCE);
+    let mut rng = rng(52);
+    for count in [0, 1, GROUP - 1, GROUP, GROUP + 1, 5 * GROUP + 7, 4097] {
+        let groups: Vec<MeasureSums> = (0..count)
+            .map(|_| MeasureSums {
+                density_error_sum: 64.0 * rng.random::<f32>(),
+                density_error_max: rng.random(),
+                compression_sum: 64.0 * rng.random::<f32>(),
+                compression_max: rng.random(),
+                position_sum_m: [0; 3].map(|_| 64.0 * rng.random::<f32>()),
+                front_m: rng.random(),
+                velocity_sum_m_s: [0; 3].map(|_| 64.0 * (rng.random::<f32>() - 0.5)),
+                speed_max_m_s: rng.random(),
+                speed_squared_sum_m2_s2: 64.0 * rng.random::<f32>(),
+                particles: rng.random_range(0..=64),
+                quarantined: rng.random_range(0..9),
+                escaped: rng.random_range(0..9),
+            })
+            .collect();
+        let parts: Vec<Sums> = groups.iter().map(sums_of).collect();
+        let params = StepParams { particle_count: (count * GROUP) as u32, ..StepParams::default() };
+        let measure = run_totals(&groups, &vec![0; 2 * BINS], Counters::default(), params);
+        let mut expected = measure_totals(&parts);
+        expected.speed_max_m_s = expected.speed_max_m_s.max(0.0);
+        check_sums(&mut worst, &measure.sums, &expected, 2.0).unwrap();
+        assert_eq!((measure.density_error_p99, measure.compression_p99), (0.0, 0.0));
+    }
+    worst.report();
+}
+
+fn sums_of(sums: &MeasureSums) -> Sums {
+    Sums {
+        density_error_sum: sums.density_error_sum.into(),
+        density_error_max: sums.density_error_max.into(),
+        compression_sum: sums.compression_sum.into(),
+        compression_max: sums.compression_max.into(),
+        position_sum_m: vector(sums.position_sum_m),
+        front_m: sums.front_m.into(),
+        velocity_sum_m_s: vector(sums.velocity_sum_m_s),
+        speed_max_m_s: sums.speed_max_m_s.into(),
+        speed_squared_sum_m2_s2: sums.speed_squared_sum_m2_s2.into(),
+        particles: sums.particles,
+        quarantined: sums.quarantined,
+        escaped: sums.escaped,
+    }
+}
