@@ -2,8 +2,8 @@
 
 use brooklet_gpu::{Recording, Resources};
 use brooklet_kernels::{
-    Buffer, Counters, Kernel, Measure, MeasureParticles, MeasureParticlesVariant, MeasureParticlesWalls, MeasureSums,
-    MeasureTotals, Position, Velocity,
+    Buffer, Counters, Kernel, Measure, MeasureParticles, MeasureParticlesVariant, MeasureSums, MeasureTotals, Position,
+    Velocity,
 };
 
 use crate::grid::Neighbours;
@@ -41,15 +41,10 @@ impl Measuring {
         positions: &Buffer<Position>,
         velocities: &Buffer<Velocity>,
     ) {
-        let walls = match (&shared.wall_weights, shared.narrow) {
-            (None, _) => MeasureParticlesWalls::Off,
-            (Some(_), false) => MeasureParticlesWalls::Walls,
-            (Some(_), true) => MeasureParticlesWalls::NarrowWalls,
-        };
         recording.clear(&mut self.histograms);
         recording.dispatch(
             &MeasureParticles {
-                variant: MeasureParticlesVariant { walls },
+                variant: MeasureParticlesVariant { walls: shared.walls_keyword() },
                 positions: positions.read(),
                 velocities: velocities.read(),
                 neighbours: neighbours.indices.read(),

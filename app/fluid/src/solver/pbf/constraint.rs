@@ -2,8 +2,7 @@
 
 use brooklet_gpu::Recording;
 use brooklet_kernels::{
-    Buffer, ConstrainDensity, ConstrainDensityVariant, ConstrainDensityWalls, CorrectPositions,
-    CorrectPositionsVariant, CorrectPositionsWalls, Iterate,
+    Buffer, ConstrainDensity, ConstrainDensityVariant, CorrectPositions, CorrectPositionsVariant, Iterate,
 };
 
 use super::{Pbf, Shared};
@@ -17,14 +16,9 @@ pub(super) fn constrain_density(
     neighbours: &Neighbours,
     iterates: &Buffer<Iterate>,
 ) {
-    let walls = match (&shared.wall_weights, shared.narrow) {
-        (None, _) => ConstrainDensityWalls::Off,
-        (Some(_), false) => ConstrainDensityWalls::Walls,
-        (Some(_), true) => ConstrainDensityWalls::NarrowWalls,
-    };
     recording.dispatch(
         &ConstrainDensity {
-            variant: ConstrainDensityVariant { walls },
+            variant: ConstrainDensityVariant { walls: shared.walls_keyword() },
             iterates: iterates.read(),
             neighbours: neighbours.indices.read(),
             neighbour_counts: neighbours.counts.read(),
@@ -46,15 +40,10 @@ pub(super) fn correct_positions(
     neighbours: &Neighbours,
     iterates: &mut Buffer<Iterate>,
 ) {
-    let walls = match (&shared.wall_weights, shared.narrow) {
-        (None, _) => CorrectPositionsWalls::Off,
-        (Some(_), false) => CorrectPositionsWalls::Walls,
-        (Some(_), true) => CorrectPositionsWalls::NarrowWalls,
-    };
     let count = iterates.len;
     recording.dispatch(
         &CorrectPositions {
-            variant: CorrectPositionsVariant { walls, s_corr: pbf.s_corr },
+            variant: CorrectPositionsVariant { walls: shared.walls_keyword(), s_corr: pbf.s_corr },
             constrained: pbf.constrained.read(),
             neighbours: neighbours.indices.read(),
             neighbour_counts: neighbours.counts.read(),

@@ -6,7 +6,9 @@ mod constraint;
 mod velocity;
 
 use brooklet_gpu::{Recording, Resources};
-use brooklet_kernels::{Buffer, Counters, Iterate, KernelParams, PbfParams, Position, StepParams, Velocity};
+use brooklet_kernels::{
+    Buffer, Counters, Iterate, KernelParams, PbfParams, Position, StepParams, Velocity, WallsKeyword,
+};
 
 use crate::grid::{Neighbours, Sorted};
 use crate::kernel::{lattice, wendland};
@@ -25,6 +27,17 @@ pub struct Shared {
     pub narrow: bool,
     /// Events that are counted.
     pub counters: Buffer<Counters>,
+}
+
+impl Shared {
+    /// Which variant of the stages that feel walls the domain needs.
+    pub fn walls_keyword(&self) -> WallsKeyword {
+        match (&self.wall_weights, self.narrow) {
+            (None, _) => WallsKeyword::Off,
+            (Some(_), false) => WallsKeyword::Walls,
+            (Some(_), true) => WallsKeyword::NarrowWalls,
+        }
+    }
 }
 
 /// The solver's settings and buffers.
