@@ -1,0 +1,83 @@
+//! Made-up frame reports, and a reading of MCAP's framing that shares no code with the crate.
+
+// Each test binary that takes this module uses its own part of it.
+#![allow(dead_code)]
+
+use brooklet_gpu::{FrameReport, Span, SpanFlag, TimingStatus};
+
+/// Opcode of a chunk.
+pub const CHUNK: u8 = 0x06;
+const MESSAGE: u8 = 0x05;
+
+/// A record of the file and where it ends.
+pub struct Record {
+    /// What it is.
+    pub opcode: u8,
+    /// Position of the first byte behind it.
+    pub end: usize,
+    /// Messages in it, if it is a chunk.
+    pub messages: usize,
+}
+
+/// The complete records of an MCAP file, by the format's description: an opcode, a length of 8
+/// bytes, and that many bytes. A record that is cut off is left out.
+pub fn records(bytes: &[u8]) -> Vec<Record> {
+    let mut records = Vec::new();
+    let mut at = mcap::MAGIC.len();
+    while let Some((opcode, end)) = framing(bytes, at) {
+        let body = &bytes[at + 9..end];
+        let messages = if opcode == CHUNK { chunk_messages(body) } else { 0 };
+        records.push(Record { opcode, end, messages });
+        at = end;
+    }
+    records
+}
+
+fn framing(bytes: &[u8], at: usize) -> Option<(u8, usize)> {
+    let head = bytes.get(at..at + 9)?;
+    let length = u64::from_le_bytes(head[1..].try_into().ok()?);
+    let end = at.checked_add(9)?.checked_add(usize::try_from(length).ok()?)?;
+    (end <= bytes.len()).then_some((head[0], end))
+}
+
+/// Messages in an uncompressed chunk: start, end and size (8 bytes each), checksum (4), the
+/// compression's name (4 + its length), the length of the records (8), the records.
+fn chunk_messages(body: &[u8]) -> usize {
+    assert_eq!(body[28..32], [0; 4], "a compressed chunk");
+    let records = &body[40..];
+    let (mut at, mut messages) = (0, 0);
+    while let Some((opcode, end)) = framing(records, at) {
+        messages += usize::from(opcode == MESSAGE);
+        at = end;
+    }
+    assert_eq!(at, records.len(), "a record that does not fit its chunk");
+    messages
+}
+
+/// A frame of three passes in two stages; the last one of frame 2 took no time at all.
+pub fn frame_report(frame: u64) -> FrameReport {
+    let begin = 1 << 40 | frame << 20;
+    let span = |stage, offset, ticks, flag| Span {
+        recording: "step",
+        stage,
+        begin_ticks: begin + offset,
+        end_ticks: begin + offset + ticks,
+        flag,
+    };
+    let (ticks, flag) = match frame {
+        2 => (0, SpanFlag::Zero),
+        _ => (700 + frame, SpanFlag::Ok),
+    };
+    FrameReport {
+        frame,
+        wall_ns: 16_666_667 * frame,
+        spans: vec![
+            span("count_cells", 0, 1000, SpanFlag::Ok),
+            span("scan_groups", 1200, 500 + frame, SpanFlag::Ok),
+            span("scan_groups", 2000, ticks, flag),
+        ],
+        readbacks: Vec::new(),
+        timing: TimingStatus::InsidePasses,
+        timestamp_period_ns: 52.0,
+    }
+}
