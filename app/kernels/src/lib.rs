@@ -4,8 +4,14 @@
 //! from `shaders/hlsl`; the few types those files are made of stand beside this page. This crate
 //! knows no GPU API: `brooklet-gpu` runs what it describes.
 
+mod binding;
+mod generated;
 pub mod module;
 pub mod resource;
 
 pub use module::{Access, BindingError, BindingInfo, BindingKind, Bound, Draw, Kernel, Module, StageKind, Tier};
 pub use resource::{Buf, BufMut, Buffer, Format, ResourceId, Tex, TexMut, Texture, Uniform};
+
+use binding::{bind, bind_draw};
+
+pub use generated::*;

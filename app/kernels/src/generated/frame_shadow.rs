@@ -1,0 +1,72 @@
+// Written by the shader compiler; do not edit. `cargo run -p brooklet-compiler -- build`
+// makes it anew from frame/shadow.hlsl.
+//! Kernels of `frame/shadow.hlsl`.
+
+use super::{FrameLight, FrameStyle, Position};
+use crate::{
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, Draw, Module, StageKind, Tier, Uniform, bind_draw,
+};
+
+/// The shadow map: each particle as a disc, seen along the sun's rays. Depth only.
+#[derive(Debug)]
+pub struct DrawShadow<'a> {
+    /// `StructuredBuffer<Position> positions`.
+    pub positions: Buf<'a, Position>,
+    /// `ConstantBuffer<FrameLight> light`.
+    pub light: Uniform<'a, FrameLight>,
+    /// `ConstantBuffer<FrameStyle> style`.
+    pub style: Uniform<'a, FrameStyle>,
+}
+
+impl Draw for DrawShadow<'_> {
+    const STAGE: &'static str = "draw_shadow";
+
+    fn vertex(&self) -> &'static Module {
+        &DRAW_SHADOW_VERTEX
+    }
+    fn fragment(&self) -> Option<&'static Module> {
+        Some(&DRAW_SHADOW_FRAGMENT)
+    }
+    fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
+        bind_draw(
+            self.vertex(),
+            self.fragment(),
+            &[("positions", Some(self.positions.id)), ("light", Some(self.light.id)), ("style", Some(self.style.id))],
+        )
+    }
+}
+
+/// The modules of this file.
+pub(super) static MODULES: &[&Module] = &[&DRAW_SHADOW_VERTEX, &DRAW_SHADOW_FRAGMENT];
+
+static BINDINGS_0: &[BindingInfo] = &[
+    BindingInfo { name: "positions", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
+    BindingInfo { name: "light", slot: 1, kind: BindingKind::Uniform { bytes: 112 } },
+    BindingInfo { name: "style", slot: 2, kind: BindingKind::Uniform { bytes: 80 } },
+];
+
+static DRAW_SHADOW_VERTEX: Module = Module {
+    name: "DrawShadow.vertex",
+    entry: "ShadowVertex",
+    stage: StageKind::Vertex,
+    spirv: include_bytes!("../../spirv/draw_shadow.vertex.spv"),
+    bindings: BINDINGS_0,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "frame/shadow.hlsl",
+    hash: "e794d7e060c2eea6a5d2fdaa0f5e15d292627ad62826b3a21ccd8fa9cb718091",
+};
+
+static DRAW_SHADOW_FRAGMENT: Module = Module {
+    name: "DrawShadow.fragment",
+    entry: "ShadowFragment",
+    stage: StageKind::Fragment,
+    spirv: include_bytes!("../../spirv/draw_shadow.fragment.spv"),
+    bindings: &[],
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "frame/shadow.hlsl",
+    hash: "21a14ae2dfe492ac53b72a6f713d61c99a1bd903173260e9610fc4f225e161df",
+};

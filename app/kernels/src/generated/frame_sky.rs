@@ -1,0 +1,63 @@
+// Written by the shader compiler; do not edit. `cargo run -p brooklet-compiler -- build`
+// makes it anew from frame/sky.hlsl.
+//! Kernels of `frame/sky.hlsl`.
+
+use super::{FrameLight, FrameView};
+use crate::{BindingError, BindingInfo, BindingKind, Bound, Draw, Module, StageKind, Tier, Uniform, bind_draw};
+
+/// The sky, wherever nothing else was drawn (depth still 0, infinitely far).
+#[derive(Debug)]
+pub struct DrawSky<'a> {
+    /// `ConstantBuffer<FrameView> view`.
+    pub view: Uniform<'a, FrameView>,
+    /// `ConstantBuffer<FrameLight> light`.
+    pub light: Uniform<'a, FrameLight>,
+}
+
+impl Draw for DrawSky<'_> {
+    const STAGE: &'static str = "draw_sky";
+
+    fn vertex(&self) -> &'static Module {
+        &DRAW_SKY_VERTEX
+    }
+    fn fragment(&self) -> Option<&'static Module> {
+        Some(&DRAW_SKY_FRAGMENT)
+    }
+    fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
+        bind_draw(self.vertex(), self.fragment(), &[("view", Some(self.view.id)), ("light", Some(self.light.id))])
+    }
+}
+
+/// The modules of this file.
+pub(super) static MODULES: &[&Module] = &[&DRAW_SKY_VERTEX, &DRAW_SKY_FRAGMENT];
+
+static BINDINGS_0: &[BindingInfo] = &[BindingInfo { name: "view", slot: 0, kind: BindingKind::Uniform { bytes: 80 } }];
+
+static BINDINGS_1: &[BindingInfo] =
+    &[BindingInfo { name: "light", slot: 1, kind: BindingKind::Uniform { bytes: 112 } }];
+
+static DRAW_SKY_VERTEX: Module = Module {
+    name: "DrawSky.vertex",
+    entry: "SkyVertex",
+    stage: StageKind::Vertex,
+    spirv: include_bytes!("../../spirv/draw_sky.vertex.spv"),
+    bindings: BINDINGS_0,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "frame/sky.hlsl",
+    hash: "bc70dffaf7a9dbdcb3255a09d728dcae7d33c25774f6ae49c00fd11c9d3db73c",
+};
+
+static DRAW_SKY_FRAGMENT: Module = Module {
+    name: "DrawSky.fragment",
+    entry: "SkyFragment",
+    stage: StageKind::Fragment,
+    spirv: include_bytes!("../../spirv/draw_sky.fragment.spv"),
+    bindings: BINDINGS_1,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "frame/sky.hlsl",
+    hash: "cf21e50e8eeac52b813d1d41e97c64a5a1b90a52c23e04d204d5e8ac7d8b0510",
+};

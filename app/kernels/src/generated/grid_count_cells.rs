@@ -1,0 +1,73 @@
+// Written by the shader compiler; do not edit. `cargo run -p brooklet-compiler -- build`
+// makes it anew from grid/count_cells.compute.
+//! Kernels of `grid/count_cells.compute`.
+
+use super::{CellSlot, GridParams, Position};
+use crate::{
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+};
+
+/// First pass of the counting sort: how many particles each cell holds, and how many of its cell
+/// came before each particle. The atomic gives both at once, so the sort needs no second one.
+#[derive(Debug)]
+pub struct CountCells<'a> {
+    /// `StructuredBuffer<Position> positions`.
+    pub positions: Buf<'a, Position>,
+    /// `RWStructuredBuffer<uint> cell_counts`.
+    pub cell_counts: BufMut<'a, u32>,
+    /// `RWStructuredBuffer<CellSlot> cell_slots`.
+    pub cell_slots: BufMut<'a, CellSlot>,
+    /// `ConstantBuffer<GridParams> grid`.
+    pub grid: Uniform<'a, GridParams>,
+}
+
+impl Kernel for CountCells<'_> {
+    const STAGE: &'static str = "count_cells";
+    const GROUP_SIZE: [u32; 3] = [64, 1, 1];
+
+    fn module(&self) -> &'static Module {
+        &COUNT_CELLS
+    }
+    fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
+        bind(
+            self.module(),
+            &[
+                ("positions", Some(self.positions.id)),
+                ("cell_counts", Some(self.cell_counts.id)),
+                ("cell_slots", Some(self.cell_slots.id)),
+                ("grid", Some(self.grid.id)),
+            ],
+        )
+    }
+}
+
+/// The modules of this file.
+pub(super) static MODULES: &[&Module] = &[&COUNT_CELLS];
+
+static BINDINGS_0: &[BindingInfo] = &[
+    BindingInfo { name: "positions", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
+    BindingInfo {
+        name: "cell_counts",
+        slot: 1,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 },
+    },
+    BindingInfo {
+        name: "cell_slots",
+        slot: 2,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
+    },
+    BindingInfo { name: "grid", slot: 3, kind: BindingKind::Uniform { bytes: 48 } },
+];
+
+static COUNT_CELLS: Module = Module {
+    name: "CountCells",
+    entry: "CountCells",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/count_cells.spv"),
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "grid/count_cells.compute",
+    hash: "265d70c423ac501deed135c8e593c48db28c82b49ce8f2860ff308c006713cd3",
+};

@@ -1,0 +1,92 @@
+// Written by the shader compiler; do not edit. `cargo run -p brooklet-compiler -- build`
+// makes it anew from grid/list_neighbours.compute.
+//! Kernels of `grid/list_neighbours.compute`.
+
+use super::{Counters, GridParams, Position};
+use crate::{
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+};
+
+/// Lists each particle's neighbours once a substep; every iteration reuses the list.
+/// Cells are h/2 wide. Rows of cells along x are cut to the chord of the support sphere and are
+/// one range of sorted particles each, so about half as many candidates are looked at as in the
+/// 27 cells of width h of the mobile deck. The list is slot-major: neighbouring threads write
+/// neighbouring words.
+#[derive(Debug)]
+pub struct ListNeighbours<'a> {
+    /// `StructuredBuffer<Position> sorted_positions`.
+    pub sorted_positions: Buf<'a, Position>,
+    /// `StructuredBuffer<uint> cell_starts`.
+    pub cell_starts: Buf<'a, u32>,
+    /// `RWStructuredBuffer<uint> neighbours`.
+    pub neighbours: BufMut<'a, u32>,
+    /// `RWStructuredBuffer<uint> neighbour_counts`.
+    pub neighbour_counts: BufMut<'a, u32>,
+    /// `RWStructuredBuffer<Counters> counters`.
+    pub counters: BufMut<'a, Counters>,
+    /// `ConstantBuffer<GridParams> grid`.
+    pub grid: Uniform<'a, GridParams>,
+}
+
+impl Kernel for ListNeighbours<'_> {
+    const STAGE: &'static str = "list_neighbours";
+    const GROUP_SIZE: [u32; 3] = [64, 1, 1];
+
+    fn module(&self) -> &'static Module {
+        &LIST_NEIGHBOURS
+    }
+    fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
+        bind(
+            self.module(),
+            &[
+                ("sorted_positions", Some(self.sorted_positions.id)),
+                ("cell_starts", Some(self.cell_starts.id)),
+                ("neighbours", Some(self.neighbours.id)),
+                ("neighbour_counts", Some(self.neighbour_counts.id)),
+                ("counters", Some(self.counters.id)),
+                ("grid", Some(self.grid.id)),
+            ],
+        )
+    }
+}
+
+/// The modules of this file.
+pub(super) static MODULES: &[&Module] = &[&LIST_NEIGHBOURS];
+
+static BINDINGS_0: &[BindingInfo] = &[
+    BindingInfo {
+        name: "sorted_positions",
+        slot: 0,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+    },
+    BindingInfo { name: "cell_starts", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 } },
+    BindingInfo {
+        name: "neighbours",
+        slot: 2,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 },
+    },
+    BindingInfo {
+        name: "neighbour_counts",
+        slot: 3,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 },
+    },
+    BindingInfo {
+        name: "counters",
+        slot: 4,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
+    },
+    BindingInfo { name: "grid", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
+];
+
+static LIST_NEIGHBOURS: Module = Module {
+    name: "ListNeighbours",
+    entry: "ListNeighbours",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/list_neighbours.spv"),
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "grid/list_neighbours.compute",
+    hash: "ff3cc8aa4eefd6400b3502394bdf1cf255ee8e971af5495254359a397e682357",
+};

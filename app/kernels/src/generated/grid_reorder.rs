@@ -1,0 +1,93 @@
+// Written by the shader compiler; do not edit. `cargo run -p brooklet-compiler -- build`
+// makes it anew from grid/reorder.compute.
+//! Kernels of `grid/reorder.compute`.
+
+use super::{CellSlot, GridParams, Iterate, Position, Velocity};
+use crate::{
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+};
+
+/// Last pass of the counting sort: every attribute moves to its place in cell order, so that the
+/// solver's neighbours lie close together in memory (Hoetzlein 2014; the mobile deck's "locality").
+#[derive(Debug)]
+pub struct Reorder<'a> {
+    /// `StructuredBuffer<Position> positions`.
+    pub positions: Buf<'a, Position>,
+    /// `StructuredBuffer<Velocity> velocities`.
+    pub velocities: Buf<'a, Velocity>,
+    /// `StructuredBuffer<CellSlot> cell_slots`.
+    pub cell_slots: Buf<'a, CellSlot>,
+    /// `StructuredBuffer<uint> cell_starts`.
+    pub cell_starts: Buf<'a, u32>,
+    /// `RWStructuredBuffer<Position> sorted_positions`.
+    pub sorted_positions: BufMut<'a, Position>,
+    /// `RWStructuredBuffer<Velocity> sorted_velocities`.
+    pub sorted_velocities: BufMut<'a, Velocity>,
+    /// `RWStructuredBuffer<Iterate> iterates`.
+    pub iterates: BufMut<'a, Iterate>,
+    /// `ConstantBuffer<GridParams> grid`.
+    pub grid: Uniform<'a, GridParams>,
+}
+
+impl Kernel for Reorder<'_> {
+    const STAGE: &'static str = "reorder";
+    const GROUP_SIZE: [u32; 3] = [64, 1, 1];
+
+    fn module(&self) -> &'static Module {
+        &REORDER
+    }
+    fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
+        bind(
+            self.module(),
+            &[
+                ("positions", Some(self.positions.id)),
+                ("velocities", Some(self.velocities.id)),
+                ("cell_slots", Some(self.cell_slots.id)),
+                ("cell_starts", Some(self.cell_starts.id)),
+                ("sorted_positions", Some(self.sorted_positions.id)),
+                ("sorted_velocities", Some(self.sorted_velocities.id)),
+                ("iterates", Some(self.iterates.id)),
+                ("grid", Some(self.grid.id)),
+            ],
+        )
+    }
+}
+
+/// The modules of this file.
+pub(super) static MODULES: &[&Module] = &[&REORDER];
+
+static BINDINGS_0: &[BindingInfo] = &[
+    BindingInfo { name: "positions", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
+    BindingInfo { name: "velocities", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
+    BindingInfo { name: "cell_slots", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo { name: "cell_starts", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 } },
+    BindingInfo {
+        name: "sorted_positions",
+        slot: 4,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
+    },
+    BindingInfo {
+        name: "sorted_velocities",
+        slot: 5,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
+    },
+    BindingInfo {
+        name: "iterates",
+        slot: 6,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
+    },
+    BindingInfo { name: "grid", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
+];
+
+static REORDER: Module = Module {
+    name: "Reorder",
+    entry: "Reorder",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/reorder.spv"),
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "grid/reorder.compute",
+    hash: "9609deb3d94beaa3897ad201addb2b98df6eeba51a88d5f1cb96d1c517d783da",
+};

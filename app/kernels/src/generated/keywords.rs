@@ -1,0 +1,15 @@
+// Written by the shader compiler; do not edit. `cargo run -p brooklet-compiler -- build`
+// makes it anew from all shaders.
+//! Choices among keywords, of which one is on.
+
+/// `#pragma multi_compile _ WALLS NARROW_WALLS`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum WallsKeyword {
+    /// None of them is on.
+    #[default]
+    Off,
+    /// `WALLS` is on.
+    Walls,
+    /// `NARROW_WALLS` is on.
+    NarrowWalls,
+}

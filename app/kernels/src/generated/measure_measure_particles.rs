@@ -1,0 +1,167 @@
+// Written by the shader compiler; do not edit. `cargo run -p brooklet-compiler -- build`
+// makes it anew from measure/measure_particles.compute.
+//! Kernels of `measure/measure_particles.compute`.
+
+use super::{KernelParams, MeasureSums, Position, StepParams, Velocity, WallsKeyword};
+use crate::{
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+};
+
+/// Which variant of [`MeasureParticles`] runs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct MeasureParticlesVariant {
+    /// Keyword `WALLS` or `NARROW_WALLS`.
+    pub walls: WallsKeyword,
+}
+
+/// Density error, compression, energy and place of every particle, summed a group. Percentiles
+/// come from histograms whose bins grow with the value: 32 to an octave, so a percentile is known
+/// within 3 % of itself.
+#[derive(Debug)]
+pub struct MeasureParticles<'a> {
+    /// Its variant.
+    pub variant: MeasureParticlesVariant,
+    /// `StructuredBuffer<Position> positions`.
+    pub positions: Buf<'a, Position>,
+    /// `StructuredBuffer<Velocity> velocities`.
+    pub velocities: Buf<'a, Velocity>,
+    /// `StructuredBuffer<uint> neighbours`.
+    pub neighbours: Buf<'a, u32>,
+    /// `StructuredBuffer<uint> neighbour_counts`.
+    pub neighbour_counts: Buf<'a, u32>,
+    /// `RWStructuredBuffer<MeasureSums> group_measures`.
+    pub group_measures: BufMut<'a, MeasureSums>,
+    /// `RWStructuredBuffer<uint> histograms`.
+    pub histograms: BufMut<'a, u32>,
+    /// `ConstantBuffer<StepParams> step_params`.
+    pub step_params: Uniform<'a, StepParams>,
+    /// `ConstantBuffer<KernelParams> kernel`.
+    pub kernel: Uniform<'a, KernelParams>,
+    /// xyz: gradient over the three distances, 1/h; w: density ratio.
+    ///
+    /// `StructuredBuffer<float4> wall_weights`.
+    pub wall_weights: Option<Buf<'a, [f32; 4]>>,
+}
+
+impl Kernel for MeasureParticles<'_> {
+    const STAGE: &'static str = "measure_particles";
+    const GROUP_SIZE: [u32; 3] = [64, 1, 1];
+
+    fn module(&self) -> &'static Module {
+        match self.variant.walls {
+            WallsKeyword::Off => &MEASURE_PARTICLES,
+            WallsKeyword::Walls => &MEASURE_PARTICLES_WITH_WALLS,
+            WallsKeyword::NarrowWalls => &MEASURE_PARTICLES_WITH_NARROW_WALLS,
+        }
+    }
+    fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
+        bind(
+            self.module(),
+            &[
+                ("positions", Some(self.positions.id)),
+                ("velocities", Some(self.velocities.id)),
+                ("neighbours", Some(self.neighbours.id)),
+                ("neighbour_counts", Some(self.neighbour_counts.id)),
+                ("group_measures", Some(self.group_measures.id)),
+                ("histograms", Some(self.histograms.id)),
+                ("step_params", Some(self.step_params.id)),
+                ("kernel", Some(self.kernel.id)),
+                ("wall_weights", self.wall_weights.as_ref().map(|bound| bound.id)),
+            ],
+        )
+    }
+}
+
+/// The modules of this file.
+pub(super) static MODULES: &[&Module] =
+    &[&MEASURE_PARTICLES, &MEASURE_PARTICLES_WITH_WALLS, &MEASURE_PARTICLES_WITH_NARROW_WALLS];
+
+static BINDINGS_0: &[BindingInfo] = &[
+    BindingInfo { name: "positions", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
+    BindingInfo { name: "velocities", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
+    BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 } },
+    BindingInfo {
+        name: "neighbour_counts",
+        slot: 3,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 },
+    },
+    BindingInfo {
+        name: "group_measures",
+        slot: 4,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 64 },
+    },
+    BindingInfo {
+        name: "histograms",
+        slot: 5,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 },
+    },
+    BindingInfo { name: "step_params", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "kernel", slot: 7, kind: BindingKind::Uniform { bytes: 16 } },
+];
+
+static BINDINGS_1: &[BindingInfo] = &[
+    BindingInfo { name: "positions", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
+    BindingInfo { name: "velocities", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
+    BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 } },
+    BindingInfo {
+        name: "neighbour_counts",
+        slot: 3,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 },
+    },
+    BindingInfo {
+        name: "group_measures",
+        slot: 4,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 64 },
+    },
+    BindingInfo {
+        name: "histograms",
+        slot: 5,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 },
+    },
+    BindingInfo { name: "step_params", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "kernel", slot: 7, kind: BindingKind::Uniform { bytes: 16 } },
+    BindingInfo {
+        name: "wall_weights",
+        slot: 8,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+    },
+];
+
+static MEASURE_PARTICLES: Module = Module {
+    name: "MeasureParticles",
+    entry: "MeasureParticles",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/measure_particles.spv"),
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 4096,
+    tier: Tier::Floor,
+    source: "measure/measure_particles.compute",
+    hash: "a6ea34db61a96515f517c5410b4ec7a9d0e75693c655877942b6bed4e1167056",
+};
+
+static MEASURE_PARTICLES_WITH_WALLS: Module = Module {
+    name: "MeasureParticles+WALLS",
+    entry: "MeasureParticles",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/measure_particles+walls.spv"),
+    bindings: BINDINGS_1,
+    group_size: [64, 1, 1],
+    shared_bytes: 4096,
+    tier: Tier::Floor,
+    source: "measure/measure_particles.compute",
+    hash: "7ab31fc4377aa9ab474744498c90de00206681981bf3867557a6b198a2e8d39e",
+};
+
+static MEASURE_PARTICLES_WITH_NARROW_WALLS: Module = Module {
+    name: "MeasureParticles+NARROW_WALLS",
+    entry: "MeasureParticles",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/measure_particles+narrow_walls.spv"),
+    bindings: BINDINGS_1,
+    group_size: [64, 1, 1],
+    shared_bytes: 4096,
+    tier: Tier::Floor,
+    source: "measure/measure_particles.compute",
+    hash: "b2b34abd6a97dbfce8cff18f96808e6be1a3e8d9881fb9383f259b2459729fe1",
+};

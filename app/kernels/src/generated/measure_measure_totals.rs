@@ -1,0 +1,77 @@
+// Written by the shader compiler; do not edit. `cargo run -p brooklet-compiler -- build`
+// makes it anew from measure/measure_totals.compute.
+//! Kernels of `measure/measure_totals.compute`.
+
+use super::{Counters, Measure, MeasureSums, StepParams};
+use crate::{
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+};
+
+/// The groups' sums to one, and the 99th percentiles from the histograms. One group: a few
+/// thousand sums, a few hundred bytes for the host to read.
+#[derive(Debug)]
+pub struct MeasureTotals<'a> {
+    /// `StructuredBuffer<MeasureSums> group_measures`.
+    pub group_measures: Buf<'a, MeasureSums>,
+    /// `StructuredBuffer<uint> histograms`.
+    pub histograms: Buf<'a, u32>,
+    /// `StructuredBuffer<Counters> counters`.
+    pub counters: Buf<'a, Counters>,
+    /// `RWStructuredBuffer<Measure> measure`.
+    pub measure: BufMut<'a, Measure>,
+    /// `ConstantBuffer<StepParams> step_params`.
+    pub step_params: Uniform<'a, StepParams>,
+}
+
+impl Kernel for MeasureTotals<'_> {
+    const STAGE: &'static str = "measure_totals";
+    const GROUP_SIZE: [u32; 3] = [64, 1, 1];
+
+    fn module(&self) -> &'static Module {
+        &MEASURE_TOTALS
+    }
+    fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
+        bind(
+            self.module(),
+            &[
+                ("group_measures", Some(self.group_measures.id)),
+                ("histograms", Some(self.histograms.id)),
+                ("counters", Some(self.counters.id)),
+                ("measure", Some(self.measure.id)),
+                ("step_params", Some(self.step_params.id)),
+            ],
+        )
+    }
+}
+
+/// The modules of this file.
+pub(super) static MODULES: &[&Module] = &[&MEASURE_TOTALS];
+
+static BINDINGS_0: &[BindingInfo] = &[
+    BindingInfo {
+        name: "group_measures",
+        slot: 0,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 64 },
+    },
+    BindingInfo { name: "histograms", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 } },
+    BindingInfo { name: "counters", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
+    BindingInfo {
+        name: "measure",
+        slot: 3,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 96 },
+    },
+    BindingInfo { name: "step_params", slot: 4, kind: BindingKind::Uniform { bytes: 48 } },
+];
+
+static MEASURE_TOTALS: Module = Module {
+    name: "MeasureTotals",
+    entry: "MeasureTotals",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/measure_totals.spv"),
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 4096,
+    tier: Tier::Floor,
+    source: "measure/measure_totals.compute",
+    hash: "4fd939f90024a109bfb67b90684662cde90ba76edd5008f5e384592758b0bab7",
+};

@@ -1,0 +1,77 @@
+// Written by the shader compiler; do not edit. `cargo run -p brooklet-compiler -- build`
+// makes it anew from shaders/hlsl.
+//! All kernels, draws and host-visible structs.
+
+mod frame_edges;
+mod frame_floor;
+mod frame_layout;
+mod frame_particles;
+mod frame_resolve;
+mod frame_shadow;
+mod frame_sky;
+mod grid_count_cells;
+mod grid_list_neighbours;
+mod grid_reorder;
+mod grid_scan;
+mod keywords;
+mod measure_measure_particles;
+mod measure_measure_totals;
+mod particles_predict;
+mod shared_layout;
+mod solver_pbf_confine_vorticity;
+mod solver_pbf_constrain_density;
+mod solver_pbf_correct_positions;
+mod solver_pbf_curl;
+mod solver_pbf_update_velocity;
+mod solver_pbf_viscosity;
+
+pub use frame_edges::*;
+pub use frame_floor::*;
+pub use frame_layout::*;
+pub use frame_particles::*;
+pub use frame_resolve::*;
+pub use frame_shadow::*;
+pub use frame_sky::*;
+pub use grid_count_cells::*;
+pub use grid_list_neighbours::*;
+pub use grid_reorder::*;
+pub use grid_scan::*;
+pub use keywords::*;
+pub use measure_measure_particles::*;
+pub use measure_measure_totals::*;
+pub use particles_predict::*;
+pub use shared_layout::*;
+pub use solver_pbf_confine_vorticity::*;
+pub use solver_pbf_constrain_density::*;
+pub use solver_pbf_correct_positions::*;
+pub use solver_pbf_curl::*;
+pub use solver_pbf_update_velocity::*;
+pub use solver_pbf_viscosity::*;
+
+/// Every module there is, for building all pipelines at start.
+pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
+    [
+        frame_edges::MODULES,
+        frame_floor::MODULES,
+        frame_particles::MODULES,
+        frame_resolve::MODULES,
+        frame_shadow::MODULES,
+        frame_sky::MODULES,
+        grid_count_cells::MODULES,
+        grid_list_neighbours::MODULES,
+        grid_reorder::MODULES,
+        grid_scan::MODULES,
+        measure_measure_particles::MODULES,
+        measure_measure_totals::MODULES,
+        particles_predict::MODULES,
+        solver_pbf_confine_vorticity::MODULES,
+        solver_pbf_constrain_density::MODULES,
+        solver_pbf_correct_positions::MODULES,
+        solver_pbf_curl::MODULES,
+        solver_pbf_update_velocity::MODULES,
+        solver_pbf_viscosity::MODULES,
+    ]
+    .into_iter()
+    .flatten()
+    .copied()
+}

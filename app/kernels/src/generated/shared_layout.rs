@@ -1,0 +1,302 @@
+// Written by the shader compiler; do not edit. `cargo run -p brooklet-compiler -- build`
+// makes it anew from shared/layout.hlsl.
+//! Host-visible structs of `shared/layout.hlsl`.
+
+use std::mem::{offset_of, size_of};
+
+use bytemuck::{Pod, Zeroable};
+
+/// A particle where it is, and which one it is.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+pub struct Position {
+    /// `float3`.
+    pub position_m: [f32; 3],
+    /// bits 0-23 id, 24-30 fluid, 31 quarantined
+    pub tag: u32,
+}
+const _: () = {
+    assert!(offset_of!(Position, position_m) == 0);
+    assert!(offset_of!(Position, tag) == 12);
+    assert!(size_of::<Position>() == 16);
+};
+
+/// A particle's position during the iterations, with its constraint's multiplier.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+pub struct Iterate {
+    /// `float3`.
+    pub position_m: [f32; 3],
+    /// Macklin & Muller 2013, eq. (11), times h^2: no unit
+    pub lambda: f32,
+}
+const _: () = {
+    assert!(offset_of!(Iterate, position_m) == 0);
+    assert!(offset_of!(Iterate, lambda) == 12);
+    assert!(size_of::<Iterate>() == 16);
+};
+
+/// `Velocity`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+pub struct Velocity {
+    /// `float3`.
+    pub velocity_m_s: [f32; 3],
+    /// `float`.
+    pub reserved: f32,
+}
+const _: () = {
+    assert!(offset_of!(Velocity, velocity_m_s) == 0);
+    assert!(offset_of!(Velocity, reserved) == 12);
+    assert!(size_of::<Velocity>() == 16);
+};
+
+/// Curl of the velocity field and its length, 1/s.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+pub struct Vorticity {
+    /// `float3`.
+    pub vorticity_per_s: [f32; 3],
+    /// `float`.
+    pub magnitude_per_s: f32,
+}
+const _: () = {
+    assert!(offset_of!(Vorticity, vorticity_per_s) == 0);
+    assert!(offset_of!(Vorticity, magnitude_per_s) == 12);
+    assert!(size_of::<Vorticity>() == 16);
+};
+
+/// Where the counting sort puts a particle: its cell, and how many came before it in that cell.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+pub struct CellSlot {
+    /// `uint`.
+    pub cell: u32,
+    /// `uint`.
+    pub rank: u32,
+}
+const _: () = {
+    assert!(offset_of!(CellSlot, cell) == 0);
+    assert!(offset_of!(CellSlot, rank) == 4);
+    assert!(size_of::<CellSlot>() == 8);
+};
+
+/// One substep.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+pub struct StepParams {
+    /// `float3`.
+    pub gravity_m_s2: [f32; 3],
+    /// `float`.
+    pub dt_s: f32,
+    /// `float3`.
+    pub domain_size_m: [f32; 3],
+    /// particles stay at least this far from a wall
+    pub wall_offset_m: f32,
+    /// `float`.
+    pub max_speed_m_s: f32,
+    /// `uint`.
+    pub particle_count: u32,
+    /// `uint`.
+    pub fluid_count: u32,
+    /// `uint`.
+    pub reserved: u32,
+}
+const _: () = {
+    assert!(offset_of!(StepParams, gravity_m_s2) == 0);
+    assert!(offset_of!(StepParams, dt_s) == 12);
+    assert!(offset_of!(StepParams, domain_size_m) == 16);
+    assert!(offset_of!(StepParams, wall_offset_m) == 28);
+    assert!(offset_of!(StepParams, max_speed_m_s) == 32);
+    assert!(offset_of!(StepParams, particle_count) == 36);
+    assert!(offset_of!(StepParams, fluid_count) == 40);
+    assert!(offset_of!(StepParams, reserved) == 44);
+    assert!(size_of::<StepParams>() == 48);
+};
+
+/// The neighbour grid: dense cells over the domain, x fastest. Cell `cell_count` holds what is
+/// outside or quarantined; it is nobody's neighbour.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+pub struct GridParams {
+    /// `uint3`.
+    pub cells: [u32; 3],
+    /// cells.x \* cells.y \* cells.z
+    pub cell_count: u32,
+    /// `float`.
+    pub cell_size_m: f32,
+    /// `float`.
+    pub inverse_cell_size_per_m: f32,
+    /// h: the kernel is zero beyond it
+    pub support_m: f32,
+    /// `uint`.
+    pub particle_count: u32,
+    /// room for neighbours a particle
+    pub neighbour_slots: u32,
+    /// `uint`.
+    pub reserved0: u32,
+    /// `uint`.
+    pub reserved1: u32,
+    /// `uint`.
+    pub reserved2: u32,
+}
+const _: () = {
+    assert!(offset_of!(GridParams, cells) == 0);
+    assert!(offset_of!(GridParams, cell_count) == 12);
+    assert!(offset_of!(GridParams, cell_size_m) == 16);
+    assert!(offset_of!(GridParams, inverse_cell_size_per_m) == 20);
+    assert!(offset_of!(GridParams, support_m) == 24);
+    assert!(offset_of!(GridParams, particle_count) == 28);
+    assert!(offset_of!(GridParams, neighbour_slots) == 32);
+    assert!(offset_of!(GridParams, reserved0) == 36);
+    assert!(offset_of!(GridParams, reserved1) == 40);
+    assert!(offset_of!(GridParams, reserved2) == 44);
+    assert!(size_of::<GridParams>() == 48);
+};
+
+/// The smoothing kernel, Wendland C2, scaled so that the initial lattice has density ratio 1.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+pub struct KernelParams {
+    /// `float`.
+    pub support_m: f32,
+    /// `float`.
+    pub inverse_support_per_m: f32,
+    /// 1 / sum of W over the lattice, W(0) = 1
+    pub weight: f32,
+    /// `float`.
+    pub spacing_m: f32,
+}
+const _: () = {
+    assert!(offset_of!(KernelParams, support_m) == 0);
+    assert!(offset_of!(KernelParams, inverse_support_per_m) == 4);
+    assert!(offset_of!(KernelParams, weight) == 8);
+    assert!(offset_of!(KernelParams, spacing_m) == 12);
+    assert!(size_of::<KernelParams>() == 16);
+};
+
+/// Position Based Fluids, Macklin & Muller 2013. Lengths in units of h where no unit is named.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+pub struct PbfParams {
+    /// Jacobi under-relaxation
+    pub relaxation: f32,
+    /// constraint force mixing, in units of |grad C|^2 h^2
+    pub cfm: f32,
+    /// artificial pressure, eq. (13)
+    pub s_corr_k: f32,
+    /// 1 / W(dq)
+    pub s_corr_inverse_w: f32,
+    /// eq. (17)
+    pub xsph: f32,
+    /// eq. (16), m/s
+    pub vorticity: f32,
+    /// an iteration moves a particle no further
+    pub max_correction_m: f32,
+    /// `float`.
+    pub reserved: f32,
+}
+const _: () = {
+    assert!(offset_of!(PbfParams, relaxation) == 0);
+    assert!(offset_of!(PbfParams, cfm) == 4);
+    assert!(offset_of!(PbfParams, s_corr_k) == 8);
+    assert!(offset_of!(PbfParams, s_corr_inverse_w) == 12);
+    assert!(offset_of!(PbfParams, xsph) == 16);
+    assert!(offset_of!(PbfParams, vorticity) == 20);
+    assert!(offset_of!(PbfParams, max_correction_m) == 24);
+    assert!(offset_of!(PbfParams, reserved) == 28);
+    assert!(size_of::<PbfParams>() == 32);
+};
+
+/// What is counted rather than hidden. Each is a sum since it was last cleared.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+pub struct Counters {
+    /// neighbours that had no slot
+    pub neighbour_overflow: u32,
+    /// `uint`.
+    pub speed_clamps: u32,
+    /// `uint`.
+    pub correction_clamps: u32,
+    /// `uint`.
+    pub reserved: u32,
+}
+const _: () = {
+    assert!(offset_of!(Counters, neighbour_overflow) == 0);
+    assert!(offset_of!(Counters, speed_clamps) == 4);
+    assert!(offset_of!(Counters, correction_clamps) == 8);
+    assert!(offset_of!(Counters, reserved) == 12);
+    assert!(size_of::<Counters>() == 16);
+};
+
+/// Sums and extremes of one group of particles; the last stage reduces them to one of these.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+pub struct MeasureSums {
+    /// of |rho/rho0 - 1|
+    pub density_error_sum: f32,
+    /// `float`.
+    pub density_error_max: f32,
+    /// of max(rho/rho0 - 1, 0)
+    pub compression_sum: f32,
+    /// `float`.
+    pub compression_max: f32,
+    /// `float3`.
+    pub position_sum_m: [f32; 3],
+    /// largest x
+    pub front_m: f32,
+    /// `float3`.
+    pub velocity_sum_m_s: [f32; 3],
+    /// `float`.
+    pub speed_max_m_s: f32,
+    /// `float`.
+    pub speed_squared_sum_m2_s2: f32,
+    /// that were measured
+    pub particles: u32,
+    /// `uint`.
+    pub quarantined: u32,
+    /// outside an open domain
+    pub escaped: u32,
+}
+const _: () = {
+    assert!(offset_of!(MeasureSums, density_error_sum) == 0);
+    assert!(offset_of!(MeasureSums, density_error_max) == 4);
+    assert!(offset_of!(MeasureSums, compression_sum) == 8);
+    assert!(offset_of!(MeasureSums, compression_max) == 12);
+    assert!(offset_of!(MeasureSums, position_sum_m) == 16);
+    assert!(offset_of!(MeasureSums, front_m) == 28);
+    assert!(offset_of!(MeasureSums, velocity_sum_m_s) == 32);
+    assert!(offset_of!(MeasureSums, speed_max_m_s) == 44);
+    assert!(offset_of!(MeasureSums, speed_squared_sum_m2_s2) == 48);
+    assert!(offset_of!(MeasureSums, particles) == 52);
+    assert!(offset_of!(MeasureSums, quarantined) == 56);
+    assert!(offset_of!(MeasureSums, escaped) == 60);
+    assert!(size_of::<MeasureSums>() == 64);
+};
+
+/// What a measurement gives back to the host.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+pub struct Measure {
+    /// `MeasureSums`.
+    pub sums: MeasureSums,
+    /// `float`.
+    pub density_error_p99: f32,
+    /// `float`.
+    pub compression_p99: f32,
+    /// `uint`.
+    pub reserved0: u32,
+    /// `uint`.
+    pub reserved1: u32,
+    /// `Counters`.
+    pub counters: Counters,
+}
+const _: () = {
+    assert!(offset_of!(Measure, sums) == 0);
+    assert!(offset_of!(Measure, density_error_p99) == 64);
+    assert!(offset_of!(Measure, compression_p99) == 68);
+    assert!(offset_of!(Measure, reserved0) == 72);
+    assert!(offset_of!(Measure, reserved1) == 76);
+    assert!(offset_of!(Measure, counters) == 80);
+    assert!(size_of::<Measure>() == 96);
+};

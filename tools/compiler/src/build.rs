@@ -1,0 +1,121 @@
+//! From a folder of shaders to the files of `app/kernels`, in memory.
+
+use std::collections::BTreeMap;
+
+use crate::compile::Compiler;
+use crate::dxc::FLAGS;
+use crate::generate::{self, Formatter};
+use crate::hash;
+use crate::layouts::{self, LayoutFile};
+use crate::lint;
+use crate::manifest::{LayoutEntry, Manifest, ModuleEntry, VariantEntry};
+use crate::model::{self, Model, VariantRecord};
+use crate::problem::{Problem, Problems};
+use crate::program::Tree;
+use crate::text::Text;
+
+/// A repository may hold so many modules...
+pub const MAX_MODULES: usize = 300;
+/// ...and so many bytes of SPIR-V.
+pub const MAX_BYTES: u64 = 4 << 20;
+
+/// Every generated file by its path below the output folder.
+pub type Files = BTreeMap<String, Vec<u8>>;
+
+/// What a build made.
+pub struct Built {
+    /// The files.
+    pub files: Files,
+    /// The manifest among them.
+    pub manifest: Manifest,
+}
+
+/// Compiles, checks and generates; nothing is written.
+pub fn build(compiler: &Compiler, formatter: &Formatter, tree: &Tree) -> Result<Built, Problems> {
+    let layouts = layouts::read_layouts(compiler, tree);
+    let compiled = compiler.compile_tree(tree);
+    let (layouts, compiled) = match (layouts, compiled) {
+        (Ok(layouts), Ok(compiled)) => (layouts, compiled),
+        (Err(first), Err(second)) => {
+            return Err(Problems(first.0.into_iter().chain(second.0).collect()).merged());
+        }
+        (Err(problems), _) | (_, Err(problems)) => return Err(problems),
+    };
+    let mut problems = Vec::new();
+    for (program, combinations) in tree.programs.iter().zip(&compiled) {
+        let text = Text::new(&tree.sources[program.source].text);
+        problems.extend(lint::lint(program, combinations, &text));
+    }
+    if !problems.is_empty() {
+        return Err(Problems(problems).merged());
+    }
+    let (model, records) = model::model(tree, &layouts, &compiled)?;
+    over_budget(&model)?;
+    let mut files = Files::new();
+    for (name, text) in generate::rust_files(&model, formatter)? {
+        files.insert(format!("src/generated/{name}"), text.into_bytes());
+    }
+    for module in &model.modules {
+        files.insert(format!("spirv/{}", module.file), module.stage.spirv.clone());
+    }
+    let manifest = manifest_of(compiler.dxc.version(), &model, &layouts, &records, &files);
+    let mut text =
+        serde_json::to_string_pretty(&manifest).map_err(|error| Problem::new(format!("manifest.json: {error}")))?;
+    text.push('\n');
+    files.insert("manifest.json".to_owned(), text.into_bytes());
+    Ok(Built { files, manifest })
+}
+
+fn over_budget(model: &Model) -> Result<(), Problem> {
+    let bytes: u64 = model.modules.iter().map(|module| module.stage.spirv.len() as u64).sum();
+    if model.modules.len() <= MAX_MODULES && bytes <= MAX_BYTES {
+        return Ok(());
+    }
+    Err(Problem::new(format!(
+        "{} modules of {bytes} bytes together; at most {MAX_MODULES} modules and {MAX_BYTES} bytes are committed",
+        model.modules.len()
+    ))
+    .way_out("drop keywords, or split files so that each kernel has only the keywords that it uses"))
+}
+
+fn manifest_of(
+    compiler: &str,
+    model: &Model,
+    layouts: &[LayoutFile],
+    records: &[VariantRecord],
+    files: &Files,
+) -> Manifest {
+    let mut manifest =
+        Manifest { compiler: compiler.to_owned(), flags: FLAGS.map(str::to_owned).to_vec(), ..Manifest::default() };
+    for layout in layouts {
+        manifest.layouts.push(LayoutEntry { source: layout.file.clone(), hash: layout.hash.clone() });
+    }
+    for module in &model.modules {
+        let reflection = &module.stage.reflection;
+        manifest.modules.push(ModuleEntry {
+            name: module.name.clone(),
+            spirv: format!("spirv/{}", module.file),
+            source: module.source.clone(),
+            entry: module.stage.entry.clone(),
+            tier: module.tier.name().to_owned(),
+            group_size: reflection.group_size,
+            shared_bytes: reflection.shared_bytes,
+            bindings: reflection.bindings.iter().map(|binding| binding.name.clone()).collect(),
+            bytes: module.stage.spirv.len() as u64,
+        });
+    }
+    for record in records {
+        manifest.variants.push(VariantEntry {
+            name: record.stage.label.clone(),
+            source: record.source.clone(),
+            profile: record.stage.stage.profile().to_owned(),
+            defines: record.stage.defines.clone(),
+            hash: record.stage.hash.clone(),
+            module: record.module.clone(),
+        });
+    }
+    for (path, bytes) in files {
+        manifest.files.insert(path.clone(), hash::of_bytes(bytes));
+    }
+    manifest
+}
