@@ -1,37 +1,19 @@
 //! Runs single kernels on the GPU: inputs in, one recording, outputs back.
 //!
-//! `BROOKLET_TIER` (`floor`, `mobile`, `desktop`) forces a tier; `BROOKLET_SMALL=1` leaves out the
-//! sizes that take minutes on a driver that interprets its shaders.
+//! `BROOKLET_SMALL=1` leaves out the sizes that take minutes on a driver that interprets its shaders.
 
-use brooklet_gpu::{Engine, Gpu, GpuOptions, Plan, Recording, Resources, Tier};
+use brooklet_gpu::{Engine, Gpu, Plan, Recording, Resources};
 use brooklet_kernels::{Buffer, Kernel};
 use bytemuck::Pod;
 use std::sync::OnceLock;
 
-/// The device of all tests of this process.
+/// The device of all tests of this process, to borrow.
 ///
 /// # Panics
-/// If there is none, with the reason; a test cannot go on without it.
+/// As [`crate::gpu`].
 pub fn gpu() -> &'static Gpu {
     static GPU: OnceLock<Gpu> = OnceLock::new();
-    GPU.get_or_init(|| {
-        let options = GpuOptions { tier: forced_tier(), ..GpuOptions::default() };
-        Gpu::open(&options).unwrap_or_else(|error| panic!("no GPU to test on: {error}"))
-    })
-}
-
-/// The tier that `BROOKLET_TIER` forces.
-///
-/// # Panics
-/// If it is not the name of a tier.
-fn forced_tier() -> Option<Tier> {
-    match std::env::var("BROOKLET_TIER").ok()?.as_str() {
-        "" => None,
-        "floor" => Some(Tier::Floor),
-        "mobile" => Some(Tier::Mobile),
-        "desktop" => Some(Tier::Desktop),
-        other => panic!("BROOKLET_TIER is {other:?}; floor, mobile and desktop are allowed"),
-    }
+    GPU.get_or_init(crate::gpu)
 }
 
 /// Whether sizes are to be kept small.

@@ -1,8 +1,12 @@
-//! Shared helpers of the integration tests: seeded random numbers, sizes around block edges.
+//! Shared helpers of the integration tests: the device, single kernels, seeded random numbers,
+//! sizes around block edges.
 
 pub mod cases;
 pub mod compare;
+mod device;
 pub mod harness;
+
+pub use device::gpu;
 
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;

@@ -17,3 +17,6 @@ if ! command -v cargo >/dev/null && [ -x "${CARGO_HOME:-$HOME/.cargo}/bin/cargo"
     PATH="${CARGO_HOME:-$HOME/.cargo}/bin:$PATH"
     export PATH
 fi
+
+# Without a desktop session, Mesa's layer that picks a device by the screen only prints errors.
+[ -n "${XDG_RUNTIME_DIR:-}" ] || export NODEVICE_SELECT=1

@@ -1,0 +1,47 @@
+//! The device that tests run on.
+
+use brooklet_gpu::{Gpu, GpuOptions, TIERS, Tier, tier_name};
+use std::{env, sync::OnceLock};
+
+/// The device that all tests of a process share: the best there is, or the one that
+/// `BROOKLET_DEVICE` (part of its name) and `BROOKLET_TIER` (`desktop`, `mobile`, `floor`) choose.
+///
+/// # Panics
+/// Fails the test, saying why, where no such device opens: a test without a device proves nothing.
+pub fn gpu() -> Gpu {
+    static SHARED: OnceLock<Result<Gpu, String>> = OnceLock::new();
+    let open = || open(env::var("BROOKLET_DEVICE").ok(), env::var("BROOKLET_TIER").ok());
+    SHARED.get_or_init(open).clone().unwrap_or_else(|reason| panic!("no device to test on: {reason}"))
+}
+
+fn open(device: Option<String>, tier: Option<String>) -> Result<Gpu, String> {
+    let set = |value: &String| !value.is_empty();
+    let tier = tier.filter(set).map(|name| tier_named(&name)).transpose()?;
+    let options = GpuOptions { device_name: device.filter(set), tier, timing: true, ..GpuOptions::default() };
+    Gpu::open(&options).map_err(|error| format!("{error}; tools/setup installs a Vulkan driver where there is none"))
+}
+
+fn tier_named(name: &str) -> Result<Tier, String> {
+    TIERS
+        .into_iter()
+        .find(|tier| tier_name(*tier) == name)
+        .ok_or_else(|| format!("BROOKLET_TIER is '{name}'; allowed: {}", TIERS.map(tier_name).join(", ")))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_device_opens_on_the_tier_asked_for() {
+        assert_eq!(open(None, Some("floor".into())).unwrap().tier(), Tier::Floor);
+        assert_eq!(gpu().info(), gpu().info());
+    }
+
+    #[test]
+    fn a_device_that_is_not_there_is_named() {
+        let wrong = |device: &str, tier: &str| open(Some(device.into()), Some(tier.into())).err().unwrap();
+        assert!(wrong("no such device", "").contains("no such device"));
+        assert!(wrong("", "phone").contains("'phone'; allowed: desktop, mobile, floor"));
+    }
+}
