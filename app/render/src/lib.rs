@@ -1,1 +1,14 @@
-//! Surfaces and pictures of the fluid: camera, impostors, frame
+//! Surfaces and pictures of the fluid.
+//!
+//! [`View`] says from where a scene is seen, [`frame::record`] records how it is drawn (on any
+//! engine of `brooklet-gpu`, beside the simulation's recordings), and [`png::save`] writes the
+//! picture.
+
+pub mod camera;
+pub mod error;
+pub mod frame;
+pub mod png;
+
+pub use camera::{Camera, View};
+pub use error::RenderError;
+pub use frame::{Coloring, FrameOptions, FramePasses, FrameUniforms, record};

@@ -8,8 +8,8 @@ float3 speed_color(float t)
     const float3 deep = float3(0.006, 0.050, 0.190);
     const float3 blue = float3(0.012, 0.145, 0.440);
     const float3 azure = float3(0.045, 0.370, 0.700);
-    const float3 pale = float3(0.370, 0.720, 0.860);
-    const float3 foam = float3(0.900, 0.950, 0.960);
+    const float3 pale = float3(0.300, 0.640, 0.800);
+    const float3 foam = float3(0.740, 0.830, 0.860);
     t = saturate(t);
     float3 color = lerp(deep, blue, smoothstep(0.0, 0.25, t));
     color = lerp(color, azure, smoothstep(0.18, 0.55, t));

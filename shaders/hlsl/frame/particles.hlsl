@@ -2,7 +2,7 @@
 // exact sphere, in perspective.
 #pragma vertex ParticlesVertex
 #pragma fragment ParticlesFragment
-#pragma multi_compile COLOR_SPEED COLOR_FLUID
+#pragma multi_compile _ COLOR_FLUID
 
 #include "../shared/layout.hlsl"
 #include "camera.hlsl"
@@ -10,7 +10,7 @@
 #include "palette.hlsl"
 
 StructuredBuffer<Position> positions;
-#if defined(COLOR_SPEED)
+#if !defined(COLOR_FLUID)
 StructuredBuffer<Velocity> velocities;
 #endif
 Texture2D<float> shadow_map;
@@ -71,10 +71,10 @@ Varyings ParticlesVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceI
     output.ray = ray;
     output.center_m = center;
     output.shape = float2(distance_m, tan2);
-#if defined(COLOR_SPEED)
-    float3 albedo = speed_color(length(velocities[instance].velocity_m_s) * style.inverse_speed_scale_s_m);
-#else
+#if defined(COLOR_FLUID)
     float3 albedo = fluid_color((particle.tag >> 24) & 127u);
+#else
+    float3 albedo = speed_color(length(velocities[instance].velocity_m_s) * style.inverse_speed_scale_s_m);
 #endif
     output.color = float4(albedo, sun_reaching(world_m));
 

@@ -41,7 +41,7 @@ float occlusion(float2 drawn_px, float distance_m)
     float turn = 6.2831853 * pixel_noise(drawn_px);
     float2x2 turned = float2x2(cos(turn), -sin(turn), sin(turn), cos(turn));
     float limit = style.occlusion_m;
-    const uint taps = 8;
+    const uint taps = 10;
     float sum = 0.0;
     [unroll]
     for (uint i = 0; i < taps; i++)
@@ -51,7 +51,7 @@ float occlusion(float2 drawn_px, float distance_m)
         float front = distance_m - distance_at(drawn_px + aside);
         float back = distance_m - distance_at(drawn_px - aside);
         float gain = clamp(front, -limit, limit) + clamp(back, -limit, limit);
-        float known = step(front, 3.0 * limit) * step(back, 3.0 * limit);
+        float known = saturate(2.0 - 0.5 * max(front, back) / limit);
         sum += known * saturate(gain / limit);
     }
     return sum / taps;
