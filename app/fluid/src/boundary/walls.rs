@@ -189,7 +189,7 @@ mod tests {
                     }
                 });
                 let distances = std::array::from_fn(|axis| if bit(axis) { 0.5 / support_ratio } else { 1.0 });
-                let ratio = fluid + interpolated(&table, distances)[3];
+                let ratio = fluid + f64::from(interpolated(&table, distances)[3]);
                 // Table in f32 and its scale taken at the interpolated value: only rounding is left.
                 assert!((ratio - 1.0).abs() < 1.0e-6, "h = {support_ratio} d, walls {walls:03b}: {ratio}");
             }
