@@ -1,2 +1,49 @@
-//! The brooklet program.
-fn main() {}
+//! The `brooklet` program.
+//!
+//! Exit codes: 0; 1 the job could not be done to its end; 2 bad input, or no device for it;
+//! 130 Ctrl-C.
+
+mod bench;
+mod cli;
+mod commit;
+mod doctor;
+mod failure;
+mod interrupt;
+mod job;
+mod left_out;
+mod measured;
+mod out_dir;
+mod pictures;
+mod plan;
+mod ply;
+mod progress;
+mod recorder;
+mod run;
+mod scenes;
+mod summary;
+mod table;
+mod timings;
+
+use std::process::ExitCode;
+
+use clap::Parser;
+
+use cli::{Cli, Command};
+
+fn main() -> ExitCode {
+    let cli = Cli::parse();
+    let result = match &cli.command {
+        Command::Run(options) => run::run(options),
+        Command::Plan(options) => plan::plan(options),
+        Command::Scenes(options) => scenes::scenes(options),
+        Command::Bench(options) => bench::bench(options),
+        Command::Doctor(options) => doctor::doctor(options),
+    };
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            eprintln!("{failure}");
+            failure.exit_code()
+        }
+    }
+}

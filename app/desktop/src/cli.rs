@@ -1,0 +1,210 @@
+//! The command line.
+
+use std::path::PathBuf;
+
+use brooklet_gpu::Tier;
+use clap::{Args, Parser, Subcommand, ValueEnum};
+
+/// Particle fluids on the GPU, with pictures and timing captures.
+#[derive(Debug, Parser)]
+#[command(name = "brooklet", version, arg_required_else_help = true)]
+pub struct Cli {
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+/// What to do.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Simulate a scene; write pictures, a timing capture and a summary
+    Run(RunOptions),
+    /// Show what a run would do: its passes, buffers and bytes, and what is left out and why
+    Plan(PlanOptions),
+    /// List the shipped scenes
+    Scenes(ListOptions),
+    /// Time every pass of a scene, without pictures and measurements
+    Bench(BenchOptions),
+    /// List this machine's devices: their tier, what they lack, and what that costs
+    Doctor(ListOptions),
+}
+
+/// Which scene, and what to change in it.
+#[derive(Clone, Debug, Args)]
+pub struct SceneOptions {
+    /// A shipped scene's name (see `brooklet scenes`), or the path of a scene file
+    #[arg(value_name = "SCENE", default_value = "dam-break")]
+    pub scene: String,
+    /// Change a value of the scene, as solver.iterations=8; may be given again
+    #[arg(long = "set", value_name = "PATH=VALUE")]
+    pub settings: Vec<String>,
+}
+
+/// Which device, and how to use it.
+#[derive(Clone, Debug, Args)]
+pub struct DeviceOptions {
+    /// Use the device whose name contains this (see `brooklet doctor`); the best one if not given
+    #[arg(long, value_name = "NAME")]
+    pub device: Option<String>,
+    /// Use the device as one of this tier, asking only for that tier's limits
+    #[arg(long, value_enum)]
+    pub tier: Option<TierName>,
+}
+
+/// How much to simulate.
+#[derive(Clone, Debug, Args)]
+pub struct LengthOptions {
+    /// Simulated time; the scene's own if not given
+    #[arg(long, value_name = "S", value_parser = seconds, conflicts_with = "steps")]
+    pub seconds: Option<f64>,
+    /// Number of steps
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    pub steps: Option<u64>,
+}
+
+/// What to write beside the capture and the summary.
+#[derive(Clone, Debug, Args)]
+pub struct OutputOptions {
+    /// Pictures, spread evenly over the run, the last at its end; the scene's own number if not
+    /// given, 0 for none
+    #[arg(long, value_name = "N")]
+    pub images: Option<u32>,
+    /// Also write the particles, whenever a picture is due and at the end
+    #[arg(long, value_name = "FORMAT", value_enum)]
+    pub particles: Option<ParticleFormat>,
+}
+
+/// `brooklet run`.
+#[derive(Clone, Debug, Args)]
+pub struct RunOptions {
+    /// The scene.
+    #[command(flatten)]
+    pub scene: SceneOptions,
+    /// The length.
+    #[command(flatten)]
+    pub length: LengthOptions,
+    /// The device.
+    #[command(flatten)]
+    pub device: DeviceOptions,
+    /// The outputs.
+    #[command(flatten)]
+    pub outputs: OutputOptions,
+    /// Folder to write to, out/SCENE if not given. One that exists is kept, and a number is added
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// The timing capture's file, if not DIR/capture.mcap; replaced if it exists
+    #[arg(long, value_name = "FILE")]
+    pub capture: Option<PathBuf>,
+    /// Take no GPU times: no timestamp query is made
+    #[arg(long)]
+    pub no_timing: bool,
+    /// Print the summary as JSON, and nothing else, on standard output
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// `brooklet plan`.
+#[derive(Clone, Debug, Args)]
+pub struct PlanOptions {
+    /// The scene.
+    #[command(flatten)]
+    pub scene: SceneOptions,
+    /// Plan for a device of this tier; desktop if not given
+    #[arg(long, value_enum)]
+    pub tier: Option<TierName>,
+    /// The outputs.
+    #[command(flatten)]
+    pub outputs: OutputOptions,
+    /// Print the plan as JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// `brooklet bench`.
+#[derive(Clone, Debug, Args)]
+pub struct BenchOptions {
+    /// The scene.
+    #[command(flatten)]
+    pub scene: SceneOptions,
+    /// The device.
+    #[command(flatten)]
+    pub device: DeviceOptions,
+    /// Steps that are timed
+    #[arg(long, value_name = "N", default_value_t = 100, value_parser = clap::value_parser!(u64).range(1..))]
+    pub steps: u64,
+    /// Steps before them that are not
+    #[arg(long, value_name = "N", default_value_t = 20)]
+    pub warm_up: u64,
+    /// Print the result as JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// `brooklet scenes` and `brooklet doctor`.
+#[derive(Clone, Debug, Args)]
+pub struct ListOptions {
+    /// Print the list as JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// A device tier on the command line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum TierName {
+    /// Discrete and integrated desktop GPUs
+    Desktop,
+    /// Adreno 6xx/7xx, Mali
+    Mobile,
+    /// Adreno 540, SwiftShader
+    Floor,
+}
+
+impl From<TierName> for Tier {
+    fn from(name: TierName) -> Self {
+        match name {
+            TierName::Desktop => Tier::Desktop,
+            TierName::Mobile => Tier::Mobile,
+            TierName::Floor => Tier::Floor,
+        }
+    }
+}
+
+/// File format of particles.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum ParticleFormat {
+    /// Binary little-endian PLY: x y z, vx vy vz, id, fluid
+    Ply,
+}
+
+/// A positive, finite time.
+fn seconds(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(seconds) if seconds > 0.0 && seconds.is_finite() => Ok(seconds),
+        _ => Err("must be a positive number of seconds".into()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_command_line_is_sound() {
+        Cli::command().debug_assert();
+    }
+
+    #[test]
+    fn lengths_are_positive() {
+        for (text, fits) in [("2.5", true), ("0", false), ("-1", false), ("inf", false), ("a", false)] {
+            let parsed = Cli::try_parse_from(["brooklet", "run", "dam-break", "--seconds", text]);
+            assert_eq!(parsed.is_ok(), fits, "{text}");
+        }
+        for arguments in [["--steps", "0"], ["--steps", "-1"]] {
+            let all = ["brooklet", "run", "dam-break"].into_iter().chain(arguments);
+            assert!(Cli::try_parse_from(all).is_err());
+        }
+        let both = ["brooklet", "run", "x", "--steps", "1", "--seconds", "1"];
+        assert!(Cli::try_parse_from(both).is_err());
+    }
+}

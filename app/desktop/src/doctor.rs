@@ -1,0 +1,67 @@
+//! `brooklet doctor`: the devices of this machine, and what each of them lacks.
+
+use brooklet_gpu::{AdapterReport, GpuError, adapters, tier_name};
+use serde_json::{Map, Value, json};
+
+use crate::{cli::ListOptions, failure::Failure};
+
+/// Prints every adapter; fails when none of them can run Brooklet.
+pub fn doctor(options: &ListOptions) -> Result<(), Failure> {
+    let reports = adapters();
+    if options.json {
+        let list: Vec<Value> = reports.iter().map(as_json).collect();
+        println!("{}", serde_json::to_string_pretty(&list).map_err(Failure::stopped)?);
+    } else {
+        for (index, report) in reports.iter().enumerate() {
+            print(report, index == 0 && report.tier.is_some());
+        }
+    }
+    if reports.is_empty() {
+        return Err(Failure::input(GpuError::NoVulkan));
+    }
+    if reports.iter().all(|report| report.tier.is_none()) {
+        return Err(Failure::Input("no device of this machine can run Brooklet".into()));
+    }
+    Ok(())
+}
+
+fn print(report: &AdapterReport, is_default: bool) {
+    let info = &report.info;
+    let chosen = if is_default { ", used by default" } else { "" };
+    println!("{} ({}{chosen})", info.name, info.device_type);
+    println!("  driver    {} {}, {}", info.driver, info.driver_info, info.backend);
+    println!("  tier      {}", report.tier.map_or("none: Brooklet cannot run on it", tier_name));
+    if info.device_type == "cpu" {
+        println!("  note      a driver that runs on the processor: its times are the processor's");
+    }
+    for (index, missing) in report.missing.iter().enumerate() {
+        let head = if index == 0 { "missing" } else { "" };
+        println!("  {head:<9} {}: {}", missing.what, missing.cost);
+    }
+    if report.missing.is_empty() {
+        println!("  missing   nothing");
+    }
+    for (index, (name, value)) in info.limits.iter().enumerate() {
+        let head = if index == 0 { "limits" } else { "" };
+        println!("  {head:<9} {name} {value}");
+    }
+    println!();
+}
+
+fn as_json(report: &AdapterReport) -> Value {
+    let info = &report.info;
+    let limits: Map<String, Value> =
+        info.limits.iter().map(|(name, value)| (name.to_string(), (*value).into())).collect();
+    let missing: Vec<Value> =
+        report.missing.iter().map(|missing| json!({ "what": missing.what, "cost": missing.cost })).collect();
+    json!({
+        "name": info.name,
+        "device_type": info.device_type,
+        "driver": info.driver,
+        "driver_info": info.driver_info,
+        "backend": info.backend,
+        "tier": report.tier.map(tier_name),
+        "missing": missing,
+        "limits": limits,
+    })
+}

@@ -1,0 +1,92 @@
+//! What `run`, `plan` and `bench` share: the scene with its changes, its plan, the device.
+
+use brooklet_fluid::{Scene, record};
+use brooklet_gpu::{Gpu, GpuOptions, Plan, ResourceId, Resources, Tier};
+use brooklet_kernels::{Buffer, Position, Velocity};
+
+use crate::{
+    cli::{DeviceOptions, LengthOptions, OutputOptions, SceneOptions},
+    failure::Failure,
+    pictures::Picture,
+};
+
+/// Reads the scene and changes what the command line changes.
+pub fn scene(options: &SceneOptions, outputs: Option<&OutputOptions>) -> Result<Scene, Failure> {
+    let mut scene = Scene::load(&options.scene, &options.settings).map_err(Failure::input)?;
+    if let Some(images) = outputs.and_then(|outputs| outputs.images) {
+        scene.outputs.images = images;
+    }
+    Ok(scene)
+}
+
+/// How many steps a run has.
+pub fn steps(scene: &Scene, length: &LengthOptions) -> Result<u64, Failure> {
+    let dt_s = scene.solver.dt_s;
+    let steps = match (length.steps, length.seconds) {
+        (Some(steps), _) => steps as f64,
+        (None, seconds) => (seconds.unwrap_or(scene.outputs.seconds) / dt_s).round(),
+    };
+    // The clamps of a step's number in the capture and of a picture's in its name.
+    const MOST: f64 = 1e9;
+    if (1.0..=MOST).contains(&steps) {
+        Ok(steps as u64)
+    } else {
+        Err(Failure::Input(format!(
+            "{}: the run would have {steps:.0} steps of {dt_s} s; 1 to {MOST:.0} are possible \
+             (--seconds, --steps, or outputs.seconds in the scene)",
+            scene.name
+        )))
+    }
+}
+
+/// A scene's plan, and the outputs the program reads.
+pub struct Planned {
+    /// What runs, and what was left out.
+    pub plan: Plan,
+    /// Number of particles.
+    pub particles: u32,
+    /// Where they are.
+    pub positions: Buffer<Position>,
+    /// How fast they are.
+    pub velocities: Buffer<Velocity>,
+    /// What a measurement is read back from, if the scene measures.
+    pub measure: Option<ResourceId>,
+    /// What a picture is read back from, if there are pictures.
+    pub picture: Option<Picture>,
+}
+
+/// Plans the scene for a device of `tier`: what its outputs do not need is not in the plan.
+pub fn plan(scene: &Scene, tier: Tier) -> Result<Planned, Failure> {
+    let mut resources = Resources::new();
+    let mut recorded = record(&mut resources, scene);
+    let mut recordings = std::mem::take(&mut recorded.recordings);
+    let mut picture = None;
+    if scene.outputs.images > 0 {
+        let (drawn, drawing) = Picture::record(&mut resources, scene, &recorded, tier)?;
+        recordings.extend(drawing);
+        picture = Some(drawn);
+    }
+    let measure = recorded.measure.map(|measure| measure.id);
+    let wanted: Vec<ResourceId> = measure.into_iter().chain(picture.as_ref().map(Picture::id)).collect();
+    // A mistake in a recording is the program's, not the caller's.
+    let plan = Plan::sweep(resources, recordings, &wanted).map_err(Failure::stopped)?;
+    Ok(Planned {
+        plan,
+        particles: recorded.particle_count,
+        positions: recorded.positions,
+        velocities: recorded.velocities,
+        measure,
+        picture,
+    })
+}
+
+/// Opens the device; `timing` false makes no timestamp query.
+pub fn open(options: &DeviceOptions, timing: bool) -> Result<Gpu, Failure> {
+    Gpu::open(&GpuOptions {
+        device_name: options.device.clone(),
+        tier: options.tier.map(Into::into),
+        pipeline_cache: dirs::cache_dir().map(|folder| folder.join("brooklet")),
+        timing,
+    })
+    .map_err(Failure::input)
+}

@@ -1,0 +1,172 @@
+//! What is not there, and why: what the sweep dropped, and what a setting of the scene left out
+//! before anything was recorded.
+//!
+//! The second kind is found by planning the scene once more with that setting on, and looking at
+//! what comes along. So the list can never name a pass or a buffer that the setting does not
+//! really cost.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use brooklet_fluid::Scene;
+use brooklet_gpu::{LeftOutKind, Plan, Tier};
+use serde::Serialize;
+
+use crate::{failure::Failure, job};
+
+/// Something that does not run, or that there is no memory of.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Absent {
+    /// Its name.
+    pub name: String,
+    /// `pass`, `variant`, `command`, `buffer` or `texture`.
+    pub kind: &'static str,
+    /// Memory it would take.
+    pub bytes: u64,
+    /// Why it is not there.
+    pub reason: String,
+}
+
+/// A part of a scene that can be off.
+struct Term {
+    reason: &'static str,
+    is_off: fn(&Scene) -> bool,
+    turn_on: fn(&mut Scene),
+}
+
+const TERMS: &[Term] = &[
+    Term {
+        reason: "solver.vorticity_m_s = 0",
+        is_off: |scene| scene.solver.vorticity_m_s == 0.0,
+        turn_on: |scene| scene.solver.vorticity_m_s = 0.1,
+    },
+    Term {
+        reason: "solver.xsph = 0",
+        is_off: |scene| scene.solver.xsph == 0.0,
+        turn_on: |scene| scene.solver.xsph = 0.01,
+    },
+    Term {
+        reason: "solver.s_corr_k = 0",
+        is_off: |scene| scene.solver.s_corr_k == 0.0,
+        turn_on: |scene| scene.solver.s_corr_k = 0.1,
+    },
+    Term {
+        reason: "domain.walls = false",
+        is_off: |scene| !scene.domain.walls,
+        turn_on: |scene| scene.domain.walls = true,
+    },
+    Term {
+        reason: "outputs.measure_every_steps = 0",
+        is_off: |scene| scene.outputs.measure_every_steps == 0,
+        turn_on: |scene| scene.outputs.measure_every_steps = 1,
+    },
+    Term {
+        reason: "no pictures (outputs.images = 0)",
+        is_off: |scene| scene.outputs.images == 0,
+        turn_on: |scene| scene.outputs.images = 1,
+    },
+];
+
+/// Everything that `plan`, the plan of `scene` for `tier`, does without.
+pub fn list(scene: &Scene, tier: Tier, plan: &Plan) -> Result<Vec<Absent>, Failure> {
+    let mut absent: Vec<Absent> = plan
+        .left_out()
+        .iter()
+        .map(|left_out| Absent {
+            name: left_out.name.clone(),
+            kind: match left_out.kind {
+                LeftOutKind::Stage => "pass",
+                LeftOutKind::Command => "command",
+                LeftOutKind::Buffer => "buffer",
+                LeftOutKind::Texture => "texture",
+            },
+            bytes: left_out.bytes,
+            reason: left_out.reason.clone(),
+        })
+        .collect();
+    for term in TERMS.iter().filter(|term| (term.is_off)(scene)) {
+        let mut other = scene.clone();
+        (term.turn_on)(&mut other);
+        absent.extend(difference(plan, &job::plan(&other, tier)?.plan, term.reason));
+    }
+    Ok(absent)
+}
+
+fn difference(plan: &Plan, fuller: &Plan, reason: &str) -> Vec<Absent> {
+    let names = |plan: &Plan| {
+        let mut modules: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
+        for pass in plan.passes() {
+            modules.entry(pass.stage).or_default().insert(pass.module.name);
+        }
+        modules
+    };
+    let absent = |name: &str, kind, bytes| Absent { name: name.into(), kind, bytes, reason: reason.into() };
+    let here = names(plan);
+    let mut found = Vec::new();
+    for (stage, modules) in names(fuller) {
+        match here.get(stage) {
+            None => found.push(absent(stage, "pass", 0)),
+            // The pass is there, in a variant without this term's code and bindings.
+            Some(ours) => found.extend(modules.difference(ours).map(|module| absent(module, "variant", 0))),
+        }
+    }
+    let ours: BTreeSet<String> = plan.buffers().into_iter().map(|b| b.label).collect();
+    for buffer in fuller.buffers() {
+        if !ours.contains(&buffer.label) {
+            let kind = match fuller.resources().get(buffer.id) {
+                Some(entry) if entry.is_texture() => "texture",
+                _ => "buffer",
+            };
+            found.push(absent(&buffer.label, kind, buffer.bytes));
+        }
+    }
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn scene(settings: &[&str]) -> Scene {
+        let settings: Vec<String> = settings.iter().map(|s| s.to_string()).collect();
+        Scene::load("dam-break", &settings).unwrap()
+    }
+
+    fn names(absent: &[Absent], kind: &str) -> Vec<String> {
+        let of_kind = absent.iter().filter(|a| a.kind == kind);
+        of_kind.map(|a| a.name.clone()).collect()
+    }
+
+    #[test]
+    fn a_term_that_is_off_is_named_with_all_it_would_bring() {
+        let base = ["spacing_m=0.1", "outputs.images=0"];
+        let off = scene(&[&base[..], &["solver.vorticity_m_s=0"]].concat());
+        let on = scene(&[&base[..], &["solver.vorticity_m_s=0.5"]].concat());
+        let plan_off = job::plan(&off, Tier::Desktop).unwrap().plan;
+        let plan_on = job::plan(&on, Tier::Desktop).unwrap().plan;
+        let vorticity: Vec<Absent> = list(&off, Tier::Desktop, &plan_off)
+            .unwrap()
+            .into_iter()
+            .filter(|absent| absent.reason.starts_with("solver.vorticity"))
+            .collect();
+        assert_eq!(names(&vorticity, "pass"), ["confine_vorticity", "curl"]);
+        let bytes: u64 = vorticity.iter().map(|absent| absent.bytes).sum();
+        assert!(bytes > 0);
+        assert_eq!(plan_off.bytes() + bytes, plan_on.bytes());
+        let on_list = list(&on, Tier::Desktop, &plan_on).unwrap();
+        assert!(on_list.iter().all(|absent| !absent.reason.starts_with("solver.vorticity")));
+    }
+
+    #[test]
+    fn without_measurements_nothing_measures() {
+        let scene = scene(&["spacing_m=0.1", "outputs.images=0", "outputs.measure_every_steps=0"]);
+        let planned = job::plan(&scene, Tier::Desktop).unwrap();
+        assert!(planned.measure.is_none() && planned.picture.is_none());
+        let stages: Vec<_> = planned.plan.passes().iter().map(|pass| pass.stage).collect();
+        assert!(stages.iter().all(|stage| !stage.starts_with("measure")), "{stages:?}");
+        assert!(stages.iter().all(|stage| !stage.starts_with("draw")), "{stages:?}");
+        let absent = list(&scene, Tier::Desktop, &planned.plan).unwrap();
+        let passes = names(&absent, "pass");
+        assert!(passes.contains(&"measure_totals".into()), "{passes:?}");
+        assert!(passes.iter().any(|name| name.starts_with("draw")), "{passes:?}");
+    }
+}

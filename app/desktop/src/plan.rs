@@ -1,0 +1,103 @@
+//! `brooklet plan`: what a run would do, without doing it; needs no GPU.
+
+use brooklet_fluid::Scene;
+use brooklet_gpu::{Plan, Tier};
+use serde::Serialize;
+use serde_json::json;
+
+use crate::{
+    cli::PlanOptions,
+    failure::Failure,
+    job::{self, Planned},
+    left_out::{self, Absent},
+    table::{bytes, table},
+};
+
+/// A pass of the plan.
+#[derive(Clone, Debug, Serialize)]
+struct Pass {
+    recording: &'static str,
+    stage: &'static str,
+    variant: &'static str,
+    source: &'static str,
+    dispatches: u32,
+}
+
+/// Prints the plan of a scene.
+pub fn plan(options: &PlanOptions) -> Result<(), Failure> {
+    let scene = job::scene(&options.scene, Some(&options.outputs))?;
+    let tier = options.tier.map_or(Tier::Desktop, Into::into);
+    let planned = job::plan(&scene, tier)?;
+    let absent = left_out::list(&scene, tier, &planned.plan)?;
+    if options.json {
+        print_json(&scene, &planned, &absent)
+    } else {
+        print_tables(&scene, &planned, &absent);
+        Ok(())
+    }
+}
+
+fn passes(plan: &Plan) -> Vec<Pass> {
+    plan.passes()
+        .iter()
+        .map(|pass| Pass {
+            recording: pass.recording,
+            stage: pass.stage,
+            variant: pass.module.name,
+            source: pass.module.source,
+            dispatches: pass.count,
+        })
+        .collect()
+}
+
+fn print_json(scene: &Scene, planned: &Planned, absent: &[Absent]) -> Result<(), Failure> {
+    let buffers: serde_json::Map<_, _> =
+        planned.plan.buffers().into_iter().map(|buffer| (buffer.label, buffer.bytes.into())).collect();
+    let all = json!({
+        "scene": scene.name,
+        "particles": planned.particles,
+        "passes": passes(&planned.plan),
+        "buffers": buffers,
+        "bytes": planned.plan.bytes(),
+        "bytes_per_particle": per_particle(planned),
+        "left_out": absent,
+    });
+    let text = serde_json::to_string_pretty(&all).map_err(Failure::stopped)?;
+    println!("{text}");
+    Ok(())
+}
+
+/// Bytes of GPU memory over the particles; none without particles.
+pub fn per_particle(planned: &Planned) -> Option<f64> {
+    (planned.particles > 0).then(|| planned.plan.bytes() as f64 / f64::from(planned.particles))
+}
+
+fn print_tables(scene: &Scene, planned: &Planned, absent: &[Absent]) {
+    println!("{}: {} particles\n", scene.name, planned.particles);
+    let mut list = table(&["recording", "pass", "variant", "shader", "runs"], &[4]);
+    for pass in passes(&planned.plan) {
+        list.add_row([pass.recording, pass.stage, pass.variant, pass.source, &pass.dispatches.to_string()]);
+    }
+    println!("{}\n", list.trim_fmt());
+
+    let mut list = table(&["buffer", "bytes", ""], &[1, 2]);
+    for buffer in planned.plan.buffers() {
+        list.add_row([buffer.label, buffer.bytes.to_string(), bytes(buffer.bytes)]);
+    }
+    let total = planned.plan.bytes();
+    list.add_row(["in all".to_string(), total.to_string(), bytes(total)]);
+    println!("{}", list.trim_fmt());
+    if let Some(per_particle) = per_particle(planned) {
+        println!("{per_particle:.0} bytes a particle");
+    }
+
+    if absent.is_empty() {
+        println!("\nnothing is left out");
+        return;
+    }
+    let mut list = table(&["left out", "kind", "bytes", "because"], &[2]);
+    for absent in absent {
+        list.add_row([absent.name.clone(), absent.kind.to_string(), absent.bytes.to_string(), absent.reason.clone()]);
+    }
+    println!("\n{}", list.trim_fmt());
+}

@@ -1,0 +1,307 @@
+//! `summary.json`, and the short table a run ends with.
+
+use brooklet_fluid::Scene;
+use brooklet_gpu::{Gpu, Plan, TimingStatus, tier_name};
+use serde::Serialize;
+use serde_json::{Map, Value, json};
+
+use crate::{
+    commit::{COMMIT, VERSION},
+    left_out::Absent,
+    measured::{Counted, Measured, Spread, Worst},
+    table::{bytes, ms, table},
+    timings::{self, Timings},
+};
+
+/// A run in numbers. Values that were not measured are null.
+#[derive(Clone, Debug, Serialize)]
+pub struct Summary {
+    scene: String,
+    particles: u32,
+    steps: u64,
+    simulated_s: f64,
+    /// From the first step to the end of the last one, pictures included.
+    wall_s: f64,
+    /// Whether the run ended early, by Ctrl-C.
+    interrupted: bool,
+    solver: Solver,
+    gpu_ms_per_step: Option<timings::Spread>,
+    /// By pass: times of all its dispatches of a frame together, and how many those are.
+    passes: Map<String, Value>,
+    timing: Timing,
+    density_error: Option<Spread>,
+    compression: Option<Spread>,
+    max_speed_m_s: Option<f64>,
+    centre_of_mass_m: Option<[f64; 3]>,
+    front_m: Option<f64>,
+    energy_j: Option<Energy>,
+    counters: Option<Counted>,
+    /// The largest values that any measurement of the run had.
+    worst: Option<Worst>,
+    measured: Measurements,
+    buffers: Map<String, Value>,
+    bytes_per_particle: Option<f64>,
+    left_out: Vec<Absent>,
+    device: Device,
+    version: &'static str,
+    commit: &'static str,
+    files: Files,
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct Solver {
+    name: &'static str,
+    iterations: u32,
+    substeps: u32,
+    dt_s: f64,
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct Timing {
+    /// `inside_passes`, `pass_per_stage`, `unsupported` or `off`.
+    how: &'static str,
+    frames: u64,
+    /// At the start; medians and percentiles leave them out.
+    warm_up_frames_left_out: u64,
+    flagged_spans: u64,
+}
+
+#[derive(Clone, Copy, Debug, Serialize)]
+struct Energy {
+    kinetic: f64,
+    potential: f64,
+    total: f64,
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct Measurements {
+    count: u64,
+    every_steps: u32,
+    /// The step that density error, speed, energy and so on are of.
+    last_step: Option<u64>,
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct Device {
+    name: String,
+    device_type: String,
+    driver: String,
+    tier: &'static str,
+}
+
+/// What a run wrote.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct Files {
+    /// Pictures, in order.
+    pub images: Vec<String>,
+    /// Particle files, in order.
+    pub particles: Vec<String>,
+    /// The capture.
+    pub capture: Option<String>,
+    /// Whether the capture holds the whole run.
+    pub capture_complete: bool,
+    /// This summary.
+    pub summary: String,
+}
+
+/// What a summary is made of.
+pub struct Facts<'a> {
+    /// The scene that ran.
+    pub scene: &'a Scene,
+    /// Its plan.
+    pub plan: &'a Plan,
+    /// Number of particles.
+    pub particles: u32,
+    /// Steps that were done.
+    pub steps: u64,
+    /// Time they took.
+    pub wall_s: f64,
+    /// Whether Ctrl-C ended it.
+    pub interrupted: bool,
+    /// GPU times.
+    pub timings: &'a Timings,
+    /// Measurements.
+    pub measured: &'a Measured,
+    /// What was left out.
+    pub left_out: Vec<Absent>,
+    /// The device.
+    pub gpu: &'a Gpu,
+    /// What was written.
+    pub files: Files,
+}
+
+/// How the way of timing is written.
+pub fn timing_name(timing: TimingStatus) -> &'static str {
+    match timing {
+        TimingStatus::Off => "off",
+        TimingStatus::Unsupported => "unsupported",
+        TimingStatus::PassPerStage => "pass_per_stage",
+        TimingStatus::InsidePasses => "inside_passes",
+    }
+}
+
+/// Stages in order of their first run, with their dispatches in one run of their recording.
+pub fn stages(plan: &Plan) -> Vec<(&'static str, u32)> {
+    let mut stages: Vec<(&'static str, u32)> = Vec::new();
+    for pass in plan.passes() {
+        match stages.iter_mut().find(|(stage, _)| *stage == pass.stage) {
+            Some((_, count)) => *count += pass.count,
+            None => stages.push((pass.stage, pass.count)),
+        }
+    }
+    stages
+}
+
+impl Summary {
+    /// Puts the facts in their places.
+    pub fn new(facts: Facts<'_>) -> Self {
+        let Facts { scene, plan, timings, measured, gpu, .. } = facts;
+        let passes = stages(plan)
+            .into_iter()
+            .map(|(stage, dispatches)| {
+                let times = timings.stage_ms(stage);
+                let pass = json!({
+                    "median_ms": times.map(|t| t.median),
+                    "p95_ms": times.map(|t| t.p95),
+                    "dispatches": dispatches,
+                });
+                (stage.to_string(), pass)
+            })
+            .collect();
+        let last = measured.last;
+        let any = last.is_some();
+        Self {
+            scene: scene.name.clone(),
+            particles: facts.particles,
+            steps: facts.steps,
+            simulated_s: facts.steps as f64 * scene.solver.dt_s,
+            wall_s: facts.wall_s,
+            interrupted: facts.interrupted,
+            solver: Solver {
+                name: scene.solver.method.name(),
+                iterations: scene.solver.iterations,
+                substeps: scene.solver.substeps,
+                dt_s: scene.solver.dt_s,
+            },
+            gpu_ms_per_step: timings.step_ms(),
+            passes,
+            timing: Timing {
+                how: timing_name(gpu.timing()),
+                frames: timings.frames(),
+                warm_up_frames_left_out: timings.warm_up(),
+                flagged_spans: timings.flagged_spans(),
+            },
+            density_error: last.map(|stats| stats.density_error.into()),
+            compression: last.map(|stats| stats.compression.into()),
+            max_speed_m_s: last.map(|stats| stats.max_speed_m_s),
+            centre_of_mass_m: last.map(|stats| stats.centre_of_mass_m),
+            front_m: last.map(|stats| stats.front_m),
+            energy_j: last.map(|stats| Energy {
+                kinetic: stats.kinetic_j,
+                potential: stats.potential_j,
+                total: stats.kinetic_j + stats.potential_j,
+            }),
+            counters: any.then_some(measured.counted),
+            worst: any.then_some(measured.worst),
+            measured: Measurements {
+                count: measured.count,
+                every_steps: scene.outputs.measure_every_steps,
+                last_step: any.then_some(measured.last_step),
+            },
+            buffers: plan.buffers().into_iter().map(|buffer| (buffer.label, buffer.bytes.into())).collect(),
+            bytes_per_particle: (facts.particles > 0).then(|| plan.bytes() as f64 / f64::from(facts.particles)),
+            left_out: facts.left_out,
+            device: Device {
+                name: gpu.info().name.clone(),
+                device_type: gpu.info().device_type.clone(),
+                driver: format!("{} {}", gpu.info().driver, gpu.info().driver_info),
+                tier: tier_name(gpu.tier()),
+            },
+            version: VERSION,
+            commit: COMMIT,
+            files: facts.files,
+        }
+    }
+
+    /// The text of `summary.json`.
+    pub fn to_json(&self) -> serde_json::Result<String> {
+        serde_json::to_string_pretty(self)
+    }
+
+    /// The short table.
+    pub fn print(&self, plan_bytes: u64) {
+        println!(
+            "{}: {} particles, {} steps ({:.3} s simulated) in {:.2} s, on {} as {}",
+            self.scene, self.particles, self.steps, self.simulated_s, self.wall_s, self.device.name, self.device.tier,
+        );
+        match &self.gpu_ms_per_step {
+            Some(step) => println!(
+                "GPU time of a step: {:.3} ms (median), {:.3} ms (95 of 100); \
+                 the first {} frames do not count",
+                step.median, step.p95, self.timing.warm_up_frames_left_out,
+            ),
+            None => println!("GPU time of a step: not measured (timing {})", self.timing.how),
+        }
+        if self.device.device_type == "cpu" {
+            println!("(this driver runs on the processor: its times are the processor's)");
+        }
+        if self.timing.flagged_spans > 0 {
+            println!(
+                "{} of the GPU's times cannot be right (zero, negative or overlapping): see \
+                 flagged_spans in the capture",
+                self.timing.flagged_spans,
+            );
+        }
+        self.print_passes();
+        self.print_measured();
+        let per_particle = self.bytes_per_particle.unwrap_or(0.0);
+        println!("memory: {}, {per_particle:.0} bytes a particle", bytes(plan_bytes));
+    }
+
+    fn print_passes(&self) {
+        let median = |pass: &Value| pass["median_ms"].as_f64();
+        let all: f64 = self.passes.values().filter_map(median).sum();
+        let mut list = table(&["pass", "median ms", "p95 ms", "share", "dispatches"], &[1, 2, 3, 4]);
+        for (stage, pass) in &self.passes {
+            let share = median(pass).filter(|_| all > 0.0).map(|ms| 100.0 * ms / all);
+            list.add_row([
+                stage.clone(),
+                ms(median(pass)),
+                ms(pass["p95_ms"].as_f64()),
+                share.map_or_else(|| "-".into(), |share| format!("{share:.1} %")),
+                pass["dispatches"].to_string(),
+            ]);
+        }
+        println!("\n{}\n", list.trim_fmt());
+    }
+
+    fn print_measured(&self) {
+        let (Some(density), Some(compression), Some(energy), Some(counted)) =
+            (self.density_error, self.compression, self.energy_j, self.counters)
+        else {
+            println!("nothing was measured (outputs.measure_every_steps = 0)");
+            return;
+        };
+        let mut list = table(&["at the end", "mean", "99 of 100", "largest"], &[1, 2, 3]);
+        for (name, spread) in [("density error", density), ("compression", compression)] {
+            let percent = |ratio: f64| format!("{:.2} %", 100.0 * ratio);
+            list.add_row([name.to_string(), percent(spread.mean), percent(spread.p99), percent(spread.max)]);
+        }
+        println!("{}", list.trim_fmt());
+        println!(
+            "largest speed {:.3} m/s, front at x = {:.3} m, energy {:.2} J",
+            self.max_speed_m_s.unwrap_or_default(),
+            self.front_m.unwrap_or_default(),
+            energy.total,
+        );
+        println!(
+            "counted: {} neighbours without a slot, {} clamped speeds, {} clamped corrections, \
+             {} quarantined, {} escaped",
+            counted.neighbour_overflow,
+            counted.speed_clamps,
+            counted.correction_clamps,
+            counted.quarantined,
+            counted.escaped,
+        );
+    }
+}

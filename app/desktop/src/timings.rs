@@ -1,0 +1,178 @@
+//! Medians and percentiles of GPU times over a run.
+
+use std::collections::BTreeMap;
+
+use brooklet_gpu::{FrameReport, TimingStatus};
+use serde::Serialize;
+
+/// The frames at the start that medians leave out: the device's clock rises and caches fill then.
+/// At most ten, and at most a quarter of the run.
+pub fn warm_up_frames(frames: u64) -> u64 {
+    (frames / 4).min(10)
+}
+
+/// Times of one kind over a run.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Spread {
+    /// Half of the frames took no longer.
+    pub median: f64,
+    /// 95 of 100 frames took no longer.
+    pub p95: f64,
+}
+
+impl Spread {
+    /// Of some values; none of none.
+    pub fn of(mut values: Vec<f64>) -> Option<Self> {
+        values.sort_unstable_by(f64::total_cmp);
+        let last = values.len().checked_sub(1)?;
+        let middle = values.len() / 2;
+        let median = if values.len() % 2 == 1 { values[middle] } else { 0.5 * (values[middle - 1] + values[middle]) };
+        // Nearest rank: a time that was really measured.
+        let rank = (0.95 * values.len() as f64).ceil() as usize;
+        Some(Self { median, p95: values[rank.saturating_sub(1).min(last)] })
+    }
+}
+
+/// One value of each frame it was measured in.
+type Series = Vec<(u64, f64)>;
+
+/// Collects the times of the frames as they are reported.
+#[derive(Debug)]
+pub struct Timings {
+    warm_up: u64,
+    frames: u64,
+    flagged_spans: u64,
+    status: TimingStatus,
+    steps: Series,
+    stages: BTreeMap<&'static str, Series>,
+}
+
+impl Timings {
+    /// For a run whose first `warm_up` frames do not count.
+    pub fn new(warm_up: u64) -> Self {
+        Self {
+            warm_up,
+            frames: 0,
+            flagged_spans: 0,
+            status: TimingStatus::Off,
+            steps: Series::new(),
+            stages: BTreeMap::new(),
+        }
+    }
+
+    /// Takes the next frame; `step` is the recording whose spans are a step.
+    pub fn add(&mut self, report: &FrameReport, step: &str) {
+        let index = self.frames;
+        self.frames += 1;
+        self.flagged_spans += report.flagged() as u64;
+        self.status = report.timing;
+        let spans = || report.spans.iter().filter(|span| span.recording == step);
+        let begin = spans().map(|span| span.begin_ticks).min();
+        let end = spans().map(|span| span.end_ticks).max();
+        if let (Some(begin), Some(end)) = (begin, end)
+            && end > begin
+        {
+            let ms = (end - begin) as f64 * report.timestamp_period_ns * 1e-6;
+            self.steps.push((index, ms));
+        }
+        for (stage, ms, _) in report.stage_ms() {
+            self.stages.entry(stage).or_default().push((index, ms));
+        }
+    }
+
+    /// A step, from its first span's begin to its last one's end, ms.
+    pub fn step_ms(&self) -> Option<Spread> {
+        self.spread(&self.steps)
+    }
+
+    /// A stage, all its dispatches of a frame together, ms.
+    pub fn stage_ms(&self, stage: &str) -> Option<Spread> {
+        self.spread(self.stages.get(stage)?)
+    }
+
+    /// Frames that were reported.
+    pub fn frames(&self) -> u64 {
+        self.frames
+    }
+
+    /// Frames at the start that do not count.
+    pub fn warm_up(&self) -> u64 {
+        self.warm_up.min(self.frames)
+    }
+
+    /// Spans that cannot be right.
+    pub fn flagged_spans(&self) -> u64 {
+        self.flagged_spans
+    }
+
+    /// How the times were taken.
+    pub fn status(&self) -> TimingStatus {
+        self.status
+    }
+
+    /// A stage that ran in the warm-up alone has no other times than those.
+    fn spread(&self, series: &Series) -> Option<Spread> {
+        let warm: Vec<f64> = series.iter().filter(|(frame, _)| *frame >= self.warm_up).map(|(_, ms)| *ms).collect();
+        Spread::of(warm).or_else(|| Spread::of(series.iter().map(|(_, ms)| *ms).collect()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use brooklet_gpu::{Span, SpanFlag};
+
+    fn report(frame: u64, step_ticks: u64) -> FrameReport {
+        let span = |recording, stage, begin_ticks, end_ticks| Span {
+            recording,
+            stage,
+            begin_ticks,
+            end_ticks,
+            flag: SpanFlag::Ok,
+        };
+        FrameReport {
+            frame,
+            wall_ns: 0,
+            spans: vec![
+                span("step", "sort", 100, 150),
+                span("step", "solve", 160, 100 + step_ticks),
+                span("draw", "draw_floor", 1_000, 9_000),
+            ],
+            readbacks: Vec::new(),
+            timing: TimingStatus::InsidePasses,
+            timestamp_period_ns: 1e6,
+        }
+    }
+
+    #[test]
+    fn percentiles_of_known_values() {
+        assert_eq!(Spread::of(Vec::new()), None);
+        let hundred: Vec<f64> = (1..=100).rev().map(f64::from).collect();
+        let spread = Spread::of(hundred).unwrap();
+        assert_eq!((spread.median, spread.p95), (50.5, 95.0));
+        let one = Spread::of(vec![3.0]).unwrap();
+        assert_eq!((one.median, one.p95), (3.0, 3.0));
+    }
+
+    #[test]
+    fn a_step_is_its_recordings_spans_with_the_gaps_between() {
+        let mut timings = Timings::new(0);
+        timings.add(&report(0, 300), "step");
+        assert_eq!(timings.step_ms().unwrap().median, 300.0);
+        assert_eq!(timings.stage_ms("sort").unwrap().median, 50.0);
+        assert_eq!(timings.stage_ms("draw_floor").unwrap().median, 8000.0);
+        assert_eq!(timings.stage_ms("absent"), None);
+    }
+
+    #[test]
+    fn the_warm_up_does_not_count() {
+        let mut timings = Timings::new(2);
+        for (frame, ticks) in [900, 900, 300, 200, 250].into_iter().enumerate() {
+            timings.add(&report(frame as u64, ticks), "step");
+        }
+        let step = timings.step_ms().unwrap();
+        assert_eq!((step.median, step.p95), (250.0, 300.0));
+        assert_eq!((timings.frames(), timings.warm_up()), (5, 2));
+        assert_eq!([0, 3, 8, 40, 4000].map(warm_up_frames), [0, 0, 2, 10, 10]);
+    }
+}
