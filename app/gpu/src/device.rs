@@ -270,20 +270,34 @@ impl Gpu {
         }
     }
 
-    /// As [`Gpu::scoped`], for commands: what wgpu refuses there is this program's mistake.
+    /// As [`Gpu::scoped`], for commands: what wgpu refuses there is this program's mistake, unless
+    /// the device is lost.
     pub(crate) fn guarded<T>(&self, work: impl FnOnce() -> T) -> Result<T, GpuError> {
         let result = self.scoped(work);
         self.check()?;
-        result.map_err(|error| GpuError::Refused { reason: describe(&error) })
+        result.map_err(|error| self.cause_of(GpuError::Refused { reason: describe(&error) }))
+    }
+
+    /// The device's loss if that is behind `error`. wgpu reports a loss only once it has looked
+    /// after all finished work; until then, calls fail in their own ways.
+    pub(crate) fn cause_of(&self, error: GpuError) -> GpuError {
+        let wait = wgpu::PollType::wait_indefinitely();
+        match self.poll_as(wait) {
+            Err(lost @ GpuError::DeviceLost { .. }) => lost,
+            _ => error,
+        }
     }
 
     /// Lets wgpu look after finished work; `None` does not wait.
     pub(crate) fn poll(&self, wait_for: Option<wgpu::SubmissionIndex>) -> Result<(), GpuError> {
         self.check()?;
-        let poll_type = match wait_for {
+        self.poll_as(match wait_for {
             Some(index) => wgpu::PollType::Wait { submission_index: Some(index), timeout: None },
             None => wgpu::PollType::Poll,
-        };
+        })
+    }
+
+    fn poll_as(&self, poll_type: wgpu::PollType) -> Result<(), GpuError> {
         // wgpu 30 panics in `poll` when the device is lost while it waits. A loss is no mistake
         // of the program's, so it must not end it.
         let polled = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| self.inner.device.poll(poll_type)));

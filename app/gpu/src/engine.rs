@@ -120,7 +120,7 @@ impl Engine {
         slot.frame = self.frames;
         slot.wall_ns = self.started.elapsed().as_nanos() as u64;
         slot.submission = Some(submission);
-        slot.request(gpu);
+        gpu.guarded(|| slot.request(gpu))?;
         self.timestamps += slot.ticks.written();
         self.dispatches += dispatches;
         self.in_flight.push_back(place);
@@ -140,6 +140,8 @@ impl Engine {
         match self.arena.get(id) {
             Some(Memory::Buffer { .. }) => Ok(self.plan.resources().bytes(id)),
             Some(Memory::Texture { .. }) => refuse("it is a texture; use read_texture"),
+            // Nothing is all there, without memory.
+            None if self.plan.resources().get(id).is_some_and(|r| r.bytes() == 0) => Ok(0),
             None => refuse("the plan left it out; name it among the wanted outputs"),
         }
     }
@@ -170,11 +172,12 @@ impl Engine {
     fn collect(&mut self) -> Result<(), GpuError> {
         while let Some(place) = self.in_flight.front() {
             let slot = &mut self.ring[*place];
-            if !slot.has_arrived()? {
+            if !slot.has_arrived().map_err(|error| self.gpu.cause_of(error))? {
                 break;
             }
             let period_ns = self.gpu.info().timestamp_period_ns;
-            self.reports.push_back(slot.report(self.gpu.timing(), period_ns)?);
+            let report = slot.report(self.gpu.timing(), period_ns);
+            self.reports.push_back(report.map_err(|error| self.gpu.cause_of(error))?);
             self.in_flight.pop_front();
         }
         Ok(())

@@ -143,7 +143,7 @@ impl Pipelines {
                 cache: self.cache.as_ref(),
             })
         });
-        let pipeline = built.map_err(|error| failed(gpu, module, &error))?;
+        let pipeline = built_or_lost(gpu, module, built)?;
         self.unsaved = true;
         self.compute.insert(key, pipeline.clone());
         Ok(pipeline)
@@ -187,15 +187,22 @@ impl Pipelines {
                 cache: self.cache.as_ref(),
             })
         });
-        let pipeline = built.map_err(|error| failed(gpu, vertex, &error))?;
+        let pipeline = built_or_lost(gpu, vertex, built)?;
         self.unsaved = true;
         self.draws.insert(key, pipeline.clone());
         Ok(pipeline)
     }
 }
 
-fn failed(gpu: &Gpu, module: &'static Module, error: &wgpu::Error) -> GpuError {
-    gpu.check().err().unwrap_or_else(|| GpuError::Pipeline { module: module.name, reason: describe(error) })
+/// wgpu takes a driver that cannot compile a module for a lost device, and then reports no error
+/// in the call: the kernel is to blame either way, since the device was there before.
+fn built_or_lost<T>(gpu: &Gpu, module: &'static Module, built: Result<T, wgpu::Error>) -> Result<T, GpuError> {
+    let reason = match (gpu.is_lost(), built) {
+        (None, Ok(pipeline)) => return Ok(pipeline),
+        (Some(lost), _) => lost,
+        (None, Err(error)) => describe(&error),
+    };
+    Err(GpuError::Pipeline { module: module.name, reason })
 }
 
 fn shader_module(device: &wgpu::Device, module: &'static Module) -> wgpu::ShaderModule {
