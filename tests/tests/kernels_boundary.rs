@@ -4,8 +4,8 @@
 
 use brooklet_fluid::boundary::{WALL_NODES, wall_weights};
 use brooklet_kernels::{
-    CorrectPositions, CorrectPositionsVariant, CorrectPositionsWalls, Counters, Iterate, MeasureParticles,
-    MeasureParticlesVariant, MeasureParticlesWalls, MeasureSums, PbfParams, Position, StepParams, Velocity,
+    CorrectPositions, CorrectPositionsVariant, Counters, Iterate, MeasureParticles, MeasureParticlesVariant,
+    MeasureSums, PbfParams, Position, StepParams, Velocity, WallsKeyword,
 };
 use brooklet_reference::boundary::walls::{DomainWalls, WallDensity, Walls};
 use brooklet_tests::cases::{SUPPORT_M, SUPPORT_RATIO, kernel_params, pbf_params, vectors, wall_table};
@@ -73,10 +73,7 @@ fn places(size_m: DVec3) -> Vec<Position> {
     at.push([0.0; 3]);
     at.push(size_m.to_array());
     at.push((size_m / 2.0).to_array());
-    at.iter()
-        .enumerate()
-        .map(|(i, place)| Position { position_m: place.map(|x| x as f32), tag: i as u32 })
-        .collect()
+    at.iter().enumerate().map(|(i, place)| Position { position_m: place.map(|x| x as f32), tag: i as u32 }).collect()
 }
 
 fn params(size_m: DVec3, count: usize) -> StepParams {
@@ -91,7 +88,7 @@ fn params(size_m: DVec3, count: usize) -> StepParams {
 }
 
 /// Density ratios that walls add at each place: each is measured alone.
-fn densities(places: &[Position], size_m: DVec3, walls: MeasureParticlesWalls) -> Vec<f64> {
+fn densities(places: &[Position], size_m: DVec3, walls: WallsKeyword) -> Vec<f64> {
     let weight = f64::from(kernel_params().weight);
     let mut bench = Bench::new();
     let weights = bench.input("wall_weights", &wall_weights(SUPPORT_RATIO));
@@ -139,11 +136,10 @@ fn densities(places: &[Position], size_m: DVec3, walls: MeasureParticlesWalls) -
 
 /// Gradients of the density that walls add, from corrections with lambda = -1/2 and factors of 1:
 /// the correction is then the negative gradient times h.
-fn gradients(places: &[Position], size_m: DVec3, walls: CorrectPositionsWalls) -> Vec<DVec3> {
+fn gradients(places: &[Position], size_m: DVec3, walls: WallsKeyword) -> Vec<DVec3> {
     let count = places.len();
     let pbf = PbfParams { relaxation: 1.0, max_correction_m: 1e3, ..pbf_params() };
-    let constrained: Vec<Iterate> =
-        places.iter().map(|p| Iterate { position_m: p.position_m, lambda: -0.5 }).collect();
+    let constrained: Vec<Iterate> = places.iter().map(|p| Iterate { position_m: p.position_m, lambda: -0.5 }).collect();
     let mut bench = Bench::new();
     let input = bench.input("constrained", &constrained);
     let neighbours = bench.input("neighbours", &vec![0_u32; count]);
@@ -177,12 +173,7 @@ fn gradients(places: &[Position], size_m: DVec3, walls: CorrectPositionsWalls) -
         .collect()
 }
 
-fn check(
-    size_m: DVec3,
-    measure: MeasureParticlesWalls,
-    correct: CorrectPositionsWalls,
-    name: &'static str,
-) -> Vec<(WallDensity, f64)> {
+fn check(size_m: DVec3, walls_keyword: WallsKeyword, name: &'static str) -> Vec<(WallDensity, f64)> {
     // A table value is a lerp of lerps of eight nodes of at most 1.5, the place between them known
     // to a few roundings of the distance (31 steps wide): 128 roundings. A gradient is read from a
     // position of up to 13 h, which rounds by 13/2 of an f32's last place: 256 roundings.
@@ -196,8 +187,8 @@ fn check(
         domain_size_m: vector(params(size_m, 0).domain_size_m),
         support_m: f64::from(kernel_params().support_m),
     };
-    let got_densities = densities(&places, size_m, measure);
-    let got_gradients = gradients(&places, size_m, correct);
+    let got_densities = densities(&places, size_m, walls_keyword);
+    let got_gradients = gradients(&places, size_m, walls_keyword);
     let mut results = Vec::new();
     for (i, at) in vectors(&places).into_iter().enumerate() {
         let expected = walls.at(at);
@@ -212,29 +203,19 @@ fn check(
 
 #[test]
 fn wall_weights_match_their_twin() {
-    let wide = check(
-        DVec3::new(0.3, 0.2, 0.5),
-        MeasureParticlesWalls::Walls,
-        CorrectPositionsWalls::Walls,
-        "wall_weights",
-    );
+    let wide = check(DVec3::new(0.3, 0.2, 0.5), WallsKeyword::Walls, "wall_weights");
     assert!(wide.iter().any(|(walls, _)| walls.density > 0.8), "no place was in a corner");
     assert!(wide.iter().any(|(walls, _)| walls.density == 0.0), "no place was far from walls");
 }
 
 #[test]
 fn narrow_wall_weights_match_their_twin() {
-    check(
-        DVec3::new(1.2 * SUPPORT_M, 0.3, 1.7 * SUPPORT_M),
-        MeasureParticlesWalls::NarrowWalls,
-        CorrectPositionsWalls::NarrowWalls,
-        "narrow wall_weights",
-    );
+    check(DVec3::new(1.2 * SUPPORT_M, 0.3, 1.7 * SUPPORT_M), WallsKeyword::NarrowWalls, "narrow wall_weights");
     // In a wide domain both variants say the same.
     let size_m = DVec3::new(0.3, 0.2, 0.5);
     let places = places(size_m);
-    let near = densities(&places, size_m, MeasureParticlesWalls::Walls);
-    let narrow = densities(&places, size_m, MeasureParticlesWalls::NarrowWalls);
+    let near = densities(&places, size_m, WallsKeyword::Walls);
+    let narrow = densities(&places, size_m, WallsKeyword::NarrowWalls);
     let mut worst = Worst::new("narrow wall_weights in a wide domain", 128.0 * ROUNDING);
     for (near, narrow) in near.iter().zip(&narrow) {
         worst.check(*narrow as f32, *near, 1.0).unwrap();

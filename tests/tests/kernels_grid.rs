@@ -26,11 +26,7 @@ const SCAN_GROUP: u32 = 4 * ScanGroups::GROUP_SIZE[0];
 /// A runner of few cases (a CPU driver takes tens of milliseconds for each), the same every time.
 fn few_cases() -> TestRunner {
     let cases = if small() { 4 } else { 12 };
-    let config = Config {
-        cases,
-        failure_persistence: None,
-        ..Config::default()
-    };
+    let config = Config { cases, failure_persistence: None, ..Config::default() };
     TestRunner::new_with_rng(config, TestRng::from_seed(RngAlgorithm::ChaCha, &[7; 32]))
 }
 
@@ -40,10 +36,7 @@ fn scattered(rng: &mut impl Rng, count: usize, size_m: DVec3) -> Vec<Position> {
         .map(|i| {
             let beyond = if i % 11 == 3 { 0.2 } else { 0.0 };
             let mut at = |axis: usize| (rng.random::<f64>() * (size_m[axis] + 2.0 * beyond) - beyond) as f32;
-            Position {
-                position_m: [at(0), at(1), at(2)],
-                tag: i as u32 | if i % 13 == 5 { QUARANTINED } else { 0 },
-            }
+            Position { position_m: [at(0), at(1), at(2)], tag: i as u32 | if i % 13 == 5 { QUARANTINED } else { 0 } }
         })
         .collect()
 }
@@ -106,8 +99,7 @@ fn count_cells_matches_its_twin() {
 #[test]
 fn positions_far_outside_have_no_cell() {
     let far = [1e9, -1e9, 1e30, -1e30, f32::MAX, 3e9, -0.0];
-    let positions: Vec<Position> =
-        far.iter().map(|&x| Position { position_m: [x, 0.1, 0.1], tag: 0 }).collect();
+    let positions: Vec<Position> = far.iter().map(|&x| Position { position_m: [x, 0.1, 0.1], tag: 0 }).collect();
     let grid = grid_params(DVec3::splat(0.3), 1.0 / 64.0, positions.len());
     check_count(&positions, grid, 0.0).unwrap();
 }
@@ -194,9 +186,7 @@ fn scan_of_anything() {
     let lengths = 0..3000_usize;
     let values = proptest::collection::vec(any::<u32>(), lengths);
     few_cases()
-        .run(&values, |values| {
-            check_exact(&run_scan(&values), &scan::scan(&values)).map_err(TestCaseError::fail)
-        })
+        .run(&values, |values| check_exact(&run_scan(&values), &scan::scan(&values)).map_err(TestCaseError::fail))
         .unwrap();
 }
 
@@ -206,7 +196,13 @@ struct Sorted {
     iterates: Vec<Iterate>,
 }
 
-fn run_reorder(positions: &[Position], velocities: &[Velocity], slots: &[CellSlot], starts: &[u32], grid: GridParams) -> Sorted {
+fn run_reorder(
+    positions: &[Position],
+    velocities: &[Velocity],
+    slots: &[CellSlot],
+    starts: &[u32],
+    grid: GridParams,
+) -> Sorted {
     let count = positions.len();
     let mut bench = Bench::new();
     let at = bench.input("positions", positions);
@@ -254,8 +250,7 @@ fn reorder_matches_its_twin() {
             filled[cells[i] as usize] += 1;
         }
         let starts = scan::scan(&filled);
-        let slots: Vec<CellSlot> =
-            cells.iter().zip(&ranks).map(|(&cell, &rank)| CellSlot { cell, rank }).collect();
+        let slots: Vec<CellSlot> = cells.iter().zip(&ranks).map(|(&cell, &rank)| CellSlot { cell, rank }).collect();
         let sorted = run_reorder(&case.positions, &case.velocities, &slots, &starts, grid);
         let places = places(&cells, &ranks, &starts);
         assert_eq!(sorted.positions, reorder(&case.positions, &places));
@@ -281,9 +276,8 @@ fn sort_is_a_permutation_in_order_of_cells() {
             let mut rng = rng(seed);
             let size_m = DVec3::new(f64::from(cells), 3.0, 2.0) / 64.0;
             let positions = scattered(&mut rng, count, size_m);
-            let velocities: Vec<Velocity> = (0..count)
-                .map(|i| Velocity { velocity_m_s: [i as f32, 0.0, 0.0], reserved: 0.0 })
-                .collect();
+            let velocities: Vec<Velocity> =
+                (0..count).map(|i| Velocity { velocity_m_s: [i as f32, 0.0, 0.0], reserved: 0.0 }).collect();
             let grid = grid_params(size_m, 1.0 / 64.0, count);
             let (sorted, _) = sort(&positions, &velocities, grid);
             let mut seen = vec![false; count];
@@ -345,8 +339,7 @@ fn check_neighbours(sorted: &[Position], starts: &[u32], grid: GridParams) -> Re
     let expected = list_neighbours(&positions_m, |i| i >= first_outside, support_m);
     let (mut listed, mut missing) = (0, 0);
     for i in 0..count {
-        let found: Vec<usize> =
-            (0..counts[i] as usize).map(|slot| neighbours[slot * count + i] as usize).collect();
+        let found: Vec<usize> = (0..counts[i] as usize).map(|slot| neighbours[slot * count + i] as usize).collect();
         listed += found.len();
         if expected[i].len() > grid.neighbour_slots as usize {
             // Some are missing, which the counter owns up to; those listed are right.

@@ -2,8 +2,8 @@
 
 use brooklet_fluid::boundary::wall_weights;
 use brooklet_kernels::{
-    Counters, Kernel, Measure, MeasureParticles, MeasureParticlesVariant, MeasureParticlesWalls, MeasureSums,
-    MeasureTotals, StepParams,
+    Counters, Kernel, Measure, MeasureParticles, MeasureParticlesVariant, MeasureSums, MeasureTotals, StepParams,
+    WallsKeyword,
 };
 use brooklet_reference::boundary::walls::DomainWalls;
 use brooklet_reference::measure::measure_particles::{Sample, Sums, measure_particles};
@@ -24,7 +24,7 @@ const GROUP: usize = MeasureParticles::GROUP_SIZE[0] as usize;
 /// them adds six more, and a mean of thousands of sums a dozen.
 const TOLERANCE: f64 = 80.0 * ROUNDING;
 
-fn run_particles(case: &Case, params: StepParams, walls: MeasureParticlesWalls) -> (Vec<MeasureSums>, Vec<u32>) {
+fn run_particles(case: &Case, params: StepParams, walls: WallsKeyword) -> (Vec<MeasureSums>, Vec<u32>) {
     let groups = case.count().div_ceil(GROUP);
     let mut bench = Bench::new();
     let positions = bench.input("positions", &case.positions);
@@ -44,7 +44,7 @@ fn run_particles(case: &Case, params: StepParams, walls: MeasureParticlesWalls) 
             neighbour_counts: neighbour_counts.read(),
             group_measures: group_measures.write(),
             histograms: histograms.write(),
-            wall_weights: (walls != MeasureParticlesWalls::Off).then(|| weights.read()),
+            wall_weights: (walls != WallsKeyword::Off).then(|| weights.read()),
             step_params: step_params.uniform(),
             kernel: kernel.uniform(),
         },
@@ -130,20 +130,17 @@ fn measures_match_their_twins() {
     let mut totals = Worst::new(MeasureTotals::STAGE, TOLERANCE);
     let mut rng = rng(51);
     let table = wall_table(&wall_weights(SUPPORT_RATIO));
-    for walls in [MeasureParticlesWalls::Off, MeasureParticlesWalls::Walls, MeasureParticlesWalls::NarrowWalls] {
+    for walls in [WallsKeyword::Off, WallsKeyword::Walls, WallsKeyword::NarrowWalls] {
         for size in sizes(GROUP) {
             let mut case = disturbed(&mut rng, size);
-            if walls == MeasureParticlesWalls::NarrowWalls {
+            if walls == WallsKeyword::NarrowWalls {
                 case.size_m = case.size_m.min(DVec3::new(9.0, 1.3 * SUPPORT_M, 1.7 * SUPPORT_M));
             }
             let params = case.step_params();
             let (groups, histograms) = run_particles(&case, params, walls);
-            let box_walls = DomainWalls {
-                weight: &table,
-                domain_size_m: vector(params.domain_size_m),
-                support_m: SUPPORT_M,
-            };
-            let samples = samples(&case, (walls != MeasureParticlesWalls::Off).then_some(&box_walls));
+            let box_walls =
+                DomainWalls { weight: &table, domain_size_m: vector(params.domain_size_m), support_m: SUPPORT_M };
+            let samples = samples(&case, (walls != WallsKeyword::Off).then_some(&box_walls));
             let expected: Vec<Sums> =
                 samples.chunks(GROUP).map(|group| measure_particles(group, box_walls.domain_size_m)).collect();
             for (got, expected) in groups.iter().zip(&expected) {
@@ -160,8 +157,7 @@ fn measures_match_their_twins() {
             let measure = run_totals(&groups, &histograms, counters, params);
             check_sums(&mut totals, &measure.sums, &total, 3.0).unwrap();
             assert_eq!(measure.counters, counters);
-            let errors: Vec<f64> =
-                samples.iter().filter(|s| !s.quarantined).map(|s| s.density_ratio - 1.0).collect();
+            let errors: Vec<f64> = samples.iter().filter(|s| !s.quarantined).map(|s| s.density_ratio - 1.0).collect();
             let sizes: Vec<f64> = errors.iter().map(|e| e.abs()).collect();
             let positive: Vec<f64> = errors.iter().map(|e| e.max(0.0)).collect();
             check_percentile(measure.density_error_p99, percentile_99(&sizes)).unwrap();

@@ -122,10 +122,7 @@ fn free_fall_is_exact_to_rounding() {
     // The same operations in f32 on the CPU, with and without a fused multiply-add: the only
     // freedom that a shader compiler has.
     let mut case = fluid(&mut rng(13), 2);
-    let params = StepParams {
-        gravity_m_s2: [0.0, -9.81, 0.0],
-        ..case.step_params()
-    };
+    let params = StepParams { gravity_m_s2: [0.0, -9.81, 0.0], ..case.step_params() };
     for _ in 0..20 {
         let output = run(&case.positions, &case.velocities, params, false);
         for i in 0..2 {
@@ -151,9 +148,8 @@ fn rows_of_groups_fold() {
     let count = 32_768 * Predict::GROUP_SIZE[0] as usize + 1;
     let mut rng = rng(14);
     let positions = vec![Position { position_m: [0.5; 3], tag: 0 }; count];
-    let velocities: Vec<Velocity> = (0..count)
-        .map(|_| Velocity { velocity_m_s: [rng.random(), 0.0, 0.0], reserved: 0.0 })
-        .collect();
+    let velocities: Vec<Velocity> =
+        (0..count).map(|_| Velocity { velocity_m_s: [rng.random(), 0.0, 0.0], reserved: 0.0 }).collect();
     let params = StepParams {
         dt_s: 0.25,
         domain_size_m: [2.0; 3],

@@ -5,8 +5,8 @@
 
 use brooklet_fluid::boundary::wall_weights;
 use brooklet_kernels::{
-    ConstrainDensity, ConstrainDensityVariant, ConstrainDensityWalls, CorrectPositions, CorrectPositionsVariant,
-    CorrectPositionsWalls, Counters, Iterate, Kernel, PbfParams, StepParams, UpdateVelocity, Velocity,
+    ConstrainDensity, ConstrainDensityVariant, CorrectPositions, CorrectPositionsVariant, Counters, Iterate, Kernel,
+    PbfParams, StepParams, UpdateVelocity, Velocity, WallsKeyword,
 };
 use brooklet_reference::boundary::walls::DomainWalls;
 use brooklet_reference::solver::pbf::constrain_density::constrain_density;
@@ -24,26 +24,18 @@ use rand::RngExt;
 /// See the head of this file.
 const TOLERANCE: f64 = 64.0 * ROUNDING;
 
-/// Which walls a case has.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Walls {
-    Off,
-    Near,
-    Narrow,
-}
-
-const ALL_WALLS: [Walls; 3] = [Walls::Off, Walls::Near, Walls::Narrow];
+const ALL_WALLS: [WallsKeyword; 3] = [WallsKeyword::Off, WallsKeyword::Walls, WallsKeyword::NarrowWalls];
 
 /// A case whose domain has opposite walls in reach of one particle, if the variant is for that.
-fn case_for(rng: &mut impl rand::Rng, size: usize, walls: Walls) -> Case {
+fn case_for(rng: &mut impl rand::Rng, size: usize, walls: WallsKeyword) -> Case {
     let mut case = fluid(rng, size);
-    if walls == Walls::Narrow {
+    if walls == WallsKeyword::NarrowWalls {
         case.size_m = case.size_m.min(DVec3::new(1.4 * SUPPORT_M, 9.0, 1.1 * SUPPORT_M));
     }
     case
 }
 
-fn run_constrain(case: &Case, pbf: PbfParams, walls: Walls) -> Vec<Iterate> {
+fn run_constrain(case: &Case, pbf: PbfParams, walls: WallsKeyword) -> Vec<Iterate> {
     let mut bench = Bench::new();
     let iterates = bench.input("iterates", &case.iterates(&[]));
     let (neighbours, neighbour_counts) = case.upload_neighbours(&mut bench);
@@ -54,18 +46,12 @@ fn run_constrain(case: &Case, pbf: PbfParams, walls: Walls) -> Vec<Iterate> {
     let pbf = bench.uniform("pbf", pbf);
     bench.dispatch(
         &ConstrainDensity {
-            variant: ConstrainDensityVariant {
-                walls: match walls {
-                    Walls::Off => ConstrainDensityWalls::Off,
-                    Walls::Near => ConstrainDensityWalls::Walls,
-                    Walls::Narrow => ConstrainDensityWalls::NarrowWalls,
-                },
-            },
+            variant: ConstrainDensityVariant { walls },
             iterates: iterates.read(),
             neighbours: neighbours.read(),
             neighbour_counts: neighbour_counts.read(),
             constrained: constrained.write(),
-            wall_weights: (walls != Walls::Off).then(|| weights.read()),
+            wall_weights: (walls != WallsKeyword::Off).then(|| weights.read()),
             step_params: step_params.uniform(),
             kernel: kernel.uniform(),
             pbf: pbf.uniform(),
@@ -86,22 +72,18 @@ fn constrain_density_matches_its_twin() {
         for size in sizes(ConstrainDensity::GROUP_SIZE[0] as usize) {
             let case = case_for(&mut rng, size, walls);
             let got = run_constrain(&case, pbf_params(), walls);
-            let step = step_of(&case.step_params(), walls != Walls::Off);
-            let box_walls = DomainWalls {
-                weight: &table,
-                domain_size_m: step.domain_size_m,
-                support_m: smoothing.support_m,
-            };
-            let box_walls = (walls != Walls::Off).then_some(&box_walls);
+            let step = step_of(&case.step_params(), walls != WallsKeyword::Off);
+            let box_walls =
+                DomainWalls { weight: &table, domain_size_m: step.domain_size_m, support_m: smoothing.support_m };
+            let box_walls = (walls != WallsKeyword::Off).then_some(&box_walls);
             let positions_m = case.positions_m();
-            for i in 0..size {
-                let expected =
-                    constrain_density(i, &positions_m, &case.neighbours[i], &smoothing, &pbf, box_walls);
+            for (i, got) in got.iter().enumerate() {
+                let expected = constrain_density(i, &positions_m, &case.neighbours[i], &smoothing, &pbf, box_walls);
                 compressed += usize::from(expected.lambda < 0.0);
-                assert_eq!(got[i].position_m, case.positions[i].position_m);
+                assert_eq!(got.position_m, case.positions[i].position_m);
                 // lambda = C / D: an error of C is divided by D, and one of D counts C times.
                 let scale = (1.0 + expected.constraint) / expected.denominator;
-                worst.check(got[i].lambda, expected.lambda, scale).unwrap();
+                worst.check(got.lambda, expected.lambda, scale).unwrap();
             }
         }
     }
@@ -114,7 +96,7 @@ fn without_mixing_a_lone_particle_is_no_fault() {
     // Nothing to divide by: no neighbours, no walls, cfm = 0.
     let case = fluid(&mut rng(32), 1);
     let pbf = PbfParams { cfm: 0.0, ..pbf_params() };
-    let got = run_constrain(&case, pbf, Walls::Off);
+    let got = run_constrain(&case, pbf, WallsKeyword::Off);
     assert_eq!(got[0].lambda.abs(), 0.0);
 }
 
@@ -123,7 +105,7 @@ struct Corrected {
     clamps: u32,
 }
 
-fn run_correct(case: &Case, lambdas: &[f32], pbf: PbfParams, walls: Walls, s_corr: bool) -> Corrected {
+fn run_correct(case: &Case, lambdas: &[f32], pbf: PbfParams, walls: WallsKeyword, s_corr: bool) -> Corrected {
     let mut bench = Bench::new();
     let constrained = bench.input("constrained", &case.iterates(lambdas));
     let (neighbours, neighbour_counts) = case.upload_neighbours(&mut bench);
@@ -135,20 +117,13 @@ fn run_correct(case: &Case, lambdas: &[f32], pbf: PbfParams, walls: Walls, s_cor
     let pbf = bench.uniform("pbf", pbf);
     bench.dispatch(
         &CorrectPositions {
-            variant: CorrectPositionsVariant {
-                walls: match walls {
-                    Walls::Off => CorrectPositionsWalls::Off,
-                    Walls::Near => CorrectPositionsWalls::Walls,
-                    Walls::Narrow => CorrectPositionsWalls::NarrowWalls,
-                },
-                s_corr,
-            },
+            variant: CorrectPositionsVariant { walls, s_corr },
             constrained: constrained.read(),
             neighbours: neighbours.read(),
             neighbour_counts: neighbour_counts.read(),
             iterates: iterates.write(),
             counters: counters.write(),
-            wall_weights: (walls != Walls::Off).then(|| weights.read()),
+            wall_weights: (walls != WallsKeyword::Off).then(|| weights.read()),
             step_params: step_params.uniform(),
             kernel: kernel.uniform(),
             pbf: pbf.uniform(),
@@ -156,10 +131,7 @@ fn run_correct(case: &Case, lambdas: &[f32], pbf: PbfParams, walls: Walls, s_cor
         case.count(),
     );
     let mut done = bench.run();
-    Corrected {
-        iterates: done.read(&iterates, case.count()),
-        clamps: done.read(&counters, 1)[0].correction_clamps,
-    }
+    Corrected { iterates: done.read(&iterates, case.count()), clamps: done.read(&counters, 1)[0].correction_clamps }
 }
 
 #[test]
@@ -180,19 +152,23 @@ fn correct_positions_matches_its_twin() {
                 let case = case_for(&mut rng, size, walls);
                 let lambdas: Vec<f32> = (0..size).map(|_| -rng.random::<f32>()).collect();
                 let got = run_correct(&case, &lambdas, params, walls, s_corr);
-                let step = step_of(&case.step_params(), walls != Walls::Off);
-                let box_walls = DomainWalls {
-                    weight: &table,
-                    domain_size_m: step.domain_size_m,
-                    support_m: smoothing.support_m,
-                };
-                let box_walls = (walls != Walls::Off).then_some(&box_walls);
+                let step = step_of(&case.step_params(), walls != WallsKeyword::Off);
+                let box_walls =
+                    DomainWalls { weight: &table, domain_size_m: step.domain_size_m, support_m: smoothing.support_m };
+                let box_walls = (walls != WallsKeyword::Off).then_some(&box_walls);
                 let positions_m = case.positions_m();
                 let lambdas: Vec<f64> = lambdas.iter().map(|&l| f64::from(l)).collect();
                 let (mut clamps, mut doubtful) = (0, 0);
                 for i in 0..size {
                     let expected = correct_positions(
-                        i, &positions_m, &lambdas, &case.neighbours[i], &step, &smoothing, &pbf, box_walls,
+                        i,
+                        &positions_m,
+                        &lambdas,
+                        &case.neighbours[i],
+                        &step,
+                        &smoothing,
+                        &pbf,
+                        box_walls,
                         |_, _| DVec3::ZERO,
                     );
                     clamps += u32::from(expected.clamped);
@@ -218,8 +194,10 @@ fn corrections_keep_momentum_in_free_space() {
     let size = if brooklet_tests::harness::small() { 333 } else { 2049 };
     let case = fluid(&mut rng, size);
     let lambdas: Vec<f32> = (0..size).map(|_| -0.02 * rng.random::<f32>()).collect();
-    let got = run_correct(&case, &lambdas, pbf_params(), Walls::Off, true);
-    assert_eq!(got.clamps, 0, "a shortened correction has no opposite");
+    // A shortened correction would have no opposite.
+    let pbf = PbfParams { max_correction_m: 1.0, ..pbf_params() };
+    let got = run_correct(&case, &lambdas, pbf, WallsKeyword::Off, true);
+    assert_eq!(got.clamps, 0);
     let (mut sum, mut lengths) = (DVec3::ZERO, 0.0);
     for (after, before) in got.iterates.iter().zip(&case.positions) {
         let moved = vector(after.position_m) - vector(before.position_m);
@@ -237,7 +215,7 @@ fn particles_at_one_point_part_oppositely() {
     let mut case = fluid(&mut rng(35), 2);
     case.positions[1].position_m = case.positions[0].position_m;
     case.neighbours = vec![vec![1], vec![0]];
-    let got = run_correct(&case, &[-1.0, -1.0], pbf_params(), Walls::Off, false);
+    let got = run_correct(&case, &[-1.0, -1.0], pbf_params(), WallsKeyword::Off, false);
     let start = vector(case.positions[0].position_m);
     let moved = [0, 1].map(|i| vector(got.iterates[i].position_m) - start);
     let distance_m = moved[0].length();
@@ -313,9 +291,5 @@ fn run_update(
         case.count(),
     );
     let mut done = bench.run();
-    (
-        done.read(&positions, case.count()),
-        done.read(&velocities, case.count()),
-        done.read(&counters, 1)[0],
-    )
+    (done.read(&positions, case.count()), done.read(&velocities, case.count()), done.read(&counters, 1)[0])
 }

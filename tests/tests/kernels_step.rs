@@ -68,17 +68,10 @@ fn twin<'a>(scene: &Scene, table: &'a WallTable, positions: &[Position], velocit
             wall_offset_m: scene.spacing_m / 4.0,
             max_speed_m_s: scene.max_speed_m_s(),
         },
-        smoothing: Smoothing {
-            support_m: scene.support_m(),
-            weight: lattice::weight(scene.solver.support_ratio),
-        },
+        smoothing: Smoothing { support_m: scene.support_m(), weight: lattice::weight(scene.solver.support_ratio) },
         pbf: pbf_of(&brooklet_fluid::solver::pbf::params(scene)),
         iterations: scene.solver.iterations,
-        walls: walls.then_some(DomainWalls {
-            weight: table,
-            domain_size_m: size_m,
-            support_m: scene.support_m(),
-        }),
+        walls: walls.then_some(DomainWalls { weight: table, domain_size_m: size_m, support_m: scene.support_m() }),
         grid_ends_at_domain: true,
     }
 }

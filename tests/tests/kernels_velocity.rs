@@ -43,10 +43,10 @@ fn viscosity_matches_its_twin() {
         );
         let got = bench.run().read(&smoothed, size);
         let (positions_m, velocities_m_s) = (case.positions_m(), case.velocities_m_s());
-        for i in 0..size {
+        for (i, got) in got.iter().enumerate() {
             let expected = viscosity(i, &positions_m, &velocities_m_s, &case.neighbours[i], &smoothing, &pbf);
             // No speed is above 2 sqrt(3) m/s.
-            worst.check3(got[i].velocity_m_s, expected, 3.5).unwrap();
+            worst.check3(got.velocity_m_s, expected, 3.5).unwrap();
         }
     }
     worst.report();
@@ -82,10 +82,10 @@ fn curl_matches_its_twin() {
         let (positions_m, velocities_m_s) = (case.positions_m(), case.velocities_m_s());
         // What one pair at 2 m/s, a third of h apart, gives.
         let scale = 2.0 * 2.1 * smoothing.weight / smoothing.support_m;
-        for i in 0..size {
+        for (i, got) in got.iter().enumerate() {
             let expected = curl(i, &positions_m, &velocities_m_s, &case.neighbours[i], &smoothing);
-            worst.check3(got[i].vorticity_per_s, expected, scale).unwrap();
-            worst.check(got[i].magnitude_per_s, expected.length(), scale).unwrap();
+            worst.check3(got.vorticity_per_s, expected, scale).unwrap();
+            worst.check(got.magnitude_per_s, expected.length(), scale).unwrap();
         }
     }
     worst.report();
@@ -129,9 +129,16 @@ fn confine_vorticity_matches_its_twin() {
         let (positions_m, velocities_m_s) = (case.positions_m(), case.velocities_m_s());
         let swirls: Vec<_> = swirls.iter().map(|s| vector(s.vorticity_per_s)).collect();
         let step = step_of(&case.step_params(), false);
-        for i in 0..size {
+        for (i, got) in got.iter().enumerate() {
             let expected = confine_vorticity(
-                i, &positions_m, velocities_m_s[i], &swirls, &case.neighbours[i], &step, &smoothing, &pbf,
+                i,
+                &positions_m,
+                velocities_m_s[i],
+                &swirls,
+                &case.neighbours[i],
+                &step,
+                &smoothing,
+                &pbf,
             );
             // The push is along a direction, known as well as its terms are to their sum.
             let push = pbf.vorticity * swirls[i].length() * step.dt_s;
@@ -139,7 +146,7 @@ fn confine_vorticity_matches_its_twin() {
                 0.0 => 1.0,
                 steepness => 1.0 + (expected.terms_per_s + swirls[i].length()) / steepness,
             };
-            worst.check3(got[i].velocity_m_s, expected.velocity_m_s, velocities_m_s[i].length() + push * doubt).unwrap();
+            worst.check3(got.velocity_m_s, expected.velocity_m_s, velocities_m_s[i].length() + push * doubt).unwrap();
         }
     }
     worst.report();
