@@ -10,6 +10,7 @@ mod engine;
 mod error;
 mod layout;
 mod memory;
+mod order;
 mod pipelines;
 mod plan;
 mod pool;

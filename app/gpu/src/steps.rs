@@ -5,6 +5,7 @@ use crate::draw::{Load, texture_format};
 use crate::error::{GpuError, describe};
 use crate::layout;
 use crate::memory::{Arena, Memory};
+use crate::order::encoding_order;
 use crate::pipelines::{DrawKey, Entries, check_module, identity};
 use crate::plan::{Plan, PlannedRecording};
 use crate::recording::{Command, Dispatch, DrawCall, Groups};
@@ -88,7 +89,7 @@ impl Preparer<'_> {
     fn recording(&mut self, recording: &PlannedRecording) -> Result<Ready, GpuError> {
         let mut steps: Vec<Step> = Vec::new();
         let mut open: Option<&DrawCall> = None;
-        for command in &recording.commands {
+        for command in encoding_order(&recording.commands) {
             let Command::Draw(draw) = command else {
                 open = None;
                 let step = self.step(command)?;
