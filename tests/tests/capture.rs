@@ -161,6 +161,7 @@ fn a_full_disk_is_said_once_and_leaves_a_readable_capture() {
         assert_eq!(errors.len(), 1, "room {room}: {errors:?}");
         let message = errors[0].to_string();
         assert!(message.contains("test.mcap"), "{message}");
+        assert!(message.contains("no storage space"), "{message}");
         assert!(!complete, "room {room}");
         let held = disk.bytes.take();
         if room >= mcap::MAGIC.len() {

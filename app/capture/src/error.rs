@@ -15,16 +15,16 @@ pub enum CaptureError {
     },
     /// Writing stopped. Returned once; what was written before stays readable.
     #[error(
-        "{name}: the capture stopped after {frames} frames: {source}. \
-         What was written up to there stays readable"
+        "{name}: the capture stopped after {frames} frames: {reason}; \
+         what was written up to there stays readable"
     )]
     Write {
         /// The file.
         name: String,
         /// Frames given to the capture before this one.
         frames: u64,
-        /// What the writer said.
-        source: mcap::McapError,
+        /// What the system, or the writer, said.
+        reason: String,
     },
     /// The file is not MCAP at all.
     #[error("{name}: not an MCAP file: it starts with {found}, an MCAP file with 89 4d 43 41 50 30 0d 0a")]
@@ -75,4 +75,15 @@ pub enum CaptureError {
         /// What is wrong with it.
         problem: &'static str,
     },
+}
+
+impl CaptureError {
+    pub(crate) fn write(name: &str, frames: u64, error: mcap::McapError) -> Self {
+        let reason = match error {
+            // Its own text does not say which error.
+            mcap::McapError::Io(error) => error.to_string(),
+            other => other.to_string(),
+        };
+        Self::Write { name: name.into(), frames, reason }
+    }
 }

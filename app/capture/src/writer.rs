@@ -113,8 +113,7 @@ impl<W: Write> CaptureWriter<W> {
                 writer.flush()?;
                 Ok((writer, channels))
             });
-        let (writer, channels) =
-            opened.map_err(|source| CaptureError::Write { name: name.clone(), frames: 0, source })?;
+        let (writer, channels) = opened.map_err(|source| CaptureError::write(&name, 0, source))?;
         Ok(Self {
             name,
             writer: Some(writer),
@@ -301,11 +300,7 @@ impl<W: Write> CaptureWriter<W> {
         let mut complete = false;
         if let Some(writer) = self.writer.take() {
             let mut rest = writer.into_inner().into_inner();
-            rest.flush().map_err(|source| CaptureError::Write {
-                name: self.name.clone(),
-                frames: self.frames,
-                source: source.into(),
-            })?;
+            rest.flush().map_err(|source| CaptureError::write(&self.name, self.frames, source.into()))?;
             complete = true;
         }
         Ok(CaptureTotals {
@@ -342,7 +337,7 @@ impl<W: Write> CaptureWriter<W> {
         self.messages += out.count;
         result.map_err(|source| {
             self.writer = None;
-            CaptureError::Write { name: self.name.clone(), frames: self.frames, source }
+            CaptureError::write(&self.name, self.frames, source)
         })
     }
 }

@@ -44,10 +44,10 @@ pub struct SceneOptions {
 #[derive(Clone, Debug, Args)]
 pub struct DeviceOptions {
     /// Use the device whose name contains this (see `brooklet doctor`); the best one if not given
-    #[arg(long, value_name = "NAME")]
+    #[arg(long, value_name = "NAME", env = "BROOKLET_DEVICE")]
     pub device: Option<String>,
     /// Use the device as one of this tier, asking only for that tier's limits
-    #[arg(long, value_enum)]
+    #[arg(long, value_enum, env = "BROOKLET_TIER")]
     pub tier: Option<TierName>,
 }
 
@@ -55,10 +55,10 @@ pub struct DeviceOptions {
 #[derive(Clone, Debug, Args)]
 pub struct LengthOptions {
     /// Simulated time; the scene's own if not given
-    #[arg(long, value_name = "S", value_parser = seconds, conflicts_with = "steps")]
+    #[arg(long, value_name = "S", value_parser = seconds, conflicts_with = "steps", allow_negative_numbers = true)]
     pub seconds: Option<f64>,
     /// Number of steps
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..), allow_negative_numbers = true)]
     pub steps: Option<u64>,
 }
 
@@ -110,7 +110,7 @@ pub struct PlanOptions {
     #[command(flatten)]
     pub scene: SceneOptions,
     /// Plan for a device of this tier; desktop if not given
-    #[arg(long, value_enum)]
+    #[arg(long, value_enum, env = "BROOKLET_TIER")]
     pub tier: Option<TierName>,
     /// The outputs.
     #[command(flatten)]

@@ -3,6 +3,8 @@
 // Each test binary that takes this module uses its own part of it.
 #![allow(dead_code)]
 
+pub mod python;
+
 use brooklet_gpu::{FrameReport, Span, SpanFlag, TimingStatus};
 
 /// Opcode of a chunk.

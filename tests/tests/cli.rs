@@ -1,0 +1,289 @@
+//! The program as a person uses it: what it writes, what it says, how it ends.
+
+mod capture_support;
+mod cli_support;
+
+use std::{
+    collections::BTreeSet,
+    process::Stdio,
+    thread,
+    time::{Duration, Instant},
+};
+
+use brooklet_capture::Capture;
+use capture_support::python::read_in_python;
+use cli_support::{Ended, SCENE, Workshop};
+use serde_json::Value;
+
+const RUN: [&str; 10] =
+    ["run", "scene.toml", "--steps", "8", "--images", "2", "--particles", "ply", "--out", "result"];
+
+/// Every key of `summary.json`, as scripts rely on it.
+const SUMMARY_KEYS: [&str; 26] = [
+    "scene", "particles", "steps", "simulated_s", "wall_s", "interrupted", "solver", "gpu_ms_per_step",
+    "passes", "timing", "density_error", "compression", "max_speed_m_s", "centre_of_mass_m", "front_m",
+    "energy_j", "counters", "worst", "measured", "buffers", "bytes_per_particle", "left_out", "device",
+    "version", "commit", "files",
+];
+
+fn keys(value: &Value) -> BTreeSet<&str> {
+    value.as_object().unwrap_or_else(|| panic!("no object: {value}")).keys().map(String::as_str).collect()
+}
+
+#[test]
+fn a_run_writes_pictures_particles_capture_and_summary() {
+    let workshop = Workshop::new();
+    let ended = workshop.succeed(&RUN);
+    for name in ["frame_0000.png", "frame_0001.png", "particles_0000.ply", "particles_0001.ply"] {
+        assert!(workshop.has(&format!("result/{name}")), "{name}");
+        assert!(!std::fs::read(workshop.path(&format!("result/{name}"))).unwrap().is_empty(), "{name}");
+    }
+    assert!(!workshop.has("result/frame_0002.png") && !workshop.has("result/particles_0002.ply"));
+    for name in ["frame_0001.png", "capture.mcap", "summary.json"] {
+        assert!(ended.stdout.contains(&format!("result/{name}")), "{name} is not named in {}", ended.stdout);
+    }
+
+    let summary = workshop.json("result/summary.json");
+    assert_eq!(keys(&summary), BTreeSet::from(SUMMARY_KEYS));
+    assert_eq!(summary["scene"], "scene");
+    assert_eq!((summary["particles"].as_u64(), summary["steps"].as_u64()), (Some(64), Some(8)));
+    let simulated_s = summary["simulated_s"].as_f64().unwrap();
+    assert!((simulated_s - 8.0 * summary["solver"]["dt_s"].as_f64().unwrap()).abs() < 1e-12);
+    assert_eq!(keys(&summary["solver"]), BTreeSet::from(["name", "iterations", "substeps", "dt_s"]));
+    for field in ["density_error", "compression"] {
+        assert_eq!(keys(&summary[field]), BTreeSet::from(["mean", "p99", "max"]), "{field}");
+    }
+    // The scene's own coordinates: its domain starts at (1, 2, 3).
+    let centre_m = summary["centre_of_mass_m"].as_array().unwrap();
+    for (axis, low) in [1.0, 2.0, 3.0].into_iter().enumerate() {
+        let at = centre_m[axis].as_f64().unwrap();
+        assert!((low..low + 0.4).contains(&at), "axis {axis}: {at}");
+    }
+    assert!((1.15..1.45).contains(&summary["front_m"].as_f64().unwrap()), "{}", summary["front_m"]);
+    assert_eq!(summary["measured"]["last_step"], 8);
+    assert_eq!(summary["files"]["images"].as_array().unwrap().len(), 2);
+    assert_eq!(summary["files"]["capture_complete"], true);
+    let bytes: u64 = summary["buffers"].as_object().unwrap().values().map(|b| b.as_u64().unwrap()).sum();
+    assert_eq!(summary["bytes_per_particle"].as_f64().unwrap(), bytes as f64 / 64.0);
+
+    // What an earlier run wrote is kept.
+    workshop.succeed(&RUN);
+    assert_eq!(workshop.json("result/summary.json"), summary);
+    assert!(workshop.has("result-1/summary.json"));
+}
+
+#[test]
+fn the_capture_shows_every_pass_of_the_plan() {
+    let workshop = Workshop::new();
+    workshop.succeed(&RUN);
+    let plan = workshop.succeed(&["plan", "scene.toml", "--images", "2", "--json"]).json();
+    let stages: BTreeSet<String> =
+        plan["passes"].as_array().unwrap().iter().map(|pass| pass["stage"].as_str().unwrap().into()).collect();
+    assert!(stages.contains("constrain_density") && stages.contains("draw_particles"), "{stages:?}");
+
+    let path = workshop.path("result/capture.mcap");
+    let capture = Capture::open(&path).unwrap();
+    assert!(capture.complete);
+    assert_eq!(capture.frames.len(), 8, "a frame a step");
+    assert_eq!(capture.stages.iter().cloned().collect::<BTreeSet<_>>(), stages);
+    assert_eq!(capture.attachments[0].name, "scene.toml");
+    for (record, field) in [("device", "name"), ("device", "tier"), ("build", "commit")] {
+        assert!(!capture.metadata[record][field].is_empty(), "{record}.{field}");
+    }
+    assert!(!capture.metadata["limits"].is_empty());
+    let steps: Vec<f64> = capture.stats.iter().map(|row| row.values["step"]).collect();
+    assert_eq!(steps, [2.0, 4.0, 6.0, 8.0], "measured every other step");
+
+    let summary = workshop.json("result/summary.json");
+    assert_eq!(keys(&summary["passes"]), stages.iter().map(String::as_str).collect());
+    let timed = summary["timing"]["how"] != "unsupported";
+    let ran: BTreeSet<String> = capture.spans.iter().map(|span| span.stage.clone()).collect();
+    assert_eq!(ran, if timed { stages.clone() } else { BTreeSet::new() });
+    if timed {
+        for (stage, pass) in summary["passes"].as_object().unwrap() {
+            let times = capture.stage_ms(stage);
+            let (low, high) = times.iter().fold((f64::MAX, 0.0_f64), |(l, h), &ms| (l.min(ms), h.max(ms)));
+            let median = pass["median_ms"].as_f64().unwrap();
+            assert!((low..=high).contains(&median), "{stage}: {median} is not in {low}..{high}");
+        }
+        // Dispatches in the summary are those that were timed in a frame.
+        let per_frame = |stage: &str| {
+            let frame = capture.spans.iter().find(|span| span.stage == stage).unwrap().frame;
+            capture.spans.iter().filter(|span| span.frame == frame && span.stage == stage).count() as u64
+        };
+        for stage in ["constrain_density", "count_cells", "measure_totals"] {
+            assert_eq!(summary["passes"][stage]["dispatches"].as_u64(), Some(per_frame(stage)), "{stage}");
+        }
+    }
+
+    // The same seen by a reader that is not ours.
+    if let Some(seen) = read_in_python(&path) {
+        let seen = seen.unwrap();
+        let fields = seen["topics"]["/gpu/passes"]["fields"].as_array().unwrap();
+        for stage in &stages {
+            assert!(fields.contains(&format!("{stage}_ms").into()), "{stage}");
+        }
+        assert_eq!(seen["topics"]["/gpu/frame"]["rows"].as_array().unwrap().len(), 8);
+        assert_eq!(seen["topics"]["/gpu/span"]["rows"].as_array().map_or(0, Vec::len), capture.spans.len());
+        let stats = seen["topics"]["/sim/stats"]["rows"].as_array().unwrap();
+        assert_eq!(stats.last().unwrap()["density_error_mean"], summary["density_error"]["mean"]);
+    }
+}
+
+#[test]
+fn json_is_all_there_is_on_standard_output() {
+    let workshop = Workshop::new();
+    let ended = workshop.succeed(&["run", "scene.toml", "--steps", "3", "--json"]);
+    assert_eq!(ended.json(), workshop.json("out/scene/summary.json"));
+    let bench = workshop.succeed(&["bench", "scene.toml", "--steps", "5", "--warm-up", "2", "--json"]).json();
+    assert!(bench["particle_iterations_per_s"].as_f64().unwrap() > 0.0, "{bench}");
+    assert!(bench["passes"]["constrain_density"]["median_ms"].as_f64().is_some(), "{bench}");
+    assert!(bench["passes"].get("measure_totals").is_none(), "{bench}");
+    let scenes = workshop.succeed(&["scenes", "--json"]).json();
+    assert!(scenes.as_array().unwrap().iter().any(|scene| scene["name"] == "dam-break"));
+    let doctor = workshop.succeed(&["doctor", "--json"]).json();
+    assert!(doctor.as_array().unwrap().iter().any(|device| device["tier"].is_string()), "{doctor}");
+}
+
+#[test]
+fn what_is_not_wanted_leaves_nothing_behind() {
+    let workshop = Workshop::new();
+    let off = ["run", "scene.toml", "--steps", "4", "--set", "outputs.measure_every_steps=0", "--no-timing"];
+    let summary = workshop.succeed(&[&off[..], &["--out", "off", "--json"]].concat()).json();
+    assert!(!workshop.has("off/frame_0000.png") && !workshop.has("off/particles_0000.ply"));
+    for stage in keys(&summary["passes"]) {
+        assert!(!stage.starts_with("draw_") && !stage.starts_with("measure_"), "{stage}");
+    }
+    for buffer in keys(&summary["buffers"]) {
+        assert!(!["picture", "measure", "histograms"].contains(&buffer), "{buffer}");
+    }
+    for field in ["gpu_ms_per_step", "density_error", "energy_j", "counters", "front_m"] {
+        assert!(summary[field].is_null(), "{field}: {}", summary[field]);
+    }
+    let capture = Capture::open(&workshop.path("off/capture.mcap")).unwrap();
+    assert_eq!((capture.frames.len(), capture.spans.len(), capture.stats.len()), (4, 0, 0));
+    assert!(capture.stat_fields.is_empty());
+    let reasons: BTreeSet<&str> =
+        summary["left_out"].as_array().unwrap().iter().map(|item| item["reason"].as_str().unwrap()).collect();
+    assert!(reasons.contains("outputs.measure_every_steps = 0"), "{reasons:?}");
+}
+
+#[test]
+fn two_plans_that_differ_in_a_term_show_what_falls_away() {
+    let workshop = Workshop::new();
+    let plan = |vorticity: &str| {
+        let setting = format!("solver.vorticity_m_s={vorticity}");
+        workshop.succeed(&["plan", "scene.toml", "--set", &setting, "--json"]).json()
+    };
+    let (off, on) = (plan("0"), plan("0.5"));
+    let stages = |plan: &Value| -> BTreeSet<String> {
+        plan["passes"].as_array().unwrap().iter().map(|p| p["stage"].as_str().unwrap().into()).collect()
+    };
+    let gone: Vec<String> = stages(&on).difference(&stages(&off)).cloned().collect();
+    assert_eq!(gone, ["confine_vorticity", "curl"]);
+    let buffers = |plan: &Value| keys(&plan["buffers"]).into_iter().map(String::from).collect::<BTreeSet<_>>();
+    assert!(buffers(&on).is_superset(&buffers(&off)) && buffers(&on) != buffers(&off));
+    assert!(on["bytes"].as_u64() > off["bytes"].as_u64());
+    let table = workshop.succeed(&["plan", "scene.toml", "--set", "solver.vorticity_m_s=0"]).stdout;
+    assert!(table.contains("curl") && table.contains("solver.vorticity_m_s = 0"), "{table}");
+}
+
+#[test]
+fn bad_input_is_one_clear_message_and_exit_code_2() {
+    let workshop = Workshop::new();
+    std::fs::write(workshop.path("file"), "").unwrap();
+    std::fs::write(workshop.path("typo.toml"), SCENE.replace("spacing_m", "spacing")).unwrap();
+    std::fs::write(workshop.path("broken.toml"), "spacing_m = \n").unwrap();
+    let camera = format!("{SCENE}[camera]\neye_m = [0, 0, 0]\ntarget_m = [0, 0, 0]\n");
+    std::fs::write(workshop.path("camera.toml"), camera).unwrap();
+    let run = |rest: &[&str]| -> Ended { workshop.run(&[&["run"], rest].concat()) };
+    let cases: &[(&[&str], &[&str])] = &[
+        (&["dam-brake"], &["dam-brake", "dam-break"]),
+        (&["no/such.toml"], &["no/such.toml"]),
+        (&["typo.toml"], &["typo.toml", "spacing", "spacing_m"]),
+        (&["broken.toml"], &["broken.toml", ":1:"]),
+        (&["camera.toml", "--images", "1"], &["camera", "eye_m"]),
+        (&["scene.toml", "--set", "solver.iteration=8"], &["solver.iteration", "iterations"]),
+        (&["scene.toml", "--set", "solver.iterations"], &["solver.iterations", "path=value"]),
+        (&["scene.toml", "--set", "solver.relaxation=7"], &["solver.relaxation", "7"]),
+        (&["scene.toml", "--set", "solver.iterations=many"], &["many"]),
+        (&["scene.toml", "--seconds", "-1"], &["--seconds", "-1"]),
+        (&["scene.toml", "--seconds", "1e300"], &["--seconds", "steps"]),
+        (&["scene.toml", "--steps", "0"], &["--steps", "0"]),
+        (&["scene.toml", "--steps", "1", "--seconds", "1"], &["--seconds", "--steps"]),
+        (&["scene.toml", "--tier", "phone"], &["--tier", "phone", "floor"]),
+        (&["scene.toml", "--device", "no such device"], &["no such device", "there are"]),
+        (&["scene.toml", "--particles", "xyz"], &["--particles", "xyz", "ply"]),
+        (&["scene.toml", "--steps", "1", "--out", "file/below"], &["--out file"]),
+        (&["scene.toml", "--steps", "1", "--out", "full", "--capture", "/dev/full"], &["/dev/full", "space"]),
+        (&["scene.toml", "--steps", "1", "--out", "none", "--capture", "no/such/c.mcap"], &["no/such/c.mcap"]),
+        (&["scene.toml", "--frobnicate"], &["--frobnicate"]),
+    ];
+    for (arguments, words) in cases {
+        let ended = run(arguments);
+        assert_eq!(ended.code, Some(2), "{arguments:?}: {}", ended.stderr);
+        for word in *words {
+            assert!(ended.stderr.contains(word), "{arguments:?}: no {word:?} in {}", ended.stderr);
+        }
+        assert!(!ended.stderr.contains("panicked"), "{arguments:?}: {}", ended.stderr);
+        assert!(ended.stdout.is_empty(), "{arguments:?}: {}", ended.stdout);
+        let is_claps = ended.stderr.contains("For more information, try '--help'");
+        // A driver may have something to say as well.
+        let errors = ended.stderr.lines().filter(|line| line.starts_with("error: ")).count();
+        assert_eq!(errors, 1, "{arguments:?}: {}", ended.stderr);
+        assert!(is_claps || ended.stderr.trim_end().lines().last().unwrap().starts_with("error: "));
+    }
+    assert!(!workshop.has("out"), "bad input leaves no folder");
+    // The comparison can fail: the same call without the mistake ends with 0.
+    assert_eq!(run(&["scene.toml", "--steps", "1"]).code, Some(0));
+}
+
+/// Starts a run without end, waits until its capture has frames, and sends it `signal`.
+#[cfg(unix)]
+fn signalled(workshop: &Workshop, signal: &str) -> Ended {
+    let mut child = workshop
+        .command(["run", "scene.toml", "--steps", "100000000", "--out", "long"])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the program starts");
+    let begun = Instant::now();
+    let has_frames =
+        || Capture::open(&workshop.path("long/capture.mcap")).is_ok_and(|capture| !capture.frames.is_empty());
+    while !has_frames() {
+        assert!(begun.elapsed() < Duration::from_secs(60), "no frame in a minute");
+        assert!(child.try_wait().unwrap().is_none(), "the run ended by itself");
+        thread::sleep(Duration::from_millis(100));
+    }
+    let kill = std::process::Command::new("kill").args([signal, &child.id().to_string()]).status();
+    assert!(kill.expect("kill is there").success());
+    Ended::new(child.wait_with_output().unwrap())
+}
+
+#[cfg(unix)]
+#[test]
+fn ctrl_c_ends_in_order() {
+    let workshop = Workshop::new();
+    let ended = signalled(&workshop, "-INT");
+    assert_eq!(ended.code, Some(130), "{}", ended.stderr);
+    assert!(ended.stderr.contains("interrupted") && ended.stderr.contains("long"), "{}", ended.stderr);
+    let summary = workshop.json("long/summary.json");
+    let steps = summary["steps"].as_u64().unwrap();
+    assert_eq!(summary["interrupted"], true);
+    assert!(steps > 0 && steps < 100_000_000);
+    let capture = Capture::open(&workshop.path("long/capture.mcap")).unwrap();
+    assert!(capture.complete);
+    assert_eq!(capture.frames.len() as u64, steps, "every step that was done is captured");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_killed_run_leaves_a_readable_capture() {
+    let workshop = Workshop::new();
+    let ended = signalled(&workshop, "-KILL");
+    assert_eq!(ended.code, None);
+    assert!(!workshop.has("long/summary.json"));
+    let capture = Capture::open(&workshop.path("long/capture.mcap")).unwrap();
+    assert!(!capture.complete && !capture.frames.is_empty());
+    assert!(!capture.metadata["device"].is_empty());
+}
