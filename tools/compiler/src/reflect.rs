@@ -167,11 +167,14 @@ fn filtered_textures(module: &dr::Module, tables: &Tables) -> BTreeSet<u32> {
     filtered
 }
 
+/// Decorations of one target, each with its first literal.
+type Decorations = Vec<(Decoration, Option<u32>)>;
+
 struct Tables<'m> {
     names: BTreeMap<u32, String>,
     member_names: BTreeMap<(u32, u32), String>,
-    decorations: BTreeMap<u32, Vec<(Decoration, Option<u32>)>>,
-    member_decorations: BTreeMap<(u32, u32), Vec<(Decoration, Option<u32>)>>,
+    decorations: BTreeMap<u32, Decorations>,
+    member_decorations: BTreeMap<(u32, u32), Decorations>,
     values: BTreeMap<u32, &'m Instruction>,
 }
 
@@ -425,7 +428,7 @@ fn unsupported(what: &str, way_out: &'static str) -> Kind {
     Kind::Unsupported { what: what.to_owned(), way_out }
 }
 
-fn find(decorations: Option<&Vec<(Decoration, Option<u32>)>>, wanted: Decoration) -> Option<Option<u32>> {
+fn find(decorations: Option<&Decorations>, wanted: Decoration) -> Option<Option<u32>> {
     decorations?.iter().find(|(decoration, _)| *decoration == wanted).map(|(_, value)| *value)
 }
 

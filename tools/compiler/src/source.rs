@@ -179,12 +179,10 @@ pub fn read_text(path: &Path) -> Result<String, Problem> {
 pub fn each_line<'t>(text: &'t str, mut visit: impl FnMut(&str, u32, &'t str)) {
     let (mut file, mut number) = (String::new(), 0);
     for line in text.lines() {
-        if let Some(rest) = line.strip_prefix("#line ") {
-            if let Some((line, name)) = rest.split_once(' ') {
-                number = line.parse().unwrap_or(1);
-                file = name.trim_matches('"').to_owned();
-                continue;
-            }
+        if let Some((line, name)) = line.strip_prefix("#line ").and_then(|rest| rest.split_once(' ')) {
+            number = line.parse().unwrap_or(1);
+            file = name.trim_matches('"').to_owned();
+            continue;
         }
         visit(&file, number, line);
         number += 1;

@@ -145,15 +145,15 @@ impl Text {
                 continue;
             }
             let declaration = code.split('(').next().unwrap_or(code);
-            if let Some(current) = structs.last_mut() {
-                if depth == 1 || code.contains('{') {
-                    for found in FIELD.captures_iter(declaration) {
-                        current.fields.push(FieldText {
-                            place: line.place.clone(),
-                            name: found[1].to_owned(),
-                            doc: line.comment.clone(),
-                        });
-                    }
+            if let Some(current) = structs.last_mut()
+                && (depth == 1 || code.contains('{'))
+            {
+                for found in FIELD.captures_iter(declaration) {
+                    current.fields.push(FieldText {
+                        place: line.place.clone(),
+                        name: found[1].to_owned(),
+                        doc: line.comment.clone(),
+                    });
                 }
             }
             depth += code.matches('{').count() as i32 - code.matches('}').count() as i32;

