@@ -33,7 +33,7 @@ fn copy_of_product() -> (tempfile::TempDir, Places) {
     copy_folder(&root().join("shaders/hlsl"), &folder.path().join("shaders/hlsl"));
     copy_folder(&root().join("app/kernels"), &folder.path().join("app/kernels"));
     // Generated Rust is formatted with the repository's settings.
-    std::fs::copy(root().join("rustfmt.toml"), folder.path().join("rustfmt.toml")).unwrap();
+    std::fs::copy(root().join(".rustfmt.toml"), folder.path().join(".rustfmt.toml")).unwrap();
     let places = Places::below(folder.path());
     (folder, places)
 }

@@ -50,22 +50,25 @@ fn library_name() -> Result<&'static str, Problem> {
     })
 }
 
-/// Fetches and unpacks the package; gives the folder of its headers.
+/// Fetches and unpacks the package, unless that was done before; gives the folder of its headers.
 fn unpacked(folder: &Path) -> Result<PathBuf, Problem> {
+    let inside = format!("{PACKAGE}-{VERSION}/{PACKAGE}/backends");
+    let headers = folder.join(&inside);
+    let library = folder.join(library_name()?);
+    if library.is_file() && headers.join("dxcapi.h").is_file() && headers.join("WinAdapter.h").is_file() {
+        return Ok(headers);
+    }
     let archive = folder.join(format!("{PACKAGE}-{VERSION}.tar.gz"));
     if !verified(&archive) {
         eprintln!("fetching DXC ({PACKAGE} {VERSION}, 67 MB) into {}", folder.display());
         download(folder, &archive)?;
     }
-    let inside = format!("{PACKAGE}-{VERSION}/{PACKAGE}/backends");
     run(Command::new("tar")
         .arg("-xzf")
         .arg(&archive)
         .arg("-C")
         .arg(folder)
         .args(["dxcapi.h", "WinAdapter.h", library_name()?].map(|name| format!("{inside}/{name}"))))?;
-    let headers = folder.join(inside);
-    let library = folder.join(library_name()?);
     std::fs::rename(headers.join(library_name()?), &library).map_err(|error| io_problem("write", &library, &error))?;
     let _ = std::fs::remove_file(&archive);
     Ok(headers)
@@ -76,7 +79,8 @@ fn verified(archive: &Path) -> bool {
 }
 
 /// By curl or wget from the package index this machine names, or by pip, which knows more ways to an
-/// index (and the public one) but reads the package's own set-up program first. The archive counts only with the pinned hash.
+/// index (and the public one) but runs the package's own set-up program first. The archive counts
+/// only with the pinned hash.
 fn download(folder: &Path, archive: &Path) -> Result<(), Problem> {
     let mut said = Vec::new();
     for way in [by_index, by_pip] {

@@ -22,7 +22,8 @@ impl Formatter {
         let settings: String = self
             .folder
             .ancestors()
-            .filter_map(|folder| std::fs::read_to_string(folder.join("rustfmt.toml")).ok())
+            .flat_map(|folder| ["rustfmt.toml", ".rustfmt.toml"].map(|name| folder.join(name)))
+            .filter_map(|path| std::fs::read_to_string(path).ok())
             .collect();
         let name = hash::of_bytes(format!("{settings}\0{text}").as_bytes());
         let kept = self.cache.as_ref().map(|cache| cache.join(format!("{name}.rs")));
