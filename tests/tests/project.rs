@@ -36,8 +36,8 @@ const ROOMS: &[(&str, &[&str])] = &[
     ("brooklet-reference", &["kernels"]),
     ("brooklet-study", &["kernels", "gpu", "fluid", "render", "capture", "reference"]),
     ("brooklet-viewer", &["kernels", "gpu", "fluid", "render", "capture"]),
-    ("brooklet", &["gpu", "fluid", "render", "capture", "viewer", "study"]),
-    ("brooklet-mobile", &["gpu", "fluid", "render", "capture", "viewer"]),
+    ("brooklet", &["kernels", "gpu", "fluid", "render", "capture", "viewer", "study"]),
+    ("brooklet-mobile", &["kernels", "gpu", "fluid", "render", "capture", "viewer"]),
     ("brooklet-tests", &["kernels", "gpu", "fluid", "render", "capture", "reference", "study", "viewer"]),
     // A broken generated file must never keep the shader compiler from being built.
     ("brooklet-compiler", &[]),
