@@ -203,7 +203,7 @@ fn bad_input_is_one_clear_message_and_exit_code_2() {
         (&["typo.toml"], &["typo.toml", "spacing", "spacing_m"]),
         (&["broken.toml"], &["broken.toml", ":1:"]),
         (&["camera.toml", "--images", "1"], &["camera", "eye_m"]),
-        (&["scene.toml", "--set", "solver.iteration=8"], &["solver.iteration", "iterations"]),
+        (&["scene.toml", "--set", "solver.iteration=8"], &["iteration`", "iterations"]),
         (&["scene.toml", "--set", "solver.iterations"], &["solver.iterations", "path=value"]),
         (&["scene.toml", "--set", "solver.relaxation=7"], &["solver.relaxation", "7"]),
         (&["scene.toml", "--set", "solver.iterations=many"], &["many"]),

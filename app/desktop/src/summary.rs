@@ -26,7 +26,8 @@ pub struct Summary {
     interrupted: bool,
     solver: Solver,
     gpu_ms_per_step: Option<timings::Spread>,
-    /// By pass: times of all its dispatches of a frame together, and how many those are.
+    /// By pass: times of all its dispatches of a frame together, how many those are, and the sum
+    /// over the run.
     passes: Map<String, Value>,
     timing: Timing,
     density_error: Option<Spread>,
@@ -164,6 +165,7 @@ impl Summary {
                     "median_ms": times.map(|t| t.median),
                     "p95_ms": times.map(|t| t.p95),
                     "dispatches": dispatches,
+                    "total_ms": times.map(|_| timings.total_ms(stage)),
                 });
                 (stage.to_string(), pass)
             })
@@ -259,14 +261,14 @@ impl Summary {
     }
 
     fn print_passes(&self) {
-        let median = |pass: &Value| pass["median_ms"].as_f64();
-        let all: f64 = self.passes.values().filter_map(median).sum();
-        let mut list = table(&["pass", "median ms", "p95 ms", "share", "dispatches"], &[1, 2, 3, 4]);
+        let total = |pass: &Value| pass["total_ms"].as_f64();
+        let all: f64 = self.passes.values().filter_map(total).sum();
+        let mut list = table(&["pass", "median ms", "p95 ms", "of the run", "dispatches"], &[1, 2, 3, 4]);
         for (stage, pass) in &self.passes {
-            let share = median(pass).filter(|_| all > 0.0).map(|ms| 100.0 * ms / all);
+            let share = total(pass).filter(|_| all > 0.0).map(|ms| 100.0 * ms / all);
             list.add_row([
                 stage.clone(),
-                ms(median(pass)),
+                ms(pass["median_ms"].as_f64()),
                 ms(pass["p95_ms"].as_f64()),
                 share.map_or_else(|| "-".into(), |share| format!("{share:.1} %")),
                 pass["dispatches"].to_string(),

@@ -90,6 +90,11 @@ impl Timings {
         self.spread(self.stages.get(stage)?)
     }
 
+    /// A stage over the whole run, ms.
+    pub fn total_ms(&self, stage: &str) -> f64 {
+        self.stages.get(stage).into_iter().flatten().map(|(_, ms)| ms).sum()
+    }
+
     /// Frames that were reported.
     pub fn frames(&self) -> u64 {
         self.frames
@@ -162,6 +167,8 @@ mod tests {
         assert_eq!(timings.stage_ms("sort").unwrap().median, 50.0);
         assert_eq!(timings.stage_ms("draw_floor").unwrap().median, 8000.0);
         assert_eq!(timings.stage_ms("absent"), None);
+        timings.add(&report(1, 300), "step");
+        assert_eq!((timings.total_ms("sort"), timings.total_ms("absent")), (100.0, 0.0));
     }
 
     #[test]

@@ -64,6 +64,8 @@ impl Workshop {
     pub fn command(&self, arguments: impl IntoIterator<Item = impl AsRef<OsStr>>) -> Command {
         let mut command = Command::new(program());
         command.current_dir(self.folder.path()).args(arguments);
+        // Mesa looks for a Wayland display there, and complains where the variable is not set.
+        command.env("XDG_RUNTIME_DIR", self.folder.path());
         command
     }
 
