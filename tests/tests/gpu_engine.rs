@@ -293,6 +293,35 @@ fn the_callers_own_device_serves() {
 }
 
 #[test]
+fn lesser_timestamps_are_used_and_said() {
+    let instance = wgpu::Instance::new(wgpu::InstanceDescriptor {
+        backends: wgpu::Backends::VULKAN,
+        ..wgpu::InstanceDescriptor::new_without_display_handle()
+    });
+    let adapter = pollster::block_on(instance.request_adapter(&Default::default())).expect("one");
+    let run = |without: wgpu::Features| {
+        let request = adapter.request_device(&wgpu::DeviceDescriptor {
+            required_features: Gpu::required_features(&adapter) - without,
+            required_limits: Gpu::required_limits(&adapter, Tier::Floor),
+            ..Default::default()
+        });
+        let (device, queue) = pollster::block_on(request).expect("it opens");
+        let gpu = Gpu::from_device(&adapter, device, queue, Some(Tier::Floor)).expect("it serves");
+        let mut counting = counting(&gpu, 64);
+        // More than a query set holds.
+        counting.engine.run(&["step"; 2100], &[]).expect("it runs");
+        let report = counting.engine.finish().expect("it finishes").remove(0);
+        assert_eq!(counting.engine.read(&counting.counter).expect("read"), [2100; 64]);
+        (report.timing, report.spans.len(), report.gpu_ms())
+    };
+    let (timing, spans, ms) = run(wgpu::Features::TIMESTAMP_QUERY_INSIDE_PASSES);
+    assert_eq!((timing, spans), (TimingStatus::PassPerStage, 2100));
+    assert!(ms.is_some_and(|ms| ms > 0.0));
+    let all = wgpu::Features::TIMESTAMP_QUERY | wgpu::Features::TIMESTAMP_QUERY_INSIDE_PASSES;
+    assert_eq!(run(all), (TimingStatus::Unsupported, 0, None));
+}
+
+#[test]
 fn a_device_that_does_not_exist_is_answered_with_those_that_do() {
     let name = |name: &str| GpuOptions { device_name: Some(name.into()), ..options() };
     let error = Gpu::open(&name("no such card")).expect_err("there is none");

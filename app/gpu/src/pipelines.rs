@@ -275,9 +275,16 @@ fn primitive(state: DrawState) -> wgpu::PrimitiveState {
     }
 }
 
+/// The first word of every module, little-endian.
+const SPIRV_MAGIC: [u8; 4] = 0x0723_0203_u32.to_le_bytes();
+
 /// Checks what wgpu cannot of a module that it does not read: its tier, group and groupshared
 /// memory.
 pub(crate) fn check_module(module: &Module, tier: Tier, limits: &wgpu::Limits) -> Result<(), GpuError> {
+    // Drivers may crash on what is no SPIR-V at all.
+    if !module.spirv.starts_with(&SPIRV_MAGIC) || !module.spirv.len().is_multiple_of(4) {
+        return Err(GpuError::Pipeline { module: module.name, reason: "it is no SPIR-V".into() });
+    }
     if module.tier > tier {
         return Err(GpuError::ModuleAboveTier {
             module: module.name,
@@ -311,7 +318,7 @@ mod tests {
         name: "Sum",
         entry: "Sum",
         stage: StageKind::Compute,
-        spirv: &[],
+        spirv: &SPIRV_MAGIC,
         bindings: &[],
         group_size: [256, 1, 1],
         shared_bytes: 1024,
@@ -331,6 +338,7 @@ mod tests {
         refused(Module { tier: Tier::Desktop, ..MODULE }, "made for the desktop tier");
         refused(Module { group_size: [16, 17, 1], ..MODULE }, "272 threads a group");
         refused(Module { group_size: [1, 1, 65], ..MODULE }, "65 threads a group along z");
+        refused(Module { spirv: &[0; 64], ..MODULE }, "no SPIR-V");
         refused(Module { shared_bytes: 16_388, ..MODULE }, "16388 bytes of groupshared");
     }
 }
