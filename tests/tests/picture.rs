@@ -11,7 +11,7 @@ use picture_support::{
 
 /// Relative, of reversed depth: a few roundings of f32 on coordinates that are some ten times
 /// larger than the sphere.
-const DEPTH_TOLERANCE: f64 = 2e-5;
+const DEPTH_TOLERANCE: f64 = 5e-6;
 /// Two drawings of one picture: the device may round a channel the other way.
 const SAME_STEPS: i32 = 1;
 

@@ -54,21 +54,25 @@ pub struct Projected {
 impl Camera {
     /// A camera that sees the whole box, from a little above and right of its front.
     pub fn framing(min_m: DVec3, max_m: DVec3, size_px: [u32; 2]) -> Self {
-        let middle = 0.5 * (min_m + max_m);
         let toward_eye = FRAMING_DIRECTION.normalize();
         let tan_half = tan_half(FRAMING_FOV_DEG, size_px);
+        let middle = 0.5 * (min_m + max_m);
         let looking = Self { eye_m: middle + toward_eye, target_m: middle, fov_deg: FRAMING_FOV_DEG };
         let axes = looking.axes();
-        // A corner at `offset` from the middle is at depth D + offset . forward; it is inside when
-        // its sideways offset is at most `FRAMING_FILL` of the half width there.
-        let distance_m = corners(min_m - middle, max_m - middle)
-            .map(|offset| {
-                let view = axes.transpose() * offset;
-                let wanted = (view.x.abs() / tan_half.x).max(view.y.abs() / tan_half.y) / FRAMING_FILL;
-                wanted + view.z
-            })
-            .fold(0.0, f64::max);
-        Self { eye_m: middle + toward_eye * distance_m, ..looking }
+        let offsets: Vec<DVec3> =
+            corners(min_m - middle, max_m - middle).map(|offset| axes.transpose() * offset).collect();
+        // The planes through the eye that touch the box, each `FRAMING_FILL` of the half width
+        // away from the middle: along one axis a corner at `offset` lies inside when
+        // |offset - shift| <= slope (distance - offset.z). Both sides touch at this shift and distance.
+        let fit = |axis: usize| {
+            let slope = FRAMING_FILL * tan_half[axis];
+            let high = offsets.iter().map(|o| o[axis] + slope * o.z).fold(f64::NEG_INFINITY, f64::max);
+            let low = offsets.iter().map(|o| o[axis] - slope * o.z).fold(f64::INFINITY, f64::min);
+            (0.5 * (high + low), 0.5 * (high - low) / slope)
+        };
+        let ((right_m, wide_m), (up_m, tall_m)) = (fit(0), fit(1));
+        let target_m = middle + axes * DVec3::new(right_m, up_m, 0.0);
+        Self { eye_m: target_m + toward_eye * wide_m.max(tall_m), target_m, ..looking }
     }
 
     /// The axes right, up and backward as columns: `world_from_view` without its translation.
@@ -254,6 +258,18 @@ mod tests {
                 .map(|at| (2.0 * at.x / width_px - 1.0).abs().max((2.0 * at.y / height_px - 1.0).abs()))
                 .fold(0.0, f64::max);
             assert!((extent - FRAMING_FILL).abs() < 1e-9, "{extent}");
+            // Along the direction that is filled, both sides are.
+            let seen: Vec<DVec2> =
+                corners(min_m, max_m).map(|corner| view.project(corner).expect("in front").at_px).collect();
+            let sides = |at: fn(&DVec2) -> f64, side_px: f64| {
+                let low = seen.iter().map(at).fold(f64::INFINITY, f64::min);
+                let high = seen.iter().map(at).fold(f64::NEG_INFINITY, f64::max);
+                (low / side_px, 1.0 - high / side_px)
+            };
+            let (left, right) = sides(|at| at.x, width_px);
+            let (top, bottom) = sides(|at| at.y, height_px);
+            let filled = if left < top { (left, right) } else { (top, bottom) };
+            assert!((filled.0 - filled.1).abs() < 1e-9, "{left} {right} {top} {bottom}");
         }
     }
 

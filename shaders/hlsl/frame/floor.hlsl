@@ -60,7 +60,7 @@ float sun_arriving(float3 world_m, float2 pixel)
     float turn = 6.2831853 * pixel_noise(pixel);
     float2x2 turned = float2x2(cos(turn), -sin(turn), sin(turn), cos(turn));
 
-    const uint probes = 8;
+    const uint probes = 6;
     float blockers = 0.0;
     float gap = 0.0;
     [unroll]
@@ -76,7 +76,7 @@ float sun_arriving(float3 world_m, float2 pixel)
     float gap_m = gap / blockers * light.shadow_range_m;
     float soft = clamp(0.07 * gap_m / light.shadow_texel_m, 2.5, 16.0) * texel;
 
-    const uint taps = 16;
+    const uint taps = 10;
     float shaded = 0.0;
     [unroll]
     for (uint k = 0; k < taps; k++)

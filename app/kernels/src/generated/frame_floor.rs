@@ -66,7 +66,7 @@ static DRAW_FLOOR_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "441b81aaa112f386e00385200c3f16f7444f5440577ef4bc691c19fed0ff9f4b",
+    hash: "fa1444c03370687eac2b631631ca4a1789278c55429ded2f9c5f147534bf4ce7",
 };
 
 static DRAW_FLOOR_FRAGMENT: Module = Module {
@@ -79,5 +79,5 @@ static DRAW_FLOOR_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "dbf443460a8d874e89226f3b5c1f70be4415edc4406ca90a1cc9ee74793f054c",
+    hash: "73c92efdbf12a40ad9759f0e115e2152e420c53eb2413784bfd0f37e38fa9166",
 };

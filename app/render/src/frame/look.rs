@@ -12,13 +12,13 @@ use crate::camera::corners;
 const TO_SUN: DVec3 = DVec3::new(-0.55, 0.75, -0.25);
 /// Colours in linear light.
 const SUN_COLOR: [f32; 3] = [3.0, 2.75, 2.4];
-const SKY_ZENITH: [f32; 3] = [0.09, 0.20, 0.40];
-const SKY_HORIZON: [f32; 3] = [0.40, 0.50, 0.60];
-const FLOOR_COLOR: [f32; 3] = [0.20, 0.21, 0.225];
+const SKY_ZENITH: [f32; 3] = [0.10, 0.21, 0.40];
+const SKY_HORIZON: [f32; 3] = [0.50, 0.55, 0.58];
+const FLOOR_COLOR: [f32; 3] = [0.25, 0.235, 0.21];
 const EDGE_COLOR: [f32; 3] = [0.05, 0.09, 0.13];
 const EDGE_OPACITY: f32 = 0.45;
 const EDGE_WIDTH_PX: f32 = 1.3;
-const EXPOSURE: f32 = 0.85;
+const EXPOSURE: f32 = 0.80;
 /// How deep the sun reaches into the fluid, in radii of a particle.
 const LIGHT_DEPTH_RADII: f64 = 9.0;
 /// Reach of the ambient occlusion, in radii of a particle.
