@@ -15,15 +15,36 @@ use capture_support::python::read_in_python;
 use cli_support::{Ended, SCENE, Workshop};
 use serde_json::Value;
 
-const RUN: [&str; 10] =
-    ["run", "scene.toml", "--steps", "8", "--images", "2", "--particles", "ply", "--out", "result"];
+const RUN: [&str; 10] = ["run", "scene.toml", "--steps", "8", "--images", "2", "--particles", "ply", "--out", "result"];
 
 /// Every key of `summary.json`, as scripts rely on it.
 const SUMMARY_KEYS: [&str; 26] = [
-    "scene", "particles", "steps", "simulated_s", "wall_s", "interrupted", "solver", "gpu_ms_per_step",
-    "passes", "timing", "density_error", "compression", "max_speed_m_s", "centre_of_mass_m", "front_m",
-    "energy_j", "counters", "worst", "measured", "buffers", "bytes_per_particle", "left_out", "device",
-    "version", "commit", "files",
+    "scene",
+    "particles",
+    "steps",
+    "simulated_s",
+    "wall_s",
+    "interrupted",
+    "solver",
+    "gpu_ms_per_step",
+    "passes",
+    "timing",
+    "density_error",
+    "compression",
+    "max_speed_m_s",
+    "centre_of_mass_m",
+    "front_m",
+    "energy_j",
+    "counters",
+    "worst",
+    "measured",
+    "buffers",
+    "bytes_per_particle",
+    "left_out",
+    "device",
+    "version",
+    "commit",
+    "files",
 ];
 
 fn keys(value: &Value) -> BTreeSet<&str> {
