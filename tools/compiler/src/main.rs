@@ -20,7 +20,7 @@ enum Command {
     Build(PlaceArguments),
     /// Compile everything anew with the pinned DXC and compare bytes; exit 1 if anything is stale.
     Check(PlaceArguments),
-    /// Compile and hold every module against the device tiers; write nothing.
+    /// Compile and hold every module against the device tiers; write nothing; exit 1 if one is refused.
     Lint(PlaceArguments),
 }
 
@@ -92,7 +92,13 @@ fn check(places: Places) -> Result<ExitCode, Problems> {
 }
 
 fn lint(places: Places) -> Result<ExitCode, Problems> {
-    let manifest = brooklet_compiler::lint(&places)?;
+    let manifest = match brooklet_compiler::lint(&places) {
+        Ok(manifest) => manifest,
+        Err(problems) => {
+            eprintln!("{problems}");
+            return Ok(ExitCode::from(1));
+        }
+    };
     for module in &manifest.modules {
         let [x, y, z] = module.group_size;
         println!(

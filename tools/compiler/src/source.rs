@@ -277,3 +277,64 @@ fn normal(path: &Path) -> String {
 fn mangled(file: &str) -> String {
     file.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '_' }).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Where the line that holds `wanted` stands.
+    fn place_of(text: &str, wanted: &str) -> (String, u32) {
+        let mut found = None;
+        each_line(text, |file, number, line| {
+            if line.contains(wanted) {
+                found = Some((file.to_owned(), number));
+            }
+        });
+        found.unwrap_or_default()
+    }
+
+    #[test]
+    fn comments_end_where_they_end() {
+        let mut open = false;
+        assert_eq!(without_comments("a /* b */ c // d", &mut open), "a   c ");
+        assert_eq!(without_comments("a // b /* c", &mut open), "a ");
+        assert!(!open);
+        assert_eq!(without_comments("a /* b", &mut open), "a ");
+        assert!(open);
+        assert_eq!(without_comments("b */ c", &mut open).trim(), "c");
+        assert!(!open);
+    }
+
+    #[test]
+    fn every_line_knows_its_file() -> Result<(), Box<dyn std::error::Error>> {
+        let folder = std::env::temp_dir().join(format!("brooklet-source-{}", std::process::id()));
+        std::fs::create_dir_all(folder.join("sub"))?;
+        std::fs::write(
+            folder.join("top.compute"),
+            "\u{feff}first\r\n#include \"sub/a.hlsl\"\r\nthird\r\n#include \"b.hlsl\"\r\nfifth\r\n// #include \"none.hlsl\"\r\n#pragma kernel Name;\r\n",
+        )?;
+        std::fs::write(
+            folder.join("sub/a.hlsl"),
+            "#pragma once\n#include \"../b.hlsl\"\nin_a\n#pragma kernel NotHere\n",
+        )?;
+        std::fs::write(folder.join("b.hlsl"), "\nin_b\n")?;
+        let source = read(&folder, "top.compute");
+        std::fs::remove_dir_all(&folder)?;
+        let source = source.map_err(|problem| problem.to_string())?;
+        for (wanted, file, line) in [
+            ("first", "top.compute", 1),
+            ("in_a", "sub/a.hlsl", 3),
+            ("in_b", "b.hlsl", 2),
+            ("third", "top.compute", 3),
+            ("fifth", "top.compute", 5),
+        ] {
+            assert_eq!(place_of(&source.text, wanted), (file.to_owned(), line), "{wanted}");
+        }
+        assert_eq!(source.files, ["top.compute", "sub/a.hlsl", "b.hlsl"]);
+        assert_eq!(source.pragmas.iter().filter(|pragma| pragma.name == "kernel").count(), 1);
+        assert_eq!(source.pragmas[0].words, ["Name"]);
+        assert_eq!(source.pragmas[0].place.line, 7);
+        assert!(!source.text.contains('\r') && !source.text.contains('\u{feff}'));
+        Ok(())
+    }
+}

@@ -199,3 +199,56 @@ fn declares(code: &str, name: &str) -> bool {
 fn calls(code: &str, name: &str) -> bool {
     words(code, name).any(|(_, behind)| behind.trim_start().starts_with('('))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SHADER: &str = "#line 1 \"a.compute\"
+// Head of the file.
+
+// Of the struct.
+struct Body
+{
+    float3 at;      // where it is
+    float mass, charge;
+    float Weight() { return mass; }
+};
+float Load(Texture2D<float> map, float2 uv) { return 0; }
+[[vk::image_format(\"r32f\")]] RWTexture2D<float> image;
+StructuredBuffer<Body> bodies;  // all of them
+Texture2D<float> map : register(t0);
+
+// Of the kernel.
+[numthreads(64, 1, 1)]
+void Move(uint3 id : SV_DispatchThreadID)
+{
+}
+";
+
+    #[test]
+    fn declarations_are_found_and_parameters_are_not() {
+        let text = Text::new(SHADER);
+        let line = |name| text.resource(name).map(|found| found.place.line);
+        assert_eq!(line("bodies"), Some(12));
+        assert_eq!(line("map"), Some(13));
+        assert_eq!(line("absent"), None);
+        assert!(text.resource("image").is_some_and(|found| found.has_format));
+        assert!(text.resource("map").is_some_and(|found| !found.has_format));
+        assert_eq!(text.resource("bodies").and_then(|found| found.doc).as_deref(), Some("all of them"));
+    }
+
+    #[test]
+    fn structs_kernels_and_their_comments_are_found() {
+        let text = Text::new(SHADER);
+        let structs = text.structs(Some("a.compute"));
+        assert_eq!(structs.len(), 1);
+        assert_eq!(structs[0].doc.as_deref(), Some("Of the struct."));
+        let names: Vec<&str> = structs[0].fields.iter().map(|field| field.name.as_str()).collect();
+        assert_eq!(names[..3], ["at", "mass", "charge"]);
+        assert_eq!(structs[0].fields[0].doc.as_deref(), Some("where it is"));
+        let (place, doc) = text.function("Move").unwrap_or_else(|| panic!("Move is not found"));
+        assert_eq!((place.line, doc.as_deref()), (17, Some("Of the kernel.")));
+        assert_eq!(text.head("a.compute").as_deref(), Some("Head of the file."));
+    }
+}

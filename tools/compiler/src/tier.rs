@@ -57,7 +57,7 @@ impl Tier {
             storage_buffers: 8,
             storage_images: 4,
             textures: 16,
-            uniforms: 12,
+            uniforms: 11,
             uniform_bytes: 16 << 10,
         };
         match self {
@@ -107,6 +107,7 @@ impl Tier {
         let count = |wanted: fn(&Kind) -> bool| module.bindings.iter().filter(|b| wanted(&b.kind)).count() as u32;
         let amounts = [
             (module.group_size.iter().product(), limits.threads, "threads a group"),
+            (module.group_size[2], 64, "threads along z"),
             (module.shared_bytes, limits.shared_bytes, "bytes of groupshared memory"),
             (count(|kind| matches!(kind, Kind::Storage { .. })), limits.storage_buffers, "storage buffers"),
             (count(|kind| matches!(kind, Kind::StorageImage { .. })), limits.storage_images, "storage images"),
