@@ -6,11 +6,7 @@ apt_scratch=
 # Runs apt-get as root, without questions, waiting for another apt to finish.
 apt_get() {
     local as_root=()
-    if [ "$(id -u)" -ne 0 ]; then
-        command -v sudo >/dev/null ||
-            die "apt-get needs root, and there is no sudo here: run 'tools/setup' once as root"
-        as_root=(sudo)
-    fi
+    [ "$(id -u)" -eq 0 ] || as_root=(sudo)
     "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
         apt-get -q -o Dpkg::Use-Pty=0 -o DPkg::Lock::Timeout=300 "$@"
 }
@@ -42,7 +38,10 @@ apt_install() {
     local reason=$1
     shift
     if ! command -v apt-get >/dev/null; then
-        die "$reason needed, and this is neither Debian nor Ubuntu: install what they call '$*', then run this again"
+        die "$reason: this is neither Debian nor Ubuntu; install what they call '$*', then run this again"
+    fi
+    if [ "$(id -u)" -ne 0 ] && ! command -v sudo >/dev/null; then
+        die "$reason: apt-get has to install $*, which needs root, and there is no sudo here: run it as root once"
     fi
     apt_update_once
     say "installing $* ($reason)"
@@ -62,7 +61,7 @@ backports_line() {
     printf 'deb %s%s bookworm-backports main\n' "$signed" "$mirror"
 }
 
-# Installs a package from bookworm-backports without touching the machine's own sources or lists:
+# Installs packages from bookworm-backports without touching the machine's own sources or lists:
 # both are copied to a folder that goes away afterwards.
 apt_install_from_backports() {
     local line status=0
@@ -76,7 +75,8 @@ apt_install_from_backports() {
         -o Dir::Cache::pkgcache= -o Dir::Cache::srcpkgcache=)
     say "installing $* from bookworm-backports (1.5 times faster than Debian 12's own)"
     quietly apt_get "${options[@]}" update &&
-        quietly apt_get "${options[@]}" install -y --no-install-recommends -t bookworm-backports "$@" || status=1
+        quietly apt_get "${options[@]}" install -y --no-install-recommends -t bookworm-backports "$@" ||
+        { status=1 && say "that did not work; taking what this system has of its own"; }
     # apt wrote the lists as root.
     if [ "$(id -u)" -eq 0 ]; then rm -rf "$apt_scratch"; else sudo rm -rf "$apt_scratch"; fi
     return $status
