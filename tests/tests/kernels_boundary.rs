@@ -36,8 +36,8 @@ fn table_matches_an_independent_integration() {
     // (1/124)^2 = 6.5e-5 of the kernel's curvature, and its scale is taken where the shader
     // interpolates.
     for support_ratio in [2.0, 2.5, 3.0] {
-        let mut density = Worst::new("wall_weights density", 2e-3);
-        let mut gradient = Worst::new("wall_weights gradient", 1e-2);
+        let mut density = Worst::new("wall_weights table, density", 2e-3);
+        let mut gradient = Worst::new("wall_weights table, gradient", 1e-2);
         let walls = Walls::new(support_ratio);
         let table = wall_weights(support_ratio);
         assert_eq!(table.len(), WALL_NODES.pow(3));
@@ -173,12 +173,12 @@ fn gradients(places: &[Position], size_m: DVec3, walls: WallsKeyword) -> Vec<DVe
         .collect()
 }
 
-fn check(size_m: DVec3, walls_keyword: WallsKeyword, name: &'static str) -> Vec<(WallDensity, f64)> {
+fn check(size_m: DVec3, walls_keyword: WallsKeyword, names: [&'static str; 2]) -> Vec<(WallDensity, f64)> {
     // A table value is a lerp of lerps of eight nodes of at most 1.5, the place between them known
     // to a few roundings of the distance (31 steps wide): 128 roundings. A gradient is read from a
     // position of up to 13 h, which rounds by 13/2 of an f32's last place: 256 roundings.
-    let mut density = Worst::new(name, 128.0 * ROUNDING);
-    let mut gradient = Worst::new(name, 256.0 * ROUNDING);
+    let mut density = Worst::new(names[0], 128.0 * ROUNDING);
+    let mut gradient = Worst::new(names[1], 256.0 * ROUNDING);
     let places = places(size_m);
     let weights = wall_weights(SUPPORT_RATIO);
     let table = wall_table(&weights);
@@ -203,14 +203,19 @@ fn check(size_m: DVec3, walls_keyword: WallsKeyword, name: &'static str) -> Vec<
 
 #[test]
 fn wall_weights_match_their_twin() {
-    let wide = check(DVec3::new(0.3, 0.2, 0.5), WallsKeyword::Walls, "wall_weights");
+    let wide =
+        check(DVec3::new(0.3, 0.2, 0.5), WallsKeyword::Walls, ["wall_weights, density", "wall_weights, gradient"]);
     assert!(wide.iter().any(|(walls, _)| walls.density > 0.5), "no place was in a corner");
     assert!(wide.iter().any(|(walls, _)| walls.density == 0.0), "no place was far from walls");
 }
 
 #[test]
 fn narrow_wall_weights_match_their_twin() {
-    check(DVec3::new(1.2 * SUPPORT_M, 0.3, 1.7 * SUPPORT_M), WallsKeyword::NarrowWalls, "narrow wall_weights");
+    check(
+        DVec3::new(1.2 * SUPPORT_M, 0.3, 1.7 * SUPPORT_M),
+        WallsKeyword::NarrowWalls,
+        ["narrow wall_weights, density", "narrow wall_weights, gradient"],
+    );
     // In a wide domain both variants say the same.
     let size_m = DVec3::new(0.3, 0.2, 0.5);
     let places = places(size_m);

@@ -76,14 +76,18 @@ fn twin<'a>(scene: &Scene, table: &'a WallTable, positions: &[Position], velocit
     }
 }
 
-fn follow(settings: &[&str], steps: usize, tolerance: f64, name: &'static str) {
+fn scene_with(settings: &[&str]) -> Scene {
     let settings: Vec<String> = settings.iter().map(|&s| s.into()).collect();
-    let scene = Scene::from_toml(SCENE, "step.toml", &settings).unwrap();
-    let mut simulation = Simulation::new(gpu(), &scene).unwrap();
+    Scene::from_toml(SCENE, "step.toml", &settings).unwrap()
+}
+
+/// Follows `scene` on the GPU and `twin_scene` with the twin, and compares where they end.
+fn follow(scene: &Scene, twin_scene: &Scene, steps: usize, worst: &mut Worst) -> Result<(), String> {
+    let mut simulation = Simulation::new(gpu(), scene).unwrap();
     let (positions, velocities) = start(&mut simulation);
     assert_eq!(positions.len(), 8 * 10 * 6);
     let table = wall_table(&wall_weights(scene.solver.support_ratio));
-    let mut fluid = twin(&scene, &table, &positions, &velocities);
+    let mut fluid = twin(twin_scene, &table, &positions, &velocities);
     for _ in 0..steps {
         simulation.step().unwrap();
         for _ in 0..scene.solver.substeps {
@@ -91,17 +95,23 @@ fn follow(settings: &[&str], steps: usize, tolerance: f64, name: &'static str) {
         }
     }
     let (after, velocities) = simulation.particles().unwrap();
-    let mut worst = Worst::new(name, tolerance);
     let mut furthest = 0.0_f64;
     for (position, velocity) in after.iter().zip(&velocities) {
         let id = (position.tag & 0xff_ffff) as usize;
         let expected = fluid.particles[id];
         furthest = furthest.max((expected.position_m - vector(positions[id].position_m)).length());
-        worst.check3(position.position_m, expected.position_m, scene.spacing_m).unwrap();
+        worst.check3(position.position_m, expected.position_m, scene.spacing_m)?;
         let speed = scene.spacing_m / scene.substep_s();
-        worst.check3(velocity.velocity_m_s, expected.velocity_m_s, speed).unwrap();
+        worst.check3(velocity.velocity_m_s, expected.velocity_m_s, speed)?;
     }
     assert!(furthest > 0.1 * scene.spacing_m, "the fluid hardly moved: {furthest} m");
+    Ok(())
+}
+
+fn matches(settings: &[&str], steps: usize, tolerance: f64, name: &'static str) {
+    let scene = scene_with(settings);
+    let mut worst = Worst::new(name, tolerance);
+    follow(&scene, &scene, steps, &mut worst).unwrap();
     worst.report();
 }
 
@@ -110,24 +120,44 @@ fn follow(settings: &[&str], steps: usize, tolerance: f64, name: &'static str) {
 
 #[test]
 fn a_step_matches_its_twin() {
-    follow(&[], 1, 1e-4, "step");
+    matches(&[], 1, 1e-4, "step");
 }
 
 #[test]
 fn a_step_without_its_optional_terms_matches_its_twin() {
     let off = ["solver.s_corr_k=0", "solver.xsph=0", "solver.vorticity_m_s=0"];
-    follow(&off, 1, 1e-4, "step without optional terms");
+    matches(&off, 1, 1e-4, "step without optional terms");
 }
 
 #[test]
 fn a_step_in_an_open_domain_matches_its_twin() {
-    follow(&["domain.walls=false", "solver.iterations=1"], 1, 1e-4, "step without walls");
+    matches(&["domain.walls=false", "solver.iterations=1"], 1, 1e-4, "step without walls");
 }
 
 #[test]
 fn ten_steps_stay_near_their_twin() {
     // Before particles meet anew: differences grow, ten-fold in some ten steps once they do.
     if !small() {
-        follow(&[], 10, 2e-2, "ten steps");
+        matches(&[], 10, 2e-2, "ten steps");
+    }
+}
+
+#[test]
+fn a_missing_or_wrong_term_is_seen() {
+    let scene = scene_with(&[]);
+    let wrong = [
+        "solver.s_corr_k=0",
+        "solver.xsph=0",
+        "solver.vorticity_m_s=0",
+        "solver.iterations=3",
+        "solver.relaxation=0.501",
+        "solver.cfm=0.2",
+        "domain.walls=false",
+    ];
+    for setting in wrong {
+        let mut worst = Worst::new("step", 1e-4);
+        let twin_scene = scene_with(&[setting]);
+        assert_ne!(twin_scene, scene, "{setting} changes nothing");
+        assert!(follow(&scene, &twin_scene, 1, &mut worst).is_err(), "a twin with {setting} was not told apart");
     }
 }
