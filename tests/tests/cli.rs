@@ -215,6 +215,8 @@ fn bad_input_is_one_clear_message_and_exit_code_2() {
     std::fs::write(workshop.path("file"), "").unwrap();
     std::fs::write(workshop.path("typo.toml"), SCENE.replace("spacing_m", "spacing")).unwrap();
     std::fs::write(workshop.path("broken.toml"), "spacing_m = \n").unwrap();
+    let (no_fluid, rest) = (SCENE.find("[[fluid]]").unwrap(), SCENE.find("[outputs]").unwrap());
+    std::fs::write(workshop.path("empty.toml"), [&SCENE[..no_fluid], &SCENE[rest..]].concat()).unwrap();
     let camera = format!("{SCENE}[camera]\neye_m = [0, 0, 0]\ntarget_m = [0, 0, 0]\n");
     std::fs::write(workshop.path("camera.toml"), camera).unwrap();
     let run = |rest: &[&str]| -> Ended { workshop.run(&[&["run"], rest].concat()) };
@@ -223,6 +225,7 @@ fn bad_input_is_one_clear_message_and_exit_code_2() {
         (&["no/such.toml"], &["no/such.toml"]),
         (&["typo.toml"], &["typo.toml", "spacing", "spacing_m"]),
         (&["broken.toml"], &["broken.toml", ":1:"]),
+        (&["empty.toml"], &["empty", "no particles", "[[fluid]]"]),
         (&["camera.toml", "--images", "1"], &["camera", "eye_m"]),
         (&["scene.toml", "--set", "solver.iteration=8"], &["iteration`", "iterations"]),
         (&["scene.toml", "--set", "solver.iterations"], &["solver.iterations", "path=value"]),
@@ -236,6 +239,7 @@ fn bad_input_is_one_clear_message_and_exit_code_2() {
         (&["scene.toml", "--device", "no such device"], &["no such device", "there are"]),
         (&["scene.toml", "--particles", "xyz"], &["--particles", "xyz", "ply"]),
         (&["scene.toml", "--steps", "1", "--out", "file/below"], &["--out file"]),
+        (&["scene.toml", "--steps", "1", "--out", ".."], &["--out .."]),
         (&["scene.toml", "--steps", "1", "--out", "full", "--capture", "/dev/full"], &["/dev/full", "space"]),
         (&["scene.toml", "--steps", "1", "--out", "none", "--capture", "no/such/c.mcap"], &["no/such/c.mcap"]),
         (&["scene.toml", "--frobnicate"], &["--frobnicate"]),

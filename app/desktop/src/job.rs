@@ -59,6 +59,12 @@ pub struct Planned {
 pub fn plan(scene: &Scene, tier: Tier) -> Result<Planned, Failure> {
     let mut resources = Resources::new();
     let mut recorded = record(&mut resources, scene);
+    if recorded.particle_count == 0 {
+        return Err(Failure::Input(format!(
+            "scene {}: it has no particles: give it a [[fluid]] with a block or a sphere of at least spacing_m = {}",
+            scene.name, scene.spacing_m
+        )));
+    }
     let mut recordings = std::mem::take(&mut recorded.recordings);
     let mut picture = None;
     if scene.outputs.images > 0 {

@@ -14,6 +14,14 @@ pub fn create(wanted: &Path) -> Result<PathBuf, Failure> {
     let cannot = |path: &Path, error: io::Error| {
         Failure::Input(format!("--out {}: cannot create the folder: {error}", path.display()))
     };
+    if wanted.file_name().is_none() {
+        return Err(Failure::Input(format!(
+            "--out {}: name a folder of the run's own, which is created",
+            wanted.display()
+        )));
+    }
+    // Without the slash at the end, behind which a number would be another folder's name.
+    let wanted = &wanted.components().collect::<PathBuf>();
     if let Some(parent) = wanted.parent() {
         fs::create_dir_all(parent).map_err(|error| cannot(parent, error))?;
     }
@@ -70,7 +78,7 @@ mod tests {
         assert_eq!(first, wanted);
         write_file(&first.join("a.txt"), b"first").unwrap();
         assert_eq!(create(&wanted).unwrap(), folder.path().join("deep/out-1"));
-        assert_eq!(create(&wanted).unwrap(), folder.path().join("deep/out-2"));
+        assert_eq!(create(&folder.path().join("deep/out/")).unwrap(), folder.path().join("deep/out-2"));
         assert_eq!(fs::read(first.join("a.txt")).unwrap(), b"first");
     }
 
@@ -82,6 +90,7 @@ mod tests {
         let failure = create(&file.join("out")).unwrap_err();
         assert!(matches!(failure, Failure::Input(_)), "{failure:?}");
         assert!(failure.to_string().contains(&file.display().to_string()), "{failure}");
+        assert!(matches!(create(Path::new("..")), Err(Failure::Input(_))));
     }
 
     #[test]
