@@ -282,3 +282,11 @@ fn two_kernels_of_one_name_are_refused() {
     let trial = Trial::new(&[("a.compute", &text), ("b.compute", &text)]);
     assert!(trial.refused("b.compute", 1).message.contains("a.compute"));
 }
+
+#[test]
+fn a_kernel_without_a_function_is_refused_at_its_pragma() {
+    let text = format!("\n#pragma multi_compile _ _ \n#pragma kernel Absent\n{}", one_kernel("", "result[id.x] = 0;"));
+    let problem = Trial::new(&[("Bad.compute", &text)]).refused("Bad.compute", 3);
+    assert_eq!(problem.kernels, ["Absent"]);
+    assert!(problem.message.contains("missing entry point"), "{problem}");
+}

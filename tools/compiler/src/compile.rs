@@ -95,6 +95,7 @@ impl Compiler {
                 profile: stage.profile(),
                 defines: &defines,
                 label: program.label(entry, combination),
+                place: program.place.clone(),
             };
             let hash = hash::of_module(self.dxc.version(), job.profile, entry, &defines, &source.text);
             let compiled = self.compile(&job, &hash)?;

@@ -5,7 +5,7 @@ use crate::compile::{Compiler, parsed};
 use crate::dxc::Job;
 use crate::hash;
 use crate::layout::{Field, Struct, Type};
-use crate::problem::{Problem, Problems};
+use crate::problem::{Place, Problem, Problems};
 use crate::program::Tree;
 use crate::reflect::{self, Kind};
 use crate::source::Source;
@@ -80,6 +80,7 @@ fn read_layout(compiler: &Compiler, source: &Source) -> Result<LayoutFile, Probl
         profile: "cs_6_0",
         defines: &[],
         label: format!("(layout of {})", source.file),
+        place: Place { file: source.file.clone(), line: 1 },
     };
     let hash = hash::of_module(compiler.dxc.version(), job.profile, job.entry, &[], &probe.text);
     let compiled = compiler.compile(&job, &hash)?;

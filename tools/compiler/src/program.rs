@@ -57,6 +57,13 @@ impl Axis {
         }
         // Off first: the default of every axis that can be off.
         entries.sort_by_key(Option::is_some);
+        let mut known = Vec::new();
+        entries.retain(|entry| {
+            !known.contains(entry) && {
+                known.push(entry.clone());
+                true
+            }
+        });
         Self { entries }
     }
 }

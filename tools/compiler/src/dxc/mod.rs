@@ -5,7 +5,7 @@ mod fetch;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crate::problem::{Problem, Problems, io_problem};
+use crate::problem::{Place, Problem, Problems, io_problem};
 use crate::source::Source;
 
 /// The DXC whose bytes are committed.
@@ -37,6 +37,8 @@ pub struct Job<'a> {
     pub defines: &'a [String],
     /// How messages name it: the kernel and the keywords that are on.
     pub label: String,
+    /// Where it is asked for: the place of an error that names none.
+    pub place: Place,
 }
 
 /// A module as DXC made it, with what DXC warned of.
@@ -190,7 +192,7 @@ fn problems_of(job: &Job, said: &str, status: std::process::ExitStatus) -> Probl
         } else {
             said.trim().to_owned()
         };
-        problems.push(Problem::new(what).at(job.source.file.clone(), 1).kernel(job.label.clone()));
+        problems.push(Problem::new(what).at_place(Some(job.place.clone())).kernel(job.label.clone()));
     }
     Problems(problems)
 }
