@@ -2,19 +2,10 @@
 //!
 //! `BROOKLET_SMALL=1` leaves out the sizes that take minutes on a driver that interprets its shaders.
 
-use brooklet_gpu::{Engine, Gpu, Plan, Recording, Resources};
+use crate::gpu;
+use brooklet_gpu::{Engine, Plan, Recording, Resources};
 use brooklet_kernels::{Buffer, Kernel};
 use bytemuck::Pod;
-use std::sync::OnceLock;
-
-/// The device of all tests of this process, to borrow.
-///
-/// # Panics
-/// As [`crate::gpu`].
-pub fn gpu() -> &'static Gpu {
-    static GPU: OnceLock<Gpu> = OnceLock::new();
-    GPU.get_or_init(crate::gpu)
-}
 
 /// Whether sizes are to be kept small.
 pub fn small() -> bool {
@@ -77,7 +68,7 @@ impl Bench {
     pub fn run(self) -> Done {
         let plan =
             Plan::sweep(self.resources, vec![self.recording], &[]).unwrap_or_else(|error| panic!("plan: {error}"));
-        let mut engine = Engine::new(gpu(), plan).unwrap_or_else(|error| panic!("engine: {error}"));
+        let mut engine = Engine::new(&gpu(), plan).unwrap_or_else(|error| panic!("engine: {error}"));
         engine.run(&["bench"], &[]).unwrap_or_else(|error| panic!("run: {error}"));
         Done { engine }
     }

@@ -10,8 +10,8 @@ use brooklet_reference::shared::lattice;
 use brooklet_reference::step::Fluid;
 use brooklet_tests::cases::{pbf_of, wall_table};
 use brooklet_tests::compare::{Worst, vector};
-use brooklet_tests::harness::{gpu, small};
-use brooklet_tests::rng;
+use brooklet_tests::harness::small;
+use brooklet_tests::{gpu, rng};
 use glam::DVec3;
 use rand::RngExt;
 
@@ -83,7 +83,7 @@ fn scene_with(settings: &[&str]) -> Scene {
 
 /// Follows `scene` on the GPU and `twin_scene` with the twin, and compares where they end.
 fn follow(scene: &Scene, twin_scene: &Scene, steps: usize, worst: &mut Worst) -> Result<(), String> {
-    let mut simulation = Simulation::new(gpu(), scene).unwrap();
+    let mut simulation = Simulation::new(&gpu(), scene).unwrap();
     let (positions, velocities) = start(&mut simulation);
     assert_eq!(positions.len(), 8 * 10 * 6);
     let table = wall_table(&wall_weights(scene.solver.support_ratio));
