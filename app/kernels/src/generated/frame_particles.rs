@@ -2,34 +2,20 @@
 // makes it anew from frame/particles.hlsl.
 //! Kernels of `frame/particles.hlsl`.
 
-use super::{FrameLight, FrameStyle, FrameView, Position, Velocity};
+use super::{FrameStyle, FrameView, Position};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, Draw, Module, StageKind, Tex, Tier, Uniform, bind_draw,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, Draw, Module, StageKind, Tier, Uniform, bind_draw,
 };
 
-/// Which variant of [`DrawParticles`] runs.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub struct DrawParticlesVariant {
-    /// Keyword `COLOR_FLUID`.
-    pub color_fluid: bool,
-}
-
-/// The particles as shaded spheres: one camera-facing triangle each, on which every pixel meets the
-/// exact sphere, in perspective.
+/// Which particle is seen in each pixel: one camera-facing triangle a particle, on which every pixel
+/// meets the exact sphere, in perspective. Shading follows in draw\_shade, once a pixel: inside a
+/// fluid ten spheres cover a pixel and one is seen.
 #[derive(Debug)]
 pub struct DrawParticles<'a> {
-    /// Its variant.
-    pub variant: DrawParticlesVariant,
     /// `StructuredBuffer<Position> positions`.
     pub positions: Buf<'a, Position>,
-    /// `StructuredBuffer<Velocity> velocities`.
-    pub velocities: Option<Buf<'a, Velocity>>,
-    /// `Texture2D<float> shadow_map`.
-    pub shadow_map: Tex<'a>,
     /// `ConstantBuffer<FrameView> view`.
     pub view: Uniform<'a, FrameView>,
-    /// `ConstantBuffer<FrameLight> light`.
-    pub light: Uniform<'a, FrameLight>,
     /// `ConstantBuffer<FrameStyle> style`.
     pub style: Uniform<'a, FrameStyle>,
 }
@@ -38,66 +24,32 @@ impl Draw for DrawParticles<'_> {
     const STAGE: &'static str = "draw_particles";
 
     fn vertex(&self) -> &'static Module {
-        if self.variant.color_fluid { &DRAW_PARTICLES_VERTEX_WITH_COLOR_FLUID } else { &DRAW_PARTICLES_VERTEX }
+        &DRAW_PARTICLES_VERTEX
     }
     fn fragment(&self) -> Option<&'static Module> {
-        if self.variant.color_fluid {
-            Some(&DRAW_PARTICLES_FRAGMENT_WITH_COLOR_FLUID)
-        } else {
-            Some(&DRAW_PARTICLES_FRAGMENT)
-        }
+        Some(&DRAW_PARTICLES_FRAGMENT)
     }
     fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
         bind_draw(
             self.vertex(),
             self.fragment(),
-            &[
-                ("positions", Some(self.positions.id)),
-                ("velocities", self.velocities.as_ref().map(|bound| bound.id)),
-                ("shadow_map", Some(self.shadow_map.id)),
-                ("view", Some(self.view.id)),
-                ("light", Some(self.light.id)),
-                ("style", Some(self.style.id)),
-            ],
+            &[("positions", Some(self.positions.id)), ("view", Some(self.view.id)), ("style", Some(self.style.id))],
         )
     }
 }
 
 /// The modules of this file.
-pub(super) static MODULES: &[&Module] = &[
-    &DRAW_PARTICLES_VERTEX,
-    &DRAW_PARTICLES_FRAGMENT,
-    &DRAW_PARTICLES_VERTEX_WITH_COLOR_FLUID,
-    &DRAW_PARTICLES_FRAGMENT_WITH_COLOR_FLUID,
-];
+pub(super) static MODULES: &[&Module] = &[&DRAW_PARTICLES_VERTEX, &DRAW_PARTICLES_FRAGMENT];
 
 static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "positions", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
-    BindingInfo { name: "velocities", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
-    BindingInfo { name: "shadow_map", slot: 2, kind: BindingKind::Texture { filterable: false } },
-    BindingInfo { name: "view", slot: 3, kind: BindingKind::Uniform { bytes: 80 } },
-    BindingInfo { name: "light", slot: 4, kind: BindingKind::Uniform { bytes: 112 } },
-    BindingInfo { name: "style", slot: 5, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "view", slot: 1, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "style", slot: 2, kind: BindingKind::Uniform { bytes: 80 } },
 ];
 
 static BINDINGS_1: &[BindingInfo] = &[
-    BindingInfo { name: "view", slot: 3, kind: BindingKind::Uniform { bytes: 80 } },
-    BindingInfo { name: "light", slot: 4, kind: BindingKind::Uniform { bytes: 112 } },
-    BindingInfo { name: "style", slot: 5, kind: BindingKind::Uniform { bytes: 80 } },
-];
-
-static BINDINGS_2: &[BindingInfo] = &[
-    BindingInfo { name: "positions", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
-    BindingInfo { name: "shadow_map", slot: 1, kind: BindingKind::Texture { filterable: false } },
-    BindingInfo { name: "view", slot: 2, kind: BindingKind::Uniform { bytes: 80 } },
-    BindingInfo { name: "light", slot: 3, kind: BindingKind::Uniform { bytes: 112 } },
-    BindingInfo { name: "style", slot: 4, kind: BindingKind::Uniform { bytes: 80 } },
-];
-
-static BINDINGS_3: &[BindingInfo] = &[
-    BindingInfo { name: "view", slot: 2, kind: BindingKind::Uniform { bytes: 80 } },
-    BindingInfo { name: "light", slot: 3, kind: BindingKind::Uniform { bytes: 112 } },
-    BindingInfo { name: "style", slot: 4, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "view", slot: 1, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "style", slot: 2, kind: BindingKind::Uniform { bytes: 80 } },
 ];
 
 static DRAW_PARTICLES_VERTEX: Module = Module {
@@ -110,7 +62,7 @@ static DRAW_PARTICLES_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "f7bdf883a1776ad64ecc0d6697c3c60a480ce4385b1144f461fbd96e0f362515",
+    hash: "e54968d4e0544fab1ee733b34565caa6c8b8524436bcda98cd57a9e130fd6112",
 };
 
 static DRAW_PARTICLES_FRAGMENT: Module = Module {
@@ -123,31 +75,5 @@ static DRAW_PARTICLES_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "03d55047c773c69d50ac5d1f77c5623186e6d999e97cf33661c5acf9d652921f",
-};
-
-static DRAW_PARTICLES_VERTEX_WITH_COLOR_FLUID: Module = Module {
-    name: "DrawParticles.vertex+COLOR_FLUID",
-    entry: "ParticlesVertex",
-    stage: StageKind::Vertex,
-    spirv: include_bytes!("../../spirv/draw_particles.vertex+color_fluid.spv"),
-    bindings: BINDINGS_2,
-    group_size: [1, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Floor,
-    source: "frame/particles.hlsl",
-    hash: "eea7d1cf7c4b9a23ab1c2703f578cc82757e3cf70324676c750bccbce1dcb0b2",
-};
-
-static DRAW_PARTICLES_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
-    name: "DrawParticles.fragment+COLOR_FLUID",
-    entry: "ParticlesFragment",
-    stage: StageKind::Fragment,
-    spirv: include_bytes!("../../spirv/draw_particles.fragment+color_fluid.spv"),
-    bindings: BINDINGS_3,
-    group_size: [1, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Floor,
-    source: "frame/particles.hlsl",
-    hash: "83fac2ac6e344abcba640864f7124f50524dbf6ce825b0dece085f41151b9e48",
+    hash: "b1e25abc13cf0a2691a430cb009aa129d36af5f24bd87e06e4afc2c85e0f6dcb",
 };

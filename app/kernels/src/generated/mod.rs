@@ -7,6 +7,7 @@ mod frame_floor;
 mod frame_layout;
 mod frame_particles;
 mod frame_resolve;
+mod frame_shade;
 mod frame_shadow;
 mod frame_sky;
 mod grid_count_cells;
@@ -30,6 +31,7 @@ pub use frame_floor::*;
 pub use frame_layout::*;
 pub use frame_particles::*;
 pub use frame_resolve::*;
+pub use frame_shade::*;
 pub use frame_shadow::*;
 pub use frame_sky::*;
 pub use grid_count_cells::*;
@@ -55,6 +57,7 @@ pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
         frame_floor::MODULES,
         frame_particles::MODULES,
         frame_resolve::MODULES,
+        frame_shade::MODULES,
         frame_shadow::MODULES,
         frame_sky::MODULES,
         grid_count_cells::MODULES,

@@ -6,7 +6,7 @@ mod look;
 use brooklet_fluid::Scene;
 use brooklet_gpu::{Blend, DepthTest, DrawState, Load, Recording, Resources, Targets};
 use brooklet_kernels::{
-    Buffer, DrawEdges, DrawFloor, DrawParticles, DrawParticlesVariant, DrawResolve, DrawShadow, DrawSky, Format,
+    Buffer, DrawEdges, DrawFloor, DrawParticles, DrawResolve, DrawShade, DrawShadeVariant, DrawShadow, DrawSky, Format,
     FrameLight, FrameStyle, FrameView, Position, Texture, Tier, Velocity,
 };
 
@@ -177,6 +177,8 @@ pub fn record(
     let depth_format = if options.tier == Tier::Floor { Format::Depth24Plus } else { Format::Depth32Float };
     let drawn_px = view.size_px.map(|side| side * options.supersample);
     let shadow_map = resources.texture("shadow_map", depth_format, [options.shadow_texels; 2]);
+    // R32Float holds every index below 2^24 exactly, and every tier can draw to it.
+    let seen = resources.texture("seen", Format::R32Float, drawn_px);
     let radiance = resources.texture("radiance", Format::Rgba16Float, drawn_px);
     let depth = resources.texture("depth", depth_format, drawn_px);
     let color = resources.texture("picture", Format::Rgba8Unorm, view.size_px);
@@ -192,10 +194,18 @@ pub fn record(
         3,
         particle_count,
     );
+    recording.draw(
+        &DrawParticles { positions: positions.read(), view: frame_view, style: frame_style },
+        &Targets { color: vec![(&seen, Load::Clear([0.0; 4]))], depth: Some((&depth, Load::Clear(0.0))) },
+        nearer,
+        3,
+        particle_count,
+    );
     let color_fluid = options.coloring == Coloring::Fluid;
     recording.draw(
-        &DrawParticles {
-            variant: DrawParticlesVariant { color_fluid },
+        &DrawShade {
+            variant: DrawShadeVariant { color_fluid },
+            seen: seen.read(),
             positions: positions.read(),
             velocities: (!color_fluid).then(|| velocities.read()),
             shadow_map: shadow_map.read(),
@@ -203,10 +213,10 @@ pub fn record(
             light: frame_light,
             style: frame_style,
         },
-        &Targets { color: vec![(&radiance, Load::Clear([0.0; 4]))], depth: Some((&depth, Load::Clear(0.0))) },
-        nearer,
+        &Targets { color: vec![(&radiance, Load::Clear([0.0; 4]))], depth: None },
+        DrawState::default(),
         3,
-        particle_count,
+        1,
     );
     // What hides little is drawn after what hides much, so that hidden pixels are not shaded.
     let onto = Targets { color: vec![(&radiance, Load::Keep)], depth: Some((&depth, Load::Keep)) };
