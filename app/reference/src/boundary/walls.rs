@@ -225,6 +225,22 @@ impl DomainWalls<'_> {
         }
         sum
     }
+
+    /// By how much to multiply, along each axis, what neighbours do to a particle, to stand for
+    /// their mirror images in the walls of the other two axes.
+    ///
+    /// Along a wall an even slope of pressure pulls with the integral of -y dW/dy, which by parts is
+    /// that of W: the images' share of it is the density that the wall adds. Never more than doubled
+    /// for an axis.
+    pub fn along(&self, position_m: DVec3) -> DVec3 {
+        let plane = |distance: f64| self.weight.weigh(DVec3::new(distance, 1.0, 1.0)).density;
+        let gain = [0, 1, 2].map(|axis| {
+            let low = position_m[axis] / self.support_m;
+            let high = (self.domain_size_m[axis] - position_m[axis]) / self.support_m;
+            1.0 / (1.0 - (plane(low) + plane(high)).min(0.5))
+        });
+        DVec3::new(gain[1] * gain[2], gain[2] * gain[0], gain[0] * gain[1])
+    }
 }
 
 /// One way to count the walls of an axis.
@@ -248,7 +264,7 @@ fn axis_choices(low: f64, high: f64) -> Vec<AxisChoice> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::shared::wendland::VOLUME;
+    use crate::shared::wendland::{VOLUME, gradient};
 
     #[test]
     fn halves_quarters_and_eighths() {
@@ -365,5 +381,34 @@ mod tests {
         assert!((got.gradient - at).length() < 1e-15);
         assert!((got.density - (0.31 + 1.8 + 3.0)).abs() < 1e-14);
         assert_eq!(table.weigh(at + 5.0).gradient, DVec3::ONE);
+    }
+
+    #[test]
+    fn mirror_images_pull_along_walls() {
+        // Half a spacing from a wall, in a lattice whose multiplier rises evenly along the wall: what
+        // the fluid's side gives times the gain is what it and its mirror image give together.
+        for (support_ratio, tolerance) in [(2.0, 0.02), (2.5, 0.02), (3.0, 0.01)] {
+            let walls = Walls::new(support_ratio);
+            let domain = DomainWalls { weight: &walls, domain_size_m: DVec3::splat(100.0), support_m: support_ratio };
+            let pull = |walls: usize| {
+                let mut sum = 0.0;
+                let reach = support_ratio.ceil() as i32;
+                for point in lattice::points([2 * reach as usize + 1; 3], 1.0) {
+                    let offset = point - 0.5 - f64::from(reach);
+                    if (0..walls).all(|axis| offset[axis] >= 0.0) {
+                        sum += offset.z * gradient(-offset / support_ratio).z;
+                    }
+                }
+                sum
+            };
+            for count in 0..=2 {
+                let mut at = DVec3::splat(50.0);
+                for axis in 0..count {
+                    at[axis] = 0.5;
+                }
+                let error = pull(count) * domain.along(at).z / pull(0) - 1.0;
+                assert!(error.abs() < tolerance, "h = {support_ratio} d, {count} walls: {error}");
+            }
+        }
     }
 }

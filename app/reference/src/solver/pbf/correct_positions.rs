@@ -49,6 +49,9 @@ pub fn correct_positions(
         terms += term.length();
     }
     if let Some(walls) = walls {
+        let along = walls.along(here_m);
+        correction *= along;
+        terms *= along.max_element();
         // The fluid mirrored in a wall has the particle's own multiplier.
         let term = walls.at(here_m).gradient * (lambdas[i] + lambdas[i]);
         correction += term;
