@@ -13,10 +13,8 @@ pub mod scene;
 mod simulation;
 pub mod solver;
 mod step;
-mod terms;
 
 pub use measure::Stats;
 pub use scene::{Scene, SceneError, shipped_scenes};
 pub use simulation::{Simulation, SimulationError};
 pub use step::{INIT, MEASURE, Recorded, STEP, record, record_particles};
-pub use terms::{OffTerm, off_terms};

@@ -100,7 +100,8 @@ pub struct Stats {
     pub centre_of_mass_m: [f64; 3],
     /// kg·m/s.
     pub momentum_kg_m_s: [f64; 3],
-    /// Largest x of a particle's middle plus half a spacing, in the scene's coordinates, m.
+    /// Largest x of a particle's middle plus half a spacing, in the scene's coordinates, m; at most
+    /// a wall's.
     pub front_m: f64,
     /// Particles measured.
     pub particles: u32,
@@ -131,6 +132,8 @@ impl Stats {
         let potential_m2_s2: f64 = (0..3).map(|axis| -scene.gravity_m_s2[axis] * mean_m[axis]).sum();
         let origin_m = scene.domain.min_m;
         let present = sums.particles > 0;
+        let furthest_m = if scene.domain.walls { scene.domain.max_m[0] } else { f64::INFINITY };
+        let front_m = (origin_m[0] + f64::from(sums.front_m) + 0.5 * scene.spacing_m).min(furthest_m);
         Self {
             density_error: spread(sums.density_error_sum, measure.density_error_p99, sums.density_error_max),
             compression: spread(sums.compression_sum, measure.compression_p99, sums.compression_max),
@@ -139,7 +142,7 @@ impl Stats {
             potential_j: mass_kg * f64::from(sums.particles) * potential_m2_s2,
             centre_of_mass_m: std::array::from_fn(|axis| if present { origin_m[axis] + mean_m[axis] } else { 0.0 }),
             momentum_kg_m_s: sums.velocity_sum_m_s.map(|sum| mass_kg * f64::from(sum)),
-            front_m: if present { origin_m[0] + f64::from(sums.front_m) + 0.5 * scene.spacing_m } else { 0.0 },
+            front_m: if present { front_m } else { 0.0 },
             particles: sums.particles,
             quarantined: sums.quarantined,
             escaped: sums.escaped,

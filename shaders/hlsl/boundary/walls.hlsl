@@ -68,4 +68,29 @@ float4 WallsAt(float3 position_m, float3 domain_size_m, float inverse_support_pe
 #endif
 }
 
+// The density ratio beyond one wall alone, at a distance in h.
+float WallPlaneWeight(float distance)
+{
+    float place = saturate(distance) * (WALL_NODES - 1);
+    uint low = min(uint(place), WALL_NODES - 2);
+    uint far = WALL_NODES - 1;
+    return lerp(WallNode(uint3(low, far, far)).w, WallNode(uint3(low + 1, far, far)).w, place - float(low));
+}
+
+// How much of a correction along each axis the fluid's own neighbours give near walls along the
+// others, inverted. Behind a wall the fluid's mirror image would push along the wall as well, in
+// proportion to the kernel that lies there: the integral of -y dW/dy beyond the wall is that of W.
+// Without it the layer at a wall feels too little of the pressure's slope along the wall, sinks,
+// and stirs water that should rest.
+float3 AlongWalls(float3 position_m, float3 domain_size_m, float inverse_support_per_m)
+{
+    float3 low = position_m * inverse_support_per_m;
+    float3 high = (domain_size_m - position_m) * inverse_support_per_m;
+    float3 left;
+    [unroll]
+    for (uint axis = 0; axis < 3; ++axis)
+        left[axis] = 1.0 - min(WallPlaneWeight(low[axis]) + WallPlaneWeight(high[axis]), 0.5);
+    return 1.0 / (left.yzx * left.zxy);
+}
+
 #endif

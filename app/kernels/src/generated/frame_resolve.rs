@@ -66,7 +66,7 @@ static DRAW_RESOLVE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/resolve.hlsl",
-    hash: "a2fb97f2cfe24e5cd0bfa566e47573615fd2531b0b2cd0c4d7ac9724e68b764e",
+    hash: "675a49588ef5d492c5cd2c5319b814bdafe609c0d553c7f18b8978dc4b0a308f",
 };
 
 static DRAW_RESOLVE_FRAGMENT: Module = Module {
@@ -79,5 +79,5 @@ static DRAW_RESOLVE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/resolve.hlsl",
-    hash: "7d87fa533eceadcb45cefed8fe7c46016591a847f65f38cf5d59636bb35a06ef",
+    hash: "cfccab23fc6b96c95509e54dae14c4485b5978c6ceb518b704dd30c699b763be",
 };

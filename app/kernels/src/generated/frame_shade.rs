@@ -104,7 +104,7 @@ static DRAW_SHADE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "d0e3e4bc6ea30f16dd4635a409f55968bf9c3d65c8fd3a9a913925ccc5cc1c38",
+    hash: "e4e70e25fb1600ac79fafe1976ebef15fb5ea7f5a4d9fcf6e4a2bdb57b31d88c",
 };
 
 static DRAW_SHADE_FRAGMENT: Module = Module {
@@ -117,7 +117,7 @@ static DRAW_SHADE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "4b3a9218b750b4b501aa7822f593831fc4b5f4b566a0a58b85e32cd99de057d4",
+    hash: "b487f4a54a072c454a93881f5eecd8e618959655fe707240df4a222eb81dc10c",
 };
 
 static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
@@ -130,7 +130,7 @@ static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "917cb10e34fddce410455fba67b5aa4924b343eaddd5af6eb635f7f3cfba1da3",
+    hash: "4fc73cbb1d008c21cf080931d76a52734c9881786892c6acef82aab9eb972e4d",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
@@ -143,5 +143,5 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "eaeaf4a17329b93fb96cad56d2da45ae4bd7565c51a3c173afd27affdb1a3ef1",
+    hash: "52f61669b9147f26aac293e5f91ad5eedc41b09a9cdfdf9ded16295e40987f55",
 };

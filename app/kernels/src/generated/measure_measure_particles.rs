@@ -137,7 +137,7 @@ static MEASURE_PARTICLES: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "a6ea34db61a96515f517c5410b4ec7a9d0e75693c655877942b6bed4e1167056",
+    hash: "c9b03fb8a1d4e4216236bd0ee3a21db2a798dcac910eefce3fc15722cc7727bf",
 };
 
 static MEASURE_PARTICLES_WITH_WALLS: Module = Module {
@@ -150,7 +150,7 @@ static MEASURE_PARTICLES_WITH_WALLS: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "7ab31fc4377aa9ab474744498c90de00206681981bf3867557a6b198a2e8d39e",
+    hash: "9de522973cbd6487db59551f8484657972c9c50ed3c0dc8b746165aa0435f8d9",
 };
 
 static MEASURE_PARTICLES_WITH_NARROW_WALLS: Module = Module {
@@ -163,5 +163,5 @@ static MEASURE_PARTICLES_WITH_NARROW_WALLS: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "b2b34abd6a97dbfce8cff18f96808e6be1a3e8d9881fb9383f259b2459729fe1",
+    hash: "ccfccd3a843fc88810ecbaa2f0063995b6cff23a2a4bd4283f6fddfbe1cde283",
 };

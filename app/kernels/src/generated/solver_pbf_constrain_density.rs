@@ -124,7 +124,7 @@ static CONSTRAIN_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "56e92af58ecbaffa0c3afee81e0bb90df5823a7d03b59a2d282f4ed4d347e1b3",
+    hash: "2ae8d1f5c0f6a7ec0c35947fe6a029d96a0341cc3d3bddfd14428b8bbb22a8c0",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
@@ -137,7 +137,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "eae2912efcfac22c9da606ea6b66637a3a8b8259dd0d18de2032a5095d77fa26",
+    hash: "986302e81778b1a21c73fa0ec65547e2ee59eef6179672a2ade2f8d84fc6c729",
 };
 
 static CONSTRAIN_DENSITY_WITH_NARROW_WALLS: Module = Module {
@@ -150,5 +150,5 @@ static CONSTRAIN_DENSITY_WITH_NARROW_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "261b252236e68ef8e9b3d3219589853ceb916e0bd3263f14edfb64c778e576c6",
+    hash: "9c7e71f12149cc46dd5d72bd8b443ab485eedfae86264d5105ebf67a5c40bc57",
 };

@@ -148,7 +148,7 @@ static CORRECT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "84f145a3149d9b13e99fab0133a4a8e3bf243b14c749c8cac7fca47488cd89b1",
+    hash: "b8032e757d4314c4eeb90afacaf8ddbdbf47d401c9f58af0bb8ca2bf86dcc6a7",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
@@ -161,7 +161,7 @@ static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "8d29e3b24932847b4c91e38d3683cc0dc9a4336baa8a5b6f84c9f333eac0e33a",
+    hash: "5f2b39c589b11bbd70df82becaa8fb7bd27c59eea045d57a618a354a021c2b85",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
@@ -174,7 +174,7 @@ static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "b37fdd9fe45550a3f0b5b07d97f90c1de10067ae8d565042532492b1d746044e",
+    hash: "b1adcbf21abfa9272402cfbfbd85922f63b9a6d2bda7ec77592dab88be72eb4d",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
@@ -187,7 +187,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "93e06b1e34ff47ba6d41a57b7ca5fa903cd0dc554db04dc23d2f40e98ff52582",
+    hash: "68b9c39bf04365a008bc6eefb20b6a979eb6658e35d1a6c40a2d0644b87d0a79",
 };
 
 static CORRECT_POSITIONS_WITH_NARROW_WALLS: Module = Module {
@@ -200,7 +200,7 @@ static CORRECT_POSITIONS_WITH_NARROW_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "e0571070e83bf666a9185b0fa3e09253335286e26bb0c1b603a53f85a5187844",
+    hash: "69458321711f8db19546d4291b37209e65ad8c0fed15d124c57a2f285eee7f2d",
 };
 
 static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_S_CORR: Module = Module {
@@ -213,5 +213,5 @@ static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "ea069d0774ca464b6a61fd3ec71e346ed059d814695656d2e04c0f66abd0a66b",
+    hash: "1b0af46257e92804c6ad25b7a9de20e4a1b6a5c9c01def03990b0d15e909ba4c",
 };
