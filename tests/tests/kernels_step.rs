@@ -161,3 +161,17 @@ fn a_missing_or_wrong_term_is_seen() {
         assert!(follow(&scene, &twin_scene, 1, &mut worst).is_err(), "a twin with {setting} was not told apart");
     }
 }
+
+#[test]
+fn a_scene_without_particles_runs() {
+    let mut scene = scene_with(&[]);
+    scene.fluids.clear();
+    scene.outputs.measure_every_steps = 1;
+    let mut simulation = Simulation::new(&gpu(), &scene).unwrap();
+    simulation.step().unwrap();
+    simulation.measure().unwrap();
+    let stats = simulation.finish().unwrap().expect("a measurement was asked for");
+    assert_eq!((stats.particles, stats.quarantined, stats.escaped), (0, 0, 0));
+    assert_eq!((stats.density_error.max, stats.max_speed_m_s, stats.kinetic_j), (0.0, 0.0, 0.0));
+    assert!(simulation.particles().unwrap().0.is_empty());
+}

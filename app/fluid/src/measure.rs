@@ -27,7 +27,7 @@ impl Measuring {
         let groups = particle_count.div_ceil(MeasureParticles::GROUP_SIZE[0]);
         Self {
             measure: resources.buffer("measure", 1),
-            group_measures: resources.buffer("group_measures", groups),
+            group_measures: resources.buffer("group_measures", groups.max(1)),
             histograms: resources.buffer("histograms", 2 * HISTOGRAM_BINS),
         }
     }
@@ -41,6 +41,8 @@ impl Measuring {
         positions: &Buffer<Position>,
         velocities: &Buffer<Velocity>,
     ) {
+        // Without particles nothing else writes it.
+        recording.clear(&mut self.group_measures);
         recording.clear(&mut self.histograms);
         recording.dispatch(
             &MeasureParticles {

@@ -28,7 +28,7 @@ pub struct Recorded {
     pub positions: Buffer<Position>,
     /// Their velocities, in the same order.
     pub velocities: Buffer<Velocity>,
-    /// The last measurement, if the scene measures and has particles.
+    /// The last measurement, if the scene measures.
     pub measure: Option<Buffer<Measure>>,
 }
 
@@ -77,7 +77,7 @@ pub fn record_particles(resources: &mut Resources, scene: &Scene, emitted: Emitt
     }
 
     let mut recordings = vec![init, step];
-    let measure = (scene.outputs.measure_every_steps > 0 && particle_count > 0).then(|| {
+    let measure = (scene.outputs.measure_every_steps > 0).then(|| {
         let mut measuring = Measuring::declare(resources, particle_count);
         let mut recording = Recording::new(MEASURE);
         measuring.record(&mut recording, &mut shared, &neighbours, &positions, &velocities);
