@@ -41,20 +41,25 @@ float occlusion(float2 drawn_px, float distance_m)
     float turn = 6.2831853 * pixel_noise(drawn_px);
     float2x2 turned = float2x2(cos(turn), -sin(turn), sin(turn), cos(turn));
     float limit = style.occlusion_m;
-    const uint taps = 10;
+    const uint taps = 14;
     float sum = 0.0;
+    float all = 0.0;
     [unroll]
     for (uint i = 0; i < taps; i++)
     {
-        float2 aside = reach_px * mul(turned, disc_tap(i, taps));
+        float2 tap = disc_tap(i, taps);
+        float2 aside = reach_px * mul(turned, tap);
         // Pairs of opposite taps: on a tilted plane what one gains the other loses.
         float front = distance_m - distance_at(drawn_px + aside);
         float back = distance_m - distance_at(drawn_px - aside);
         float gain = clamp(front, -limit, limit) + clamp(back, -limit, limit);
         float known = saturate(2.0 - 0.5 * max(front, back) / limit);
-        sum += known * saturate(gain / limit);
+        // Far taps count less: what they find is shared by all pixels around.
+        float weight = 1.2 - length(tap);
+        sum += weight * known * saturate(gain / limit);
+        all += weight;
     }
-    return sum / taps;
+    return sum / all;
 }
 
 // A film's curve: Narkowicz 2016, a fit to the ACES reference.
