@@ -36,7 +36,8 @@ float power64(float x)
 // Diffuse light of sky and floor on a surface facing `normal`.
 float3 ambient_light(FrameLight light, float3 floor_color, float3 normal)
 {
-    float3 sky = lerp(light.sky_horizon, light.sky_zenith, 0.55);
+    // Brighter than the part of the sky that is seen, as a studio is lit from above.
+    float3 sky = 1.5 * lerp(light.sky_horizon, light.sky_zenith, 0.5);
     float3 bounce = floor_color * (0.35 * light.sun_color + 0.3 * light.sky_horizon);
     return lerp(bounce, sky, 0.5 + 0.5 * normal.y);
 }

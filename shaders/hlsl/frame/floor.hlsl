@@ -97,12 +97,15 @@ float4 FloorFragment(Varyings input) : SV_Target0
 
     float sun = sun_arriving(input.world_m, input.position.xy);
     float3 up = float3(0.0, 1.0, 0.0);
-    float3 ambient = lerp(light.sky_horizon, light.sky_zenith, 0.45);
+    float3 ambient = 1.5 * lerp(light.sky_horizon, light.sky_zenith, 0.4);
     // Sunlight that went through the fluid is not gone: it arrives blue.
     float3 arriving = lerp(float3(0.05, 0.16, 0.24), float3(1.0, 1.0, 1.0), sun);
     float3 color = albedo * (light.to_sun.y * arriving * light.sun_color * 0.75 + ambient * (0.55 + 0.2 * sun));
 
     color = lerp(color, sky_gradient(light, reflect(direction, up)), fresnel(0.04, -direction.y));
+    // A pool of light around the domain: what is to be looked at is brightest.
+    float away = length(input.world_m.xz - 0.5 * style.domain_size_m.xz) / (0.4 * style.floor_fade_m);
+    color *= 0.5 + 0.6 / (1.0 + away * away);
 
     float fade = 1.0 - exp(-pow(distance_m / style.floor_fade_m, 2.0));
     color = lerp(color, sky_radiance(light, normalize(float3(direction.x, 0.0, direction.z))), fade);

@@ -67,7 +67,7 @@ float3 shade(float3 normal, float3 to_eye, float3 albedo, float sun)
     color += sqrt(albedo) * float3(0.10, 0.32, 0.36) * through * sun * light.sun_color * 0.35;
     float f = fresnel(0.02, n_dot_v);
     // Deep in the fluid a drop mirrors its neighbours and not the sky.
-    color += f * sky_gradient(light, reflect(-to_eye, normal)) * (0.06 + 0.6 * sun);
+    color += f * sky_gradient(light, reflect(-to_eye, normal)) * (0.04 + 0.8 * sun * sun);
     float3 halfway = normalize(light.to_sun + to_eye);
     color += power64(saturate(dot(normal, halfway))) * 0.45 * sun * light.sun_color;
     return color;

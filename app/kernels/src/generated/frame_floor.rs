@@ -66,7 +66,7 @@ static DRAW_FLOOR_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "fa1444c03370687eac2b631631ca4a1789278c55429ded2f9c5f147534bf4ce7",
+    hash: "2afb9d5d9eadbbf61b03bfcf2a4ed02eecf24fc34dfda9536d2287e4cd16c18c",
 };
 
 static DRAW_FLOOR_FRAGMENT: Module = Module {
@@ -79,5 +79,5 @@ static DRAW_FLOOR_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "73c92efdbf12a40ad9759f0e115e2152e420c53eb2413784bfd0f37e38fa9166",
+    hash: "cd30d4272a95d240ef1c10d0e445ee21877f84be95a38e54ac6231cede85f82a",
 };

@@ -104,7 +104,7 @@ static DRAW_SHADE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "e4e70e25fb1600ac79fafe1976ebef15fb5ea7f5a4d9fcf6e4a2bdb57b31d88c",
+    hash: "86ccb307f96892c09fae77c30242fbe50ea3dd6babb91bcf0b9f90c4787880e3",
 };
 
 static DRAW_SHADE_FRAGMENT: Module = Module {
@@ -117,7 +117,7 @@ static DRAW_SHADE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "b487f4a54a072c454a93881f5eecd8e618959655fe707240df4a222eb81dc10c",
+    hash: "12cee27cd8ee29fbb6a5df8475d33d348e85b21de2624cb9ed02fc9c45b0f739",
 };
 
 static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
@@ -130,7 +130,7 @@ static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "4fc73cbb1d008c21cf080931d76a52734c9881786892c6acef82aab9eb972e4d",
+    hash: "bb68eab94f92af910262b31f892fabc404e4249bc4ce46c489fd2cf87a4f42ac",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
@@ -143,5 +143,5 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "52f61669b9147f26aac293e5f91ad5eedc41b09a9cdfdf9ded16295e40987f55",
+    hash: "3ea346dd60d7f968948ff65eab47f7d2d9a6276ba8051cac126b35119ae0ec75",
 };

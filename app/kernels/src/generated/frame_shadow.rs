@@ -55,7 +55,7 @@ static DRAW_SHADOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "e794d7e060c2eea6a5d2fdaa0f5e15d292627ad62826b3a21ccd8fa9cb718091",
+    hash: "b1a2b000cebe2284d18dd5d16c33a41e67783e8c9cd3b8da9e5f7c8e724b6995",
 };
 
 static DRAW_SHADOW_FRAGMENT: Module = Module {
@@ -68,5 +68,5 @@ static DRAW_SHADOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "21a14ae2dfe492ac53b72a6f713d61c99a1bd903173260e9610fc4f225e161df",
+    hash: "d8b781deb36dd4220b518742df81ae66e1d39aa38e2722f43911f95d22659383",
 };

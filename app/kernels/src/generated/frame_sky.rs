@@ -46,7 +46,7 @@ static DRAW_SKY_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/sky.hlsl",
-    hash: "bc70dffaf7a9dbdcb3255a09d728dcae7d33c25774f6ae49c00fd11c9d3db73c",
+    hash: "6625ad26f4fd363a7f0a281bcd493102c1a2d2582fcfb0adb431a07c9ed97b76",
 };
 
 static DRAW_SKY_FRAGMENT: Module = Module {
@@ -59,5 +59,5 @@ static DRAW_SKY_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/sky.hlsl",
-    hash: "cf21e50e8eeac52b813d1d41e97c64a5a1b90a52c23e04d204d5e8ac7d8b0510",
+    hash: "e4f0d8fe022e44b416bf489eb09a893f1a1fb999913564a82d8fa1a6e88643da",
 };

@@ -12,8 +12,8 @@ use crate::camera::corners;
 const TO_SUN: DVec3 = DVec3::new(-0.55, 0.75, -0.25);
 /// Colours in linear light.
 const SUN_COLOR: [f32; 3] = [3.0, 2.75, 2.4];
-const SKY_ZENITH: [f32; 3] = [0.10, 0.21, 0.40];
-const SKY_HORIZON: [f32; 3] = [0.50, 0.55, 0.58];
+const SKY_ZENITH: [f32; 3] = [0.08, 0.16, 0.30];
+const SKY_HORIZON: [f32; 3] = [0.30, 0.345, 0.385];
 const FLOOR_COLOR: [f32; 3] = [0.25, 0.235, 0.21];
 const EDGE_COLOR: [f32; 3] = [0.05, 0.09, 0.13];
 const EDGE_OPACITY: f32 = 0.45;
