@@ -25,7 +25,7 @@ pub fn bench(options: &BenchOptions) -> Result<(), Failure> {
     if !gpu.timing().is_measured() {
         return Err(Failure::Input(format!("{} gives no GPU times, and a benchmark is made of them", gpu.info().name)));
     }
-    let per_particle = plan::per_particle(&planned);
+    let per_particle = plan::simulation_bytes_per_particle(&planned.plan, planned.particles);
     let (total_bytes, stages) = (planned.plan.bytes(), stages(&planned.plan));
     let particles = planned.particles;
     let mut engine = Engine::new(&gpu, planned.plan).map_err(Failure::input)?;

@@ -1,6 +1,6 @@
 //! `brooklet plan`: what a run would do, without doing it; needs no GPU.
 
-use brooklet_fluid::Scene;
+use brooklet_fluid::{INIT, MEASURE, STEP, Scene};
 use brooklet_gpu::{Plan, Tier};
 use serde::Serialize;
 use serde_json::json;
@@ -59,7 +59,7 @@ fn print_json(scene: &Scene, planned: &Planned, absent: &[Absent]) -> Result<(),
         "passes": passes(&planned.plan),
         "buffers": buffers,
         "bytes": planned.plan.bytes(),
-        "bytes_per_particle": per_particle(planned),
+        "bytes_per_particle": simulation_bytes_per_particle(&planned.plan, planned.particles),
         "left_out": absent,
     });
     let text = serde_json::to_string_pretty(&all).map_err(Failure::stopped)?;
@@ -67,9 +67,10 @@ fn print_json(scene: &Scene, planned: &Planned, absent: &[Absent]) -> Result<(),
     Ok(())
 }
 
-/// Bytes of GPU memory over the particles; none without particles.
-pub fn per_particle(planned: &Planned) -> Option<f64> {
-    (planned.particles > 0).then(|| planned.plan.bytes() as f64 / f64::from(planned.particles))
+/// Bytes of GPU memory that simulating and measuring take, over the particles; none without
+/// particles. What is drawn grows with pixels, not with particles, and does not count.
+pub fn simulation_bytes_per_particle(plan: &Plan, particles: u32) -> Option<f64> {
+    (particles > 0).then(|| plan.bytes_of(&[INIT, STEP, MEASURE]) as f64 / f64::from(particles))
 }
 
 fn print_tables(scene: &Scene, planned: &Planned, absent: &[Absent]) {
@@ -87,8 +88,8 @@ fn print_tables(scene: &Scene, planned: &Planned, absent: &[Absent]) {
     let total = planned.plan.bytes();
     list.add_row(["in all".to_string(), total.to_string(), bytes(total)]);
     println!("{}", list.trim_fmt());
-    if let Some(per_particle) = per_particle(planned) {
-        println!("{per_particle:.0} bytes a particle");
+    if let Some(per_particle) = simulation_bytes_per_particle(&planned.plan, planned.particles) {
+        println!("{per_particle:.0} bytes a particle, without what is drawn");
     }
 
     if absent.is_empty() {

@@ -9,6 +9,7 @@ use crate::{
     commit::{COMMIT, VERSION},
     left_out::Absent,
     measured::{Counted, Measured, Spread, Worst},
+    plan::simulation_bytes_per_particle,
     table::{bytes, ms, table},
     timings::{self, Timings},
 };
@@ -211,7 +212,7 @@ impl Summary {
                 last_step: any.then_some(measured.last_step),
             },
             buffers: plan.buffers().into_iter().map(|buffer| (buffer.label, buffer.bytes.into())).collect(),
-            bytes_per_particle: (facts.particles > 0).then(|| plan.bytes() as f64 / f64::from(facts.particles)),
+            bytes_per_particle: simulation_bytes_per_particle(plan, facts.particles),
             left_out: facts.left_out,
             device: Device {
                 name: gpu.info().name.clone(),
@@ -257,7 +258,7 @@ impl Summary {
         self.print_passes();
         self.print_measured();
         let per_particle = self.bytes_per_particle.unwrap_or(0.0);
-        println!("memory: {}, {per_particle:.0} bytes a particle", bytes(plan_bytes));
+        println!("memory: {}; {per_particle:.0} bytes a particle without what is drawn", bytes(plan_bytes));
     }
 
     fn print_passes(&self) {

@@ -247,6 +247,17 @@ impl Plan {
         self.used.iter().map(|id| self.resources.bytes(*id)).sum()
     }
 
+    /// Bytes of the resources that some of the recordings use.
+    pub fn bytes_of(&self, recordings: &[&str]) -> u64 {
+        let used: BTreeSet<ResourceId> = recordings
+            .iter()
+            .flat_map(|recording| self.commands(recording))
+            .flat_map(|command| command.touches())
+            .map(|(id, _)| id)
+            .collect();
+        self.buffers().iter().filter(|buffer| used.contains(&buffer.id)).map(|buffer| buffer.bytes).sum()
+    }
+
     /// What was left out, and why: stages, then commands, buffers, textures.
     pub fn left_out(&self) -> &[LeftOut] {
         &self.left_out
