@@ -128,6 +128,20 @@ fn without_particles_there_is_floor_and_sky() {
 }
 
 #[test]
+fn a_dense_block_has_no_holes() {
+    let view = view([320, 180]);
+    let options = FrameOptions { radius_m: 0.055, supersample: 2, ..options() };
+    let cells = |count: u32| (0..count).map(|i| 0.05 + 0.1 * f64::from(i));
+    let block: Vec<Sphere> =
+        cells(8).flat_map(|x| cells(6).flat_map(move |y| cells(10).map(move |z| sphere(x, y, z, 0)))).collect();
+    for coloring in [Coloring::Fluid, Coloring::Speed { foam_m_s: 3.0 }] {
+        let picture = draw(&view, &FrameOptions { coloring, ..options }, &block);
+        let darkest = (0..320).flat_map(|x| (0..180).map(move |y| (x, y))).map(|(x, y)| picture.brightness(x, y)).min();
+        assert!(darkest > Some(24), "{darkest:?}");
+    }
+}
+
+#[test]
 fn pictures_repeat_and_a_wrong_one_is_noticed() {
     let view = view([160, 90]);
     let spheres = some_spheres();

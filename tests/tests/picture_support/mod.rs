@@ -159,8 +159,8 @@ pub fn compare_depth(
             };
             let difference = if got == expected { 0.0 } else { (got - expected).abs() / expected.max(1e-9) };
             worst = worst.max(difference);
-            // Written so that a NaN is a failure.
-            if !(difference <= tolerance) {
+            // A NaN, which compares with nothing, is a failure too.
+            if difference.is_nan() || difference > tolerance {
                 return Err(format!("pixel {x}, {y}: depth {got}, expected {expected}"));
             }
         }

@@ -47,14 +47,15 @@ pub struct FrameOptions {
 }
 
 impl FrameOptions {
-    /// Options that suit a scene: spheres that just overlap, and foam at the speed of a fall from
-    /// the fluid's top (or the fluids' own speed, without gravity).
+    /// Options that suit a scene: spheres that just overlap, foam at the speed of a fall from the
+    /// fluid's top (or the fluids' own speed, without gravity), and four drawn pixels for each of
+    /// the picture's, as far as every device has textures of that size.
     pub fn for_scene(scene: &Scene, tier: Tier) -> Self {
         Self {
             tier,
             radius_m: 0.55 * scene.spacing_m,
             coloring: Coloring::Speed { foam_m_s: foam_m_s(scene) },
-            supersample: 2,
+            supersample: if scene.outputs.width_px.max(scene.outputs.height_px) > 2048 { 1 } else { 2 },
             shadow_texels: 512,
             edges: true,
         }
