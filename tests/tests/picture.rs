@@ -9,9 +9,9 @@ use picture_support::{
     Picture, QUARANTINED, Sphere, compare_colors, compare_depth, draw, draw_moving, options, sphere, view,
 };
 
-/// Relative, of reversed depth: a few roundings of f32 on coordinates that are some ten times
-/// larger than the sphere.
-const DEPTH_TOLERANCE: f64 = 5e-6;
+/// Relative, of reversed depth, beyond what a device may displace: roundings of f32, most of them
+/// in interpolating the floor's two huge triangles.
+const DEPTH_TOLERANCE: f64 = 5e-5;
 /// Two drawings of one picture: the device may round a channel the other way.
 const SAME_STEPS: i32 = 1;
 
