@@ -18,7 +18,7 @@ use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use rand::{Rng, RngExt};
 
-const QUARANTINED: u32 = 1 << 31;
+const QUARANTINED: u32 = brooklet_kernels::QUARANTINED;
 
 /// Values a group of the scan takes: four a thread.
 const SCAN_GROUP: u32 = 4 * ScanGroups::GROUP_SIZE[0];

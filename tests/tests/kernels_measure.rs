@@ -17,7 +17,7 @@ use glam::DVec3;
 use rand::{Rng, RngExt};
 
 /// Bins of one histogram.
-const BINS: usize = brooklet_fluid::measure::HISTOGRAM_BINS as usize;
+const BINS: usize = brooklet_kernels::HISTOGRAM_BINS as usize;
 const GROUP: usize = MeasureParticles::GROUP_SIZE[0] as usize;
 
 /// A density is a sum of some 30 terms of a handful of roundings each (64 in all); a mean of 64 of

@@ -8,7 +8,7 @@ use brooklet_tests::harness::{Bench, small};
 use brooklet_tests::rng;
 use rand::RngExt;
 
-const QUARANTINED: u32 = 1 << 31;
+const QUARANTINED: u32 = brooklet_kernels::QUARANTINED;
 
 struct Output {
     positions: Vec<Position>,

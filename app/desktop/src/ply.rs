@@ -2,14 +2,13 @@
 
 use std::path::Path;
 
-use brooklet_kernels::{Position, Velocity};
+use brooklet_kernels::{FLUID_SHIFT, Position, QUARANTINED, Velocity};
 use serde::Serialize;
 
 use crate::{failure::Failure, out_dir};
 
 /// Tag bits (see `shaders/hlsl/shared/layout.hlsl`): 0-23 id, 24-30 fluid, 31 quarantined.
-const ID_MASK: u32 = 0x00ff_ffff;
-const QUARANTINED: u32 = 1 << 31;
+const ID_MASK: u32 = (1 << FLUID_SHIFT) - 1;
 
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 struct Vertex {
@@ -56,7 +55,7 @@ fn cloud(positions: &[Position], velocities: &[Velocity], origin_m: [f64; 3]) ->
                 vy,
                 vz,
                 id: position.tag & ID_MASK,
-                fluid: ((position.tag & !QUARANTINED) >> 24) as u8,
+                fluid: ((position.tag & !QUARANTINED) >> FLUID_SHIFT) as u8,
             }
         })
         .collect();

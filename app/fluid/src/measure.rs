@@ -2,16 +2,13 @@
 
 use brooklet_gpu::{Recording, Resources};
 use brooklet_kernels::{
-    Buffer, Counters, Kernel, Measure, MeasureParticles, MeasureParticlesVariant, MeasureSums, MeasureTotals, Position,
-    Velocity,
+    Buffer, Counters, HISTOGRAM_BINS, Kernel, Measure, MeasureParticles, MeasureParticlesVariant, MeasureSums,
+    MeasureTotals, Position, Velocity,
 };
 
 use crate::grid::Neighbours;
 use crate::scene::Scene;
 use crate::solver::pbf::Shared;
-
-/// Bins of a histogram: the shader's HISTOGRAM_BINS.
-pub const HISTOGRAM_BINS: u32 = 512;
 
 /// The measuring stages' buffers.
 pub struct Measuring {

@@ -7,9 +7,6 @@
 
 #include "../shared/layout.hlsl"
 
-// Nodes an axis; from distance 0 to h.
-static const uint WALL_NODES = 32;
-
 // xyz: gradient over the three distances, 1/h; w: density ratio.
 StructuredBuffer<float4> wall_weights;
 

@@ -3,7 +3,8 @@
 #ifndef BROOKLET_HISTOGRAM
 #define BROOKLET_HISTOGRAM
 
-static const uint HISTOGRAM_BINS = 512;
+#include "../shared/layout.hlsl"
+
 static const uint HISTOGRAM_FIRST = 0x38800000u >> 18; // the bits of 2^-14
 
 uint HistogramBin(float value)

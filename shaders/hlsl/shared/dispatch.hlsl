@@ -1,9 +1,8 @@
-// From group and thread to a linear index. Vulkan promises 65,535 groups an axis only, so the
-// host folds longer dispatches into rows of GROUPS_A_ROW (its twin: gpu/recording).
+// From group and thread to a linear index; the host folds long dispatches into rows.
 #ifndef BROOKLET_DISPATCH
 #define BROOKLET_DISPATCH
 
-static const uint GROUPS_A_ROW = 32768;
+#include "layout.hlsl"
 
 // Threads of a group where nothing is shared: one wave of every Adreno and of most desktop GPUs.
 #define PARTICLE_GROUP 64

@@ -1,8 +1,21 @@
-// The only structs that the host sees. Every field is placed alike in a uniform and in a
+// The only structs and numbers that the host sees. Every field is placed alike in a uniform and in a
 // structured buffer, with no hidden padding: the shader compiler refuses anything else.
 // Lengths are metres, relative to the domain's lowest corner; y is up.
 #ifndef BROOKLET_LAYOUT
 #define BROOKLET_LAYOUT
+
+// Vulkan promises 65,535 groups an axis only, so longer dispatches are folded into rows of so many.
+static const uint GROUPS_A_ROW = 32768;
+// Values each thread of a scan takes: one 16-byte load.
+static const uint SCAN_ITEMS = 4;
+// Nodes an axis of the walls' table, from distance 0 to h.
+static const uint WALL_NODES = 32;
+// Bins of a histogram, 32 to an octave.
+static const uint HISTOGRAM_BINS = 512;
+// The bit of Position::tag that parks a particle whose state is not finite.
+static const uint QUARANTINED = 0x80000000;
+// Where the fluid's number begins in Position::tag; the id lies below.
+static const uint FLUID_SHIFT = 24;
 
 // A particle where it is, and which one it is.
 struct Position

@@ -3,7 +3,7 @@
 #ifndef BROOKLET_TAG
 #define BROOKLET_TAG
 
-static const uint QUARANTINED = 0x80000000;
+#include "layout.hlsl"
 
 bool IsQuarantined(uint tag)
 {

@@ -7,7 +7,7 @@ use brooklet_tests::gpu;
 use glam::{DVec2, DVec3};
 
 /// Bit of a tag that says: quarantined, not to be drawn.
-pub const QUARANTINED: u32 = 1 << 31;
+pub const QUARANTINED: u32 = brooklet_kernels::QUARANTINED;
 
 /// Vulkan lets a device round a triangle's corners to sixteenths of a pixel; all that a pixel shows
 /// may be displaced by as much.

@@ -9,7 +9,7 @@ use crate::problem::{Place, Problem, Problems};
 use crate::program::Tree;
 use crate::reflect::{self, Kind};
 use crate::source::Source;
-use crate::text::{StructText, Text};
+use crate::text::{ConstantText, StructText, Text};
 
 /// A layout file's structs.
 #[derive(Clone, Debug)]
@@ -20,6 +20,8 @@ pub struct LayoutFile {
     pub hash: String,
     /// Its structs in order, with the comments of struct and fields.
     pub structs: Vec<DocumentedStruct>,
+    /// Its numbers that host and shaders share.
+    pub constants: Vec<ConstantText>,
 }
 
 /// A struct with its comments.
@@ -67,9 +69,11 @@ pub fn read_layouts(compiler: &Compiler, tree: &Tree) -> Result<Vec<LayoutFile>,
 }
 
 fn read_layout(compiler: &Compiler, source: &Source) -> Result<LayoutFile, Problems> {
-    let texts = Text::new(&source.text).structs(Some(&source.file));
+    let text = Text::new(&source.text);
+    let texts = text.structs(Some(&source.file));
+    let constants = text.constants(&source.file);
     let hash = hash_of(compiler.dxc.version(), source);
-    let mut file = LayoutFile { file: source.file.clone(), hash, structs: Vec::new() };
+    let mut file = LayoutFile { file: source.file.clone(), hash, structs: Vec::new(), constants };
     if texts.is_empty() {
         return Ok(file);
     }

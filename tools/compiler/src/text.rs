@@ -13,9 +13,11 @@ static RESOURCE: LazyLock<Regex> = LazyLock::new(|| {
     )
 });
 static STRUCT: LazyLock<Regex> = LazyLock::new(|| pattern(r"^\s*(struct|cbuffer)\s+(\w+)"));
+static CONSTANT: LazyLock<Regex> =
+    LazyLock::new(|| pattern(r"^\s*static\s+const\s+(uint|int|float)\s+(\w+)\s*=\s*([^;]+?)\s*;"));
 static FIELD: LazyLock<Regex> = LazyLock::new(|| pattern(r"(\w+)\s*(\[[^\]]*\]\s*)*(:[^;,]*)?[;,]"));
 
-#[allow(clippy::expect_used)] // The patterns are the three above, and every run compiles them.
+#[allow(clippy::expect_used)] // The patterns are those above, and every run compiles them.
 fn pattern(text: &str) -> Regex {
     Regex::new(text).expect("a correct pattern")
 }
@@ -43,6 +45,21 @@ pub struct Declaration {
     pub doc: Option<String>,
     /// Whether `[[vk::image_format(...)]]` stands before it.
     pub has_format: bool,
+}
+
+/// A constant as it is written.
+#[derive(Clone, Debug)]
+pub struct ConstantText {
+    /// Where it stands.
+    pub place: Place,
+    /// Its name.
+    pub name: String,
+    /// `uint`, `int` or `float`.
+    pub ty: String,
+    /// Its value.
+    pub value: String,
+    /// The comment behind or above it.
+    pub doc: Option<String>,
 }
 
 /// A struct or constant buffer as it is written.
@@ -162,6 +179,22 @@ impl Text {
             }
         }
         structs
+    }
+
+    /// Every `static const` number written in `file`.
+    pub fn constants(&self, file: &str) -> Vec<ConstantText> {
+        let of_file = |(_, line): &(usize, &Line)| line.place.file == file;
+        let constant = |(at, line): (usize, &Line)| {
+            let found = CONSTANT.captures(&line.code)?;
+            Some(ConstantText {
+                place: line.place.clone(),
+                name: found[2].to_owned(),
+                ty: found[1].to_owned(),
+                value: found[3].to_owned(),
+                doc: line.comment.clone().or_else(|| self.comment_above(at)),
+            })
+        };
+        self.lines.iter().enumerate().filter(of_file).filter_map(constant).collect()
     }
 
     fn comment_above(&self, at: usize) -> Option<String> {

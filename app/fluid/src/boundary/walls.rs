@@ -10,8 +10,8 @@
 
 use crate::kernel::{for_lattice, lattice, wendland};
 
-/// Nodes an axis of the table, from distance 0 to h. The shader has the same number.
-pub const WALL_NODES: usize = 32;
+/// Nodes an axis of the table, from distance 0 to h.
+pub const WALL_NODES: usize = brooklet_kernels::WALL_NODES as usize;
 
 /// Quadrature steps between two nodes.
 const STEPS: usize = 4;

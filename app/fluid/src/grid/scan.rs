@@ -1,13 +1,10 @@
 //! Exclusive prefix sums of any length by reduce-then-scan. (Shader: `grid/scan.compute`.)
 
 use brooklet_gpu::{Recording, Resources};
-use brooklet_kernels::{Buffer, Kernel, ReduceGroups, ScanGroups, ScanGroupsVariant};
-
-/// Values each thread takes: the shader's SCAN_ITEMS.
-const ITEMS: u32 = 4;
+use brooklet_kernels::{Buffer, Kernel, ReduceGroups, SCAN_ITEMS, ScanGroups, ScanGroupsVariant};
 
 /// Values a group scans.
-pub const SCAN_GROUP: u32 = ScanGroups::GROUP_SIZE[0] * ITEMS;
+pub const SCAN_GROUP: u32 = ScanGroups::GROUP_SIZE[0] * SCAN_ITEMS;
 
 /// The buffers between the levels of a scan.
 pub struct Scan {
@@ -54,7 +51,7 @@ impl Scan {
 
 fn reduce(recording: &mut Recording, values: &Buffer<u32>, sums: &mut Buffer<u32>) {
     let kernel = ReduceGroups { values: values.read(), group_sums: sums.write() };
-    recording.dispatch(&kernel, values.len.div_ceil(ITEMS));
+    recording.dispatch(&kernel, values.len.div_ceil(SCAN_ITEMS));
 }
 
 fn scan(recording: &mut Recording, values: &Buffer<u32>, offsets: Option<&Buffer<u32>>, scanned: &mut Buffer<u32>) {
@@ -64,5 +61,5 @@ fn scan(recording: &mut Recording, values: &Buffer<u32>, offsets: Option<&Buffer
         group_offsets: offsets.map(Buffer::read),
         scanned: scanned.write(),
     };
-    recording.dispatch(&kernel, values.len.div_ceil(ITEMS));
+    recording.dispatch(&kernel, values.len.div_ceil(SCAN_ITEMS));
 }

@@ -1,14 +1,11 @@
 //! Fills the scene's fluids with lattices of particles.
 
-use brooklet_kernels::{Position, Velocity};
+use brooklet_kernels::{FLUID_SHIFT, Position, Velocity};
 
 use crate::scene::{Fluid, Scene};
 
-/// Ids have 24 bits of a particle's tag.
-pub const MAX_PARTICLES: u32 = 1 << 24;
-
-/// Bits of [`Position::tag`] above the id.
-const FLUID_SHIFT: u32 = 24;
+/// What a tag's bits below the fluid's number can tell apart.
+pub const MAX_PARTICLES: u32 = 1 << FLUID_SHIFT;
 
 /// The particles at the start, in the order of their ids.
 #[derive(Clone, Debug, Default)]

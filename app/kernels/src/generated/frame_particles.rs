@@ -62,7 +62,7 @@ static DRAW_PARTICLES_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "e54968d4e0544fab1ee733b34565caa6c8b8524436bcda98cd57a9e130fd6112",
+    hash: "1a48bbb346103393ec07ce8706b65721b79b416a79a4e571b804d6794f9b5b2f",
 };
 
 static DRAW_PARTICLES_FRAGMENT: Module = Module {
@@ -75,5 +75,5 @@ static DRAW_PARTICLES_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "b1e25abc13cf0a2691a430cb009aa129d36af5f24bd87e06e4afc2c85e0f6dcb",
+    hash: "db2b2753dce2455c2ac554ff586ba434446ff7228f95e8d11611d99a0a0fedd5",
 };

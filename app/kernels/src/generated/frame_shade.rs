@@ -104,7 +104,7 @@ static DRAW_SHADE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "86ccb307f96892c09fae77c30242fbe50ea3dd6babb91bcf0b9f90c4787880e3",
+    hash: "fb926527bdad55bbb3078db5e2b36cdedcc1fd53051fff651d103f2981460f26",
 };
 
 static DRAW_SHADE_FRAGMENT: Module = Module {
@@ -117,7 +117,7 @@ static DRAW_SHADE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "12cee27cd8ee29fbb6a5df8475d33d348e85b21de2624cb9ed02fc9c45b0f739",
+    hash: "ca07b174fe5f9c7a79b571e92c249235449b38f6ab0fa3458dadba63aa1a24f9",
 };
 
 static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
@@ -130,7 +130,7 @@ static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "bb68eab94f92af910262b31f892fabc404e4249bc4ce46c489fd2cf87a4f42ac",
+    hash: "69ba55e26a9275f8ea466080f6957cec81dc4ff2d4b5859b607c07b27c307ba3",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
@@ -143,5 +143,5 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "3ea346dd60d7f968948ff65eab47f7d2d9a6276ba8051cac126b35119ae0ec75",
+    hash: "0fcfa98ec583d79aac90089555ea4c3c89bb079d3857ae55563cf1860e43d682",
 };

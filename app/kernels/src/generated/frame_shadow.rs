@@ -55,7 +55,7 @@ static DRAW_SHADOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "b1a2b000cebe2284d18dd5d16c33a41e67783e8c9cd3b8da9e5f7c8e724b6995",
+    hash: "0e3b7873d974e49966b9cc03822cb7ff6e7f73fbd0dce96b1bf43bc69334277a",
 };
 
 static DRAW_SHADOW_FRAGMENT: Module = Module {
@@ -68,5 +68,5 @@ static DRAW_SHADOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "d8b781deb36dd4220b518742df81ae66e1d39aa38e2722f43911f95d22659383",
+    hash: "bb8ceb06e6b6cd204ae0c7170806a72e12637e456c535e558a589a352a7670ff",
 };

@@ -69,5 +69,5 @@ static COUNT_CELLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "265d70c423ac501deed135c8e593c48db28c82b49ce8f2860ff308c006713cd3",
+    hash: "053a9626e293da34043f840cb5f05472a81e58f59a12d9f9ddd3a6a0b017a162",
 };

@@ -88,5 +88,5 @@ static LIST_NEIGHBOURS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "ff3cc8aa4eefd6400b3502394bdf1cf255ee8e971af5495254359a397e682357",
+    hash: "f90aefc81cbd352ba2fe499f942c6e7d68934bb85c5a4a2dee761ffb87b308b8",
 };

@@ -89,5 +89,5 @@ static REORDER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "9609deb3d94beaa3897ad201addb2b98df6eeba51a88d5f1cb96d1c517d783da",
+    hash: "c30f3babd322e3dfa6a036d6b3476b08025eb40d69a7c1960aac1c4cb24610e1",
 };

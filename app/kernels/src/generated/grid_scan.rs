@@ -109,7 +109,7 @@ static REDUCE_GROUPS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "d67878808e95e01fc624dd1a7304a1d173746068dd3deef62065dbab978bedb6",
+    hash: "6d2c44046abbd1d0e4024661ddee8e69072c70df7d6a35bc2d33c57c46d83795",
 };
 
 static SCAN_GROUPS: Module = Module {
@@ -122,7 +122,7 @@ static SCAN_GROUPS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "3f8a28e02900ff1b9cb14e49945ffc8ffdfe1b17c5b7f331fbc780825d004469",
+    hash: "71343b6f1051306402ecbff578e38eb234c7e7f9a4889c69ae11f1e9edf6777c",
 };
 
 static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
@@ -135,5 +135,5 @@ static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "7abc5268bc0d0435c570b4089430fc83dafaebd7c639df8131994bd7059ca88d",
+    hash: "3ebbbbbd5b51b890db6e04800a4fa0f2029d601a7e72d1845c98fa74783d7627",
 };

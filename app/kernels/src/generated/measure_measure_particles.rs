@@ -137,7 +137,7 @@ static MEASURE_PARTICLES: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "c9b03fb8a1d4e4216236bd0ee3a21db2a798dcac910eefce3fc15722cc7727bf",
+    hash: "d6a01147e945312f28c93c7bfe66e3d56c0c7298cec527efe87da8ec7e6eef18",
 };
 
 static MEASURE_PARTICLES_WITH_WALLS: Module = Module {
@@ -150,7 +150,7 @@ static MEASURE_PARTICLES_WITH_WALLS: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "9de522973cbd6487db59551f8484657972c9c50ed3c0dc8b746165aa0435f8d9",
+    hash: "c01fc6a79e295fcadae61a1a3ef84489a7f88cd1d18beb58e22bc205a95ab8c9",
 };
 
 static MEASURE_PARTICLES_WITH_NARROW_WALLS: Module = Module {
@@ -163,5 +163,5 @@ static MEASURE_PARTICLES_WITH_NARROW_WALLS: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "ccfccd3a843fc88810ecbaa2f0063995b6cff23a2a4bd4283f6fddfbe1cde283",
+    hash: "dfc9e88b37c46767ce651d2a3a9d352d3931a94dee20cc0b27e04f67d4ecd379",
 };

@@ -73,5 +73,5 @@ static MEASURE_TOTALS: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_totals.compute",
-    hash: "4fd939f90024a109bfb67b90684662cde90ba76edd5008f5e384592758b0bab7",
+    hash: "330f208bc7700bb13b8938fed1467e4081572a71a2d25899aedbaaacbcecf945",
 };

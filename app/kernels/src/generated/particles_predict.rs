@@ -82,7 +82,7 @@ static PREDICT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "a84fb8f9e8d10ae76b927bac69d9fb341c85f7a361c584b09603dd9e4b6b2816",
+    hash: "0ddc07276b53f962948df5d8e3a039ab1fe321dd335048fe7d51c86a5ebf862d",
 };
 
 static PREDICT_WITH_WALLS: Module = Module {
@@ -95,5 +95,5 @@ static PREDICT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "7867ac003f02fc2dfe19bf583f528499a424f7c630fc931c2c0c238f82a8cdb6",
+    hash: "984c47265eea4097e0813ac2d59a439777c74faea0ca5767af5698373c393e7b",
 };

@@ -6,6 +6,24 @@ use std::mem::{offset_of, size_of};
 
 use bytemuck::{Pod, Zeroable};
 
+/// Vulkan promises 65,535 groups an axis only, so longer dispatches are folded into rows of so many.
+pub const GROUPS_A_ROW: u32 = 32768;
+
+/// Values each thread of a scan takes: one 16-byte load.
+pub const SCAN_ITEMS: u32 = 4;
+
+/// Nodes an axis of the walls' table, from distance 0 to h.
+pub const WALL_NODES: u32 = 32;
+
+/// Bins of a histogram, 32 to an octave.
+pub const HISTOGRAM_BINS: u32 = 512;
+
+/// The bit of Position::tag that parks a particle whose state is not finite.
+pub const QUARANTINED: u32 = 0x80000000;
+
+/// Where the fluid's number begins in Position::tag; the id lies below.
+pub const FLUID_SHIFT: u32 = 24;
+
 /// A particle where it is, and which one it is.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]

@@ -85,5 +85,5 @@ static CONFINE_VORTICITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "4247a977183c02e11ed996927dc02ab662b323891095a558b46755e4f5bfe7fb",
+    hash: "aea44af200aed14d58740c4ba48c132495f9879a1db64bcec95d59dd45b18bf1",
 };

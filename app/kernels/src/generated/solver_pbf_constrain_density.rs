@@ -124,7 +124,7 @@ static CONSTRAIN_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "2ae8d1f5c0f6a7ec0c35947fe6a029d96a0341cc3d3bddfd14428b8bbb22a8c0",
+    hash: "f6ca1160cd9a186de492e47f85d656803940a7a1a2e7f9ed06a4cebb618f585d",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
@@ -137,7 +137,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "986302e81778b1a21c73fa0ec65547e2ee59eef6179672a2ade2f8d84fc6c729",
+    hash: "aa241edb3caa7ec62af5983142344576488167cbc3e5370ef160d8621ca094fe",
 };
 
 static CONSTRAIN_DENSITY_WITH_NARROW_WALLS: Module = Module {
@@ -150,5 +150,5 @@ static CONSTRAIN_DENSITY_WITH_NARROW_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "9c7e71f12149cc46dd5d72bd8b443ab485eedfae86264d5105ebf67a5c40bc57",
+    hash: "acb096ddfd26facc6ee4e8e9846417a789a9819543ba3b8216bef38e495e97b3",
 };

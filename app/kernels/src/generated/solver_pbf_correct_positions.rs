@@ -148,7 +148,7 @@ static CORRECT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "b8032e757d4314c4eeb90afacaf8ddbdbf47d401c9f58af0bb8ca2bf86dcc6a7",
+    hash: "f9a20630cfe1b663d86b3193c7c5096edabe73ffc3098f08dadf57ef71e45f0b",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
@@ -161,7 +161,7 @@ static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "5f2b39c589b11bbd70df82becaa8fb7bd27c59eea045d57a618a354a021c2b85",
+    hash: "cacbf255794eea2d17feb31cadf141133d9b164d26f0a64761d70bfcf0d7dce1",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
@@ -174,7 +174,7 @@ static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "b1adcbf21abfa9272402cfbfbd85922f63b9a6d2bda7ec77592dab88be72eb4d",
+    hash: "f84cf716c648fc6476d9cffe35b480f405838b67e3df94ca272d7d86c5a31ae7",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
@@ -187,7 +187,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "68b9c39bf04365a008bc6eefb20b6a979eb6658e35d1a6c40a2d0644b87d0a79",
+    hash: "62d65e07c49e2fb18648702891a0a7f3f2d71e555ae8dfb1026601992173f932",
 };
 
 static CORRECT_POSITIONS_WITH_NARROW_WALLS: Module = Module {
@@ -200,7 +200,7 @@ static CORRECT_POSITIONS_WITH_NARROW_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "69458321711f8db19546d4291b37209e65ad8c0fed15d124c57a2f285eee7f2d",
+    hash: "4e20b6adfb6d32390936382a2560224d3cd4e64fda803e80b20f0172651430a1",
 };
 
 static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_S_CORR: Module = Module {
@@ -213,5 +213,5 @@ static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "1b0af46257e92804c6ad25b7a9de20e4a1b6a5c9c01def03990b0d15e909ba4c",
+    hash: "11aff9bce09916a3ab97928cf6ca360b0ea83b6b04dc911685b285af8be2d8af",
 };

@@ -80,5 +80,5 @@ static CURL: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/curl.compute",
-    hash: "1402c5ba192b43456df6bf6996514af39df964245ad9c5377e0fc4ba5ca0406e",
+    hash: "d406eab8a6d5b397542948140282b76e4cf9c10e71046ff368f6a31213b862f3",
 };

@@ -94,5 +94,5 @@ static UPDATE_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "4d2a190b328df63a4c466c2caf2c48d1bac7c66e5d38eae556f42643fbc374c7",
+    hash: "c711920a19b21c5f338f1f1bc7eae882b94189a12885b6304dfd83986975e930",
 };

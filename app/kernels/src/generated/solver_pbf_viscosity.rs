@@ -85,5 +85,5 @@ static VISCOSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/viscosity.compute",
-    hash: "ed1ab03a5694ef0e747af5058979ff34a48e50e666ed3f26bd9259a07e5b6ef6",
+    hash: "4a37ef8084fbccf09386902ca34039f34926afb8b7626b89596147f357c8623b",
 };

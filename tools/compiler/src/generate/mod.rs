@@ -21,12 +21,12 @@ pub fn rust_files(model: &Model, formatter: &Formatter) -> Result<BTreeMap<Strin
     let mut files = Vec::new();
     let mut modules = Vec::new();
     for layout in model.layouts {
-        if !layout.structs.is_empty() {
-            files.push((file_stem(&layout.file), structs::file(&layout.file, &layout.structs)?));
+        if !layout.structs.is_empty() || !layout.constants.is_empty() {
+            files.push((file_stem(&layout.file), structs::file(&layout.file, &layout.constants, &layout.structs)?));
         }
     }
     if !model.structs.is_empty() {
-        files.push(("structs".to_owned(), structs::file("all shaders", &model.structs)?));
+        files.push(("structs".to_owned(), structs::file("all shaders", &[], &model.structs)?));
     }
     if !model.keywords.is_empty() {
         files.push(("keywords".to_owned(), keywords(model)));
