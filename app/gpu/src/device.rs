@@ -1,13 +1,14 @@
 //! The device: chosen by name, the best there is, or handed in by the caller.
 
 use crate::error::{GpuError, describe, tier_name};
+use crate::guard::{Guard, lock};
 use crate::pipelines::Pipelines;
 use crate::pool::Pool;
 use crate::tier;
 use crate::timing::TimingStatus;
 use brooklet_kernels::Tier;
 use std::path::PathBuf;
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard};
 
 /// How to open a device.
 #[derive(Clone, Debug, Default)]
@@ -52,27 +53,13 @@ pub struct Gpu {
 }
 
 struct Inner {
-    device: wgpu::Device,
+    guard: Guard,
     queue: wgpu::Queue,
     tier: Tier,
     info: DeviceInfo,
     timing: TimingStatus,
-    faults: Arc<Faults>,
     pool: Mutex<Pool>,
     pipelines: Mutex<Pipelines>,
-}
-
-/// What the driver reports outside of a call.
-#[derive(Default)]
-pub(crate) struct Faults {
-    lost: Mutex<Option<String>>,
-    stray: Mutex<Option<String>>,
-}
-
-/// The value behind a lock, also after another thread panicked with it: each of ours is whole
-/// between any two statements.
-pub(crate) fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
-    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 impl Gpu {
@@ -99,12 +86,9 @@ impl Gpu {
         });
         let (device, queue) = pollster::block_on(request)
             .map_err(|error| GpuError::OpenFailed { device: info.name.clone(), reason: describe(&error) })?;
-        let faults = Arc::new(Faults::default());
-        let stray = Arc::clone(&faults);
-        device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
-            lock(&stray.stray).get_or_insert_with(|| describe(&error));
-        }));
-        Ok(Self::assemble(device, queue, tier, options, &info, faults))
+        let guard = Guard::new(device);
+        guard.keep_stray_errors(|error| describe(error));
+        Ok(Self::assemble(guard, queue, tier, options, &info))
     }
 
     /// Uses the caller's own device, opened with [`Gpu::required_features`] and
@@ -131,26 +115,17 @@ impl Gpu {
         };
         tier::check(&info.name, tier, &limits)?;
         let options = GpuOptions { timing: true, ..GpuOptions::default() };
-        let faults = Arc::new(Faults::default());
-        Ok(Self::assemble(device, queue, tier, &options, &info, faults))
+        Ok(Self::assemble(Guard::new(device), queue, tier, &options, &info))
     }
 
     fn assemble(
-        device: wgpu::Device,
+        guard: Guard,
         queue: wgpu::Queue,
         tier: Tier,
         options: &GpuOptions,
         adapter: &wgpu::AdapterInfo,
-        faults: Arc<Faults>,
     ) -> Gpu {
-        let lost = Arc::clone(&faults);
-        device.set_device_lost_callback(move |reason, message| {
-            let text = match reason {
-                wgpu::DeviceLostReason::Destroyed => "it was destroyed".to_owned(),
-                wgpu::DeviceLostReason::Unknown => message,
-            };
-            lock(&lost.lost).get_or_insert(text);
-        });
+        let device = &guard.device;
         let features = device.features();
         let timing = if !options.timing {
             TimingStatus::Off
@@ -162,16 +137,15 @@ impl Gpu {
             TimingStatus::Unsupported
         };
         let info = device_info(adapter, &device.limits(), f64::from(queue.get_timestamp_period()));
-        let pipelines = Pipelines::new(&device, adapter, options.pipeline_cache.as_deref());
+        let pipelines = Pipelines::new(device, adapter, options.pipeline_cache.as_deref());
         let pool = Pool::new(device.limits().max_buffer_size);
         Gpu {
             inner: Arc::new(Inner {
-                device,
+                guard,
                 queue,
                 tier,
                 info,
                 timing,
-                faults,
                 pool: Mutex::new(pool),
                 pipelines: Mutex::new(pipelines),
             }),
@@ -205,7 +179,7 @@ impl Gpu {
 
     /// wgpu's device.
     pub fn device(&self) -> &wgpu::Device {
-        &self.inner.device
+        &self.inner.guard.device
     }
 
     /// wgpu's queue.
@@ -215,7 +189,7 @@ impl Gpu {
 
     /// Why the device was lost, if it was.
     pub fn is_lost(&self) -> Option<String> {
-        lock(&self.inner.faults.lost).clone()
+        self.inner.guard.is_lost()
     }
 
     /// How the kept pipelines were found.
@@ -246,28 +220,19 @@ impl Gpu {
         if let Some(reason) = self.is_lost() {
             return Err(GpuError::DeviceLost { reason });
         }
-        match lock(&self.inner.faults.stray).take() {
+        match self.inner.guard.take_stray() {
             Some(reason) => Err(GpuError::Refused { reason }),
             None => Ok(()),
         }
     }
 
+    pub(crate) fn guard(&self) -> &Guard {
+        &self.inner.guard
+    }
+
     /// Runs `work`, and turns what wgpu has against it into an error.
     pub(crate) fn scoped<T>(&self, work: impl FnOnce() -> T) -> Result<T, wgpu::Error> {
-        let device = &self.inner.device;
-        let internal = device.push_error_scope(wgpu::ErrorFilter::Internal);
-        let memory = device.push_error_scope(wgpu::ErrorFilter::OutOfMemory);
-        let validation = device.push_error_scope(wgpu::ErrorFilter::Validation);
-        let result = work();
-        let errors = [
-            pollster::block_on(validation.pop()),
-            pollster::block_on(memory.pop()),
-            pollster::block_on(internal.pop()),
-        ];
-        match errors.into_iter().flatten().next() {
-            Some(error) => Err(error),
-            None => Ok(result),
-        }
+        self.inner.guard.scoped(work)
     }
 
     /// As [`Gpu::scoped`], for commands: what wgpu refuses there is this program's mistake, unless
@@ -300,7 +265,7 @@ impl Gpu {
     fn poll_as(&self, poll_type: wgpu::PollType) -> Result<(), GpuError> {
         // wgpu 30 panics in `poll` when the device is lost while it waits. A loss is no mistake
         // of the program's, so it must not end it.
-        let polled = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| self.inner.device.poll(poll_type)));
+        let polled = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| self.inner.guard.device.poll(poll_type)));
         self.check()?;
         match polled {
             Ok(Ok(_)) => Ok(()),

@@ -8,6 +8,7 @@ mod draw;
 mod encode;
 mod engine;
 mod error;
+mod guard;
 mod layout;
 mod memory;
 mod order;

@@ -2,9 +2,9 @@
 
 use crate::cache::CacheFile;
 pub use crate::cache::CacheStatus;
-use crate::device::Gpu;
 use crate::draw::{Blend, Cull, DepthTest, DrawState, Topology};
 use crate::error::{GpuError, describe, tier_name};
+use crate::guard::Guard;
 use crate::layout;
 use brooklet_kernels::{Module, Tier};
 use std::borrow::Cow;
@@ -97,15 +97,15 @@ impl Pipelines {
         }
     }
 
-    pub fn group_layout(&mut self, gpu: &Gpu, entries: &Entries) -> wgpu::BindGroupLayout {
+    pub fn group_layout(&mut self, gpu: &Guard, entries: &Entries) -> wgpu::BindGroupLayout {
         self.layout(gpu, entries).group
     }
 
-    fn layout(&mut self, gpu: &Gpu, entries: &Entries) -> Layout {
+    fn layout(&mut self, gpu: &Guard, entries: &Entries) -> Layout {
         if let Some(layout) = self.layouts.get(entries) {
             return layout.clone();
         }
-        let device = gpu.device();
+        let device = &gpu.device;
         let group = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: None, entries });
         let pipeline = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
             label: None,
@@ -117,13 +117,13 @@ impl Pipelines {
         layout
     }
 
-    pub fn sampler(&mut self, gpu: &Gpu, name: &'static str) -> wgpu::Sampler {
-        self.samplers.entry(name).or_insert_with(|| gpu.device().create_sampler(&layout::sampler(name))).clone()
+    pub fn sampler(&mut self, gpu: &Guard, name: &'static str) -> wgpu::Sampler {
+        self.samplers.entry(name).or_insert_with(|| gpu.device.create_sampler(&layout::sampler(name))).clone()
     }
 
     pub fn compute(
         &mut self,
-        gpu: &Gpu,
+        gpu: &Guard,
         module: &'static Module,
         entries: &Entries,
     ) -> Result<wgpu::ComputePipeline, GpuError> {
@@ -133,8 +133,8 @@ impl Pipelines {
         }
         let built = gpu.scoped(|| {
             let layout = self.layout(gpu, entries);
-            let shader = shader_module(gpu.device(), module);
-            gpu.device().create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+            let shader = shader_module(&gpu.device, module);
+            gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
                 label: Some(module.name),
                 layout: Some(&layout.pipeline),
                 module: &shader,
@@ -151,7 +151,7 @@ impl Pipelines {
 
     pub fn draw(
         &mut self,
-        gpu: &Gpu,
+        gpu: &Guard,
         key: DrawKey,
         vertex: &'static Module,
         fragment: Option<&'static Module>,
@@ -160,7 +160,7 @@ impl Pipelines {
             return Ok(pipeline.clone());
         }
         let built = gpu.scoped(|| {
-            let device = gpu.device();
+            let device = &gpu.device;
             let layout = self.layout(gpu, &key.entries);
             let vertex_module = shader_module(device, vertex);
             let fragment_module = fragment.map(|module| (shader_module(device, module), module));
@@ -196,7 +196,7 @@ impl Pipelines {
 
 /// wgpu takes a driver that cannot compile a module for a lost device, and then reports no error
 /// in the call: the kernel is to blame either way, since the device was there before.
-fn built_or_lost<T>(gpu: &Gpu, module: &'static Module, built: Result<T, wgpu::Error>) -> Result<T, GpuError> {
+fn built_or_lost<T>(gpu: &Guard, module: &'static Module, built: Result<T, wgpu::Error>) -> Result<T, GpuError> {
     let reason = match (gpu.is_lost(), built) {
         (None, Ok(pipeline)) => return Ok(pipeline),
         (Some(lost), _) => lost,

@@ -168,7 +168,7 @@ impl Preparer<'_> {
         let module = dispatch.module;
         check_module(module, self.gpu.tier(), &self.gpu.device().limits())?;
         let entries = layout::entries(&[(module, ShaderStages::COMPUTE)], &dispatch.bindings, self.resources);
-        let pipeline = self.gpu.pipelines().compute(self.gpu, module, &entries)?;
+        let pipeline = self.gpu.pipelines().compute(self.gpu.guard(), module, &entries)?;
         let bind_group = self.bind_group(module, &entries, &dispatch.bindings)?;
         Ok(DispatchStep {
             stage: dispatch.stage,
@@ -205,7 +205,7 @@ impl Preparer<'_> {
             },
             state: draw.state,
         };
-        let pipeline = self.gpu.pipelines().draw(self.gpu, key, draw.vertex, draw.fragment)?;
+        let pipeline = self.gpu.pipelines().draw(self.gpu.guard(), key, draw.vertex, draw.fragment)?;
         let bind_group = self.bind_group(draw.vertex, &entries, &draw.bindings)?;
         Ok(DrawStep { stage: draw.stage, pipeline, bind_group, vertices: draw.vertices, instances: draw.instances })
     }
@@ -224,7 +224,7 @@ impl Preparer<'_> {
         let mut samplers = Vec::new();
         for bound in bindings {
             if bound.info.kind == BindingKind::Sampler {
-                let sampler = self.gpu.pipelines().sampler(self.gpu, bound.info.name);
+                let sampler = self.gpu.pipelines().sampler(self.gpu.guard(), bound.info.name);
                 samplers.push((bound.info.slot, sampler));
             }
         }
@@ -244,7 +244,7 @@ impl Preparer<'_> {
             };
             group_entries.push(wgpu::BindGroupEntry { binding: slot, resource });
         }
-        let group_layout = self.gpu.pipelines().group_layout(self.gpu, entries);
+        let group_layout = self.gpu.pipelines().group_layout(self.gpu.guard(), entries);
         let group = self
             .gpu
             .scoped(|| {

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::compile::Compiler;
-use crate::dxc::FLAGS;
+use crate::flags::FLAGS;
 use crate::generate::{self, Formatter};
 use crate::hash;
 use crate::layouts::{self, LayoutFile};

@@ -1,13 +1,14 @@
 //! Compiles every kernel × variant, in parallel, and numbers the bindings densely.
 
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rspirv::binary::Assemble;
 use rspirv::dr;
 
+use crate::cache::keep;
 use crate::dxc::{Compiled, Dxc, Job};
 use crate::hash;
 use crate::problem::{Problem, Problems};
@@ -128,14 +129,6 @@ impl Compiler {
             keep(&kept, &compiled.spirv);
         }
         Ok(compiled)
-    }
-}
-
-/// Puts a file into a cache whole or not at all; a cache that cannot be written is only slow.
-pub fn keep(path: &Path, bytes: &[u8]) {
-    let unfinished = path.with_extension(format!("{}-{:?}.tmp", std::process::id(), std::thread::current().id()));
-    if std::fs::write(&unfinished, bytes).is_ok() {
-        let _ = std::fs::rename(&unfinished, path);
     }
 }
 

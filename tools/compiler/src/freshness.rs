@@ -3,7 +3,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
-use crate::dxc::{FLAGS, PINNED_VERSION};
+use crate::dxc::PINNED_VERSION;
+use crate::flags::FLAGS;
 use crate::hash;
 use crate::layouts;
 use crate::manifest::Manifest;

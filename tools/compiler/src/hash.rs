@@ -2,7 +2,7 @@
 
 use sha2::{Digest, Sha256};
 
-use crate::dxc::FLAGS;
+use crate::flags::FLAGS;
 
 /// Raised when the same source is to give other files than before.
 const FORMAT: &str = "brooklet shaders 1";

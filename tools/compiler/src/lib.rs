@@ -6,8 +6,10 @@
 //! honest: [`freshness::stale`], which needs no DXC, and [`check`], which compiles anew.
 
 pub mod build;
+mod cache;
 pub mod compile;
 pub mod dxc;
+pub mod flags;
 pub mod freshness;
 pub mod generate;
 pub mod hash;

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::process::Command;
 use std::sync::OnceLock;
 
-use crate::compile::keep;
+use crate::cache::keep;
 use crate::hash;
 use crate::problem::{Problem, io_problem};
 

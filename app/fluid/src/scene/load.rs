@@ -4,6 +4,7 @@ use std::path::Path;
 
 use toml::{Table, Value};
 
+use super::nearest::nearest;
 use super::{Scene, SceneError, shipped};
 
 impl Scene {
@@ -124,9 +125,4 @@ fn toml_error(error: &toml::de::Error, text: Option<&str>, source_name: &str) ->
         };
     }
     SceneError::Malformed { source_name: source_name.into(), place, reason: message.replace('\n', " ") }
-}
-
-/// The name most like `wanted`.
-pub(super) fn nearest<'a>(wanted: &str, names: impl Iterator<Item = &'a str>) -> Option<&'a str> {
-    names.max_by(|a, b| strsim::jaro_winkler(wanted, a).total_cmp(&strsim::jaro_winkler(wanted, b)))
 }

@@ -4,6 +4,7 @@
 mod check;
 mod error;
 mod load;
+mod nearest;
 mod shipped;
 #[cfg(test)]
 mod tests;

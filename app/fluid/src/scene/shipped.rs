@@ -1,6 +1,7 @@
 //! The scenes that come with the program.
 
-use super::{SceneError, load::nearest};
+use super::SceneError;
+use super::nearest::nearest;
 
 const SCENES: &[(&str, &str)] = &[
     ("dam-break", include_str!("../../scenes/dam-break.toml")),

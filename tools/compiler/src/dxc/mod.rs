@@ -5,15 +5,12 @@ mod fetch;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use crate::flags::FLAGS;
 use crate::problem::{Place, Problem, Problems, io_problem};
 use crate::source::Source;
 
 /// The DXC whose bytes are committed.
 pub const PINNED_VERSION: &str = "dxc 1.7 3435 d66bdf94";
-
-/// Flags of every compilation, besides target profile, entry point and defines.
-pub const FLAGS: [&str; 5] =
-    ["-spirv", "-fspv-target-env=vulkan1.0", "-O3", "-Wno-unknown-pragmas", "-DSHADER_API_VULKAN=1"];
 
 /// Where a DXC was found.
 #[derive(Clone, Debug)]

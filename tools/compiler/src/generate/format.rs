@@ -4,7 +4,7 @@ use std::io::Write;
 use std::path::PathBuf;
 use std::process::{Command, Stdio};
 
-use crate::compile::keep;
+use crate::cache::keep;
 use crate::hash;
 use crate::problem::Problem;
 
