@@ -23,7 +23,7 @@ pub struct FrameRow {
     pub timing: String,
     /// Number of timed passes.
     pub spans: u32,
-    /// How many of them were zero, negative or overlapping.
+    /// How many of them were zero, negative, overlapping or behind a gap.
     pub flagged_spans: u32,
     /// Processor time that capturing took since the previous frame's message, ms.
     pub capture_ms: f64,
@@ -53,7 +53,7 @@ pub struct SpanRow {
     pub begin_ticks: u64,
     /// Timestamp at its end.
     pub end_ticks: u64,
-    /// `ok`, `zero`, `negative` or `overlapping`.
+    /// `ok`, `zero`, `negative`, `overlapping` or `gap`.
     pub flag: String,
 }
 
@@ -75,6 +75,7 @@ pub(crate) fn flag_name(flag: SpanFlag) -> &'static str {
         SpanFlag::Zero => "zero",
         SpanFlag::Negative => "negative",
         SpanFlag::Overlapping => "overlapping",
+        SpanFlag::Gap => "gap",
     }
 }
 

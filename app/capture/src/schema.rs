@@ -75,7 +75,7 @@ pub fn frame_schema() -> Value {
             }),
         ),
         ("spans".into(), integer("Number of timed passes")),
-        ("flagged_spans".into(), integer("How many of them were zero, negative or overlapping")),
+        ("flagged_spans".into(), integer("How many of them were zero, negative, overlapping or behind a gap")),
         ("capture_ms".into(), number("ms", "Processor time of capturing since the previous frame's message")),
     ]);
     object("brooklet.Frame", &["frame", "wall_s", "timing", "spans", "flagged_spans", "capture_ms"], fields)
@@ -108,7 +108,7 @@ pub fn span_schema() -> Value {
             "flag".into(),
             json!({
                 "type": "string",
-                "enum": ["ok", "zero", "negative", "overlapping"],
+                "enum": ["ok", "zero", "negative", "overlapping", "gap"],
                 "description": "What is wrong with the ticks, if anything",
             }),
         ),

@@ -250,8 +250,8 @@ impl Summary {
         }
         if self.timing.flagged_spans > 0 {
             println!(
-                "{} of the GPU's times cannot be right (zero, negative or overlapping): see \
-                 flagged_spans in the capture",
+                "{} of the GPU's times are in doubt (zero, negative, overlapping, or behind a gap that no \
+                 pass accounts for): see the flags in the capture",
                 self.timing.flagged_spans,
             );
         }
