@@ -70,13 +70,7 @@ fn set(table: &mut Table, setting: &str) -> Result<(), SceneError> {
     for key in keys {
         place = match place {
             Value::Table(inner) => inner.entry(key).or_insert_with(|| Value::Table(Table::new())),
-            Value::Array(items) => {
-                let count = items.len();
-                key.parse::<usize>()
-                    .ok()
-                    .and_then(|index| items.get_mut(index))
-                    .ok_or_else(|| bad(format!("`{key}` must be a number below {count}")))?
-            }
+            Value::Array(items) => item(items, key).map_err(bad)?,
             _ => return Err(bad(format!("nothing lies below `{key}`"))),
         };
     }
@@ -84,21 +78,20 @@ fn set(table: &mut Table, setting: &str) -> Result<(), SceneError> {
         Value::Table(inner) => {
             inner.insert(last.into(), value);
         }
-        Value::Array(items) => {
-            let count = items.len();
-            let slot = last
-                .parse::<usize>()
-                .ok()
-                .and_then(|index| items.get_mut(index))
-                .ok_or_else(|| bad(format!("`{last}` must be a number below {count}")))?;
-            *slot = value;
-        }
+        Value::Array(items) => *item(items, last).map_err(bad)? = value,
         _ => return Err(bad(format!("`{last}` lies below a plain value"))),
     }
     if let Value::Table(changed) = here {
         *table = changed;
     }
     Ok(())
+}
+
+/// The item of an array that `key` numbers.
+fn item<'a>(items: &'a mut [Value], key: &str) -> Result<&'a mut Value, String> {
+    let count = items.len();
+    let found = key.parse::<usize>().ok().and_then(|index| items.get_mut(index));
+    found.ok_or_else(|| format!("`{key}` must be a number below {count}"))
 }
 
 fn toml_error(error: &toml::de::Error, text: Option<&str>, source_name: &str) -> SceneError {
