@@ -39,7 +39,17 @@ pub fn record(resources: &mut Resources, scene: &Scene) -> Recorded {
 
 /// As [`record`], with particles of the caller's instead of the scene's fluids.
 pub fn record_particles(resources: &mut Resources, scene: &Scene, emitted: Emitted) -> Recorded {
-    let particle_count = emitted.positions.len() as u32;
+    let mut recorded = record_count(resources, scene, emitted.positions.len() as u32);
+    let init = &mut recorded.recordings[0];
+    init.upload(&mut recorded.positions, &emitted.positions);
+    init.upload(&mut recorded.velocities, &emitted.velocities);
+    recorded
+}
+
+/// As [`record`], for so many particles that nobody uploads: what a plan is like, at a cost that
+/// does not grow with them. They are at rest at the domain's lowest corner until
+/// `Engine::write` puts them elsewhere.
+pub fn record_count(resources: &mut Resources, scene: &Scene, particle_count: u32) -> Recorded {
     let grid_params = grid::params(scene, particle_count);
     let mut positions = resources.state("positions", particle_count);
     let mut velocities = resources.state("velocities", particle_count);
@@ -56,8 +66,6 @@ pub fn record_particles(resources: &mut Resources, scene: &Scene, emitted: Emitt
     };
 
     let mut init = Recording::new(INIT);
-    init.upload(&mut positions, &emitted.positions);
-    init.upload(&mut velocities, &emitted.velocities);
     init.upload(&mut grid.params, &[grid_params]);
     init.upload(&mut shared.step, &[step_params(scene, particle_count)]);
     init.upload(&mut shared.kernel, &[kernel::params(scene)]);

@@ -1,11 +1,13 @@
 //! Fills the scene's fluids with lattices of particles.
 
-use brooklet_kernels::{FLUID_SHIFT, Position, Velocity};
+use brooklet_kernels::{FLUID_SHIFT, Position, QUARANTINED, Velocity};
 
 use crate::scene::{Fluid, Scene};
 
 /// What a tag's bits below the fluid's number can tell apart.
 pub const MAX_PARTICLES: u32 = 1 << FLUID_SHIFT;
+/// What its bits between the id and the quarantine flag can tell apart.
+pub const MAX_FLUIDS: u32 = QUARANTINED >> FLUID_SHIFT;
 
 /// The particles at the start, in the order of their ids.
 #[derive(Clone, Debug, Default)]
@@ -21,52 +23,91 @@ pub struct Emitted {
 /// it. Where fluids overlap, the first has the place.
 pub fn emit(scene: &Scene) -> Emitted {
     let mut emitted = Emitted::default();
-    for (index, fluid) in scene.fluids.iter().enumerate() {
-        let taken: Vec<&Fluid> = scene.fluids[..index].iter().collect();
-        for place_m in lattice(fluid, scene.spacing_m) {
-            if taken.iter().any(|earlier| earlier.contains(place_m)) {
-                continue;
-            }
-            let id = emitted.positions.len() as u32;
-            emitted.positions.push(Position {
-                position_m: std::array::from_fn(|axis| (place_m[axis] - scene.domain.min_m[axis]) as f32),
-                tag: id | (index as u32) << FLUID_SHIFT,
-            });
-            emitted.velocities.push(Velocity { velocity_m_s: fluid.velocity_m_s.map(|v| v as f32), reserved: 0.0 });
-        }
-    }
+    for_each(scene, |index, fluid, place_m| {
+        let id = emitted.positions.len() as u32;
+        emitted.positions.push(Position {
+            position_m: std::array::from_fn(|axis| (place_m[axis] - scene.domain.min_m[axis]) as f32),
+            tag: id | (index as u32) << FLUID_SHIFT,
+        });
+        emitted.velocities.push(Velocity { velocity_m_s: fluid.velocity_m_s.map(|v| v as f32), reserved: 0.0 });
+    });
     emitted
 }
 
-/// Lattice points of one fluid, x fastest.
-fn lattice(fluid: &Fluid, spacing_m: f64) -> Vec<[f64; 3]> {
-    let (first_m, counts): ([f64; 3], [usize; 3]) = if let Some(block) = &fluid.block {
-        // A side within a hundredth of a spacing of a whole number of spacings counts as that
-        // number, so that 0.3 / 0.1 is 3.
-        let counts: [usize; 3] =
-            std::array::from_fn(|axis| ((block.max_m[axis] - block.min_m[axis]) / spacing_m + 0.01).floor() as usize);
-        (block.min_m.map(|x| x + 0.5 * spacing_m), counts)
-    } else if let Some(sphere) = &fluid.sphere {
-        let half = (sphere.radius_m / spacing_m).floor();
-        (sphere.centre_m.map(|x| x - half * spacing_m), [2 * half as usize + 1; 3])
-    } else {
-        return Vec::new();
-    };
-    let mut points = Vec::with_capacity(counts.iter().product());
-    for z in 0..counts[2] {
-        for y in 0..counts[1] {
-            for x in 0..counts[0] {
-                let place_m = std::array::from_fn(|axis| first_m[axis] + [x, y, z][axis] as f64 * spacing_m);
-                if fluid.contains(place_m) {
-                    points.push(place_m);
+/// How many particles [`emit`] makes, without making them.
+pub fn count(scene: &Scene) -> u64 {
+    let mut count = 0;
+    for_each(scene, |_, _, _| count += 1);
+    count
+}
+
+/// Whether the fluid alone has a particle.
+pub(crate) fn fits(fluid: &Fluid, spacing_m: f64) -> bool {
+    Lattice::of(fluid, spacing_m).is_some_and(|lattice| !lattice.counts.contains(&0))
+}
+
+fn for_each(scene: &Scene, mut visit: impl FnMut(usize, &Fluid, [f64; 3])) {
+    for (index, fluid) in scene.fluids.iter().enumerate() {
+        let Some(lattice) = Lattice::of(fluid, scene.spacing_m) else { continue };
+        let (min_m, max_m) = fluid.bounds_m();
+        let meets = |earlier: &&Fluid| {
+            let (low_m, high_m) = earlier.bounds_m();
+            (0..3).all(|axis| low_m[axis] <= max_m[axis] && high_m[axis] >= min_m[axis])
+        };
+        let earlier: Vec<&Fluid> = scene.fluids[..index].iter().filter(meets).collect();
+        lattice.for_each(|place_m| {
+            if fluid.contains(place_m) && !earlier.iter().any(|earlier| earlier.contains(place_m)) {
+                visit(index, fluid, place_m);
+            }
+        });
+    }
+}
+
+/// Lattice points around one fluid, x fastest.
+struct Lattice {
+    first_m: [f64; 3],
+    spacing_m: f64,
+    counts: [usize; 3],
+}
+
+impl Lattice {
+    fn of(fluid: &Fluid, spacing_m: f64) -> Option<Self> {
+        let (first_m, counts) = if let Some(block) = &fluid.block {
+            // A side within a hundredth of a spacing of a whole number of spacings counts as that
+            // number, so that 0.3 / 0.1 is 3.
+            let along = |axis: usize| ((block.max_m[axis] - block.min_m[axis]) / spacing_m + 0.01).floor() as usize;
+            (block.min_m.map(|x| x + 0.5 * spacing_m), std::array::from_fn(along))
+        } else {
+            let sphere = fluid.sphere.as_ref()?;
+            let half = (sphere.radius_m / spacing_m).floor();
+            (sphere.centre_m.map(|x| x - half * spacing_m), [2 * half as usize + 1; 3])
+        };
+        Some(Self { first_m, spacing_m, counts })
+    }
+
+    fn for_each(&self, mut visit: impl FnMut([f64; 3])) {
+        for z in 0..self.counts[2] {
+            for y in 0..self.counts[1] {
+                for x in 0..self.counts[0] {
+                    let steps = [x, y, z];
+                    visit(std::array::from_fn(|axis| self.first_m[axis] + steps[axis] as f64 * self.spacing_m));
                 }
             }
         }
     }
-    points
 }
 
 impl Fluid {
+    fn bounds_m(&self) -> ([f64; 3], [f64; 3]) {
+        if let Some(block) = &self.block {
+            (block.min_m, block.max_m)
+        } else if let Some(sphere) = &self.sphere {
+            (sphere.centre_m.map(|x| x - sphere.radius_m), sphere.centre_m.map(|x| x + sphere.radius_m))
+        } else {
+            ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3])
+        }
+    }
+
     fn contains(&self, place_m: [f64; 3]) -> bool {
         if let Some(block) = &self.block {
             (0..3).all(|axis| (block.min_m[axis]..=block.max_m[axis]).contains(&place_m[axis]))

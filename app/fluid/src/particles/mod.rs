@@ -2,4 +2,5 @@
 
 mod emit;
 
-pub use emit::{Emitted, MAX_PARTICLES, emit};
+pub(crate) use emit::fits;
+pub use emit::{Emitted, MAX_FLUIDS, MAX_PARTICLES, count, emit};

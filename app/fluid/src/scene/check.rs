@@ -1,163 +1,238 @@
-//! What a scene's values may be.
+//! What a scene's values may be: each within its limits, and all of them together.
 
-use std::fmt::Debug;
+use std::fmt::Display;
 
+use toml::Value;
+
+use super::explain::written;
+use super::fields::{Kind, Short, kind_of};
 use super::{Fluid, Scene, SceneError};
-use crate::particles::MAX_PARTICLES;
+use crate::particles::{self, MAX_FLUIDS, MAX_PARTICLES};
 
 /// Cells a grid may have: their counts and starts stay inside one 128 MiB binding.
 pub(crate) const MAX_CELLS: f64 = (1 << 25) as f64;
+/// Spacings a side of the domain may have: f32 positions then still tell 1/256 of a spacing apart.
+const MAX_SPACINGS_A_SIDE: f64 = 65_536.0;
+/// Solver iterations a step may have. Each is two dispatches of the step's recording, which is
+/// kept whole.
+const MAX_ITERATIONS_A_STEP: u32 = 10_000;
 
 struct Checker<'a> {
     source_name: &'a str,
 }
 
 impl Checker<'_> {
-    fn require(&self, ok: bool, field: &str, value: impl Debug, allowed: &str) -> Result<(), SceneError> {
+    fn require(&self, ok: bool, field: &str, value: impl Display, allowed: impl Display) -> Result<(), SceneError> {
         if ok {
             return Ok(());
         }
         Err(SceneError::NotAllowed {
             source_name: self.source_name.into(),
+            place: String::new(),
             field: field.into(),
-            value: format!("{value:?}"),
-            allowed: allowed.into(),
+            value: value.to_string(),
+            allowed: allowed.to_string(),
         })
     }
 
-    fn range(&self, field: &str, value: f64, low: f64, high: f64) -> Result<(), SceneError> {
-        self.require((low..=high).contains(&value), field, value, &format!("must be {low} to {high}"))
-    }
-
-    fn positive(&self, field: &str, value: f64) -> Result<(), SceneError> {
-        self.require(value > 0.0 && value.is_finite(), field, value, "must be a positive number")
-    }
-
-    fn finite(&self, field: &str, value: [f64; 3]) -> Result<(), SceneError> {
-        self.require(value.iter().all(|x| x.is_finite()), field, value, "must be three finite numbers")
+    /// Every number of `value` within the limits of its field.
+    fn limits(&self, field: &str, value: &Value) -> Result<(), SceneError> {
+        match (kind_of(field), value) {
+            (Some(kind @ (Kind::Number(limits) | Kind::Whole(limits))), number) => {
+                self.require(as_number(number).is_some_and(|n| limits.hold(n)), field, written(number), kind)
+            }
+            (Some(kind @ Kind::Vector(limits)), Value::Array(items)) => {
+                let ok = items.iter().all(|item| as_number(item).is_some_and(|n| limits.hold(n)));
+                self.require(ok, field, written(value), kind)
+            }
+            (_, Value::Table(table)) => table.iter().try_for_each(|(key, value)| match field {
+                "" => self.limits(key, value),
+                _ => self.limits(&format!("{field}.{key}"), value),
+            }),
+            (_, Value::Array(items)) => {
+                items.iter().enumerate().try_for_each(|(index, item)| self.limits(&format!("{field}.{index}"), item))
+            }
+            _ => Ok(()),
+        }
     }
 
     fn ordered(&self, field: &str, min: [f64; 3], max: [f64; 3]) -> Result<(), SceneError> {
-        self.finite(&format!("{field}.min_m"), min)?;
-        self.finite(&format!("{field}.max_m"), max)?;
         let ok = (0..3).all(|axis| max[axis] > min[axis]);
-        self.require(ok, &format!("{field}.max_m"), max, &format!("must be above min_m = {min:?} along each axis"))
+        let allowed = format_args!("must be above min_m = {} along each axis", numbers(min));
+        self.require(ok, &format!("{field}.max_m"), numbers(max), allowed)
     }
+}
+
+fn as_number(value: &Value) -> Option<f64> {
+    value.as_float().or(value.as_integer().map(|whole| whole as f64))
+}
+
+/// `[0, 0.5, 1]`
+fn numbers(values: [f64; 3]) -> String {
+    let [x, y, z] = values.map(Short);
+    format!("[{x}, {y}, {z}]")
+}
+
+/// `value`, rounded up to three figures: what an error suggests must be enough.
+fn rounded_up(value: f64) -> Short {
+    let unit = 10f64.powf(value.log10().floor() - 2.0);
+    // Through text: 0.13 is to be 0.13, not 0.13000000000000001.
+    let up = format!("{:.2e}", ((value / unit).ceil() * unit));
+    Short(up.parse().unwrap_or(value))
 }
 
 impl Scene {
     pub(super) fn check(&self, source_name: &str) -> Result<(), SceneError> {
         let check = Checker { source_name };
-        check.positive("spacing_m", self.spacing_m)?;
-        check.finite("gravity_m_s2", self.gravity_m_s2)?;
-        check.ordered("domain", self.domain.min_m, self.domain.max_m)?;
-        let size_m = self.domain.size_m();
+        let values = Value::try_from(self).map_err(|error| SceneError::Malformed {
+            source_name: source_name.into(),
+            place: String::new(),
+            reason: error.to_string(),
+        })?;
+        check.limits("", &values)?;
+        self.check_domain(&check)?;
+        let [substeps, iterations] = [self.solver.substeps, self.solver.iterations];
         check.require(
-            size_m.iter().all(|&s| s >= self.spacing_m),
-            "domain",
-            size_m,
-            &format!("each side must be at least spacing_m = {}", self.spacing_m),
+            substeps * iterations <= MAX_ITERATIONS_A_STEP,
+            "solver.iterations",
+            iterations,
+            format_args!(
+                "with solver.substeps = {substeps} that is {} iterations a step; at most {MAX_ITERATIONS_A_STEP}: \
+                 a smaller solver.dt_s does the same as more substeps",
+                substeps * iterations
+            ),
         )?;
-        self.check_solver(&check)?;
+        let most_fluids = MAX_FLUIDS as usize;
+        check.require(
+            self.fluids.len() <= most_fluids,
+            "fluid",
+            format_args!("{} fluids", self.fluids.len()),
+            format_args!("at most {most_fluids}: a particle's tag has 7 bits for its fluid"),
+        )?;
+        for (index, fluid) in self.fluids.iter().enumerate() {
+            self.check_fluid(&check, &format!("fluid.{index}"), fluid)?;
+        }
+        self.check_count(&check)?;
+        if let Some(camera) = &self.camera {
+            let squared_m2: f64 = (0..3).map(|axis| (camera.eye_m[axis] - camera.target_m[axis]).powi(2)).sum();
+            check.require(
+                squared_m2 > 1.0e-12,
+                "camera.eye_m",
+                numbers(camera.eye_m),
+                format_args!("must be away from target_m = {}", numbers(camera.target_m)),
+            )?;
+        }
+        Ok(())
+    }
+
+    fn check_domain(&self, check: &Checker) -> Result<(), SceneError> {
+        check.ordered("domain", self.domain.min_m, self.domain.max_m)?;
+        let (spacing_m, size_m) = (self.spacing_m, self.domain.size_m());
+        // Without the last digits, which are the subtraction's.
+        let sides = numbers(size_m.map(|side_m| format!("{side_m:.9e}").parse().unwrap_or(side_m)));
+        check.require(
+            // A hair of tolerance: 1.05 - 1 is less than 0.05.
+            size_m.iter().all(|&side_m| side_m >= (1.0 - 1.0e-6) * spacing_m),
+            "domain",
+            format_args!("{sides} m in size"),
+            format_args!("each side must be at least spacing_m = {}", Short(spacing_m)),
+        )?;
+        let longest_m = size_m.into_iter().fold(0.0, f64::max);
+        check.require(
+            longest_m <= MAX_SPACINGS_A_SIDE * spacing_m,
+            "domain",
+            format_args!("{sides} m in size"),
+            format_args!(
+                "a side of it may have {MAX_SPACINGS_A_SIDE} spacings: make it smaller, or spacing_m {} or more",
+                rounded_up(longest_m / MAX_SPACINGS_A_SIDE)
+            ),
+        )?;
         let cells: f64 = crate::grid::cells(self).iter().map(|&n| n as f64).product();
         check.require(
             cells <= MAX_CELLS,
             "domain",
-            size_m,
-            &format!(
-                "needs {cells:.3e} grid cells of h/2; at most {MAX_CELLS:.3e}: make it smaller or spacing_m larger"
+            format_args!("{sides} m in size"),
+            format_args!(
+                "needs {cells:.3e} grid cells of half the kernel's support, at most {MAX_CELLS:.3e} fit: \
+                 make it smaller, or spacing_m {} or more",
+                // A hundredth more: cells at the far sides count as whole ones.
+                rounded_up(1.01 * spacing_m * (cells / MAX_CELLS).cbrt())
             ),
-        )?;
-        let mut particles = 0.0;
-        for (index, fluid) in self.fluids.iter().enumerate() {
-            self.check_fluid(&check, &format!("fluid.{index}"), fluid)?;
-            particles += fluid.volume_m3() / self.spacing_m.powi(3);
-        }
-        check.require(
-            particles <= f64::from(MAX_PARTICLES),
-            "spacing_m",
-            self.spacing_m,
-            &format!("makes about {particles:.3e} particles; at most {MAX_PARTICLES}"),
-        )?;
-        if let Some(camera) = &self.camera {
-            check.finite("camera.eye_m", camera.eye_m)?;
-            check.finite("camera.target_m", camera.target_m)?;
-            check.require(
-                camera.eye_m != camera.target_m,
-                "camera.eye_m",
-                camera.eye_m,
-                "must differ from target_m",
-            )?;
-            check.range("camera.fov_deg", camera.fov_deg, 1.0, 150.0)?;
-        }
-        check.range("outputs.seconds", self.outputs.seconds, 0.0, 1.0e6)?;
-        check.range("outputs.width_px", f64::from(self.outputs.width_px), 1.0, 8192.0)?;
-        check.range("outputs.height_px", f64::from(self.outputs.height_px), 1.0, 8192.0)?;
-        check.range("outputs.images", f64::from(self.outputs.images), 0.0, 100_000.0)
+        )
     }
 
-    fn check_solver(&self, check: &Checker) -> Result<(), SceneError> {
-        let solver = &self.solver;
-        check.positive("solver.dt_s", solver.dt_s)?;
-        check.range("solver.substeps", f64::from(solver.substeps), 1.0, 1000.0)?;
-        check.range("solver.iterations", f64::from(solver.iterations), 0.0, 1000.0)?;
-        check.range("solver.support_ratio", solver.support_ratio, 1.2, 4.0)?;
+    /// No more particles than ids, and no more neighbour slots than u32 counts.
+    fn check_count(&self, check: &Checker) -> Result<(), SceneError> {
+        let estimate = self.fluids.iter().map(|fluid| fluid.volume_m3() / self.spacing_m.powi(3)).sum::<f64>();
+        let most = f64::from(MAX_PARTICLES);
+        // Counting is exact, and takes a while where there are many more than fit.
+        let count = if estimate > 2.0 * most { estimate } else { particles::count(self) as f64 };
         check.require(
-            solver.relaxation > 0.0 && solver.relaxation <= 1.0,
-            "solver.relaxation",
-            solver.relaxation,
-            "must be above 0 and at most 1",
+            count <= most,
+            "spacing_m",
+            Short(self.spacing_m),
+            format_args!(
+                "makes {count:.3e} particles, and {MAX_PARTICLES} fit, as many as ids have 24 bits for: \
+                 make it {} or more, or the fluid less",
+                rounded_up(1.01 * self.spacing_m * (count / most).cbrt())
+            ),
         )?;
-        check.range("solver.cfm", solver.cfm, 1.0e-6, 1.0e3)?;
-        check.range("solver.s_corr_k", solver.s_corr_k, 0.0, 10.0)?;
-        check.range("solver.s_corr_distance_ratio", solver.s_corr_distance_ratio, 0.0, 0.9)?;
-        check.range("solver.xsph", solver.xsph, 0.0, 1.0)?;
-        check.range("solver.vorticity_m_s", solver.vorticity_m_s, 0.0, 1.0e3)?;
-        if let Some(max_speed_m_s) = solver.max_speed_m_s {
-            check.positive("solver.max_speed_m_s", max_speed_m_s)?;
-        }
-        check.range("solver.neighbour_slots", f64::from(solver.neighbour_slots), 1.0, 1024.0)
+        let slots = f64::from(self.solver.neighbour_slots);
+        check.require(
+            count * slots <= f64::from(u32::MAX),
+            "solver.neighbour_slots",
+            slots,
+            format_args!(
+                "{count} particles can have {} at most: a list is numbered with 32 bits",
+                (f64::from(u32::MAX) / count).floor()
+            ),
+        )
     }
 
     fn check_fluid(&self, check: &Checker, field: &str, fluid: &Fluid) -> Result<(), SceneError> {
-        check.finite(&format!("{field}.velocity_m_s"), fluid.velocity_m_s)?;
-        check.positive(&format!("{field}.rest_density_kg_m3"), fluid.rest_density_kg_m3)?;
         check.require(
             fluid.rest_density_kg_m3 == self.rest_density_kg_m3(),
             &format!("{field}.rest_density_kg_m3"),
             fluid.rest_density_kg_m3,
-            &format!(
+            format_args!(
                 "must be that of fluid.0, {}: fluids of different densities are not there yet",
                 self.rest_density_kg_m3()
             ),
         )?;
-        let (min, max) = match (&fluid.block, &fluid.sphere) {
+        let (shape, min, max) = match (&fluid.block, &fluid.sphere) {
             (Some(block), None) => {
-                check.ordered(&format!("{field}.block"), block.min_m, block.max_m)?;
-                (block.min_m, block.max_m)
+                let field = format!("{field}.block");
+                check.ordered(&field, block.min_m, block.max_m)?;
+                (field, block.min_m, block.max_m)
             }
             (None, Some(sphere)) => {
-                check.finite(&format!("{field}.sphere.centre_m"), sphere.centre_m)?;
-                check.positive(&format!("{field}.sphere.radius_m"), sphere.radius_m)?;
-                (sphere.centre_m.map(|x| x - sphere.radius_m), sphere.centre_m.map(|x| x + sphere.radius_m))
+                let [min, max] = [-1.0, 1.0].map(|side| sphere.centre_m.map(|x| x + side * sphere.radius_m));
+                (format!("{field}.sphere"), min, max)
             }
-            (None, None) => {
-                return check.require(false, field, "nothing", "give it a `block` or a `sphere`");
-            }
+            (None, None) => return check.require(false, field, "nothing", "give it a `block` or a `sphere`"),
             (Some(_), Some(_)) => {
-                return check.require(false, field, "block and sphere", "give it one of the two");
+                return check.require(false, field, "a block and a sphere", "give it one of the two");
             }
         };
         // A hair of tolerance: 0.1 + 0.2 is above 0.3.
         let slack_m = 1.0e-6 * self.spacing_m;
-        let inside = (0..3).all(|axis| {
-            min[axis] >= self.domain.min_m[axis] - slack_m && max[axis] <= self.domain.max_m[axis] + slack_m
-        });
+        let domain = &self.domain;
+        let inside =
+            (0..3).all(|axis| min[axis] >= domain.min_m[axis] - slack_m && max[axis] <= domain.max_m[axis] + slack_m);
         check.require(
             inside,
-            field,
-            format_args!("{min:?} to {max:?}"),
-            &format!("must lie inside the domain, {:?} to {:?}", self.domain.min_m, self.domain.max_m),
+            &shape,
+            format_args!("{} to {}", numbers(min), numbers(max)),
+            format_args!("must lie inside the domain, {} to {}", numbers(domain.min_m), numbers(domain.max_m)),
+        )?;
+        check.require(
+            particles::fits(fluid, self.spacing_m),
+            &shape,
+            format_args!("{} to {}", numbers(min), numbers(max)),
+            format_args!(
+                "has no room for a particle: each side must be at least spacing_m = {}",
+                Short(self.spacing_m)
+            ),
         )
     }
 }

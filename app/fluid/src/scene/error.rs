@@ -24,7 +24,7 @@ pub enum SceneError {
         /// All shipped names.
         shipped: String,
     },
-    /// Not TOML, or a value of a wrong type.
+    /// Not TOML.
     #[error("scene {source_name}{place}: {reason}")]
     Malformed {
         /// File.
@@ -48,11 +48,25 @@ pub enum SceneError {
         /// All known ones.
         allowed: String,
     },
-    /// A value outside what is allowed.
-    #[error("scene {source_name}: {field} = {value}: {allowed}")]
+    /// A field that every scene needs.
+    #[error("scene {source_name}{place}: {field} is missing: {allowed}")]
+    Missing {
+        /// File.
+        source_name: String,
+        /// `:line:column` of the table it should be in, where known.
+        place: String,
+        /// Path of the field.
+        field: String,
+        /// What is allowed.
+        allowed: String,
+    },
+    /// A value of a wrong type, or outside what is allowed.
+    #[error("scene {source_name}{place}: {field} = {value}: {allowed}")]
     NotAllowed {
         /// File.
         source_name: String,
+        /// `:line:column`, where known.
+        place: String,
         /// Path of the field.
         field: String,
         /// The value found.

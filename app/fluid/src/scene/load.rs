@@ -1,11 +1,15 @@
 //! From TOML to a checked [`Scene`].
 
+use std::fs::File;
+use std::io::{ErrorKind, Read};
 use std::path::Path;
 
 use toml::{Table, Value};
 
-use super::nearest::nearest;
-use super::{Scene, SceneError, shipped};
+use super::{Scene, SceneError, explain, settings, shipped};
+
+/// The longest text that is read as a scene. A device that never ends, or a video, is none.
+const MOST_BYTES: u64 = 1 << 20;
 
 impl Scene {
     /// Reads a shipped scene by its name, or a file by its path; `settings` (`path=value`, as
@@ -18,29 +22,39 @@ impl Scene {
         if let Some(text) = shipped::text_of(name_or_path) {
             return Self::from_toml(text, name_or_path, settings);
         }
-        let path = Path::new(name_or_path);
-        if !path.exists() {
-            return Err(shipped::unknown(name_or_path));
+        let unreadable = |reason: String| SceneError::Unreadable { source_name: name_or_path.into(), reason };
+        let file = match File::open(name_or_path) {
+            Ok(file) => file,
+            Err(error) if error.kind() == ErrorKind::NotFound => return Err(shipped::unknown(name_or_path)),
+            Err(error) => return Err(unreadable(error.to_string())),
+        };
+        let mut bytes = Vec::new();
+        file.take(MOST_BYTES + 1).read_to_end(&mut bytes).map_err(|error| unreadable(error.to_string()))?;
+        // Asked before UTF-8: the cut may be in the middle of a character.
+        if bytes.len() as u64 > MOST_BYTES {
+            return Err(unreadable(too_long()));
         }
-        let text = std::fs::read_to_string(path)
-            .map_err(|error| SceneError::Unreadable { source_name: name_or_path.into(), reason: error.to_string() })?;
+        let text = String::from_utf8(bytes).map_err(|error| {
+            let at = error.utf8_error().valid_up_to();
+            unreadable(format!("its byte {at} is no UTF-8, which scene files are written in"))
+        })?;
         Self::from_toml(&text, name_or_path, settings)
     }
 
     /// Reads a scene from its text; `source_name` is what errors call it.
     ///
     /// # Errors
-    /// Every [`SceneError`] but `Unreadable` and `Unknown`.
+    /// Every [`SceneError`] but `Unknown`.
     pub fn from_toml(text: &str, source_name: &str, settings: &[String]) -> Result<Scene, SceneError> {
-        let mut scene: Scene = if settings.is_empty() {
-            toml::from_str(text).map_err(|error| toml_error(&error, Some(text), source_name))?
-        } else {
-            let mut table: Table = toml::from_str(text).map_err(|error| toml_error(&error, Some(text), source_name))?;
-            for setting in settings {
-                set(&mut table, setting)?;
-            }
-            table.try_into().map_err(|error: toml::de::Error| toml_error(&error, None, source_name))?
-        };
+        if text.len() as u64 > MOST_BYTES {
+            return Err(SceneError::Unreadable { source_name: source_name.into(), reason: too_long() });
+        }
+        let mut table: Table = toml::from_str(text).map_err(|error| explain::syntax(&error, text, source_name))?;
+        for setting in settings {
+            settings::set(&mut table, setting)?;
+        }
+        let mut scene: Scene = serde_path_to_error::deserialize(Value::Table(table.clone()))
+            .map_err(|error| explain::mismatch(&error, &table, text, source_name, settings.is_empty()))?;
         scene.name =
             Path::new(source_name).file_stem().map_or_else(|| source_name.into(), |stem| stem.to_string_lossy().into());
         scene.check(source_name)?;
@@ -53,69 +67,6 @@ impl Scene {
     }
 }
 
-/// Puts `value` at `path` (`a.b.0.c=value`). A value that is not TOML is taken as a string.
-fn set(table: &mut Table, setting: &str) -> Result<(), SceneError> {
-    let bad = |reason: String| SceneError::BadSetting { setting: setting.into(), reason };
-    let (path, text) = setting.split_once('=').ok_or_else(|| bad("write path=value".into()))?;
-    let (path, text) = (path.trim(), text.trim());
-    let value = toml::from_str::<Table>(&format!("value = {text}"))
-        .ok()
-        .and_then(|mut parsed| parsed.remove("value"))
-        .unwrap_or_else(|| Value::String(text.into()));
-
-    let mut keys: Vec<&str> = path.split('.').collect();
-    let last = keys.pop().filter(|key| !key.is_empty()).ok_or_else(|| bad("the path is empty".into()))?;
-    let mut here = Value::Table(std::mem::take(table));
-    let mut place = &mut here;
-    for key in keys {
-        place = match place {
-            Value::Table(inner) => inner.entry(key).or_insert_with(|| Value::Table(Table::new())),
-            Value::Array(items) => item(items, key).map_err(bad)?,
-            _ => return Err(bad(format!("nothing lies below `{key}`"))),
-        };
-    }
-    match place {
-        Value::Table(inner) => {
-            inner.insert(last.into(), value);
-        }
-        Value::Array(items) => *item(items, last).map_err(bad)? = value,
-        _ => return Err(bad(format!("`{last}` lies below a plain value"))),
-    }
-    if let Value::Table(changed) = here {
-        *table = changed;
-    }
-    Ok(())
-}
-
-/// The item of an array that `key` numbers.
-fn item<'a>(items: &'a mut [Value], key: &str) -> Result<&'a mut Value, String> {
-    let count = items.len();
-    let found = key.parse::<usize>().ok().and_then(|index| items.get_mut(index));
-    found.ok_or_else(|| format!("`{key}` must be a number below {count}"))
-}
-
-fn toml_error(error: &toml::de::Error, text: Option<&str>, source_name: &str) -> SceneError {
-    let place = match (error.span(), text) {
-        (Some(span), Some(text)) => {
-            let before = &text[..span.start.min(text.len())];
-            let line = before.matches('\n').count() + 1;
-            let column = before.chars().rev().take_while(|&c| c != '\n').count() + 1;
-            format!(":{line}:{column}")
-        }
-        _ => String::new(),
-    };
-    let message = error.message();
-    if let Some(rest) = message.strip_prefix("unknown field `") {
-        let mut quoted = rest.split('`').step_by(2);
-        let key = quoted.next().unwrap_or_default().to_string();
-        let allowed: Vec<&str> = quoted.filter(|name| !name.is_empty()).collect();
-        return SceneError::UnknownKey {
-            source_name: source_name.into(),
-            place,
-            nearest: nearest(&key, allowed.iter().copied()).unwrap_or_default().into(),
-            allowed: allowed.join(", "),
-            key,
-        };
-    }
-    SceneError::Malformed { source_name: source_name.into(), place, reason: message.replace('\n', " ") }
+fn too_long() -> String {
+    format!("it has more than the {MOST_BYTES} bytes that a scene may have")
 }

@@ -3,8 +3,11 @@
 
 mod check;
 mod error;
+mod explain;
+mod fields;
 mod load;
 mod nearest;
+mod settings;
 mod shipped;
 #[cfg(test)]
 mod tests;

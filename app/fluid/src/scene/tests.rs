@@ -1,7 +1,8 @@
 //! Scenes: defaults, shipped ones, and each message a bad one gets.
 
+use super::fields::{FIELDS, Kind, kind_of};
 use super::*;
-use crate::particles::emit;
+use crate::particles::{self, emit};
 
 const SMALL: &str = "spacing_m = 0.1\n[domain]\nmin_m = [0, 0, 0]\nmax_m = [1, 1, 1]\n[[fluid]]\nblock = { min_m = [0, 0, 0], max_m = [0.3, 0.2, 0.1] }\n";
 
@@ -25,7 +26,9 @@ fn every_shipped_scene_loads_and_says_what_it_is() {
         let scene = Scene::load(name, &[]).unwrap();
         assert_eq!(scene.summary, summary);
         assert!(!summary.is_empty(), "{name} has no summary");
-        assert!(!emit(&scene).positions.is_empty(), "{name} has no particles");
+        let emitted = emit(&scene);
+        assert!(!emitted.positions.is_empty(), "{name} has no particles");
+        assert_eq!(particles::count(&scene), emitted.positions.len() as u64);
         assert_eq!(Scene::from_toml(&scene.to_toml(), name, &[]).unwrap(), scene, "{name} does not survive TOML");
     }
 }
@@ -38,24 +41,149 @@ fn settings_replace_values() {
     assert_eq!(scene.fluids[0].velocity_m_s, [1.0, 0.0, 0.0]);
 }
 
+/// A setting that puts `value` into a field; the scene has what lies above it.
+fn setting(field: &str, value: &str) -> Vec<String> {
+    let mut settings = Vec::new();
+    if field.starts_with("camera") {
+        settings.push("camera.eye_m=[3, 1, 4]".to_string());
+        settings.push("camera.target_m=[0, 0, 0]".to_string());
+    }
+    if field.starts_with("fluid.*.sphere") {
+        settings.push("fluid.0={ sphere = { centre_m = [0.5, 0.5, 0.5], radius_m = 0.2 } }".into());
+    }
+    settings.push(format!("{}={value}", field.replace('*', "0")));
+    settings
+}
+
+#[test]
+fn each_field_refuses_what_it_does_not_take_by_name_and_value() {
+    for (field, kind) in FIELDS {
+        let wrong: Vec<(String, String)> = match kind {
+            Kind::Number(limits) | Kind::Whole(limits) => {
+                let beyond = [limits.least - 1.0, 2.0 * limits.most + 1.0];
+                let numbers = beyond.into_iter().map(|n| if *kind == Kind::Whole(*limits) { n.round() } else { n });
+                let numbers = numbers.map(|n| n.to_string());
+                ["nan", "inf", "-inf", "\"many\"", "true", "[1]", "9e18", "1e308"]
+                    .into_iter()
+                    .map(String::from)
+                    .chain(numbers)
+                    .map(|value| (value, limits.to_string()))
+                    .collect()
+            }
+            Kind::Vector(limits) => {
+                ["[nan, 0, 0]", "[0, inf, 0]", "[0, 0, -1e30]", "[0, 0]", "[0, 0, 0, 0]", "1", "[\"a\", 0, 0]"]
+                    .into_iter()
+                    .map(|value| (value.into(), limits.to_string()))
+                    .collect()
+            }
+            Kind::Choice(names) => ["\"other\"", "7", "true"].map(|value| (value.into(), names[0].into())).into(),
+            Kind::Switch => ["0", "\"yes\"", "[true]"].map(|value| (value.into(), "true or false".into())).into(),
+            Kind::Text => ["7", "[\"a\"]", "true"].map(|value| (value.into(), "text".into())).into(),
+            Kind::Table => ["7", "true"].map(|value| (value.into(), "table".into())).into(),
+            Kind::Tables => ["7", "true"].map(|value| (value.into(), "[[fluid]]".into())).into(),
+        };
+        for (value, allowed) in wrong {
+            let error = Scene::from_toml(SMALL, "small.toml", &setting(field, &value)).unwrap_err().to_string();
+            let name = field.replace('*', "0");
+            // The number may be written otherwise, as 1e30 is.
+            let start: String = value.chars().take(1).collect();
+            for part in ["scene small.toml", &format!("{name} = "), &start, &allowed] {
+                assert!(error.contains(part), "{field}={value}: {error:?} does not say {part:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn limits_are_within_what_is_allowed() {
+    for (field, kind) in FIELDS {
+        let (Kind::Number(limits) | Kind::Whole(limits)) = kind else { continue };
+        for value in [limits.least, limits.most] {
+            if let Err(error) = Scene::from_toml(SMALL, "small.toml", &setting(field, &value.to_string())) {
+                // Refused for what it is together with the rest, if at all.
+                assert!(!error.to_string().contains(&limits.to_string()), "{field}={value}: {error}");
+            }
+        }
+    }
+}
+
+/// A field that is added to a scene has to be added to the table as well.
+#[test]
+fn the_table_has_every_field() {
+    let camera = "[camera]\neye_m = [3, 1, 4]\ntarget_m = [0, 0, 0]\n";
+    let sphere = "[[fluid]]\nsphere = { centre_m = [0.5, 0.5, 0.5], radius_m = 0.2 }\n";
+    let scene = load(&format!("{SMALL}{sphere}{camera}"), &["solver.max_speed_m_s=5"]).unwrap();
+    let mut seen = std::collections::BTreeSet::new();
+    fn visit(path: &str, value: &toml::Value, seen: &mut std::collections::BTreeSet<String>) {
+        let kind = kind_of(path).unwrap_or_else(|| panic!("`{path}` is not in FIELDS (scene/fields.rs): add it"));
+        seen.insert(
+            path.split('.').map(|key| if key.parse::<u8>().is_ok() { "*" } else { key }).collect::<Vec<_>>().join("."),
+        );
+        match (kind, value) {
+            (Kind::Table, toml::Value::Table(table)) => {
+                table.iter().for_each(|(key, value)| visit(&format!("{path}.{key}"), value, seen));
+            }
+            (Kind::Tables, toml::Value::Array(items)) => {
+                items.iter().enumerate().for_each(|(index, item)| visit(&format!("{path}.{index}"), item, seen));
+            }
+            _ => {}
+        }
+    }
+    let toml::Value::Table(table) = toml::Value::try_from(&scene).unwrap() else { panic!("a scene is a table") };
+    table.iter().for_each(|(key, value)| visit(key, value, &mut seen));
+    let known: std::collections::BTreeSet<String> = FIELDS.iter().map(|(field, _)| field.to_string()).collect();
+    assert_eq!(seen, known);
+}
+
 #[test]
 fn messages_name_file_field_value_and_what_is_allowed() {
     let message = |text: &str, settings: &[&str]| load(text, settings).unwrap_err();
+    let fluids = |count: usize| {
+        SMALL.to_string() + &"[[fluid]]\nblock = { min_m = [0, 0, 0], max_m = [0.3, 0.2, 0.1] }\n".repeat(count)
+    };
+    let long = format!("summary = \"{}\"\n{SMALL}", "x".repeat(2_000_000));
     let cases: &[(String, &[&str])] = &[
         (message(&SMALL.replace("spacing_m", "spacin_m"), &[]), &["small.toml:1:1", "`spacin_m`", "`spacing_m`"]),
         (message(SMALL, &["solver.iteration=3"]), &["`iteration`", "`iterations`"]),
-        (message(SMALL, &["solver.relaxation=0"]), &["small.toml", "solver.relaxation = 0.0", "above 0"]),
-        (message(SMALL, &["solver.dt_s=nan"]), &["solver.dt_s = NaN", "positive"]),
-        (message(SMALL, &["spacing_m=-1"]), &["spacing_m = -1.0", "positive"]),
-        (message(SMALL, &["solver.iterations=many"]), &["small.toml", "u32", "many"]),
-        (message(SMALL, &["solver.method=dfsph"]), &["dfsph", "pbf"]),
-        (message(SMALL, &["fluid.0.block.max_m=[2,1,1]"]), &["fluid.0", "inside the domain"]),
-        (message(SMALL, &["fluid.3.velocity_m_s=[1,0,0]"]), &["--set fluid.3", "below 1"]),
-        (message(SMALL, &["solver"]), &["--set solver", "path=value"]),
-        (message(SMALL, &["domain.max_m=[0,1,1]"]), &["domain.max_m", "above min_m"]),
-        (message(SMALL, &["domain.max_m=[1e6,1e6,1e6]"]), &["domain", "grid cells"]),
+        (message(&SMALL.replace("0.1\n", "-1\n"), &[]), &["spacing_m = -1", "1e-6 to 1000 m"]),
+        (message(&SMALL.replace("0.1\n", "'a'\n"), &[]), &["small.toml:1:13: spacing_m = \"a\"", "a number from"]),
+        (message("spacing_m = 1\nspacing_m = 2\n", &[]), &["small.toml:2:1: duplicate key", "spacing_m = 2"]),
         (message("spacing_m = ", &[]), &["small.toml:1:"]),
-        (message("[domain]\nmin_m=[0,0,0]\nmax_m=[1,1,1]", &[]), &["spacing_m"]),
+        (message("", &[]), &["spacing_m is missing", "a number from"]),
+        (message("[domain]\nmin_m=[0,0,0]\nmax_m=[1,1,1]", &[]), &["spacing_m is missing"]),
+        (message("spacing_m=1\n[domain]\nmin_m=[0,0,0]", &[]), &["domain.max_m is missing", "three numbers"]),
+        (message(&long, &[]), &["small.toml", "1048576 bytes"]),
+        (
+            message(SMALL, &["fluid.0.block.max_m=[2,1,1]"]),
+            &["fluid.0.block = [0, 0, 0] to [2, 1, 1]", "inside the domain"],
+        ),
+        (message(SMALL, &["fluid.0.block.max_m=[0.05,1,1]"]), &["fluid.0.block", "no room", "spacing_m = 0.1"]),
+        (message(SMALL, &["fluid.0.block.max_m=[0,1,1]"]), &["fluid.0.block.max_m = [0, 1, 1]", "above min_m"]),
+        (message(SMALL, &["fluid.0={}"]), &["fluid.0 = nothing", "`block` or a `sphere`"]),
+        (message(SMALL, &["fluid.0.sphere={centre_m=[0,0,0], radius_m=1}"]), &["fluid.0", "one of the two"]),
+        (message(SMALL, &["fluid.3.velocity_m_s=[1,0,0]"]), &["--set fluid.3", "below 1"]),
+        (message(&fluids(1), &["fluid.1.rest_density_kg_m3=900"]), &["fluid.1.rest_density_kg_m3 = 900", "1000"]),
+        (message(&fluids(128), &[]), &["fluid = 129 fluids", "at most 128"]),
+        (message(SMALL, &["solver"]), &["--set solver", "path=value"]),
+        (message(SMALL, &[".=1"]), &["--set .=1", "empty"]),
+        (message(SMALL, &["a.b.c.d.e.f.g.h.i=1"]), &["--set a.b.c", "9 keys"]),
+        (message(SMALL, &["spacing_m.x=1"]), &["--set spacing_m.x=1", "`x` lies below"]),
+        (message(SMALL, &["domain.max_m=[0,1,1]"]), &["domain.max_m", "above min_m"]),
+        (message(SMALL, &["domain.max_m=[0.01,1,1]"]), &["domain = [0.01, 1, 1] m", "at least spacing_m = 0.1"]),
+        (message(SMALL, &["domain.max_m=[1e5,1,1]"]), &["domain", "65536 spacings", "spacing_m 1.53 or more"]),
+        (message(SMALL, &["domain.max_m=[1e3,1e3,1e3]"]), &["domain", "grid cells", "spacing_m 3.14 or more"]),
+        (
+            message(SMALL, &["solver.substeps=1000", "solver.iterations=11"]),
+            &["solver.iterations = 11", "at most 10000"],
+        ),
+        (
+            message(SMALL, &["spacing_m=0.0034", "fluid.0.block.max_m=[1,1,1]"]),
+            &["spacing_m = 0.0034", "2.541e7 particles", "16777216 fit", "make it 0.00395 or more"],
+        ),
+        (
+            message(SMALL, &["spacing_m=0.004", "fluid.0.block.max_m=[1,1,1]", "solver.neighbour_slots=1024"]),
+            &["solver.neighbour_slots = 1024", "15625000 particles can have 274"],
+        ),
         (Scene::load("dam-brake", &[]).unwrap_err().to_string(), &["\"dam-brake\"", "dam-break"]),
     ];
     for (message, parts) in cases {
@@ -63,14 +191,36 @@ fn messages_name_file_field_value_and_what_is_allowed() {
             assert!(message.contains(part), "{message:?} does not say {part:?}");
         }
         assert!(!message.contains('\n'), "{message:?} has more than one line");
+        assert!(message.len() < 400, "{message:?} is long");
     }
+}
+
+#[test]
+fn what_a_message_suggests_is_enough() {
+    for (setting, suggested) in [("domain.max_m=[1e3,1e3,1e3]", "3.14"), ("domain.max_m=[1e5,6,6]", "1.53")] {
+        let fluid = "fluid.0.block.max_m=[6,6,6]";
+        assert!(load(SMALL, &[setting, fluid]).is_err());
+        load(SMALL, &[setting, fluid, &format!("spacing_m={suggested}")]).unwrap();
+    }
+    load(SMALL, &["fluid.0.block.max_m=[1,1,1]", "spacing_m=0.00395"]).unwrap();
 }
 
 #[test]
 fn overlapping_fluids_share_no_place() {
     let text = format!("{SMALL}[[fluid]]\nblock = {{ min_m = [0, 0, 0], max_m = [0.4, 0.2, 0.1] }}\n");
-    let emitted = emit(&load(&text, &[]).unwrap());
+    let scene = load(&text, &[]).unwrap();
+    let emitted = emit(&scene);
     assert_eq!(emitted.positions.len(), 8);
+    assert_eq!(particles::count(&scene), 8);
     let second = emitted.positions.iter().filter(|p| p.tag >> 24 == 1).count();
     assert_eq!(second, 2);
+}
+
+#[test]
+fn a_scene_may_have_no_fluid_and_a_domain_of_one_spacing() {
+    let empty = &SMALL[..SMALL.find("[[fluid]]").unwrap()];
+    assert_eq!(particles::count(&load(empty, &[]).unwrap()), 0);
+    let tight = ["domain.max_m=[0.1, 0.1, 0.1]"];
+    let scene = load(empty, &tight).unwrap();
+    assert_eq!(crate::grid::cells(&scene), [1; 3]);
 }
