@@ -13,6 +13,12 @@ pub enum CaptureError {
         /// What the system said.
         source: std::io::Error,
     },
+    /// Something else than a capture has the name that was given.
+    #[error("{name}: cannot create: a file of that name is there, and is no capture; it is kept")]
+    NotReplaced {
+        /// The file.
+        name: String,
+    },
     /// Writing stopped. Returned once; what was written before stays readable.
     #[error(
         "{name}: the capture stopped after {frames} frames: {reason}; \

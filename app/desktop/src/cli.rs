@@ -58,7 +58,7 @@ pub struct LengthOptions {
     #[arg(long, value_name = "S", value_parser = seconds, conflicts_with = "steps", allow_negative_numbers = true)]
     pub seconds: Option<f64>,
     /// Number of steps
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..), allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", value_parser = steps_from(1), allow_negative_numbers = true)]
     pub steps: Option<u64>,
 }
 
@@ -67,7 +67,7 @@ pub struct LengthOptions {
 pub struct OutputOptions {
     /// Pictures, spread evenly over the run, the last at its end; the scene's own number if not
     /// given, 0 for none
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(..=100_000))]
     pub images: Option<u32>,
     /// Also write the particles, whenever a picture is due and at the end
     #[arg(long, value_name = "FORMAT", value_enum)]
@@ -95,6 +95,9 @@ pub struct RunOptions {
     /// The timing capture's file, if not DIR/capture.mcap; replaced if it exists
     #[arg(long, value_name = "FILE")]
     pub capture: Option<PathBuf>,
+    /// Write no timing capture; the summary has medians all the same
+    #[arg(long, conflicts_with = "capture")]
+    pub no_capture: bool,
     /// Take no GPU times: no timestamp query is made
     #[arg(long)]
     pub no_timing: bool,
@@ -130,10 +133,10 @@ pub struct BenchOptions {
     #[command(flatten)]
     pub device: DeviceOptions,
     /// Steps that are timed
-    #[arg(long, value_name = "N", default_value_t = 100, value_parser = clap::value_parser!(u64).range(1..))]
+    #[arg(long, value_name = "N", default_value_t = 100, value_parser = steps_from(1))]
     pub steps: u64,
     /// Steps before them that are not
-    #[arg(long, value_name = "N", default_value_t = 20)]
+    #[arg(long, value_name = "N", default_value_t = 20, value_parser = steps_from(0))]
     pub warm_up: u64,
     /// Print the result as JSON
     #[arg(long)]
@@ -174,6 +177,13 @@ impl From<TierName> for Tier {
 pub enum ParticleFormat {
     /// Binary little-endian PLY: x y z, vx vy vz, id, fluid
     Ply,
+}
+
+/// The most steps of a run: what a step's number in the capture and a picture's in its name hold.
+pub const MOST_STEPS: u64 = 1_000_000_000;
+
+fn steps_from(least: u64) -> clap::builder::RangedU64ValueParser {
+    clap::value_parser!(u64).range(least..=MOST_STEPS)
 }
 
 /// A positive, finite time.

@@ -10,7 +10,7 @@ pub fn doctor(options: &ListOptions) -> Result<(), Failure> {
     let reports = adapters();
     if options.json {
         let list: Vec<Value> = reports.iter().map(as_json).collect();
-        println!("{}", serde_json::to_string_pretty(&list).map_err(Failure::stopped)?);
+        say!("{}", serde_json::to_string_pretty(&list).map_err(Failure::stopped)?);
     } else {
         for (index, report) in reports.iter().enumerate() {
             print(report, index == 0 && report.tier.is_some());
@@ -28,24 +28,24 @@ pub fn doctor(options: &ListOptions) -> Result<(), Failure> {
 fn print(report: &AdapterReport, is_default: bool) {
     let info = &report.info;
     let chosen = if is_default { ", used by default" } else { "" };
-    println!("{} ({}{chosen})", info.name, info.device_type);
-    println!("  driver    {} {}, {}", info.driver, info.driver_info, info.backend);
-    println!("  tier      {}", report.tier.map_or("none: Brooklet cannot run on it", tier_name));
+    say!("{} ({}{chosen})", info.name, info.device_type);
+    say!("  driver    {} {}, {}", info.driver, info.driver_info, info.backend);
+    say!("  tier      {}", report.tier.map_or("none: Brooklet cannot run on it", tier_name));
     if info.device_type == "cpu" {
-        println!("  note      a driver that runs on the processor: its times are the processor's");
+        say!("  note      a driver that runs on the processor: its times are the processor's");
     }
     for (index, missing) in report.missing.iter().enumerate() {
         let head = if index == 0 { "missing" } else { "" };
-        println!("  {head:<9} {}: {}", missing.what, missing.cost);
+        say!("  {head:<9} {}: {}", missing.what, missing.cost);
     }
     if report.missing.is_empty() {
-        println!("  missing   nothing");
+        say!("  missing   nothing");
     }
     for (index, (name, value)) in info.limits.iter().enumerate() {
         let head = if index == 0 { "limits" } else { "" };
-        println!("  {head:<9} {name} {value}");
+        say!("  {head:<9} {name} {value}");
     }
-    println!();
+    say!();
 }
 
 fn as_json(report: &AdapterReport) -> Value {

@@ -24,6 +24,13 @@ impl Failure {
         Self::Stopped(error.to_string())
     }
 
+    /// What is said, without what kind of end it is.
+    pub fn text(&self) -> &str {
+        match self {
+            Self::Input(text) | Self::Stopped(text) | Self::Interrupted(text) => text,
+        }
+    }
+
     /// The code for the shell.
     pub fn exit_code(&self) -> ExitCode {
         match self {
@@ -37,8 +44,8 @@ impl Failure {
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Input(text) | Self::Stopped(text) => write!(f, "error: {text}"),
-            Self::Interrupted(text) => write!(f, "interrupted: {text}"),
+            Self::Input(_) | Self::Stopped(_) => write!(f, "error: {}", self.text()),
+            Self::Interrupted(_) => write!(f, "interrupted: {}", self.text()),
         }
     }
 }

@@ -1,11 +1,11 @@
 //! What `run`, `plan` and `bench` share: the scene with its changes, its plan, the device.
 
-use brooklet_fluid::{Scene, record};
+use brooklet_fluid::{Recorded, Scene, record, record_count};
 use brooklet_gpu::{Gpu, GpuOptions, Plan, ResourceId, Resources, Tier};
 use brooklet_kernels::{Buffer, Position, Velocity};
 
 use crate::{
-    cli::{DeviceOptions, LengthOptions, OutputOptions, SceneOptions},
+    cli::{DeviceOptions, LengthOptions, MOST_STEPS, OutputOptions, SceneOptions},
     failure::Failure,
     pictures::Picture,
 };
@@ -26,8 +26,7 @@ pub fn steps(scene: &Scene, length: &LengthOptions) -> Result<u64, Failure> {
         (Some(steps), _) => steps as f64,
         (None, seconds) => (seconds.unwrap_or(scene.outputs.seconds) / dt_s).round(),
     };
-    // The clamps of a step's number in the capture and of a picture's in its name.
-    const MOST: f64 = 1e9;
+    const MOST: f64 = MOST_STEPS as f64;
     if (1.0..=MOST).contains(&steps) {
         Ok(steps as u64)
     } else {
@@ -58,13 +57,18 @@ pub struct Planned {
 /// Plans the scene for a device of `tier`: what its outputs do not need is not in the plan.
 pub fn plan(scene: &Scene, tier: Tier) -> Result<Planned, Failure> {
     let mut resources = Resources::new();
-    let mut recorded = record(&mut resources, scene);
-    if recorded.particle_count == 0 {
-        return Err(Failure::Input(format!(
-            "scene {}: it has no particles: give it a [[fluid]] with a block or a sphere of at least spacing_m = {}",
-            scene.name, scene.spacing_m
-        )));
-    }
+    let recorded = record(&mut resources, scene);
+    sweep(scene, tier, resources, recorded)
+}
+
+/// As [`plan`] for so many particles, which are not made: for what is only looked at.
+pub fn plan_for(scene: &Scene, particles: u32, tier: Tier) -> Result<Planned, Failure> {
+    let mut resources = Resources::new();
+    let recorded = record_count(&mut resources, scene, particles);
+    sweep(scene, tier, resources, recorded)
+}
+
+fn sweep(scene: &Scene, tier: Tier, mut resources: Resources, mut recorded: Recorded) -> Result<Planned, Failure> {
     let mut recordings = std::mem::take(&mut recorded.recordings);
     let mut picture = None;
     if scene.outputs.images > 0 {

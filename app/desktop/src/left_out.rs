@@ -3,7 +3,7 @@
 //!
 //! The second kind is found by planning the scene once more with that setting on, and looking at
 //! what comes along. So the list can never name a pass or a buffer that the setting does not
-//! really cost.
+//! really cost. Those plans are of as many particles, but make none.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -66,8 +66,8 @@ const TERMS: &[Term] = &[
     },
 ];
 
-/// Everything that `plan`, the plan of `scene` for `tier`, does without.
-pub fn list(scene: &Scene, tier: Tier, plan: &Plan) -> Result<Vec<Absent>, Failure> {
+/// Everything that `plan`, the plan of `scene` and its `particles` for `tier`, does without.
+pub fn list(scene: &Scene, particles: u32, tier: Tier, plan: &Plan) -> Result<Vec<Absent>, Failure> {
     let mut absent: Vec<Absent> = plan
         .left_out()
         .iter()
@@ -86,7 +86,7 @@ pub fn list(scene: &Scene, tier: Tier, plan: &Plan) -> Result<Vec<Absent>, Failu
     for term in TERMS.iter().filter(|term| (term.is_off)(scene)) {
         let mut other = scene.clone();
         (term.turn_on)(&mut other);
-        absent.extend(difference(plan, &job::plan(&other, tier)?.plan, term.reason));
+        absent.extend(difference(plan, &job::plan_for(&other, particles, tier)?.plan, term.reason));
     }
     Ok(absent)
 }
@@ -125,6 +125,7 @@ fn difference(plan: &Plan, fuller: &Plan, reason: &str) -> Vec<Absent> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::job::Planned;
 
     fn scene(settings: &[&str]) -> Scene {
         let settings: Vec<String> = settings.iter().map(|s| s.to_string()).collect();
@@ -141,9 +142,9 @@ mod tests {
         let base = ["spacing_m=0.1", "outputs.images=0"];
         let off = scene(&[&base[..], &["solver.vorticity_m_s=0"]].concat());
         let on = scene(&[&base[..], &["solver.vorticity_m_s=0.5"]].concat());
-        let plan_off = job::plan(&off, Tier::Desktop).unwrap().plan;
+        let Planned { plan: plan_off, particles, .. } = job::plan(&off, Tier::Desktop).unwrap();
         let plan_on = job::plan(&on, Tier::Desktop).unwrap().plan;
-        let vorticity: Vec<Absent> = list(&off, Tier::Desktop, &plan_off)
+        let vorticity: Vec<Absent> = list(&off, particles, Tier::Desktop, &plan_off)
             .unwrap()
             .into_iter()
             .filter(|absent| absent.reason.starts_with("solver.vorticity"))
@@ -152,7 +153,7 @@ mod tests {
         let bytes: u64 = vorticity.iter().map(|absent| absent.bytes).sum();
         assert!(bytes > 0);
         assert_eq!(plan_off.bytes() + bytes, plan_on.bytes());
-        let on_list = list(&on, Tier::Desktop, &plan_on).unwrap();
+        let on_list = list(&on, particles, Tier::Desktop, &plan_on).unwrap();
         assert!(on_list.iter().all(|absent| !absent.reason.starts_with("solver.vorticity")));
     }
 
@@ -164,7 +165,7 @@ mod tests {
         let stages: Vec<_> = planned.plan.passes().iter().map(|pass| pass.stage).collect();
         assert!(stages.iter().all(|stage| !stage.starts_with("measure")), "{stages:?}");
         assert!(stages.iter().all(|stage| !stage.starts_with("draw")), "{stages:?}");
-        let absent = list(&scene, Tier::Desktop, &planned.plan).unwrap();
+        let absent = list(&scene, planned.particles, Tier::Desktop, &planned.plan).unwrap();
         let passes = names(&absent, "pass");
         assert!(passes.contains(&"measure_totals".into()), "{passes:?}");
         assert!(passes.iter().any(|name| name.starts_with("draw")), "{passes:?}");

@@ -3,11 +3,15 @@
 //! Exit codes: 0; 1 the job could not be done to its end; 2 bad input, or no device for it;
 //! 130 Ctrl-C.
 
+#[macro_use]
+mod stdout;
+
 mod bench;
 mod cli;
 mod commit;
 mod doctor;
 mod failure;
+mod fit;
 mod interrupt;
 mod job;
 mod left_out;
@@ -19,12 +23,13 @@ mod ply;
 mod progress;
 mod recorder;
 mod run;
+mod running;
 mod scenes;
 mod summary;
 mod table;
 mod timings;
 
-use std::process::ExitCode;
+use std::{io::Write, process::ExitCode};
 
 use clap::Parser;
 
@@ -39,10 +44,12 @@ fn main() -> ExitCode {
         Command::Bench(options) => bench::bench(options),
         Command::Doctor(options) => doctor::doctor(options),
     };
-    match result {
+    // The job's own failure says more than that of its table.
+    match result.and(stdout::finish()) {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
-            eprintln!("{failure}");
+            // Where even this cannot be written, the exit code still tells.
+            let _ = writeln!(std::io::stderr(), "{failure}");
             failure.exit_code()
         }
     }

@@ -8,35 +8,74 @@ use std::{
 
 use crate::failure::Failure;
 
-/// Creates `wanted`, or, where that exists, the first free of `wanted-1`, `wanted-2` and so on:
-/// what an earlier run wrote is kept.
-pub fn create(wanted: &Path) -> Result<PathBuf, Failure> {
-    let cannot = |path: &Path, error: io::Error| {
-        Failure::Input(format!("--out {}: cannot create the folder: {error}", path.display()))
-    };
-    if wanted.file_name().is_none() {
-        return Err(Failure::Input(format!(
-            "--out {}: name a folder of the run's own, which is created",
-            wanted.display()
-        )));
+/// A folder of the run's own.
+pub struct OutDir {
+    /// Where it is.
+    pub path: PathBuf,
+    /// What had to be created, outermost first.
+    created: Vec<PathBuf>,
+}
+
+impl OutDir {
+    /// Creates `wanted`, or, where that exists, the first free of `wanted-1`, `wanted-2` and so on:
+    /// what an earlier run wrote is kept.
+    pub fn create(wanted: &Path) -> Result<Self, Failure> {
+        let refused = |why: &str| Failure::Input(format!("--out {}: {why}", wanted.display()));
+        if wanted.file_name().is_none() {
+            return Err(refused("name a folder of the run's own, which is created"));
+        }
+        // Without the slash at the end, behind which a number would be another folder's name.
+        let wanted = &wanted.components().collect::<PathBuf>();
+        if fs::metadata(wanted).is_ok_and(|found| !found.is_dir()) {
+            return Err(refused("is a file; name a folder, which is created"));
+        }
+        let mut dir = Self { path: wanted.clone(), created: missing_parents(wanted) };
+        dir.make(wanted).map_err(|(path, error)| {
+            dir.remove();
+            Failure::Input(format!("--out {}: cannot create the folder: {error}", path.display()))
+        })?;
+        Ok(dir)
     }
-    // Without the slash at the end, behind which a number would be another folder's name.
-    let wanted = &wanted.components().collect::<PathBuf>();
-    if let Some(parent) = wanted.parent() {
-        fs::create_dir_all(parent).map_err(|error| cannot(parent, error))?;
+
+    fn make(&mut self, wanted: &Path) -> Result<(), (PathBuf, io::Error)> {
+        if let Some(parent) = wanted.parent() {
+            fs::create_dir_all(parent).map_err(|error| (parent.to_path_buf(), error))?;
+        }
+        for number in 0_u32.. {
+            let path = match number {
+                0 => wanted.to_path_buf(),
+                _ => numbered(wanted, number),
+            };
+            match fs::create_dir(&path) {
+                Ok(()) => {
+                    self.created.push(path.clone());
+                    self.path = path;
+                    break;
+                }
+                Err(error) if error.kind() == ErrorKind::AlreadyExists => {}
+                Err(error) => return Err((path, error)),
+            }
+        }
+        Ok(())
     }
-    for number in 0_u32.. {
-        let path = match number {
-            0 => wanted.to_path_buf(),
-            _ => numbered(wanted, number),
-        };
-        match fs::create_dir(&path) {
-            Ok(()) => return Ok(path),
-            Err(error) if error.kind() == ErrorKind::AlreadyExists => {}
-            Err(error) => return Err(cannot(&path, error)),
+
+    /// Takes it away again, as far as nothing is in it: the run did not begin.
+    pub fn remove(&self) {
+        for path in self.created.iter().rev() {
+            // One that is not empty is somebody's.
+            if fs::remove_dir(path).is_err() {
+                break;
+            }
         }
     }
-    Err(cannot(wanted, ErrorKind::AlreadyExists.into()))
+}
+
+/// The folders above `path` that are not there yet, outermost first.
+fn missing_parents(path: &Path) -> Vec<PathBuf> {
+    let above = path.ancestors().skip(1).filter(|above| !above.as_os_str().is_empty());
+    let mut missing: Vec<PathBuf> = above.take_while(|above| !above.exists()).map(Path::to_path_buf).collect();
+    missing.reverse();
+    missing
 }
 
 fn numbered(wanted: &Path, number: u32) -> PathBuf {
@@ -74,11 +113,11 @@ mod tests {
     fn what_is_there_is_kept() {
         let folder = tempfile::tempdir().unwrap();
         let wanted = folder.path().join("deep/out");
-        let first = create(&wanted).unwrap();
+        let first = OutDir::create(&wanted).unwrap().path;
         assert_eq!(first, wanted);
         write_file(&first.join("a.txt"), b"first").unwrap();
-        assert_eq!(create(&wanted).unwrap(), folder.path().join("deep/out-1"));
-        assert_eq!(create(&folder.path().join("deep/out/")).unwrap(), folder.path().join("deep/out-2"));
+        assert_eq!(OutDir::create(&wanted).unwrap().path, folder.path().join("deep/out-1"));
+        assert_eq!(OutDir::create(&folder.path().join("deep/out/")).unwrap().path, folder.path().join("deep/out-2"));
         assert_eq!(fs::read(first.join("a.txt")).unwrap(), b"first");
     }
 
@@ -87,10 +126,22 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("file");
         write_file(&file, b"").unwrap();
-        let failure = create(&file.join("out")).unwrap_err();
-        assert!(matches!(failure, Failure::Input(_)), "{failure:?}");
-        assert!(failure.to_string().contains(&file.display().to_string()), "{failure}");
-        assert!(matches!(create(Path::new("..")), Err(Failure::Input(_))));
+        for wrong in [file.join("out"), file.clone(), PathBuf::from("..")] {
+            let Err(Failure::Input(text)) = OutDir::create(&wrong) else { panic!("{} is created", wrong.display()) };
+            assert!(text.contains("--out ") && text.contains(&*wrong.parent().unwrap().to_string_lossy()), "{text}");
+        }
+    }
+
+    #[test]
+    fn a_run_that_did_not_begin_leaves_no_folder() {
+        let folder = tempfile::tempdir().unwrap();
+        let deep = folder.path().join("deep/deeper/out");
+        OutDir::create(&deep).unwrap().remove();
+        assert!(!folder.path().join("deep").exists());
+        let dir = OutDir::create(&deep).unwrap();
+        write_file(&folder.path().join("deep/note"), b"mine").unwrap();
+        dir.remove();
+        assert!(!folder.path().join("deep/deeper").exists() && folder.path().join("deep/note").exists());
     }
 
     #[test]

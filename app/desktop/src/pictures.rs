@@ -40,9 +40,13 @@ impl Picture {
         self.color.id
     }
 
-    /// Waits for the last picture that was drawn, and writes it.
-    pub fn save(&self, engine: &mut Engine, path: &Path) -> Result<(), Failure> {
-        let rgba = engine.read_texture(&self.color).map_err(Failure::stopped)?;
-        png::save(path, self.color.size_px, &rgba).map_err(Failure::stopped)
+    /// Waits for the last picture that was drawn, and copies it to the host.
+    pub fn read(&self, engine: &mut Engine) -> Result<Vec<u8>, Failure> {
+        engine.read_texture(&self.color).map_err(Failure::stopped)
+    }
+
+    /// Writes a picture that was read.
+    pub fn save(&self, path: &Path, rgba: &[u8]) -> Result<(), Failure> {
+        png::save(path, self.color.size_px, rgba).map_err(Failure::stopped)
     }
 }

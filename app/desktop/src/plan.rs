@@ -1,6 +1,6 @@
 //! `brooklet plan`: what a run would do, without doing it; needs no GPU.
 
-use brooklet_fluid::{INIT, MEASURE, STEP, Scene};
+use brooklet_fluid::{INIT, MEASURE, STEP, Scene, particles};
 use brooklet_gpu::{Plan, Tier};
 use serde::Serialize;
 use serde_json::json;
@@ -27,8 +27,9 @@ struct Pass {
 pub fn plan(options: &PlanOptions) -> Result<(), Failure> {
     let scene = job::scene(&options.scene, Some(&options.outputs))?;
     let tier = options.tier.map_or(Tier::Desktop, Into::into);
-    let planned = job::plan(&scene, tier)?;
-    let absent = left_out::list(&scene, tier, &planned.plan)?;
+    let particles = u32::try_from(particles::count(&scene)).map_err(Failure::input)?;
+    let planned = job::plan_for(&scene, particles, tier)?;
+    let absent = left_out::list(&scene, particles, tier, &planned.plan)?;
     if options.json {
         print_json(&scene, &planned, &absent)
     } else {
@@ -63,7 +64,7 @@ fn print_json(scene: &Scene, planned: &Planned, absent: &[Absent]) -> Result<(),
         "left_out": absent,
     });
     let text = serde_json::to_string_pretty(&all).map_err(Failure::stopped)?;
-    println!("{text}");
+    say!("{text}");
     Ok(())
 }
 
@@ -74,12 +75,12 @@ pub fn simulation_bytes_per_particle(plan: &Plan, particles: u32) -> Option<f64>
 }
 
 fn print_tables(scene: &Scene, planned: &Planned, absent: &[Absent]) {
-    println!("{}: {} particles\n", scene.name, planned.particles);
+    say!("{}: {} particles\n", scene.name, planned.particles);
     let mut list = table(&["recording", "pass", "variant", "shader", "runs"], &[4]);
     for pass in passes(&planned.plan) {
         list.add_row([pass.recording, pass.stage, pass.variant, pass.source, &pass.dispatches.to_string()]);
     }
-    println!("{}\n", list.trim_fmt());
+    say!("{}\n", list.trim_fmt());
 
     let mut list = table(&["buffer", "bytes", ""], &[1, 2]);
     for buffer in planned.plan.buffers() {
@@ -87,18 +88,18 @@ fn print_tables(scene: &Scene, planned: &Planned, absent: &[Absent]) {
     }
     let total = planned.plan.bytes();
     list.add_row(["in all".to_string(), total.to_string(), bytes(total)]);
-    println!("{}", list.trim_fmt());
+    say!("{}", list.trim_fmt());
     if let Some(per_particle) = simulation_bytes_per_particle(&planned.plan, planned.particles) {
-        println!("{per_particle:.0} bytes a particle, without what is drawn");
+        say!("{per_particle:.0} bytes a particle, without what is drawn");
     }
 
     if absent.is_empty() {
-        println!("\nnothing is left out");
+        say!("\nnothing is left out");
         return;
     }
     let mut list = table(&["left out", "kind", "bytes", "because"], &[2]);
     for absent in absent {
         list.add_row([absent.name.clone(), absent.kind.to_string(), absent.bytes.to_string(), absent.reason.clone()]);
     }
-    println!("\n{}", list.trim_fmt());
+    say!("\n{}", list.trim_fmt());
 }

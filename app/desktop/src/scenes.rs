@@ -10,13 +10,13 @@ pub fn scenes(options: &ListOptions) -> Result<(), Failure> {
     if options.json {
         let list: Vec<_> =
             shipped_scenes().map(|(name, summary)| json!({ "name": name, "summary": summary })).collect();
-        println!("{}", serde_json::to_string_pretty(&list).map_err(Failure::stopped)?);
+        say!("{}", serde_json::to_string_pretty(&list).map_err(Failure::stopped)?);
         return Ok(());
     }
     let mut list = table(&["scene", "what happens"], &[]);
     for (name, summary) in shipped_scenes() {
         list.add_row([name, summary]);
     }
-    println!("{}", list.trim_fmt());
+    say!("{}", list.trim_fmt());
     Ok(())
 }

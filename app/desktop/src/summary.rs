@@ -23,7 +23,7 @@ pub struct Summary {
     simulated_s: f64,
     /// From the first step to the end of the last one, pictures included.
     wall_s: f64,
-    /// Whether the run ended early, by Ctrl-C.
+    /// Whether the run ended early, by Ctrl-C or because it could not go on.
     interrupted: bool,
     solver: Solver,
     gpu_ms_per_step: Option<timings::Spread>,
@@ -104,6 +104,8 @@ pub struct Files {
     pub capture_complete: bool,
     /// This summary.
     pub summary: String,
+    /// What could not be written: a full disk, say.
+    pub not_written: Vec<String>,
 }
 
 /// What a summary is made of.
@@ -118,7 +120,7 @@ pub struct Facts<'a> {
     pub steps: u64,
     /// Time they took.
     pub wall_s: f64,
-    /// Whether Ctrl-C ended it.
+    /// Whether it ended early.
     pub interrupted: bool,
     /// GPU times.
     pub timings: &'a Timings,
@@ -233,23 +235,31 @@ impl Summary {
 
     /// The short table.
     pub fn print(&self, plan_bytes: u64) {
-        println!(
+        say!(
             "{}: {} particles, {} steps ({:.3} s simulated) in {:.2} s, on {} as {}",
-            self.scene, self.particles, self.steps, self.simulated_s, self.wall_s, self.device.name, self.device.tier,
+            self.scene,
+            self.particles,
+            self.steps,
+            self.simulated_s,
+            self.wall_s,
+            self.device.name,
+            self.device.tier,
         );
         match &self.gpu_ms_per_step {
-            Some(step) => println!(
+            Some(step) => say!(
                 "GPU time of a step: {:.3} ms (median), {:.3} ms (95 of 100); \
                  the first {} frames do not count",
-                step.median, step.p95, self.timing.warm_up_frames_left_out,
+                step.median,
+                step.p95,
+                self.timing.warm_up_frames_left_out,
             ),
-            None => println!("GPU time of a step: not measured (timing {})", self.timing.how),
+            None => say!("GPU time of a step: not measured (timing {})", self.timing.how),
         }
         if self.device.device_type == "cpu" {
-            println!("(this driver runs on the processor: its times are the processor's)");
+            say!("(this driver runs on the processor: its times are the processor's)");
         }
         if self.timing.flagged_spans > 0 {
-            println!(
+            say!(
                 "{} of the GPU's times are in doubt (zero, negative, overlapping, or behind a gap that no \
                  pass accounts for): see the flags in the capture",
                 self.timing.flagged_spans,
@@ -257,8 +267,10 @@ impl Summary {
         }
         self.print_passes();
         self.print_measured();
-        let per_particle = self.bytes_per_particle.unwrap_or(0.0);
-        println!("memory: {}; {per_particle:.0} bytes a particle without what is drawn", bytes(plan_bytes));
+        match self.bytes_per_particle {
+            Some(each) => say!("memory: {}; {each:.0} bytes a particle without what is drawn", bytes(plan_bytes)),
+            None => say!("memory: {}; there are no particles", bytes(plan_bytes)),
+        }
     }
 
     fn print_passes(&self) {
@@ -275,14 +287,14 @@ impl Summary {
                 pass["dispatches"].to_string(),
             ]);
         }
-        println!("\n{}\n", list.trim_fmt());
+        say!("\n{}\n", list.trim_fmt());
     }
 
     fn print_measured(&self) {
         let (Some(density), Some(compression), Some(energy), Some(counted)) =
             (self.density_error, self.compression, self.energy_j, self.counters)
         else {
-            println!("nothing was measured (outputs.measure_every_steps = 0)");
+            say!("nothing was measured (outputs.measure_every_steps = 0)");
             return;
         };
         let mut list = table(&["at the end", "mean", "99 of 100", "largest"], &[1, 2, 3]);
@@ -290,14 +302,14 @@ impl Summary {
             let percent = |ratio: f64| format!("{:.2} %", 100.0 * ratio);
             list.add_row([name.to_string(), percent(spread.mean), percent(spread.p99), percent(spread.max)]);
         }
-        println!("{}", list.trim_fmt());
-        println!(
+        say!("{}", list.trim_fmt());
+        say!(
             "largest speed {:.3} m/s, front at x = {:.3} m, energy {:.2} J",
             self.max_speed_m_s.unwrap_or_default(),
             self.front_m.unwrap_or_default(),
             energy.total,
         );
-        println!(
+        say!(
             "counted: {} neighbours without a slot, {} clamped speeds, {} clamped corrections, \
              {} quarantined, {} escaped",
             counted.neighbour_overflow,

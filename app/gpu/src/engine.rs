@@ -3,7 +3,7 @@
 use crate::device::Gpu;
 use crate::encode::{Encoder, tick_bound};
 use crate::error::GpuError;
-use crate::memory::{Arena, Memory};
+use crate::memory::{Arena, Memory, check_sizes};
 use crate::plan::Plan;
 use crate::readback::{Grown, Slot};
 use crate::resources::{Shape, bytes_per_pixel};
@@ -63,6 +63,14 @@ impl Engine {
             timestamps: 0,
             ring_allocations: 0,
         })
+    }
+
+    /// Whether the device's limits allow what `plan` keeps, without allocating it.
+    ///
+    /// # Errors
+    /// If a buffer or texture exceeds a limit, naming both.
+    pub fn check_sizes(gpu: &Gpu, plan: &Plan) -> Result<(), GpuError> {
+        check_sizes(gpu, plan).map(|_| ())
     }
 
     /// The device.

@@ -89,10 +89,7 @@ pub enum GpuError {
         limit: u64,
     },
     /// A buffer is larger than a binding or a buffer may be.
-    #[error(
-        "buffer {label} has {bytes} bytes, and the device allows {limit} ({limit_name}); \
-         use fewer particles or fewer neighbour slots"
-    )]
+    #[error("buffer {label} has {bytes} bytes, and the device allows {limit} ({limit_name})")]
     BufferTooLarge {
         /// The buffer.
         label: String,

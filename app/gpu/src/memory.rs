@@ -44,8 +44,9 @@ pub(crate) struct Arena {
     items: BTreeMap<ResourceId, Memory>,
 }
 
+/// What a resource is used as.
 #[derive(Clone, Copy)]
-struct Uses {
+pub(crate) struct Uses {
     buffer: BufferUsages,
     texture: TextureUsages,
 }
@@ -59,11 +60,7 @@ impl Default for Uses {
 impl Arena {
     /// Allocates what `plan` keeps, all zero.
     pub fn new(gpu: &Gpu, plan: &Plan) -> Result<Arena, GpuError> {
-        let uses = collect_uses(plan);
-        let limits = gpu.device().limits();
-        for kept in plan.buffers() {
-            check_size(plan, kept.id, uses.get(&kept.id).copied(), &limits)?;
-        }
+        let uses = check_sizes(gpu, plan)?;
         let mut arena = Arena { gpu: gpu.clone(), items: BTreeMap::new() };
         let mut dirty = Vec::new();
         for kept in plan.buffers() {
@@ -178,6 +175,16 @@ impl Drop for Arena {
             }
         }
     }
+}
+
+/// Checks that the device's limits allow each resource that `plan` keeps; returns how each is used.
+pub(crate) fn check_sizes(gpu: &Gpu, plan: &Plan) -> Result<BTreeMap<ResourceId, Uses>, GpuError> {
+    let uses = collect_uses(plan);
+    let limits = gpu.device().limits();
+    for kept in plan.buffers() {
+        check_size(plan, kept.id, uses.get(&kept.id).copied(), &limits)?;
+    }
+    Ok(uses)
 }
 
 fn collect_uses(plan: &Plan) -> BTreeMap<ResourceId, Uses> {

@@ -1,0 +1,157 @@
+//! A run under way: steps, and what is written in between.
+
+use std::path::{Path, PathBuf};
+
+use brooklet_fluid::{INIT, MEASURE, STEP, Scene};
+use brooklet_gpu::{Engine, ResourceId};
+use brooklet_kernels::{Buffer, Position, Velocity};
+use brooklet_render::frame::{DRAW, DRAW_INIT};
+use indicatif::ProgressBar;
+
+use crate::{failure::Failure, interrupt::Interrupt, pictures::Picture, ply, recorder::Recorder, summary::Files};
+
+/// What is read back from the GPU.
+pub struct Outputs {
+    /// Where the particles are.
+    pub positions: Buffer<Position>,
+    /// How fast they are.
+    pub velocities: Buffer<Velocity>,
+    /// Measurements, if the scene measures.
+    pub measure: Option<ResourceId>,
+    /// Pictures, if there are some.
+    pub picture: Option<Picture>,
+}
+
+/// A run under way.
+pub struct Running<'a> {
+    /// Takes the engine's reports.
+    pub recorder: Recorder,
+    /// The scene.
+    pub scene: &'a Scene,
+    /// The folder.
+    pub out: &'a Path,
+    /// Steps to do.
+    pub steps: u64,
+    /// Steps handed to the GPU.
+    pub done: u64,
+    /// Steps at whose end a picture is due, in order.
+    pub images: Vec<u64>,
+    /// What is read back.
+    pub outputs: Outputs,
+    /// Whether particles are written beside the pictures and at the end.
+    pub writes_particles: bool,
+    /// What was written, and what could not be.
+    pub files: Files,
+    /// Why it could not, once for all of a kind.
+    pub troubles: Vec<String>,
+}
+
+impl Running<'_> {
+    /// All steps, or those before Ctrl-C.
+    pub fn all(&mut self, engine: &mut Engine, interrupt: &Interrupt, bar: &ProgressBar) -> Result<(), Failure> {
+        let result = self.steps(engine, interrupt, bar);
+        // What came back before a failure belongs to the capture as well.
+        match engine.finish() {
+            Ok(reports) => self.recorder.take(&reports),
+            Err(error) => {
+                self.recorder.take(&engine.reports());
+                result?;
+                return Err(Failure::stopped(error));
+            }
+        }
+        result
+    }
+
+    fn steps(&mut self, engine: &mut Engine, interrupt: &Interrupt, bar: &ProgressBar) -> Result<(), Failure> {
+        engine.run(&[INIT], &[]).map_err(Failure::stopped)?;
+        if self.outputs.picture.is_some() {
+            engine.run(&[DRAW_INIT], &[]).map_err(Failure::stopped)?;
+        }
+        while self.done < self.steps && !interrupt.is_pressed() {
+            self.step(engine, self.done + 1)?;
+            bar.inc(1);
+            if let Some(stats) = self.recorder.measured.last {
+                bar.set_message(format!("density error {:.2} %", 100.0 * stats.density_error.mean));
+            }
+        }
+        Ok(())
+    }
+
+    /// Step number `step`, from 1, with what is due at its end.
+    fn step(&mut self, engine: &mut Engine, step: u64) -> Result<(), Failure> {
+        let is_last = step == self.steps;
+        let every = u64::from(self.scene.outputs.measure_every_steps);
+        let measures = every > 0 && (is_last || step.is_multiple_of(every));
+        let image = self.images.binary_search(&step).ok();
+
+        let mut recordings = vec![STEP];
+        let mut readbacks = Vec::new();
+        if measures {
+            recordings.push(MEASURE);
+            readbacks.extend(self.outputs.measure);
+        }
+        if image.is_some() && self.outputs.picture.is_some() {
+            recordings.push(DRAW);
+        }
+        let frame = engine.run(&recordings, &readbacks).map_err(Failure::stopped)?;
+        self.done = step;
+        self.recorder.expect(frame, step);
+        self.recorder.take(&engine.reports());
+
+        if let (Some(number), Some(picture)) = (image, &self.outputs.picture) {
+            let path = self.numbered("frame", number, "png");
+            let rgba = picture.read(engine)?;
+            let written = picture.save(&path, &rgba);
+            self.note(path, written, |files| &mut files.images);
+        }
+        if self.writes_particles && (image.is_some() || is_last) {
+            let number = image.unwrap_or(self.images.len());
+            let path = self.numbered("particles", number, "ply");
+            let positions = engine.read(&self.outputs.positions).map_err(Failure::stopped)?;
+            let velocities = engine.read(&self.outputs.velocities).map_err(Failure::stopped)?;
+            let written = ply::write(&path, &positions, &velocities, self.scene.domain.min_m);
+            self.note(path, written, |files| &mut files.particles);
+        }
+        Ok(())
+    }
+
+    fn numbered(&self, name: &str, number: usize, ending: &str) -> PathBuf {
+        self.out.join(format!("{name}_{number:04}.{ending}"))
+    }
+
+    /// A file that cannot be written does not end the run, as a capture does not: the disk may
+    /// have room again for the next one, and the summary is worth having. It is told at the end.
+    fn note(&mut self, path: PathBuf, written: Result<(), Failure>, list: fn(&mut Files) -> &mut Vec<String>) {
+        let name = path.display().to_string();
+        match written {
+            Ok(()) => list(&mut self.files).push(name),
+            Err(failure) => {
+                if self.files.not_written.is_empty() {
+                    self.troubles.push(failure.text().to_owned());
+                }
+                self.files.not_written.push(name);
+            }
+        }
+    }
+}
+
+/// Steps at whose end one of `count` pictures is due: spread evenly, the last at the end. A run
+/// of fewer steps has a picture after each.
+pub fn due_steps(steps: u64, count: u32) -> Vec<u64> {
+    let count = u64::from(count).min(steps);
+    (1..=count).map(|number| (u128::from(number) * u128::from(steps) / u128::from(count)) as u64).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pictures_are_spread_evenly_and_the_last_is_at_the_end() {
+        assert_eq!(due_steps(480, 6), [80, 160, 240, 320, 400, 480]);
+        assert_eq!(due_steps(10, 3), [3, 6, 10]);
+        assert_eq!(due_steps(2, 5), [1, 2]);
+        assert_eq!(due_steps(7, 1), [7]);
+        assert!(due_steps(7, 0).is_empty());
+    }
+}
