@@ -3,16 +3,11 @@
 mod capture_support;
 mod cli_support;
 
-use std::{
-    collections::BTreeSet,
-    process::Stdio,
-    thread,
-    time::{Duration, Instant},
-};
+use std::collections::BTreeSet;
 
 use brooklet_capture::Capture;
 use capture_support::python::read_in_python;
-use cli_support::{Ended, Workshop};
+use cli_support::Workshop;
 use serde_json::Value;
 
 const RUN: [&str; 10] = ["run", "scene.toml", "--steps", "8", "--images", "2", "--particles", "ply", "--out", "result"];
@@ -211,54 +206,4 @@ fn two_plans_that_differ_in_a_term_show_what_falls_away() {
     assert!(on["bytes"].as_u64() > off["bytes"].as_u64());
     let table = workshop.succeed(&["plan", "scene.toml", "--set", "solver.vorticity_m_s=0"]).stdout;
     assert!(table.contains("curl") && table.contains("solver.vorticity_m_s = 0"), "{table}");
-}
-
-/// Starts a run without end, waits until its capture has frames, and sends it `signal`.
-#[cfg(unix)]
-fn signalled(workshop: &Workshop, signal: &str) -> Ended {
-    let mut child = workshop
-        .command(["run", "scene.toml", "--steps", "100000000", "--out", "long"])
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .expect("the program starts");
-    let begun = Instant::now();
-    let has_frames =
-        || Capture::open(&workshop.path("long/capture.mcap")).is_ok_and(|capture| !capture.frames.is_empty());
-    while !has_frames() {
-        assert!(begun.elapsed() < Duration::from_secs(60), "no frame in a minute");
-        assert!(child.try_wait().unwrap().is_none(), "the run ended by itself");
-        thread::sleep(Duration::from_millis(100));
-    }
-    let kill = std::process::Command::new("kill").args([signal, &child.id().to_string()]).status();
-    assert!(kill.expect("kill is there").success());
-    Ended::new(child.wait_with_output().unwrap())
-}
-
-#[cfg(unix)]
-#[test]
-fn ctrl_c_ends_in_order() {
-    let workshop = Workshop::new();
-    let ended = signalled(&workshop, "-INT");
-    assert_eq!(ended.code, Some(130), "{}", ended.stderr);
-    assert!(ended.stderr.contains("interrupted") && ended.stderr.contains("long"), "{}", ended.stderr);
-    let summary = workshop.json("long/summary.json");
-    let steps = summary["steps"].as_u64().unwrap();
-    assert_eq!(summary["interrupted"], true);
-    assert!(steps > 0 && steps < 100_000_000);
-    let capture = Capture::open(&workshop.path("long/capture.mcap")).unwrap();
-    assert!(capture.complete);
-    assert_eq!(capture.frames.len() as u64, steps, "every step that was done is captured");
-}
-
-#[cfg(unix)]
-#[test]
-fn a_killed_run_leaves_a_readable_capture() {
-    let workshop = Workshop::new();
-    let ended = signalled(&workshop, "-KILL");
-    assert_eq!(ended.code, None);
-    assert!(!workshop.has("long/summary.json"));
-    let capture = Capture::open(&workshop.path("long/capture.mcap")).unwrap();
-    assert!(!capture.complete && !capture.frames.is_empty());
-    assert!(!capture.metadata["device"].is_empty());
 }

@@ -87,15 +87,14 @@ pub struct CaptureWriter<W: Write> {
 }
 
 impl CaptureWriter<File> {
-    /// Creates the file `path`. A capture that is there is replaced; any other file is kept, and
-    /// an error. What cannot even be begun is taken away again.
+    /// Creates the file `path`. A capture that is there is replaced; any other file is kept, and an
+    /// error.
     pub fn create(path: &Path, options: CaptureOptions) -> Result<Self, CaptureError> {
         let name = path.display().to_string();
         let io = |source| CaptureError::Io { name: name.clone(), action: "create", source };
         // Not created anew: a name typed wrongly must not cost anybody a file.
         let mut file = File::options().read(true).write(true).create(true).truncate(false).open(path).map_err(io)?;
-        let is_file = file.metadata().map_err(io)?.is_file();
-        if is_file {
+        if file.metadata().map_err(io)?.is_file() {
             let mut start = Vec::new();
             (&mut file).take(MAGIC.len() as u64).read_to_end(&mut start).map_err(io)?;
             if !MAGIC.starts_with(&start) {
@@ -103,12 +102,7 @@ impl CaptureWriter<File> {
             }
             file.set_len(0).and_then(|()| file.rewind()).map_err(io)?;
         }
-        Self::new(file, name, options).inspect_err(|_| {
-            if is_file {
-                // The error that is told already is what matters.
-                let _ = std::fs::remove_file(path);
-            }
-        })
+        Self::new(file, name, options)
     }
 }
 

@@ -92,7 +92,8 @@ pub fn write_file(path: &Path, content: &[u8]) -> Result<(), Failure> {
     };
     let write = || -> io::Result<()> {
         let mut file = tempfile::Builder::new().prefix(".brooklet-").tempfile_in(folder)?;
-        file.write_all(content)?;
+        // Through the file itself: the other way, an error names the temporary file.
+        file.as_file_mut().write_all(content)?;
         #[cfg(unix)]
         {
             // A temporary file is its owner's alone; a result is for whoever the folder is for.

@@ -1,11 +1,12 @@
 //! `brooklet run`: simulate, and write pictures, particles, a capture and a summary.
 
 use std::{
+    fs,
     path::Path,
     time::{Instant, SystemTime},
 };
 
-use brooklet_capture::{CaptureOptions, CaptureWriter};
+use brooklet_capture::{CaptureError, CaptureOptions, CaptureWriter};
 use brooklet_fluid::Scene;
 use brooklet_gpu::{Gpu, tier_name};
 
@@ -131,7 +132,16 @@ fn open_capture(
         capture.attach(&name, "application/toml", scene.to_toml().as_bytes())?;
         Ok(capture)
     };
-    write().map_err(|error: brooklet_capture::CaptureError| Failure::input(error))
+    write().map_err(|error| match error {
+        CaptureError::Write { name, reason, .. } => {
+            if fs::metadata(path).is_ok_and(|found| found.is_file()) {
+                // Whether or not this works, the run has not begun.
+                let _ = fs::remove_file(path);
+            }
+            Failure::Input(format!("{name}: the capture cannot be begun: {reason}"))
+        }
+        error => Failure::input(error),
+    })
 }
 
 fn print_files(files: &Files, summary_written: bool) {
