@@ -23,7 +23,7 @@ pub enum Command {
     Plan(PlanOptions),
     /// List the shipped scenes
     Scenes(ListOptions),
-    /// Time every pass of a scene, without pictures and measurements
+    /// Time every pass: of one scene, or of the same workload at rising numbers of particles
     Bench(BenchOptions),
     /// List this machine's devices: their tier, what they lack, and what that costs
     Doctor(ListOptions),
@@ -126,18 +126,30 @@ pub struct PlanOptions {
 /// `brooklet bench`.
 #[derive(Clone, Debug, Args)]
 pub struct BenchOptions {
-    /// The scene.
-    #[command(flatten)]
-    pub scene: SceneOptions,
+    /// Time this scene alone: a shipped scene's name, or the path of a scene file
+    #[arg(value_name = "SCENE")]
+    pub scene: Option<String>,
+    /// Change a value of the scene or of the table's workload, as solver.neighbour_slots=40; may be given again
+    #[arg(long = "set", value_name = "PATH=VALUE")]
+    pub settings: Vec<String>,
     /// The device.
     #[command(flatten)]
     pub device: DeviceOptions,
-    /// Steps that are timed
-    #[arg(long, value_name = "N", default_value_t = 100, value_parser = steps_from(1))]
+    /// Steps of SCENE that are timed
+    #[arg(long, value_name = "N", default_value_t = 100, requires = "scene", value_parser = steps_from(1))]
     pub steps: u64,
-    /// Steps before them that are not
-    #[arg(long, value_name = "N", default_value_t = 20, value_parser = steps_from(0))]
+    /// Steps of SCENE before them that are not
+    #[arg(long, value_name = "N", default_value_t = 20, requires = "scene", value_parser = steps_from(0))]
     pub warm_up: u64,
+    /// The table's largest size; sizes go on to 16777216
+    #[arg(long, value_name = "N", default_value_t = 1_000_000, conflicts_with = "scene", value_parser = clap::value_parser!(u32).range(4096..))]
+    pub max_particles: u32,
+    /// Time for the whole table, in seconds: what would take longer is left out, and said
+    #[arg(long, value_name = "S", default_value_t = 240.0, conflicts_with = "scene", value_parser = seconds)]
+    pub budget: f64,
+    /// Also draw the table, as an SVG picture
+    #[arg(long, value_name = "FILE", conflicts_with = "scene")]
+    pub plot: Option<PathBuf>,
     /// Print the result as JSON
     #[arg(long)]
     pub json: bool,
@@ -214,6 +226,13 @@ mod tests {
             let all = ["brooklet", "run", "dam-break"].into_iter().chain(arguments);
             assert!(Cli::try_parse_from(all).is_err());
         }
+        for arguments in [["--steps", "9"], ["--warm-up", "1"]] {
+            let of_the_table = ["brooklet", "bench"].into_iter().chain(arguments);
+            assert!(Cli::try_parse_from(of_the_table).is_err(), "{arguments:?} are a scene's");
+            let of_a_scene = ["brooklet", "bench", "x"].into_iter().chain(arguments);
+            assert!(Cli::try_parse_from(of_a_scene).is_ok());
+        }
+        assert!(Cli::try_parse_from(["brooklet", "bench", "x", "--max-particles", "5000"]).is_err());
         let both = ["brooklet", "run", "x", "--steps", "1", "--seconds", "1"];
         assert!(Cli::try_parse_from(both).is_err());
     }

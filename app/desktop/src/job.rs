@@ -12,11 +12,16 @@ use crate::{
 
 /// Reads the scene and changes what the command line changes.
 pub fn scene(options: &SceneOptions, outputs: Option<&OutputOptions>) -> Result<Scene, Failure> {
-    let mut scene = Scene::load(&options.scene, &options.settings).map_err(Failure::input)?;
+    let mut scene = load(&options.scene, &options.settings)?;
     if let Some(images) = outputs.and_then(|outputs| outputs.images) {
         scene.outputs.images = images;
     }
     Ok(scene)
+}
+
+/// Reads a scene with settings changed.
+pub fn load(name_or_path: &str, settings: &[String]) -> Result<Scene, Failure> {
+    Scene::load(name_or_path, settings).map_err(Failure::input)
 }
 
 /// How many steps a run has.

@@ -3,7 +3,7 @@
 use brooklet_fluid::Scene;
 use brooklet_gpu::{Gpu, Plan, TimingStatus, tier_name};
 use serde::Serialize;
-use serde_json::{Map, Value, json};
+use serde_json::{Map, Value};
 
 use crate::{
     commit::{COMMIT, VERSION},
@@ -11,7 +11,7 @@ use crate::{
     measured::{Counted, Measured, Spread, Worst},
     plan::simulation_bytes_per_particle,
     table::{bytes, ms, table},
-    timings::{self, Timings},
+    timings::{self, PassTimes, Passes, Timings},
 };
 
 /// A run in numbers. Values that were not measured are null.
@@ -29,7 +29,7 @@ pub struct Summary {
     gpu_ms_per_step: Option<timings::Spread>,
     /// By pass: times of all its dispatches of a frame together, how many those are, and the sum
     /// over the run.
-    passes: Map<String, Value>,
+    passes: Passes<PassTimes>,
     timing: Timing,
     density_error: Option<Spread>,
     compression: Option<Spread>,
@@ -160,19 +160,6 @@ impl Summary {
     /// Puts the facts in their places.
     pub fn new(facts: Facts<'_>) -> Self {
         let Facts { scene, plan, timings, measured, gpu, .. } = facts;
-        let passes = stages(plan)
-            .into_iter()
-            .map(|(stage, dispatches)| {
-                let times = timings.stage_ms(stage);
-                let pass = json!({
-                    "median_ms": times.map(|t| t.median),
-                    "p95_ms": times.map(|t| t.p95),
-                    "dispatches": dispatches,
-                    "total_ms": times.map(|_| timings.total_ms(stage)),
-                });
-                (stage.to_string(), pass)
-            })
-            .collect();
         let last = measured.last;
         let any = last.is_some();
         Self {
@@ -189,7 +176,7 @@ impl Summary {
                 dt_s: scene.solver.dt_s,
             },
             gpu_ms_per_step: timings.step_ms(),
-            passes,
+            passes: timings.passes(&stages(plan)),
             timing: Timing {
                 how: timing_name(gpu.timing()),
                 frames: timings.frames(),
@@ -274,17 +261,16 @@ impl Summary {
     }
 
     fn print_passes(&self) {
-        let total = |pass: &Value| pass["total_ms"].as_f64();
-        let all: f64 = self.passes.values().filter_map(total).sum();
+        let all: f64 = self.passes.0.iter().filter_map(|(_, pass)| pass.total_ms).sum();
         let mut list = table(&["pass", "median ms", "p95 ms", "of the run", "dispatches"], &[1, 2, 3, 4]);
-        for (stage, pass) in &self.passes {
-            let share = total(pass).filter(|_| all > 0.0).map(|ms| 100.0 * ms / all);
+        for (stage, pass) in &self.passes.0 {
+            let share = pass.total_ms.filter(|_| all > 0.0).map(|ms| 100.0 * ms / all);
             list.add_row([
-                stage.clone(),
-                ms(pass["median_ms"].as_f64()),
-                ms(pass["p95_ms"].as_f64()),
+                stage.to_string(),
+                ms(pass.median_ms),
+                ms(pass.p95_ms),
                 share.map_or_else(|| "-".into(), |share| format!("{share:.1} %")),
-                pass["dispatches"].to_string(),
+                pass.dispatches.to_string(),
             ]);
         }
         say!("\n{}\n", list.trim_fmt());

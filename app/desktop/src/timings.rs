@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use brooklet_gpu::{FrameReport, TimingStatus};
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 
 /// The frames at the start that medians leave out: the device's clock rises and caches fill then.
 /// At most ten, and at most a quarter of the run.
@@ -30,6 +30,29 @@ impl Spread {
         // Nearest rank: a time that was really measured.
         let rank = (0.95 * values.len() as f64).ceil() as usize;
         Some(Self { median, p95: values[rank.saturating_sub(1).min(last)] })
+    }
+}
+
+/// What summaries and benchmarks say of a pass.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct PassTimes {
+    /// All its dispatches of a frame together, ms; none if it was not timed.
+    pub median_ms: Option<f64>,
+    /// 95 of 100 frames took no longer, ms.
+    pub p95_ms: Option<f64>,
+    /// Dispatches in one run of its recording.
+    pub dispatches: u32,
+    /// Over the whole run, ms.
+    pub total_ms: Option<f64>,
+}
+
+/// Passes by their stage's name, in order of their first run; an object in JSON.
+#[derive(Clone, Debug)]
+pub struct Passes<P>(pub Vec<(&'static str, P)>);
+
+impl<P: Serialize> Serialize for Passes<P> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.0.iter().map(|(stage, pass)| (stage, pass)))
     }
 }
 
@@ -93,6 +116,28 @@ impl Timings {
     /// A stage over the whole run, ms.
     pub fn total_ms(&self, stage: &str) -> f64 {
         self.stages.get(stage).into_iter().flatten().map(|(_, ms)| ms).sum()
+    }
+
+    /// What is said of each of a plan's stages, given with their dispatches.
+    pub fn passes(&self, stages: &[(&'static str, u32)]) -> Passes<PassTimes> {
+        Passes(stages.iter().map(|&(stage, dispatches)| (stage, self.pass(stage, dispatches))).collect())
+    }
+
+    /// What is said of a stage that a recording dispatches `dispatches` times.
+    pub fn pass(&self, stage: &str, dispatches: u32) -> PassTimes {
+        let times = self.stage_ms(stage);
+        PassTimes {
+            median_ms: times.map(|times| times.median),
+            p95_ms: times.map(|times| times.p95),
+            dispatches,
+            total_ms: times.map(|_| self.total_ms(stage)),
+        }
+    }
+
+    /// A stage's shortest frame after the warm-up, ms.
+    pub fn least_ms(&self, stage: &str) -> Option<f64> {
+        let frames = self.stages.get(stage)?.iter();
+        frames.filter(|(frame, ms)| *frame >= self.warm_up && *ms > 0.0).map(|(_, ms)| *ms).min_by(f64::total_cmp)
     }
 
     /// Frames that were reported.
@@ -169,6 +214,9 @@ mod tests {
         assert_eq!(timings.stage_ms("absent"), None);
         timings.add(&report(1, 300), "step");
         assert_eq!((timings.total_ms("sort"), timings.total_ms("absent")), (100.0, 0.0));
+        let pass = timings.pass("sort", 3);
+        assert_eq!((pass.median_ms, pass.dispatches, pass.total_ms), (Some(50.0), 3, Some(100.0)));
+        assert_eq!(timings.pass("absent", 1).total_ms, None, "what was not timed took no known time");
     }
 
     #[test]
@@ -179,6 +227,7 @@ mod tests {
         }
         let step = timings.step_ms().unwrap();
         assert_eq!((step.median, step.p95), (250.0, 300.0));
+        assert_eq!((timings.least_ms("sort"), timings.least_ms("absent")), (Some(50.0), None));
         assert_eq!((timings.frames(), timings.warm_up()), (5, 2));
         assert_eq!([0, 3, 8, 40, 4000].map(warm_up_frames), [0, 0, 2, 10, 10]);
     }

@@ -2,6 +2,7 @@
 // makes it anew from shaders/hlsl.
 //! All kernels, draws and host-visible structs.
 
+mod bench_copy;
 mod frame_edges;
 mod frame_floor;
 mod frame_layout;
@@ -26,6 +27,7 @@ mod solver_pbf_curl;
 mod solver_pbf_update_velocity;
 mod solver_pbf_viscosity;
 
+pub use bench_copy::*;
 pub use frame_edges::*;
 pub use frame_floor::*;
 pub use frame_layout::*;
@@ -53,6 +55,7 @@ pub use solver_pbf_viscosity::*;
 /// Every module there is, for building all pipelines at start.
 pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
     [
+        bench_copy::MODULES,
         frame_edges::MODULES,
         frame_floor::MODULES,
         frame_particles::MODULES,

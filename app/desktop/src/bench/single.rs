@@ -1,13 +1,15 @@
-//! `brooklet bench`: the time of every pass, without pictures and measurements in between.
+//! One scene, without pictures and measurements.
 
 use brooklet_fluid::{INIT, STEP};
-use brooklet_gpu::{Engine, TimingStatus, tier_name};
-use serde_json::{Map, Value, json};
+use brooklet_gpu::{TimingStatus, tier_name};
+use serde_json::json;
 
+use super::{open, stepping::Stepping};
 use crate::{
     cli::BenchOptions,
     commit::COMMIT,
     failure::Failure,
+    fit,
     interrupt::Interrupt,
     job, plan, progress,
     summary::{stages, timing_name},
@@ -15,20 +17,17 @@ use crate::{
     timings::Timings,
 };
 
-/// Runs and prints the benchmark.
-pub fn bench(options: &BenchOptions) -> Result<(), Failure> {
-    let mut scene = job::scene(&options.scene, None)?;
+/// Times and prints the scene that is called `name`.
+pub fn bench(name: &str, options: &BenchOptions) -> Result<(), Failure> {
+    let mut scene = job::load(name, &options.settings)?;
     scene.outputs.images = 0;
     scene.outputs.measure_every_steps = 0;
-    let gpu = job::open(&options.device, true)?;
+    let gpu = open(&options.device)?;
     let planned = job::plan(&scene, gpu.tier())?;
-    if !gpu.timing().is_measured() {
-        return Err(Failure::Input(format!("{} gives no GPU times, and a benchmark is made of them", gpu.info().name)));
-    }
     let per_particle = plan::simulation_bytes_per_particle(&planned.plan, planned.particles);
     let (total_bytes, stages) = (planned.plan.bytes(), stages(&planned.plan));
     let particles = planned.particles;
-    let mut engine = Engine::new(&gpu, planned.plan).map_err(Failure::input)?;
+    let mut engine = fit::engine(&gpu, &scene, particles, planned.plan)?;
     let interrupt = Interrupt::listen()?;
     let mut timings = Timings::new(options.warm_up);
     engine.run(&[INIT], &[]).map_err(Failure::stopped)?;
@@ -36,39 +35,17 @@ pub fn bench(options: &BenchOptions) -> Result<(), Failure> {
 
     let steps = options.warm_up + options.steps;
     let bar = progress::bar(steps);
-    for _ in 0..steps {
-        if interrupt.is_pressed() {
-            bar.finish_and_clear();
-            return Err(Failure::Interrupted("nothing was written".into()));
-        }
-        engine.run(&[STEP], &[]).map_err(Failure::stopped)?;
-        for report in engine.reports() {
-            timings.add(&report, STEP);
-        }
-        bar.inc(1);
-    }
-    for report in engine.finish().map_err(Failure::stopped)? {
-        timings.add(&report, STEP);
-    }
+    let mut stepping = Stepping { engine: &mut engine, recordings: &[STEP], readbacks: &[], interrupt: &interrupt };
+    let outcome = stepping.run(steps, &mut timings, || bar.inc(1));
     bar.finish_and_clear();
+    outcome?;
 
     let iterations = scene.solver.iterations * scene.solver.substeps;
     let work = f64::from(particles) * f64::from(iterations);
     let rate = timings.step_ms().map(|step| work / (step.median * 1e-3));
     let info = gpu.info();
+    let passes = timings.passes(&stages);
     if options.json {
-        let passes: Map<String, Value> = stages
-            .iter()
-            .map(|(stage, dispatches)| {
-                let times = timings.stage_ms(stage);
-                let pass = json!({
-                    "median_ms": times.map(|t| t.median),
-                    "p95_ms": times.map(|t| t.p95),
-                    "dispatches": dispatches,
-                });
-                (stage.to_string(), pass)
-            })
-            .collect();
         let all = json!({
             "scene": scene.name,
             "particles": particles,
@@ -84,11 +61,11 @@ pub fn bench(options: &BenchOptions) -> Result<(), Failure> {
             "device": { "name": info.name, "device_type": info.device_type, "tier": tier_name(gpu.tier()) },
             "commit": COMMIT,
         });
-        println!("{}", serde_json::to_string_pretty(&all).map_err(Failure::stopped)?);
+        say!("{}", serde_json::to_string_pretty(&all).map_err(Failure::stopped)?);
         return Ok(());
     }
 
-    println!(
+    say!(
         "{}: {particles} particles, {iterations} iterations a step, {} steps after {} of warm-up, on {} as {}",
         scene.name,
         options.steps,
@@ -97,28 +74,22 @@ pub fn bench(options: &BenchOptions) -> Result<(), Failure> {
         tier_name(gpu.tier()),
     );
     if info.device_type == "cpu" {
-        println!("(this driver runs on the processor: its times are the processor's)");
+        say!("(this driver runs on the processor: its times are the processor's)");
     }
     if timings.status() == TimingStatus::PassPerStage {
-        println!("(this device times whole passes only: a pass per dispatch costs time itself)");
+        say!("(this device times whole passes only: a pass per dispatch costs time itself)");
     }
     let mut list = table(&["pass", "median ms", "p95 ms", "dispatches"], &[1, 2, 3]);
-    for (stage, dispatches) in &stages {
-        let times = timings.stage_ms(stage);
-        list.add_row([
-            stage.to_string(),
-            ms(times.map(|t| t.median)),
-            ms(times.map(|t| t.p95)),
-            dispatches.to_string(),
-        ]);
+    for (stage, pass) in &passes.0 {
+        list.add_row([stage.to_string(), ms(pass.median_ms), ms(pass.p95_ms), pass.dispatches.to_string()]);
     }
     let step = timings.step_ms();
     list.add_row(["a step, with gaps".to_string(), ms(step.map(|t| t.median)), ms(step.map(|t| t.p95)), String::new()]);
-    println!("\n{}\n", list.trim_fmt());
+    say!("\n{}\n", list.trim_fmt());
     match rate {
-        Some(rate) => println!("{:.2} million particle iterations a second", rate * 1e-6),
-        None => println!("no usable times: {} flagged spans", timings.flagged_spans()),
+        Some(rate) => say!("{:.2} million particle iterations a second", rate * 1e-6),
+        None => say!("no usable times: {} flagged spans", timings.flagged_spans()),
     }
-    println!("{}, {:.0} bytes a particle", bytes(total_bytes), per_particle.unwrap_or(0.0));
+    say!("{}, {:.0} bytes a particle", bytes(total_bytes), per_particle.unwrap_or(0.0));
     Ok(())
 }

@@ -1,0 +1,112 @@
+//! The table for people.
+
+use super::{
+    scaling::{Row, Scaling},
+    workload::LOADS,
+};
+use crate::table::table;
+
+/// Prints everything.
+pub fn print(scaling: &Scaling) {
+    say!("a block of water at rest in a box, h = 2d, on {} as {}", scaling.device, scaling.tier);
+    if scaling.device_type == "cpu" {
+        say!("(this driver runs on the processor: its times are the processor's)");
+    }
+    say!("a copy of a large buffer moves {:.1} GB/s, read and written\n", scaling.copy_gb_per_s);
+    print_sizes(&scaling.rows);
+    for load in LOADS {
+        let rows: Vec<&Row> = scaling.rows.iter().filter(|row| row.is_of(load)).collect();
+        if let Some(first) = rows.first() {
+            say!("\n{}, {} iterations a step: median ms (95 of 100)\n", first.terms, first.iterations);
+            print_passes(&rows, |pass| {
+                let (Some(median), Some(p95)) = (pass.times.median_ms, pass.times.p95_ms) else { return "-".into() };
+                format!("{median:.2} ({p95:.2})")
+            });
+            say!("\n... GB/s of compulsory bytes / with gathers (times its bound)\n");
+            print_passes(&rows, |pass| {
+                format!("{:.1} / {:.1} ({:.1}x)", pass.gb_per_s, pass.gb_per_s_gathers_too, pass.times_its_bound)
+            });
+        }
+    }
+    say!(
+        "\nA pass's compulsory bytes are its buffers, each once a dispatch; its gathers are an element of each\n\
+         neighbour in the list; its bound is the copy's time for the compulsory bytes. Below 1x it finds its\n\
+         buffers in the caches.\n"
+    );
+    let mut list = table(&["target", "", "measured", ""], &[1, 2]);
+    for verdict in &scaling.targets {
+        let number = |value: f64| if value >= 1e5 { format!("{:.2} M", value * 1e-6) } else { format!("{value:.2}") };
+        let bound = if verdict.at_least { "at least" } else { "at most" };
+        list.add_row([
+            verdict.name.clone(),
+            format!("{bound} {}", number(verdict.target)),
+            number(verdict.measured),
+            if verdict.met { "met" } else { "missed" }.to_string(),
+        ]);
+    }
+    say!("{}", list.trim_fmt());
+    let flagged: u64 = scaling.rows.iter().map(|row| row.flagged_spans).sum();
+    if flagged > 0 {
+        say!("{flagged} of the GPU's times are in doubt (zero, negative, overlapping, or behind a gap)");
+    }
+    for left_out in &scaling.left_out {
+        say!("left out: {} particles: {}", left_out.particles, left_out.reason);
+    }
+}
+
+fn print_sizes(rows: &[Row]) {
+    let header = [
+        "particles",
+        "terms",
+        "iterations",
+        "steps",
+        "step ms",
+        "p95 ms",
+        "M/s",
+        "ns",
+        "grid",
+        "neighbours",
+        "B/particle",
+        "furthest from its bound",
+    ];
+    let mut list = table(&header, &[0, 2, 3, 4, 5, 6, 7, 8, 9, 10]);
+    for row in rows {
+        list.add_row([
+            row.particles.to_string(),
+            row.terms.to_string(),
+            row.iterations.to_string(),
+            row.steps.to_string(),
+            format!("{:.2}", row.step_ms.median),
+            format!("{:.2}", row.step_ms.p95),
+            format!("{:.2}", row.particle_iterations_per_s * 1e-6),
+            format!("{:.0}", row.ns_per_particle_iteration),
+            format!("{:.1} %", 100.0 * row.grid_share),
+            format!("{:.1}", row.neighbours_mean),
+            format!("{:.0}", row.bytes_per_particle),
+            row.furthest_from_bound.unwrap_or("-").to_string(),
+        ]);
+    }
+    say!("{}", list.trim_fmt());
+    say!("(M/s: million particle iterations a second; ns: for one; measuring is in both where it is on)");
+}
+
+fn print_passes(rows: &[&Row], cell: impl Fn(&super::scaling::Pass) -> String) {
+    let header: Vec<String> =
+        std::iter::once("pass".to_string()).chain(rows.iter().map(|row| row.particles.to_string())).collect();
+    let numbers: Vec<usize> = (1..header.len()).collect();
+    let mut list = table(&header.iter().map(String::as_str).collect::<Vec<_>>(), &numbers);
+    let mut stages: Vec<&str> = Vec::new();
+    for (stage, _) in rows.iter().flat_map(|row| &row.passes.0) {
+        if !stages.contains(stage) {
+            stages.push(stage);
+        }
+    }
+    for stage in stages {
+        let cells = rows.iter().map(|row| {
+            let pass = row.passes.0.iter().find(|(name, _)| *name == stage);
+            pass.map_or_else(|| "-".into(), |(_, pass)| cell(pass))
+        });
+        list.add_row(std::iter::once(stage.to_string()).chain(cells));
+    }
+    say!("{}", list.trim_fmt());
+}

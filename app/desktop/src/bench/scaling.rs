@@ -1,0 +1,305 @@
+//! The same workload at rising numbers of particles: how time, rate and memory scale.
+
+use std::{path::Path, time::Instant};
+
+use brooklet_fluid::{INIT, MEASURE, STEP, Scene};
+use brooklet_gpu::{Engine, Gpu, ResourceId, tier_name};
+use serde::Serialize;
+
+use super::{
+    bandwidth, open, plot, report,
+    stepping::Stepping,
+    targets::{self, Verdict},
+    traffic::{self, Listed, Traffic},
+    workload::{self, EDGES, LOADS, Load, Planned},
+};
+use crate::{
+    cli::BenchOptions,
+    commit::COMMIT,
+    failure::Failure,
+    fit,
+    interrupt::Interrupt,
+    out_dir, plan,
+    progress::bar,
+    summary::stages,
+    timings::{PassTimes, Passes, Spread, Timings},
+};
+
+/// The whole table.
+#[derive(Clone, Debug, Serialize)]
+pub struct Scaling {
+    pub device: String,
+    pub device_type: String,
+    pub driver: String,
+    pub tier: &'static str,
+    pub commit: &'static str,
+    /// What a copy of a large buffer reads and writes in a second.
+    pub copy_gb_per_s: f64,
+    pub rows: Vec<Row>,
+    pub left_out: Vec<LeftOut>,
+    pub targets: Vec<Verdict>,
+}
+
+/// One load at one size.
+#[derive(Clone, Debug, Serialize)]
+pub struct Row {
+    pub particles: u32,
+    #[serde(skip)]
+    pub load: Load,
+    pub terms: &'static str,
+    /// All iterations of a step.
+    pub iterations: u32,
+    /// Steps that were timed.
+    pub steps: u64,
+    /// From the first pass of a step to the end of its last, clears between them included.
+    pub step_ms: Spread,
+    /// A measurement's part in a step, with the scene's interval between two of them.
+    pub measure_ms: f64,
+    pub particle_iterations_per_s: f64,
+    pub ns_per_particle_iteration: f64,
+    pub bytes: u64,
+    pub bytes_per_particle: f64,
+    pub neighbours_mean: f64,
+    /// Counting, prefix sums and reordering, over the step.
+    pub grid_share: f64,
+    /// The pass that takes the most milliseconds above its bound.
+    pub furthest_from_bound: Option<&'static str>,
+    pub passes: Passes<Pass>,
+    pub flagged_spans: u64,
+}
+
+impl Row {
+    /// Whether the row is `load`'s.
+    pub fn is_of(&self, load: Load) -> bool {
+        self.load == load
+    }
+}
+
+/// A pass of a row.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Pass {
+    #[serde(flatten)]
+    pub times: PassTimes,
+    /// Its part in the row's figure; of a measurement with the interval counted in.
+    pub ns_per_particle_iteration: f64,
+    #[serde(flatten)]
+    pub traffic: Traffic,
+    /// Compulsory bytes over the median.
+    pub gb_per_s: f64,
+    /// Compulsory and gathered bytes over the median.
+    pub gb_per_s_gathers_too: f64,
+    /// What a copy of the compulsory bytes would take.
+    pub bound_ms: f64,
+    /// The median over that.
+    pub times_its_bound: f64,
+}
+
+/// A size that is not in the table.
+#[derive(Clone, Debug, Serialize)]
+pub struct LeftOut {
+    pub particles: u32,
+    pub reason: String,
+}
+
+/// Runs and prints the table.
+pub fn bench(options: &BenchOptions) -> Result<(), Failure> {
+    // A setting that no scene takes is told before anything runs.
+    LOADS[0].scene(EDGES[0], &options.settings)?;
+    if let Some(path) = &options.plot {
+        check_folder(path)?;
+    }
+    let gpu = open(&options.device)?;
+    let interrupt = Interrupt::listen()?;
+    let copy_bytes_per_s = bandwidth::copy_bytes_per_s(&gpu, &interrupt)?;
+    let mut bencher = Bencher { gpu: &gpu, options, interrupt: &interrupt, copy_bytes_per_s, begun: Instant::now() };
+    let (rows, left_out) = bencher.all()?;
+    let info = gpu.info();
+    let scaling = Scaling {
+        device: info.name.clone(),
+        device_type: info.device_type.clone(),
+        driver: format!("{} {}", info.driver, info.driver_info),
+        tier: tier_name(gpu.tier()),
+        commit: COMMIT,
+        copy_gb_per_s: copy_bytes_per_s * 1e-9,
+        targets: targets::verdicts(&rows),
+        rows,
+        left_out,
+    };
+    if let Some(path) = &options.plot {
+        out_dir::write_file(path, plot::svg(&scaling)?.as_bytes())?;
+    }
+    if options.json {
+        say!("{}", serde_json::to_string_pretty(&scaling).map_err(Failure::stopped)?);
+    } else {
+        report::print(&scaling);
+    }
+    Ok(())
+}
+
+/// Minutes of measuring would be lost on a folder that cannot be written to.
+fn check_folder(file: &Path) -> Result<(), Failure> {
+    let folder = file.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    match tempfile::tempfile_in(folder) {
+        Ok(_) => Ok(()),
+        Err(error) => Err(Failure::Input(format!("--plot {}: cannot be written: {error}", file.display()))),
+    }
+}
+
+struct Bencher<'a> {
+    gpu: &'a Gpu,
+    options: &'a BenchOptions,
+    interrupt: &'a Interrupt,
+    copy_bytes_per_s: f64,
+    begun: Instant,
+}
+
+impl Bencher<'_> {
+    /// Every size that fits, smallest first, so that what the budget cuts off is the largest.
+    fn all(&mut self) -> Result<(Vec<Row>, Vec<LeftOut>), Failure> {
+        let sizes = EDGES.map(|edge| (edge, edge.pow(3)));
+        let wanted = sizes.iter().filter(|(_, particles)| *particles <= self.options.max_particles);
+        let runs = wanted.clone().count() * LOADS.len();
+        let bar = bar(runs as u64);
+        let (mut rows, mut left_out) = (Vec::new(), Vec::new());
+        // What a particle takes in the slowest load so far, in seconds a step.
+        let mut step_s_per_particle = 0.0;
+        for (index, &(edge, particles)) in wanted.enumerate() {
+            let remaining_s = self.options.budget - self.begun.elapsed().as_secs_f64();
+            let least_s = step_s_per_particle * f64::from(particles) * (MIN_STEPS + 2 * WARM_UP) as f64;
+            let runs_left = runs - index * LOADS.len();
+            if index > 0 && least_s * LOADS.len() as f64 > remaining_s {
+                let reason = format!("--budget {} leaves no time for it", self.options.budget);
+                left_out.push(LeftOut { particles, reason });
+                continue;
+            }
+            let share_s = remaining_s / runs_left as f64;
+            for load in LOADS {
+                bar.set_message(format!("{particles} particles, {}", load.terms()));
+                match self.row(load, edge, share_s) {
+                    Ok((row, step_s)) => {
+                        step_s_per_particle = f64::max(step_s_per_particle, step_s / f64::from(particles));
+                        rows.push(row);
+                    }
+                    // The device says which buffer is too large for it, or for its memory.
+                    Err(Failure::Input(reason)) if index > 0 => {
+                        left_out.push(LeftOut { particles, reason: format!("{}: {reason}", load.terms()) });
+                    }
+                    Err(failure) => {
+                        bar.finish_and_clear();
+                        return Err(failure);
+                    }
+                }
+                bar.inc(1);
+            }
+            // A smaller size's memory would only lie in the way.
+            self.gpu.trim();
+        }
+        bar.finish_and_clear();
+        Ok((rows, left_out))
+    }
+
+    /// One load at one size in about `share_s` seconds, and how many a step took.
+    fn row(&mut self, load: Load, edge: u32, share_s: f64) -> Result<(Row, f64), Failure> {
+        let begun = Instant::now();
+        let scene = load.scene(edge, &self.options.settings)?;
+        let Planned { plan, particles, measure, neighbour_counts } = workload::plan(&scene)?;
+        let mut engine = fit::engine(self.gpu, &scene, particles, plan)?;
+        engine.run(&[INIT], &[]).map_err(Failure::stopped)?;
+        engine.finish().map_err(Failure::stopped)?;
+        let mut timings = Timings::new(2 * WARM_UP);
+        let recordings: &[&str] = if measure.is_some() { &[STEP, MEASURE] } else { &[STEP] };
+        let readbacks: Vec<ResourceId> = measure.into_iter().collect();
+        let mut stepping =
+            Stepping { engine: &mut engine, recordings, readbacks: &readbacks, interrupt: self.interrupt };
+        // The first steps also sort particles for the first time: they tell nothing of the pace.
+        stepping.run(WARM_UP, &mut timings, || ())?;
+        let step_s = stepping.run(WARM_UP, &mut timings, || ())?;
+        let left_s = share_s - begun.elapsed().as_secs_f64();
+        let steps = ((left_s / step_s) as u64).clamp(MIN_STEPS, MAX_STEPS);
+        stepping.run(steps, &mut timings, || ())?;
+
+        let slots = u64::from(particles) * u64::from(scene.solver.neighbour_slots);
+        let entries = match neighbour_counts {
+            Some(counts) => engine.read(&counts).map_err(Failure::stopped)?.into_iter().map(u64::from).sum(),
+            None => 0,
+        };
+        let row = self.shape(&scene, load, &engine, &timings, Listed { entries, slots }, steps, particles)?;
+        Ok((row, step_s))
+    }
+
+    #[allow(clippy::too_many_arguments)]
+    fn shape(
+        &self,
+        scene: &Scene,
+        load: Load,
+        engine: &Engine,
+        timings: &Timings,
+        listed: Listed,
+        steps: u64,
+        particles: u32,
+    ) -> Result<Row, Failure> {
+        let plan = engine.plan();
+        let step_ms = timings.step_ms();
+        let step_ms = step_ms
+            .ok_or_else(|| Failure::Stopped(format!("no usable times: {} flagged spans", timings.flagged_spans())))?;
+        let iterations = scene.solver.iterations * scene.solver.substeps;
+        let work = f64::from(particles) * f64::from(iterations);
+        let interval = f64::from(scene.outputs.measure_every_steps.max(1));
+        let mut passes = Vec::new();
+        let (mut measure_ms, mut grid_ms) = (0.0, 0.0);
+        for (stage, dispatches) in stages(plan) {
+            let times = timings.pass(stage, dispatches);
+            let Some(median_ms) = times.median_ms else { continue };
+            let info = plan.passes().into_iter().find(|pass| pass.stage == stage);
+            let Some(info) = info else { continue };
+            let mut ms_a_step = median_ms;
+            if info.recording == MEASURE {
+                ms_a_step /= interval;
+                measure_ms += ms_a_step;
+            } else if info.module.source.starts_with("grid/") && stage != "list_neighbours" {
+                grid_ms += ms_a_step;
+            }
+            let traffic = traffic::of(plan, info.recording, stage, listed);
+            let all_bytes = traffic.compulsory_bytes + traffic.gathered_bytes;
+            let bound_ms = traffic.compulsory_bytes as f64 / self.copy_bytes_per_s * 1e3;
+            let pass = Pass {
+                times,
+                ns_per_particle_iteration: ms_a_step * 1e6 / work,
+                traffic,
+                gb_per_s: traffic.compulsory_bytes as f64 / median_ms * 1e-6,
+                gb_per_s_gathers_too: all_bytes as f64 / median_ms * 1e-6,
+                bound_ms,
+                times_its_bound: median_ms / bound_ms,
+            };
+            passes.push((stage, pass));
+        }
+        let above_bound = |pass: &Pass| pass.times.median_ms.unwrap_or_default() - pass.bound_ms;
+        let furthest = passes.iter().max_by(|(_, a), (_, b)| above_bound(a).total_cmp(&above_bound(b)));
+        let ms_a_step = step_ms.median + measure_ms;
+        Ok(Row {
+            particles,
+            load,
+            terms: load.terms(),
+            iterations,
+            steps,
+            step_ms,
+            measure_ms,
+            particle_iterations_per_s: work / (ms_a_step * 1e-3),
+            ns_per_particle_iteration: ms_a_step * 1e6 / work,
+            bytes: plan.bytes(),
+            bytes_per_particle: plan::simulation_bytes_per_particle(plan, particles).unwrap_or_default(),
+            neighbours_mean: listed.entries as f64 / f64::from(particles),
+            grid_share: grid_ms / step_ms.median,
+            furthest_from_bound: furthest.map(|(stage, _)| *stage),
+            passes: Passes(passes),
+            flagged_spans: timings.flagged_spans(),
+        })
+    }
+}
+
+/// Frames before the pace is taken, and again while it is.
+const WARM_UP: u64 = 2;
+/// Fewer make no median.
+const MIN_STEPS: u64 = 5;
+/// More tell nothing new.
+const MAX_STEPS: u64 = 60;

@@ -1,0 +1,124 @@
+//! How many bytes a pass moves: the model, in one place.
+//!
+//! Compulsory bytes are those that no cache can save: each storage buffer that a dispatch binds,
+//! once. Of the neighbour list only the slots in use count. A buffer that is read and written
+//! counts once too, because a binding does not say whether the old content matters.
+//!
+//! Gathered bytes come on top: one element of each buffer in [`GATHERS`] for each neighbour in the
+//! list. Sorted particles have most of them in a cache, so they load the caches, not the memory.
+//! `list_neighbours` also looks at particles that it does not list; those are its own cost, not
+//! part of the bound.
+//!
+//! A pass's bound is the time that the device's own copy needs for the compulsory bytes.
+
+use brooklet_gpu::{Command, Plan, Shape};
+use brooklet_kernels::BindingKind;
+use serde::Serialize;
+
+/// The buffers that a stage reads at its neighbours, by the bindings' names.
+const GATHERS: &[(&str, &[&str])] = &[
+    ("list_neighbours", &["sorted_positions"]),
+    ("constrain_density", &["iterates"]),
+    ("correct_positions", &["constrained"]),
+    ("curl", &["positions", "velocities"]),
+    ("confine_vorticity", &["positions", "vorticities"]),
+    ("viscosity", &["positions", "velocities"]),
+    ("measure_particles", &["positions"]),
+];
+
+/// Name of the binding that is the neighbour list.
+const LIST: &str = "neighbours";
+
+/// What the model needs to know of the particles.
+#[derive(Clone, Copy, Debug)]
+pub struct Listed {
+    /// Neighbours of all particles together.
+    pub entries: u64,
+    /// Slots of the list.
+    pub slots: u64,
+}
+
+/// Bytes that a stage moves in one run of its recording.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Traffic {
+    /// Every buffer once a dispatch.
+    pub compulsory_bytes: u64,
+    /// What is read of the neighbours, on top.
+    pub gathered_bytes: u64,
+}
+
+/// All dispatches of `stage` in `recording` together.
+pub fn of(plan: &Plan, recording: &str, stage: &str, listed: Listed) -> Traffic {
+    let gathers = GATHERS.iter().find(|(name, _)| *name == stage).map_or(&[][..], |(_, gathers)| gathers);
+    let mut traffic = Traffic::default();
+    for command in plan.commands(recording) {
+        let Command::Dispatch(dispatch) = command else { continue };
+        if dispatch.stage != stage {
+            continue;
+        }
+        for bound in &dispatch.bindings {
+            let (BindingKind::Storage { .. }, Some(id)) = (bound.info.kind, bound.resource) else { continue };
+            let bytes = plan.resources().bytes(id);
+            traffic.compulsory_bytes += match bound.info.name {
+                LIST => bytes * listed.entries / listed.slots.max(1),
+                _ => bytes,
+            };
+            let shape = plan.resources().get(id).map(|entry| entry.shape);
+            if let Some(Shape::Buffer { stride_bytes, .. }) = shape
+                && gathers.contains(&bound.info.name)
+            {
+                traffic.gathered_bytes += listed.entries * u64::from(stride_bytes);
+            }
+        }
+    }
+    traffic
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bench::workload::{LOADS, plan};
+    use brooklet_fluid::{MEASURE, STEP};
+    use brooklet_kernels::modules;
+    use std::collections::BTreeSet;
+
+    #[test]
+    fn bytes_of_known_passes() {
+        let scene = LOADS[2].scene(16, &[]).unwrap();
+        let planned = plan(&scene).unwrap();
+        let n = u64::from(planned.particles);
+        let listed = Listed { entries: 27 * n, slots: n * u64::from(scene.solver.neighbour_slots) };
+        // 4 iterations; iterates in and out, counts, the walls' table and the list in use; 16
+        // bytes of each neighbour.
+        let walls = 16 * 32_u64.pow(3);
+        let constrain = of(&planned.plan, STEP, "constrain_density", listed);
+        assert_eq!(constrain.compulsory_bytes, 4 * (n * (16 + 16 + 4 + 4 * 27) + walls));
+        assert_eq!(constrain.gathered_bytes, 4 * n * 27 * 16);
+        // Nothing is gathered where nothing is listed.
+        let update = of(&planned.plan, STEP, "update_velocity", listed);
+        assert_eq!(update, Traffic { compulsory_bytes: n * 80 + 16, gathered_bytes: 0 });
+        assert!(of(&planned.plan, MEASURE, "measure_particles", listed).gathered_bytes > 0);
+        assert_eq!(of(&planned.plan, MEASURE, "constrain_density", listed), Traffic::default());
+    }
+
+    #[test]
+    fn every_pass_that_reads_the_list_is_in_the_model() {
+        let stage = |name: &str| {
+            let kernel = name.split('+').next().unwrap();
+            let words =
+                kernel.chars().map(|c| if c.is_uppercase() { format!("_{}", c.to_lowercase()) } else { c.to_string() });
+            words.collect::<String>().trim_start_matches('_').to_string()
+        };
+        let mut seen = BTreeSet::new();
+        for module in modules() {
+            let has = |name: &str| module.bindings.iter().any(|binding| binding.name == name);
+            let known = GATHERS.iter().find(|(name, _)| *name == stage(module.name));
+            assert_eq!(known.is_some(), has(LIST), "{}: {:?}", module.name, module.bindings);
+            for gathered in known.map_or(&[][..], |(_, gathers)| gathers) {
+                assert!(has(gathered), "{} binds no {gathered}", module.name);
+            }
+            seen.extend(known.map(|(name, _)| *name));
+        }
+        assert_eq!(seen.len(), GATHERS.len(), "only {seen:?} exist");
+    }
+}

@@ -1,0 +1,141 @@
+//! What the table times: one block of water at rest in a box, the same at every size.
+//!
+//! A cube of n x n x n particles fills the floor of its box, with h = 2d and about 27 neighbours.
+//! Each particle starts up to a quarter of a spacing off its lattice point, seeded, because a
+//! lattice would put exactly one particle into each cell of h/2. A taller block would press its
+//! lowest layer harder, and a harder pressed particle has more neighbours: so the time step is
+//! such that the column law (eps = N g dt^2 / (kappa omega n d)) gives the same compression at
+//! every size.
+
+use brooklet_fluid::{
+    Recorded, Scene,
+    particles::{Emitted, emit},
+    record_particles,
+};
+use brooklet_gpu::{Plan, ResourceId, Resources};
+use brooklet_kernels::Buffer;
+
+use crate::failure::Failure;
+
+/// Particles along an edge of the block: 4k, 16k, 27k, 64k, 125k, 216k, 512k, 1M, 2M, 4M, 8M and
+/// 16M particles.
+pub const EDGES: [u32; 12] = [16, 25, 30, 40, 50, 60, 80, 100, 126, 160, 200, 256];
+
+const SPACING_M: f64 = 0.02;
+/// The lowest layer's compression by the column law, with 4 iterations.
+const COMPRESSION: f64 = 0.02;
+/// The column law's kappa for Wendland's C2 kernel at h = 2d.
+const KAPPA: f64 = 2.05;
+/// How far a particle starts from its lattice point, over the spacing, along each axis.
+const JITTER: f64 = 0.25;
+
+/// What is solved at each size.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Load {
+    /// Iterations a step.
+    pub iterations: u32,
+    /// Whether every term of the solver is there, and measuring.
+    pub every_term: bool,
+}
+
+/// The three loads of the table: the default terms with 4 iterations and with the mobile deck's 6,
+/// and every term.
+pub const LOADS: [Load; 3] = [
+    Load { iterations: 4, every_term: false },
+    Load { iterations: 6, every_term: false },
+    Load { iterations: 4, every_term: true },
+];
+
+impl Load {
+    /// Its terms in words.
+    pub fn terms(self) -> &'static str {
+        if self.every_term { "every term, measuring" } else { "default terms" }
+    }
+
+    /// The block of `edge` particles along each edge as a scene.
+    pub fn scene(self, edge: u32, settings: &[String]) -> Result<Scene, Failure> {
+        let side_m = f64::from(edge) * SPACING_M;
+        let dt_s = (COMPRESSION * KAPPA * 0.5 * 4.0 * SPACING_M / (f64::from(edge) * 9.81)).sqrt();
+        let (s_corr_k, vorticity_m_s, measured) = if self.every_term { (1e-4, 0.01, 4) } else { (0.0, 0.0, 0) };
+        let text = format!(
+            "spacing_m = {SPACING_M}\n\
+             domain = {{ min_m = [0.0, 0.0, 0.0], max_m = [{side_m}, {height_m}, {side_m}] }}\n\
+             fluid = [{{ block = {{ min_m = [0.0, 0.0, 0.0], max_m = [{side_m}, {side_m}, {side_m}] }} }}]\n\
+             [solver]\n\
+             dt_s = {dt_s}\niterations = {iterations}\nrelaxation = 0.5\n\
+             s_corr_k = {s_corr_k:?}\nvorticity_m_s = {vorticity_m_s:?}\n\
+             [outputs]\n\
+             images = 0\nmeasure_every_steps = {measured}\n",
+            height_m = 1.25 * side_m,
+            iterations = self.iterations,
+        );
+        Scene::from_toml(&text, "block at rest", settings).map_err(Failure::input)
+    }
+}
+
+/// The workload's plan, and what is read of it.
+pub struct Planned {
+    /// What runs.
+    pub plan: Plan,
+    /// Number of particles.
+    pub particles: u32,
+    /// What a measurement is read back from, if it measures.
+    pub measure: Option<ResourceId>,
+    /// How many neighbours each particle has.
+    pub neighbour_counts: Option<Buffer<u32>>,
+}
+
+/// Plans `scene` with its particles off the lattice.
+pub fn plan(scene: &Scene) -> Result<Planned, Failure> {
+    let mut resources = Resources::new();
+    let recorded = record_particles(&mut resources, scene, jittered(scene));
+    let Recorded { particle_count: particles, recordings, measure, .. } = recorded;
+    let measure = measure.map(|measure| measure.id);
+    let counts = resources.iter().find(|(_, entry)| entry.label == "neighbour_counts");
+    let neighbour_counts = counts.map(|(id, _)| Buffer::new(id, particles));
+    let plan = Plan::sweep(resources, recordings, measure.as_slice()).map_err(Failure::stopped)?;
+    Ok(Planned { plan, particles, measure, neighbour_counts })
+}
+
+fn jittered(scene: &Scene) -> Emitted {
+    let mut emitted = emit(scene);
+    let mut random = fastrand::Rng::with_seed(27);
+    for position in &mut emitted.positions {
+        for x_m in &mut position.position_m {
+            *x_m += ((2.0 * random.f64() - 1.0) * JITTER * scene.spacing_m) as f32;
+        }
+    }
+    emitted
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_size_is_a_whole_cube_inside_its_box() {
+        for edge in EDGES {
+            for load in LOADS {
+                let scene = load.scene(edge, &[]).unwrap();
+                assert_eq!(scene.solver.iterations, load.iterations);
+                assert_eq!(scene.outputs.measure_every_steps > 0, load.every_term);
+            }
+        }
+        let scene = LOADS[2].scene(EDGES[0], &["solver.xsph=0.5".into()]).unwrap();
+        assert_eq!(scene.solver.xsph, 0.5);
+        let emitted = jittered(&scene);
+        assert_eq!(emitted.positions.len(), 16 * 16 * 16);
+        assert_eq!(emitted.positions, jittered(&scene).positions, "seeded");
+        let size_m = scene.domain.size_m();
+        for position in &emitted.positions {
+            assert!((0..3).all(|axis| (0.0..size_m[axis] as f32).contains(&position.position_m[axis])));
+        }
+        assert!(LOADS[0].scene(16, &["solver.xsph=2".into()]).is_err());
+    }
+
+    #[test]
+    fn the_time_step_gives_the_same_compression_at_every_size() {
+        let dt_s = |edge| LOADS[0].scene(edge, &[]).unwrap().solver.dt_s;
+        assert!((dt_s(25) / dt_s(100) - 2.0).abs() < 1e-12);
+    }
+}

@@ -1,0 +1,69 @@
+//! `brooklet bench` as a person uses it: the table over the number of particles.
+
+// Each file of tests uses a part of it.
+#[allow(dead_code)]
+mod cli_support;
+
+use cli_support::Workshop;
+use serde_json::Value;
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap_or_else(|| panic!("no number: {value}"))
+}
+
+#[test]
+fn the_table_has_every_load_and_its_figures_belong_together() {
+    let workshop = Workshop::new();
+    let arguments = ["bench", "--max-particles", "4096", "--budget", "2", "--json", "--plot", "table.svg"];
+    let table = workshop.succeed(&arguments).json();
+    let rows = table["rows"].as_array().unwrap();
+    let loads: Vec<_> =
+        rows.iter().map(|row| (row["iterations"].as_u64().unwrap(), row["terms"].as_str().unwrap())).collect();
+    assert_eq!(loads, [(4, "default terms"), (6, "default terms"), (4, "every term, measuring")]);
+    let copy_gb_per_s = number(&table["copy_gb_per_s"]);
+    for row in rows {
+        assert_eq!(row["particles"], 4096);
+        // What is at rest keeps the neighbours of a slightly disordered lattice.
+        assert!((24.0..32.0).contains(&number(&row["neighbours_mean"])), "{row}");
+        let ms = number(&row["step_ms"]["median"]) + number(&row["measure_ms"]);
+        let work = 4096.0 * number(&row["iterations"]);
+        assert!((number(&row["particle_iterations_per_s"]) * ms * 1e-3 / work - 1.0).abs() < 1e-9, "{row}");
+        let passes = row["passes"].as_object().unwrap();
+        assert!(number(&row["grid_share"]) < 1.0 && passes.contains_key("constrain_density"), "{row}");
+        for (stage, pass) in passes {
+            let (median, bound) = (number(&pass["median_ms"]), number(&pass["bound_ms"]));
+            let bytes = number(&pass["compulsory_bytes"]);
+            assert!(bytes > 0.0, "{stage} moves nothing");
+            assert!((bytes / (copy_gb_per_s * 1e6) / bound - 1.0).abs() < 1e-9, "{stage}: {pass}");
+            assert!((number(&pass["gb_per_s"]) * median * 1e6 / bytes - 1.0).abs() < 1e-9, "{stage}: {pass}");
+        }
+        let every_term = row["terms"] != "default terms";
+        for stage in ["curl", "confine_vorticity", "measure_particles"] {
+            assert_eq!(passes.contains_key(stage), every_term, "{stage}");
+        }
+        assert_eq!(number(&row["measure_ms"]) > 0.0, every_term);
+    }
+    // Targets are about larger sizes.
+    assert_eq!(table["targets"].as_array().unwrap().len(), 0);
+    let plot = std::fs::read_to_string(workshop.path("table.svg")).unwrap();
+    for text in ["<svg", "constrain_density", "4k", "default terms, 6 iterations"] {
+        assert!(plot.contains(text), "no {text:?} in the plot");
+    }
+}
+
+#[test]
+fn a_wrong_wish_is_told_before_anything_is_timed() {
+    let workshop = Workshop::new();
+    let cases: [(&[&str], &str); 5] = [
+        (&["bench", "--plot", "no/such/folder.svg"], "no/such/folder.svg"),
+        (&["bench", "--set", "solver.xsph=7"], "solver.xsph"),
+        (&["bench", "--max-particles", "10"], "--max-particles"),
+        (&["bench", "--steps", "3"], "SCENE"),
+        (&["bench", "scene.toml", "--plot", "a.svg"], "--plot"),
+    ];
+    for (arguments, word) in cases {
+        let ended = workshop.run(arguments);
+        assert_eq!(ended.code, Some(2), "{arguments:?}: {}", ended.stderr);
+        assert!(ended.stderr.contains(word) && ended.stdout.is_empty(), "{arguments:?}: {}", ended.stderr);
+    }
+}
