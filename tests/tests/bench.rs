@@ -1,7 +1,5 @@
 //! `brooklet bench` as a person uses it: the table over the number of particles.
 
-// Each file of tests uses a part of it.
-#[allow(dead_code)]
 mod cli_support;
 
 use cli_support::Workshop;
