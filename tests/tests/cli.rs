@@ -185,25 +185,56 @@ fn what_is_not_wanted_leaves_nothing_behind() {
     assert!(capture.stat_fields.is_empty());
     let reasons: BTreeSet<&str> =
         summary["left_out"].as_array().unwrap().iter().map(|item| item["reason"].as_str().unwrap()).collect();
-    assert!(reasons.contains("outputs.measure_every_steps = 0"), "{reasons:?}");
+    for reason in ["outputs.measure_every_steps = 0", "--no-timing"] {
+        assert!(reasons.contains(reason), "{reasons:?}");
+    }
+    let bare =
+        workshop.succeed(&["run", "scene.toml", "--steps", "4", "--no-capture", "--out", "bare", "--json"]).json();
+    assert!(!workshop.has("bare/capture.mcap") && bare["files"]["capture"].is_null());
+    assert!(bare["gpu_ms_per_step"]["median"].as_f64() > Some(0.0) || bare["timing"]["how"] == "unsupported");
 }
 
 #[test]
-fn two_plans_that_differ_in_a_term_show_what_falls_away() {
+fn plans_with_and_without_a_term_show_what_falls_away() {
     let workshop = Workshop::new();
-    let plan = |vorticity: &str| {
-        let setting = format!("solver.vorticity_m_s={vorticity}");
-        workshop.succeed(&["plan", "scene.toml", "--set", &setting, "--json"]).json()
-    };
-    let (off, on) = (plan("0"), plan("0.5"));
+    let plan = |setting: &str| workshop.succeed(&["plan", "scene.toml", "--set", setting, "--json"]).json();
     let stages = |plan: &Value| -> BTreeSet<String> {
         plan["passes"].as_array().unwrap().iter().map(|p| p["stage"].as_str().unwrap().into()).collect()
     };
-    let gone: Vec<String> = stages(&on).difference(&stages(&off)).cloned().collect();
-    assert_eq!(gone, ["confine_vorticity", "curl"]);
-    let buffers = |plan: &Value| keys(&plan["buffers"]).into_iter().map(String::from).collect::<BTreeSet<_>>();
-    assert!(buffers(&on).is_superset(&buffers(&off)) && buffers(&on) != buffers(&off));
-    assert!(on["bytes"].as_u64() > off["bytes"].as_u64());
-    let table = workshop.succeed(&["plan", "scene.toml", "--set", "solver.vorticity_m_s=0"]).stdout;
-    assert!(table.contains("curl") && table.contains("solver.vorticity_m_s = 0"), "{table}");
+    let bytes = |plan: &Value| plan["bytes"].as_u64().unwrap();
+    for (off, on, reason) in [
+        ("solver.vorticity_m_s=0", "solver.vorticity_m_s=0.5", "solver.vorticity_m_s = 0"),
+        ("solver.xsph=0", "solver.xsph=0.01", "solver.xsph = 0"),
+        ("solver.s_corr_k=0", "solver.s_corr_k=0.1", "solver.s_corr_k = 0"),
+        ("domain.walls=false", "domain.walls=true", "domain.walls = false"),
+        ("outputs.measure_every_steps=0", "outputs.measure_every_steps=1", "outputs.measure_every_steps = 0"),
+        ("outputs.images=0", "outputs.images=1", "no pictures (outputs.images = 0)"),
+    ] {
+        let (without, with) = (plan(off), plan(on));
+        let list = |plan: &Value| -> Vec<Value> {
+            plan["left_out"].as_array().unwrap().iter().filter(|item| item["reason"] == reason).cloned().collect()
+        };
+        assert!(list(&with).is_empty(), "{on}");
+        let left_out = list(&without);
+        assert!(!left_out.is_empty(), "{off}");
+        let named: BTreeSet<String> = left_out
+            .iter()
+            .filter(|item| item["kind"] == "pass")
+            .map(|item| item["name"].as_str().unwrap().into())
+            .collect();
+        assert_eq!(named, stages(&with).difference(&stages(&without)).cloned().collect(), "{off}");
+        let saved: u64 = left_out.iter().map(|item| item["bytes"].as_u64().unwrap()).sum();
+        assert_eq!(bytes(&without) + saved, bytes(&with), "{off}");
+        let table = workshop.succeed(&["plan", "scene.toml", "--set", off]).stdout;
+        assert!(table.contains(reason), "{table}");
+    }
+
+    let times = workshop.succeed(&["plan", "scene.toml", "--json"]).json();
+    let none = workshop.succeed(&["plan", "scene.toml", "--json", "--no-timing", "--no-capture"]).json();
+    assert!(times["timestamps"]["step"].as_u64() > Some(0) && none["timestamps"]["step"] == 0);
+    let absent = |name: &str| none["left_out"].as_array().unwrap().iter().find(|item| item["name"] == name).cloned();
+    let timestamps = absent("timestamps").unwrap();
+    assert_eq!((&timestamps["reason"], &timestamps["bytes"]), (&"--no-timing".into(), &times["timestamp_bytes"]));
+    assert_eq!(absent("capture.mcap").unwrap()["reason"], "--no-capture");
+    assert_eq!((&none["passes"], &none["bytes"]), (&times["passes"], &times["bytes"]));
 }

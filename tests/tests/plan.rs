@@ -1,93 +1,254 @@
-//! What a scene does not need is not dispatched, not allocated, and not in the shader.
+//! What a scene does not need is not dispatched, not allocated, not timed, and not in the shader.
 
-use brooklet_fluid::{Scene, record};
-use brooklet_gpu::{Engine, Plan, Resources};
+use std::collections::BTreeSet;
+
+use brooklet_fluid::{Scene, Simulation, record, record_count};
+use brooklet_gpu::{Engine, Gpu, GpuOptions, Plan, Resources, TimingStatus};
+use brooklet_render::{FrameOptions, View};
 use brooklet_tests::gpu;
 
-const SMALL: &[&str] = &["spacing_m=0.1"];
+const SMALL: &[&str] = &["spacing_m=0.1", "outputs.width_px=32", "outputs.height_px=32"];
 
-fn plan(settings: &[&str]) -> Plan {
+fn scene(settings: &[&str]) -> Scene {
     let settings: Vec<String> = SMALL.iter().chain(settings).map(|&s| s.into()).collect();
-    let scene = Scene::load("calm-pool", &settings).unwrap();
+    Scene::load("calm-pool", &settings).unwrap()
+}
+
+/// The plan of a scene with its pictures, if it has some.
+fn plan(settings: &[&str]) -> Plan {
+    let scene = scene(settings);
     let mut resources = Resources::new();
-    let recorded = record(&mut resources, &scene);
-    let wanted = recorded.measure.as_ref().map(|measure| measure.id);
-    Plan::sweep(resources, recorded.recordings, wanted.as_slice()).unwrap()
+    let mut recorded = record(&mut resources, &scene);
+    let mut wanted: Vec<_> = recorded.measure.iter().map(|measure| measure.id).collect();
+    let mut recordings = std::mem::take(&mut recorded.recordings);
+    if scene.outputs.images > 0 {
+        let options = FrameOptions::for_scene(&scene, gpu().tier());
+        let (positions, velocities) = (&recorded.positions, &recorded.velocities);
+        let count = recorded.particle_count;
+        let view = View::of_scene(&scene);
+        let passes = brooklet_render::record(&mut resources, &view, positions, velocities, count, &options).unwrap();
+        recordings.extend([passes.init, passes.recording]);
+        wanted.push(passes.color.id);
+    }
+    Plan::sweep(resources, recordings, &wanted).unwrap()
 }
 
-/// Stages and buffers of a plan by name.
-fn names(plan: &Plan) -> (Vec<String>, Vec<String>) {
-    let mut stages: Vec<String> = plan.passes().iter().map(|pass| pass.stage.to_string()).collect();
-    stages.sort();
-    stages.dedup();
-    (stages, plan.buffers().iter().map(|buffer| buffer.label.to_string()).collect())
+fn stages(plan: &Plan) -> BTreeSet<&'static str> {
+    plan.passes().iter().map(|pass| pass.stage).collect()
 }
 
-/// Runs one step and one measurement; what the engine counted.
-fn counts(plan: Plan) -> (u64, u64, u64) {
+fn modules(plan: &Plan) -> BTreeSet<&'static str> {
+    plan.passes().iter().map(|pass| pass.module.name).collect()
+}
+
+fn buffers(plan: &Plan) -> BTreeSet<String> {
+    plan.buffers().into_iter().map(|buffer| buffer.label).collect()
+}
+
+/// What the engine counted of one run of everything in a plan.
+struct Counted {
+    dispatches: u64,
+    /// Before the first run: all but the ring of results.
+    allocations: u64,
+    /// Of the ring.
+    ring_allocations: u64,
+    timestamps: u64,
+    timed_stages: BTreeSet<&'static str>,
+}
+
+fn count_on(gpu: &Gpu, plan: Plan) -> Counted {
     let recordings: Vec<&str> = plan.recordings().collect();
-    let mut engine = Engine::new(&gpu(), plan).unwrap();
+    let mut engine = Engine::new(gpu, plan).unwrap();
     let allocations = engine.allocation_count();
     engine.run(&recordings, &[]).unwrap();
-    engine.finish().unwrap();
-    (engine.dispatch_count(), allocations, engine.timestamp_query_count())
+    let reports = engine.finish().unwrap();
+    Counted {
+        dispatches: engine.dispatch_count(),
+        allocations,
+        ring_allocations: engine.allocation_count() - allocations,
+        timestamps: engine.timestamp_query_count(),
+        timed_stages: reports.iter().flat_map(|report| &report.spans).map(|span| span.stage).collect(),
+    }
 }
 
+fn count(plan: Plan) -> Counted {
+    count_on(&gpu(), plan)
+}
+
+/// An optional term: how to do without, how to have it, and what it brings.
+struct Term {
+    without: &'static str,
+    with: &'static str,
+    stages: &'static [&'static str],
+    buffers: &'static [&'static str],
+    /// Part of the names of the modules that have its code.
+    variant: Option<&'static str>,
+}
+
+const TERMS: &[Term] = &[
+    Term {
+        without: "solver.vorticity_m_s=0",
+        with: "solver.vorticity_m_s=0.1",
+        stages: &["curl", "confine_vorticity"],
+        buffers: &["vorticities"],
+        variant: None,
+    },
+    Term {
+        without: "solver.xsph=0",
+        with: "solver.xsph=0.05",
+        stages: &["viscosity"],
+        buffers: &["unsmoothed_velocities"],
+        variant: None,
+    },
+    Term {
+        without: "solver.s_corr_k=0",
+        with: "solver.s_corr_k=0.1",
+        stages: &[],
+        buffers: &[],
+        variant: Some("S_CORR"),
+    },
+    Term {
+        without: "domain.walls=false",
+        with: "domain.walls=true",
+        stages: &[],
+        buffers: &["wall_weights"],
+        variant: Some("WALLS"),
+    },
+    Term {
+        without: "outputs.measure_every_steps=0",
+        with: "outputs.measure_every_steps=1",
+        stages: &["measure_particles", "measure_totals"],
+        buffers: &["measure", "group_measures", "histograms"],
+        variant: None,
+    },
+    Term {
+        without: "outputs.images=0",
+        with: "outputs.images=1",
+        stages: &[
+            "draw_shadow",
+            "draw_particles",
+            "draw_shade",
+            "draw_floor",
+            "draw_sky",
+            "draw_edges",
+            "draw_resolve",
+        ],
+        buffers: &["picture", "seen", "radiance", "depth", "shadow_map", "frame_view", "frame_light", "frame_style"],
+        variant: None,
+    },
+    Term {
+        without: "solver.iterations=0",
+        with: "solver.iterations=2",
+        stages: &["constrain_density", "correct_positions"],
+        buffers: &["constrained"],
+        variant: None,
+    },
+];
+
 #[test]
-fn each_optional_term_takes_its_stages_and_buffers_along() {
-    // (setting that drops it, setting that has it, its stages, its buffers)
-    let terms: &[(&str, &str, &[&str], &[&str])] = &[
-        ("solver.vorticity_m_s=0", "solver.vorticity_m_s=0.1", &["curl", "confine_vorticity"], &["vorticities"]),
-        ("solver.xsph=0", "solver.xsph=0.05", &["viscosity"], &["unsmoothed_velocities"]),
-        (
-            "outputs.measure_every_steps=0",
-            "outputs.measure_every_steps=1",
-            &["measure_particles", "measure_totals"],
-            &["measure", "group_measures", "histograms"],
-        ),
-        ("domain.walls=false", "domain.walls=true", &[], &["wall_weights"]),
-        ("solver.iterations=0", "solver.iterations=2", &["constrain_density", "correct_positions"], &["constrained"]),
-    ];
-    for (without, with, stages, buffers) in terms {
+fn each_optional_term_takes_all_it_brings_along() {
+    for term in TERMS {
+        let Term { without, with, .. } = term;
         let (lean, full) = (plan(&[without]), plan(&[with]));
-        let ((lean_stages, lean_buffers), (full_stages, full_buffers)) = (names(&lean), names(&full));
-        for stage in *stages {
-            assert!(full_stages.contains(&stage.to_string()), "{with}: {stage} is missing from {full_stages:?}");
-            assert!(!lean_stages.contains(&stage.to_string()), "{without}: {stage} is still there");
+        // Exactly these and nothing else fall away, by name.
+        let brought = |of: &BTreeSet<&'static str>, than: &BTreeSet<&'static str>| -> BTreeSet<&str> {
+            of.difference(than).copied().collect()
+        };
+        assert_eq!(brought(&stages(&full), &stages(&lean)), term.stages.iter().copied().collect(), "{with}");
+        assert!(stages(&lean).is_subset(&stages(&full)), "{without} brings a stage");
+        let fallen: BTreeSet<String> = buffers(&full).difference(&buffers(&lean)).cloned().collect();
+        assert_eq!(fallen, term.buffers.iter().map(|label| label.to_string()).collect(), "{with}");
+        assert_eq!(buffers(&lean).difference(&buffers(&full)).next(), None, "{without} brings a buffer");
+        // And by bytes: those of the buffers that fell away.
+        let bytes: u64 = full.buffers().iter().filter(|b| fallen.contains(&b.label)).map(|b| b.bytes).sum();
+        assert_eq!(full.bytes() - lean.bytes(), bytes, "{with}");
+        assert!(bytes > 0 || term.variant.is_some(), "{without} saves no byte");
+        if let Some(variant) = term.variant {
+            assert!(modules(&full).iter().any(|module| module.contains(variant)), "{with}: {:?}", modules(&full));
+            assert!(!modules(&lean).iter().any(|module| module.contains(variant)), "{without}: {:?}", modules(&lean));
         }
-        for buffer in *buffers {
-            assert!(full_buffers.contains(&buffer.to_string()), "{with}: {buffer} is missing from {full_buffers:?}");
-            assert!(!lean_buffers.contains(&buffer.to_string()), "{without}: {buffer} is still there");
+
+        // And so it runs: what the engine handed to the driver, not what the plan says.
+        let dispatches = |plan: &Plan| -> u64 { plan.passes().iter().map(|pass| u64::from(pass.count)).sum() };
+        let fewer_dispatches = dispatches(&full) - dispatches(&lean);
+        let fewer_buffers = term.buffers.len() as u64;
+        let is_timed = gpu().timing().is_measured();
+        let (lean, full) = (count(lean), count(full));
+        assert_eq!(full.dispatches - lean.dispatches, fewer_dispatches, "{with}");
+        assert!(full.allocations - lean.allocations >= fewer_buffers, "{with}");
+        assert_eq!(full.allocations > lean.allocations, fewer_buffers > 0, "{with}");
+        assert!(!is_timed || full.timestamps - lean.timestamps >= fewer_dispatches, "{with}");
+        assert_eq!(is_timed && full.timestamps > lean.timestamps, is_timed && fewer_dispatches > 0, "{with}");
+        for stage in term.stages {
+            assert!(!lean.timed_stages.contains(stage), "{without}: {stage} is timed");
+            assert!(!is_timed || full.timed_stages.contains(stage), "{with}: {stage} is not timed");
         }
-        assert!(lean.bytes() < full.bytes(), "{without} saves no byte");
-        // And so it runs: fewer dispatches, allocations and timestamps, not just fewer names.
-        let (lean, full) = (counts(lean), counts(full));
-        if !stages.is_empty() {
-            assert!(lean.0 < full.0 && lean.2 <= full.2, "{without}: {lean:?} against {full:?}");
-        }
-        assert!(lean.1 < full.1, "{without}: {lean:?} against {full:?}");
+    }
+}
+
+/// A term that is off is not in the shader either.
+#[test]
+fn a_variant_without_a_term_has_less_code() {
+    let code = |term: &str, on: bool| {
+        brooklet_kernels::modules()
+            .filter(|module| module.name.starts_with("CorrectPositions") && !module.name.contains("NARROW"))
+            .filter(|module| module.name.contains(term) == on)
+            .map(|module| module.spirv.len())
+            .min()
+            .unwrap()
+    };
+    for term in ["S_CORR", "WALLS"] {
+        assert!(code(term, false) < code(term, true), "{term}");
     }
 }
 
 #[test]
-fn a_term_that_is_off_is_not_in_the_shader() {
-    let variants = |settings: &[&str]| -> Vec<String> {
-        plan(settings).passes().iter().map(|pass| pass.module.name.to_string()).collect()
+fn without_times_no_query_is_made_and_nothing_is_allocated_for_them() {
+    let options = |timing| GpuOptions {
+        device_name: Some(gpu().info().name.clone()),
+        tier: Some(gpu().tier()),
+        timing,
+        ..GpuOptions::default()
     };
-    let (without, with) = (variants(&["solver.s_corr_k=0"]), variants(&["solver.s_corr_k=0.1"]));
-    assert!(with.iter().any(|module| module.starts_with("CorrectPositions") && module.contains("S_CORR")), "{with:?}");
-    assert!(!without.iter().any(|module| module.contains("S_CORR")), "{without:?}");
-    let code = |on: bool| {
-        brooklet_kernels::modules()
-            .find(|module| {
-                module.name.starts_with("CorrectPositions")
-                    && module.name.contains("WALLS")
-                    && !module.name.contains("NARROW")
-                    && module.name.contains("S_CORR") == on
-            })
-            .unwrap()
-            .spirv
-            .len()
+    let everything = ["outputs.images=1", "outputs.measure_every_steps=1"];
+    let [off, on] = [false, true].map(|timing| count_on(&Gpu::open(&options(timing)).unwrap(), plan(&everything)));
+    assert_eq!((off.timestamps, off.ring_allocations), (0, 0), "no query set, no buffer to resolve it to");
+    assert!(off.timed_stages.is_empty());
+    assert_eq!((off.dispatches, off.allocations), (on.dispatches, on.allocations), "timing changes nothing else");
+    if gpu().timing() != TimingStatus::Unsupported {
+        assert!(on.timestamps > on.dispatches && on.ring_allocations >= 2);
+        let bound: u64 = plan(&everything).recordings().map(|name| plan(&everything).timestamp_bound(name)).sum();
+        assert!(on.timestamps <= bound, "{} timestamps where the plan says {bound} at most", on.timestamps);
+    }
+}
+
+/// What `brooklet plan` and the list of what is left out use: a plan of so many particles, without them.
+#[test]
+fn a_plan_of_a_number_of_particles_is_that_of_the_particles() {
+    let settings = ["outputs.images=0", "solver.vorticity_m_s=0.1"];
+    let made = plan(&settings);
+    let scene = scene(&settings);
+    let particles = brooklet_fluid::particles::count(&scene) as u32;
+    let mut resources = Resources::new();
+    let recorded = record_count(&mut resources, &scene, particles);
+    let wanted = recorded.measure.as_ref().map(|measure| measure.id);
+    let counted = Plan::sweep(resources, recorded.recordings, wanted.as_slice()).unwrap();
+    assert_eq!(counted.buffers(), made.buffers());
+    assert_eq!(counted.left_out(), made.left_out());
+    let passes = |plan: &Plan| -> Vec<_> {
+        plan.passes().iter().map(|pass| (pass.recording, pass.module.name, pass.count)).collect()
     };
-    assert!(code(false) < code(true));
+    assert_eq!(passes(&counted), passes(&made));
+}
+
+#[test]
+fn a_simulation_whose_reports_nobody_takes_keeps_few() {
+    let mut simulation = Simulation::new(&gpu(), &scene(&["solver.iterations=1"])).unwrap();
+    simulation.measure().unwrap();
+    for _ in 0..200 {
+        simulation.step().unwrap();
+    }
+    let kept = simulation.engine().finish().unwrap().len();
+    assert!((1..=64).contains(&kept), "{kept} reports");
+    assert!(simulation.stats().is_some(), "the measurement that came with one of the others is kept");
 }

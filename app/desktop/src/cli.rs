@@ -72,6 +72,12 @@ pub struct OutputOptions {
     /// Also write the particles, whenever a picture is due and at the end
     #[arg(long, value_name = "FORMAT", value_enum)]
     pub particles: Option<ParticleFormat>,
+    /// Write no timing capture; the summary has medians all the same
+    #[arg(long)]
+    pub no_capture: bool,
+    /// Take no GPU times: no timestamp query is made
+    #[arg(long)]
+    pub no_timing: bool,
 }
 
 /// `brooklet run`.
@@ -93,14 +99,8 @@ pub struct RunOptions {
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// The timing capture's file, if not DIR/capture.mcap; replaced if it exists
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", conflicts_with = "no_capture")]
     pub capture: Option<PathBuf>,
-    /// Write no timing capture; the summary has medians all the same
-    #[arg(long, conflicts_with = "capture")]
-    pub no_capture: bool,
-    /// Take no GPU times: no timestamp query is made
-    #[arg(long)]
-    pub no_timing: bool,
     /// Print the summary as JSON, and nothing else, on standard output
     #[arg(long)]
     pub json: bool,

@@ -7,8 +7,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use brooklet_fluid::Scene;
-use brooklet_gpu::{LeftOutKind, Plan, Tier};
+use brooklet_fluid::{MEASURE, STEP, Scene};
+use brooklet_gpu::{FRAMES_IN_FLIGHT, LeftOutKind, Plan, Tier, timestamp_bytes};
+use brooklet_render::frame::DRAW;
 use serde::Serialize;
 
 use crate::{failure::Failure, job};
@@ -18,7 +19,7 @@ use crate::{failure::Failure, job};
 pub struct Absent {
     /// Its name.
     pub name: String,
-    /// `pass`, `variant`, `command`, `buffer` or `texture`.
+    /// `pass`, `variant`, `command`, `buffer`, `texture`, `timestamps` or `file`.
     pub kind: &'static str,
     /// Memory it would take.
     pub bytes: u64,
@@ -66,8 +67,23 @@ const TERMS: &[Term] = &[
     },
 ];
 
+/// What is recorded beside the simulation.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Recorded {
+    /// Why no GPU times are taken, if they are not.
+    pub no_times: Option<&'static str>,
+    /// Whether no capture is written.
+    pub no_capture: bool,
+}
+
 /// Everything that `plan`, the plan of `scene` and its `particles` for `tier`, does without.
-pub fn list(scene: &Scene, particles: u32, tier: Tier, plan: &Plan) -> Result<Vec<Absent>, Failure> {
+pub fn list(
+    scene: &Scene,
+    particles: u32,
+    tier: Tier,
+    plan: &Plan,
+    recorded: &Recorded,
+) -> Result<Vec<Absent>, Failure> {
     let mut absent: Vec<Absent> = plan
         .left_out()
         .iter()
@@ -88,7 +104,22 @@ pub fn list(scene: &Scene, particles: u32, tier: Tier, plan: &Plan) -> Result<Ve
         (term.turn_on)(&mut other);
         absent.extend(difference(plan, &job::plan_for(&other, particles, tier)?.plan, term.reason));
     }
+    if let Some(reason) = recorded.no_times {
+        let (name, kind, bytes) = ("timestamps".into(), "timestamps", timestamp_memory(plan));
+        absent.push(Absent { name, kind, bytes, reason: reason.into() });
+    }
+    if recorded.no_capture {
+        // The host's alone: nothing of it is in the plan.
+        let (name, kind) = ("capture.mcap".into(), "file");
+        absent.push(Absent { name, kind, bytes: 0, reason: "--no-capture".into() });
+    }
     Ok(absent)
+}
+
+/// Bytes that timestamps take of a frame that does everything, for all frames in flight.
+pub fn timestamp_memory(plan: &Plan) -> u64 {
+    let most = [STEP, MEASURE, DRAW].iter().map(|recording| plan.timestamp_bound(recording)).sum();
+    FRAMES_IN_FLIGHT as u64 * timestamp_bytes(most)
 }
 
 fn difference(plan: &Plan, fuller: &Plan, reason: &str) -> Vec<Absent> {
@@ -144,7 +175,7 @@ mod tests {
         let on = scene(&[&base[..], &["solver.vorticity_m_s=0.5"]].concat());
         let Planned { plan: plan_off, particles, .. } = job::plan(&off, Tier::Desktop).unwrap();
         let plan_on = job::plan(&on, Tier::Desktop).unwrap().plan;
-        let vorticity: Vec<Absent> = list(&off, particles, Tier::Desktop, &plan_off)
+        let vorticity: Vec<Absent> = list(&off, particles, Tier::Desktop, &plan_off, &Recorded::default())
             .unwrap()
             .into_iter()
             .filter(|absent| absent.reason.starts_with("solver.vorticity"))
@@ -153,7 +184,7 @@ mod tests {
         let bytes: u64 = vorticity.iter().map(|absent| absent.bytes).sum();
         assert!(bytes > 0);
         assert_eq!(plan_off.bytes() + bytes, plan_on.bytes());
-        let on_list = list(&on, particles, Tier::Desktop, &plan_on).unwrap();
+        let on_list = list(&on, particles, Tier::Desktop, &plan_on, &Recorded::default()).unwrap();
         assert!(on_list.iter().all(|absent| !absent.reason.starts_with("solver.vorticity")));
     }
 
@@ -165,7 +196,7 @@ mod tests {
         let stages: Vec<_> = planned.plan.passes().iter().map(|pass| pass.stage).collect();
         assert!(stages.iter().all(|stage| !stage.starts_with("measure")), "{stages:?}");
         assert!(stages.iter().all(|stage| !stage.starts_with("draw")), "{stages:?}");
-        let absent = list(&scene, planned.particles, Tier::Desktop, &planned.plan).unwrap();
+        let absent = list(&scene, planned.particles, Tier::Desktop, &planned.plan, &Recorded::default()).unwrap();
         let passes = names(&absent, "pass");
         assert!(passes.contains(&"measure_totals".into()), "{passes:?}");
         assert!(passes.iter().any(|name| name.starts_with("draw")), "{passes:?}");

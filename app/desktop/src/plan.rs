@@ -6,10 +6,10 @@ use serde::Serialize;
 use serde_json::json;
 
 use crate::{
-    cli::PlanOptions,
+    cli::{OutputOptions, PlanOptions},
     failure::Failure,
     job::{self, Planned},
-    left_out::{self, Absent},
+    left_out::{self, Absent, Recorded, timestamp_memory},
     table::{bytes, table},
 };
 
@@ -29,11 +29,13 @@ pub fn plan(options: &PlanOptions) -> Result<(), Failure> {
     let tier = options.tier.map_or(Tier::Desktop, Into::into);
     let particles = u32::try_from(particles::count(&scene)).map_err(Failure::input)?;
     let planned = job::plan_for(&scene, particles, tier)?;
-    let absent = left_out::list(&scene, particles, tier, &planned.plan)?;
+    let OutputOptions { no_capture, no_timing, .. } = options.outputs;
+    let recorded = Recorded { no_times: no_timing.then_some("--no-timing"), no_capture };
+    let absent = left_out::list(&scene, particles, tier, &planned.plan, &recorded)?;
     if options.json {
-        print_json(&scene, &planned, &absent)
+        print_json(&scene, &planned, &absent, no_timing)
     } else {
-        print_tables(&scene, &planned, &absent);
+        print_tables(&scene, &planned, &absent, no_timing);
         Ok(())
     }
 }
@@ -51,7 +53,7 @@ fn passes(plan: &Plan) -> Vec<Pass> {
         .collect()
 }
 
-fn print_json(scene: &Scene, planned: &Planned, absent: &[Absent]) -> Result<(), Failure> {
+fn print_json(scene: &Scene, planned: &Planned, absent: &[Absent], no_timing: bool) -> Result<(), Failure> {
     let buffers: serde_json::Map<_, _> =
         planned.plan.buffers().into_iter().map(|buffer| (buffer.label, buffer.bytes.into())).collect();
     let all = json!({
@@ -60,6 +62,8 @@ fn print_json(scene: &Scene, planned: &Planned, absent: &[Absent]) -> Result<(),
         "passes": passes(&planned.plan),
         "buffers": buffers,
         "bytes": planned.plan.bytes(),
+        "timestamps": timestamps(&planned.plan, no_timing).into_iter().collect::<serde_json::Map<_, _>>(),
+        "timestamp_bytes": if no_timing { 0 } else { timestamp_memory(&planned.plan) },
         "bytes_per_particle": simulation_bytes_per_particle(&planned.plan, planned.particles),
         "left_out": absent,
     });
@@ -74,7 +78,13 @@ pub fn simulation_bytes_per_particle(plan: &Plan, particles: u32) -> Option<f64>
     (particles > 0).then(|| plan.bytes_of(&[INIT, STEP, MEASURE]) as f64 / f64::from(particles))
 }
 
-fn print_tables(scene: &Scene, planned: &Planned, absent: &[Absent]) {
+/// How many timestamps one run of each recording takes at most.
+fn timestamps(plan: &Plan, no_timing: bool) -> Vec<(String, serde_json::Value)> {
+    let bound = |recording: &str| if no_timing { 0 } else { plan.timestamp_bound(recording) };
+    plan.recordings().map(|recording| (recording.to_owned(), bound(recording).into())).collect()
+}
+
+fn print_tables(scene: &Scene, planned: &Planned, absent: &[Absent], no_timing: bool) {
     say!("{}: {} particles\n", scene.name, planned.particles);
     let mut list = table(&["recording", "pass", "variant", "shader", "runs"], &[4]);
     for pass in passes(&planned.plan) {
@@ -91,6 +101,12 @@ fn print_tables(scene: &Scene, planned: &Planned, absent: &[Absent]) {
     say!("{}", list.trim_fmt());
     if let Some(per_particle) = simulation_bytes_per_particle(&planned.plan, planned.particles) {
         say!("{per_particle:.0} bytes a particle, without what is drawn");
+    }
+    if !no_timing {
+        let each: Vec<String> =
+            timestamps(&planned.plan, no_timing).iter().map(|(name, count)| format!("{name} {count}")).collect();
+        let memory = bytes(timestamp_memory(&planned.plan));
+        say!("timestamps of a run, at most: {}; {memory} for the frames in flight", each.join(", "));
     }
 
     if absent.is_empty() {

@@ -8,7 +8,7 @@ use std::{
 
 use brooklet_capture::{CaptureError, CaptureOptions, CaptureWriter};
 use brooklet_fluid::Scene;
-use brooklet_gpu::{Gpu, tier_name};
+use brooklet_gpu::{Gpu, TimingStatus, tier_name};
 
 use crate::{
     cli::RunOptions,
@@ -17,7 +17,8 @@ use crate::{
     fit,
     interrupt::Interrupt,
     job::{self, Planned},
-    left_out, measured,
+    left_out::{self, Recorded},
+    measured,
     out_dir::{self, OutDir},
     progress,
     recorder::Recorder,
@@ -30,9 +31,15 @@ use crate::{
 pub fn run(options: &RunOptions) -> Result<(), Failure> {
     let scene = job::scene(&options.scene, Some(&options.outputs))?;
     let steps = job::steps(&scene, &options.length)?;
-    let gpu = job::open(&options.device, !options.no_timing)?;
+    let gpu = job::open(&options.device, !options.outputs.no_timing)?;
     let Planned { plan, particles, positions, velocities, measure, picture } = job::plan(&scene, gpu.tier())?;
-    let left_out = left_out::list(&scene, particles, gpu.tier(), &plan)?;
+    let no_times = match gpu.timing() {
+        TimingStatus::Off => Some("--no-timing"),
+        TimingStatus::Unsupported => Some("the device gives no timestamps"),
+        TimingStatus::PassPerStage | TimingStatus::InsidePasses => None,
+    };
+    let recorded = Recorded { no_times, no_capture: options.outputs.no_capture };
+    let left_out = left_out::list(&scene, particles, gpu.tier(), &plan, &recorded)?;
     let plan_bytes = plan.bytes();
     let start = SystemTime::now();
     let mut engine = fit::engine(&gpu, &scene, particles, plan.clone())?;
@@ -41,7 +48,7 @@ pub fn run(options: &RunOptions) -> Result<(), Failure> {
     let default_out = Path::new("out").join(&scene.name);
     let out = OutDir::create(options.out.as_deref().unwrap_or(&default_out))?;
     let capture_path = options.capture.clone().unwrap_or_else(|| out.path.join("capture.mcap"));
-    let capture = if options.no_capture {
+    let capture = if options.outputs.no_capture {
         None
     } else {
         let capture_options = CaptureOptions {

@@ -30,6 +30,7 @@ pub use draw::{Blend, Cull, DepthTest, DrawState, Load, RecordedTargets, Targets
 pub use engine::{Engine, FRAMES_IN_FLIGHT};
 pub use error::{GpuError, tier_name};
 pub use plan::{KeptBuffer, LeftOut, LeftOutKind, PassInfo, Plan, PlanError};
+pub use readback::timestamp_bytes;
 pub use recording::{Command, Recording};
 pub use resources::{ResourceInfo, Resources, Shape};
 pub use tier::{Shortfall, TIERS, highest_tier};

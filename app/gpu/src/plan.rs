@@ -258,6 +258,18 @@ impl Plan {
         self.buffers().iter().filter(|buffer| used.contains(&buffer.id)).map(|buffer| buffer.bytes).sum()
     }
 
+    /// At most so many timestamps are taken while a recording runs: what a device takes depends on
+    /// whether it can take them inside a pass.
+    pub fn timestamp_bound(&self, recording: &str) -> u64 {
+        let bound = |command: &Command| match command {
+            Command::Dispatch(_) => 2,
+            // Its own two, and where its pass begins.
+            Command::Draw(_) => 3,
+            Command::Upload { .. } | Command::Clear { .. } | Command::Copy { .. } => 0,
+        };
+        self.commands(recording).iter().map(bound).sum()
+    }
+
     /// What was left out, and why: stages, then commands, buffers, textures.
     pub fn left_out(&self) -> &[LeftOut] {
         &self.left_out

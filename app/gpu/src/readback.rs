@@ -12,6 +12,13 @@ use std::sync::atomic::{AtomicU8, Ordering};
 pub(crate) const QUERIES_A_SET: u32 = wgpu::QUERY_SET_MAX_QUERIES;
 const TICK_BYTES: u64 = 8;
 
+/// Bytes that a frame of so many timestamps takes on the GPU and on the way back.
+pub fn timestamp_bytes(timestamps: u64) -> u64 {
+    let sets = timestamps.div_ceil(u64::from(QUERIES_A_SET) - 1);
+    // Query sets, what they are resolved to, and what the host reads.
+    3 * sets * u64::from(QUERIES_A_SET) * TICK_BYTES
+}
+
 const PENDING: u8 = 0;
 const ARRIVED: u8 = 1;
 const FAILED: u8 = 2;

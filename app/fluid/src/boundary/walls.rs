@@ -8,6 +8,8 @@
 //! each is scaled to what the lattice lacks half a spacing from its walls, so that fluid placed
 //! there has density ratio 1 at walls, edges and corners alike.
 
+use std::sync::OnceLock;
+
 use crate::kernel::{for_lattice, lattice, wendland};
 
 /// Nodes an axis of the table, from distance 0 to h.
@@ -21,8 +23,10 @@ const STEP: f64 = 1.0 / FINE as f64;
 
 /// The table, x fastest: gradient over the three distances (1/h), then the density ratio.
 pub fn wall_weights(support_ratio: f64) -> Vec<[f32; 4]> {
-    let octant = Octant::new();
-    let scale = Scale::new(&octant, support_ratio);
+    // The same for every scene, and most of the work: a program that plans several does it once.
+    static OCTANT: OnceLock<Octant> = OnceLock::new();
+    let octant = OCTANT.get_or_init(Octant::new);
+    let scale = Scale::new(octant, support_ratio);
     let mut table = Vec::with_capacity(WALL_NODES.pow(3));
     for z in 0..WALL_NODES {
         for y in 0..WALL_NODES {
