@@ -2,9 +2,12 @@
 //! sizes around block edges.
 
 pub mod cases;
+pub mod column;
 pub mod compare;
 mod device;
+pub mod extreme;
 pub mod harness;
+pub mod peers;
 
 pub use device::gpu;
 

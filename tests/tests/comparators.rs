@@ -84,7 +84,7 @@ fn wrong_fields_and_clouds_are_told_apart() {
     assert!(cloud_distance(&points, &moved, 0.1).unwrap().chamfer > 0.4);
     assert!(norms(&[1.0, 2.0], &[1.0, 2.5]).unwrap().l_inf == 0.5);
     let squeezed: Vec<DVec3> = points.iter().map(|p| *p * 0.9).collect();
-    assert!(compression(&squeezed, DVec3::ZERO, DVec3::splat(0.5), 0.1).unwrap().max > 0.1);
+    assert!(compression(&squeezed, DVec3::ZERO, DVec3::splat(0.5), 0.1).unwrap().all.max > 0.1);
 }
 
 #[test]

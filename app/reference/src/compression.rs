@@ -5,17 +5,44 @@
 use crate::shared::cells::Cells;
 use glam::DVec3;
 
-/// What is reported of a snapshot, as ratios (0.02 is 2 %).
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Compression {
-    /// Mean over the particles.
+/// Of some particles, as ratios (0.02 is 2 %).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Spread {
+    /// How many they are.
+    pub particles: usize,
+    /// Mean; zero if there are none.
     pub mean: f64,
-    /// Mean over the particles at least 2 d from every wall; zero if there are none.
-    pub inner_mean: f64,
     /// What one particle in a hundred exceeds.
     pub p99: f64,
     /// The worst particle.
     pub max: f64,
+}
+
+/// What is reported of a snapshot.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Compression {
+    /// All particles.
+    pub all: Spread,
+    /// Those nearer than 2 d to a wall, which the metric's mirror reaches.
+    pub wall: Spread,
+    /// The others.
+    pub inner: Spread,
+}
+
+impl Spread {
+    fn of(mut values: Vec<f64>) -> Self {
+        values.sort_by(f64::total_cmp);
+        let particles = values.len();
+        let Some(&max) = values.last() else {
+            return Self::default();
+        };
+        Self {
+            particles,
+            mean: values.iter().sum::<f64>() / particles as f64,
+            p99: values[particles - 1 - particles / 100],
+            max,
+        }
+    }
 }
 
 /// The cubic spline (Monaghan 1992) of q = r / support, scaled to W(0) = 1.
@@ -53,21 +80,12 @@ pub fn compression(positions_m: &[DVec3], min_m: DVec3, max_m: DVec3, spacing_m:
         })
         .collect();
 
-    let inner: Vec<f64> = compressions
-        .iter()
-        .zip(positions_m)
-        .filter(|(_, p)| (**p - min_m).min(max_m - **p).min_element() >= support_m)
-        .map(|(compression, _)| *compression)
-        .collect();
-    let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len().max(1) as f64;
-    let mut sorted = compressions.clone();
-    sorted.sort_by(f64::total_cmp);
-    Some(Compression {
-        mean: mean(&compressions),
-        inner_mean: mean(&inner),
-        p99: sorted[sorted.len() - 1 - sorted.len() / 100],
-        max: sorted[sorted.len() - 1],
-    })
+    let inside = |p: DVec3| (p - min_m).min(max_m - p).min_element() >= support_m;
+    let of = |wanted: &dyn Fn(DVec3) -> bool| {
+        let chosen = compressions.iter().zip(positions_m).filter(|(_, p)| wanted(**p));
+        Spread::of(chosen.map(|(compression, _)| *compression).collect())
+    };
+    Some(Compression { all: of(&|_| true), wall: of(&|p| !inside(p)), inner: of(&inside) })
 }
 
 /// The particles and their images in the walls, edges and corners within `reach_m`.
@@ -98,7 +116,7 @@ mod tests {
         let points = lattice::points([8, 6, 5], 0.1);
         let size = DVec3::new(0.8, 0.6, 0.5);
         let full = compression(&points, DVec3::ZERO, size, 0.1).unwrap();
-        assert!(full.max < 1e-12, "{full:?}");
+        assert!(full.all.max < 1e-12, "{full:?}");
     }
 
     #[test]
@@ -108,8 +126,8 @@ mod tests {
             lattice::points([12, 8, 8], 0.1).iter().map(|p| *p * DVec3::new(0.95, 1.0, 1.0)).collect();
         let size = DVec3::new(0.95 * 1.2, 0.8, 0.8);
         let squeezed = compression(&points, DVec3::ZERO, size, 0.1).unwrap();
-        assert!(squeezed.mean > 0.03 && squeezed.mean < 0.08, "{squeezed:?}");
-        assert!((squeezed.inner_mean - squeezed.mean).abs() < 1e-9, "mirrored walls are even");
+        assert!(squeezed.all.mean > 0.03 && squeezed.all.mean < 0.08, "{squeezed:?}");
+        assert!((squeezed.inner.mean - squeezed.wall.mean).abs() < 1e-9, "mirrored walls are even");
     }
 
     #[test]
@@ -117,7 +135,9 @@ mod tests {
         let mut points = lattice::points([8, 8, 8], 0.1);
         points.push(points[0] + DVec3::splat(0.001));
         let piled = compression(&points, DVec3::ZERO, DVec3::splat(0.8), 0.1).unwrap();
-        assert!(piled.max > 0.5 && piled.inner_mean < 1e-12, "{piled:?}");
+        assert!(piled.all.max > 0.5 && piled.inner.max < 1e-12, "{piled:?}");
+        assert_eq!(piled.wall.max, piled.all.max);
+        assert_eq!((piled.inner.particles, piled.wall.particles), (64, 449));
         assert_eq!(compression(&[], DVec3::ZERO, DVec3::ONE, 0.1), None);
         assert_eq!(compression(&[DVec3::NAN], DVec3::ZERO, DVec3::ONE, 0.1), None);
     }

@@ -4,6 +4,7 @@
 //! file of the stage's name. Tests run a kernel and its twin on the same input and compare.
 
 pub mod boundary;
+pub mod column;
 pub mod compression;
 pub mod dam_break;
 pub mod grid;
