@@ -15,6 +15,7 @@ pub fn gpu() -> Gpu {
 }
 
 fn open(device: Option<String>, tier: Option<String>) -> Result<Gpu, String> {
+    crate::validation::listen();
     let set = |value: &String| !value.is_empty();
     let tier = tier.filter(set).map(|name| tier_named(&name)).transpose()?;
     let options = GpuOptions { device_name: device.filter(set), tier, timing: true, ..GpuOptions::default() };

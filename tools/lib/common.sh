@@ -12,6 +12,17 @@ die() {
     exit 2
 }
 
+# Whether Vulkan's validation layers are where its loader looks for them.
+validation_layers_installed() {
+    local folder file
+    for folder in /usr/share /usr/local/share /etc; do
+        for file in "$folder"/vulkan/explicit_layer.d/*hronos_validation.json; do
+            [ ! -e "$file" ] || return 0
+        done
+    done
+    return 1
+}
+
 # rustup's own folder is on the PATH only of shells started after its installation.
 if ! command -v cargo >/dev/null && [ -x "${CARGO_HOME:-$HOME/.cargo}/bin/cargo" ]; then
     PATH="${CARGO_HOME:-$HOME/.cargo}/bin:$PATH"

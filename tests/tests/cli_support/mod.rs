@@ -75,6 +75,8 @@ impl Workshop {
         command.current_dir(self.folder.path()).args(arguments);
         // Mesa looks for a Wayland display there, and complains where the variable is not set.
         command.env("XDG_RUNTIME_DIR", self.folder.path());
+        // The program has nobody who listens to the validation layers, so they would only cost.
+        command.env_remove("BROOKLET_VALIDATION");
         command
     }
 

@@ -14,6 +14,7 @@ use std::sync::OnceLock;
 
 /// Options with timing, as most tests want them.
 pub fn options() -> GpuOptions {
+    brooklet_tests::validation::listen();
     GpuOptions { timing: true, ..GpuOptions::default() }
 }
 
