@@ -50,9 +50,28 @@ fn the_table_has_every_load_and_its_figures_belong_together() {
 }
 
 #[test]
+fn ways_to_sort_are_compared_in_pairs() {
+    let workshop = Workshop::new();
+    let arguments = ["bench", "sorting", "--particles", "5000", "--pairs", "3", "--json"];
+    let compared = workshop.succeed(&arguments).json();
+    assert_eq!(compared["particles"], 4096);
+    let outcomes = compared["comparisons"].as_array().unwrap();
+    for optimisation in ["aggregated atomics", "shared-memory scan", "bank-conflict padding"] {
+        assert!(outcomes.iter().any(|outcome| outcome["optimisation"] == optimisation), "no {optimisation}");
+    }
+    for outcome in outcomes {
+        assert_eq!(outcome["pairs"], 3, "{outcome}");
+        let [low, median, high] = ["ratio_p10", "ratio", "ratio_p90"].map(|key| number(&outcome[key]));
+        assert!(0.0 < low && low <= median && median <= high, "{outcome}");
+        assert!(number(&outcome["baseline_ms"]) > 0.0 && number(&outcome["alternative_ms"]) > 0.0, "{outcome}");
+    }
+}
+
+#[test]
 fn a_wrong_wish_is_told_before_anything_is_timed() {
     let workshop = Workshop::new();
-    let cases: [(&[&str], &str); 5] = [
+    let cases: [(&[&str], &str); 6] = [
+        (&["bench", "sorting", "--pairs", "0"], "--pairs"),
         (&["bench", "--plot", "no/such/folder.svg"], "no/such/folder.svg"),
         (&["bench", "--set", "solver.xsph=7"], "solver.xsph"),
         (&["bench", "--max-particles", "10"], "--max-particles"),

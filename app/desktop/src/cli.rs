@@ -125,7 +125,11 @@ pub struct PlanOptions {
 
 /// `brooklet bench`.
 #[derive(Clone, Debug, Args)]
+#[command(args_conflicts_with_subcommands = true)]
 pub struct BenchOptions {
+    /// What else can be timed.
+    #[command(subcommand)]
+    pub study: Option<BenchStudy>,
     /// Time this scene alone: a shipped scene's name, or the path of a scene file
     #[arg(value_name = "SCENE")]
     pub scene: Option<String>,
@@ -150,6 +154,30 @@ pub struct BenchOptions {
     /// Also draw the table, as an SVG picture
     #[arg(long, value_name = "FILE", conflicts_with = "scene")]
     pub plot: Option<PathBuf>,
+    /// Print the result as JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// What else `brooklet bench` times.
+#[derive(Clone, Debug, Subcommand)]
+pub enum BenchStudy {
+    /// Ways to sort the particles: the product's against others, in pairs
+    Sorting(SortingOptions),
+}
+
+/// `brooklet bench sorting`.
+#[derive(Clone, Debug, Args)]
+pub struct SortingOptions {
+    /// The device.
+    #[command(flatten)]
+    pub device: DeviceOptions,
+    /// Particles, rounded down to a size of the table
+    #[arg(long, value_name = "N", default_value_t = 125_000, value_parser = clap::value_parser!(u32).range(4096..))]
+    pub particles: u32,
+    /// Pairs of runs of each comparison
+    #[arg(long, value_name = "N", default_value_t = 40, value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    pub pairs: u32,
     /// Print the result as JSON
     #[arg(long)]
     pub json: bool,

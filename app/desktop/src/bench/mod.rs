@@ -5,6 +5,7 @@ mod plot;
 mod report;
 mod scaling;
 mod single;
+mod sorting;
 mod stepping;
 mod targets;
 mod traffic;
@@ -13,16 +14,17 @@ mod workload;
 use brooklet_gpu::Gpu;
 
 use crate::{
-    cli::{BenchOptions, DeviceOptions},
+    cli::{BenchOptions, BenchStudy, DeviceOptions},
     failure::Failure,
     job,
 };
 
 /// Runs and prints the benchmark that is asked for.
 pub fn bench(options: &BenchOptions) -> Result<(), Failure> {
-    match &options.scene {
-        Some(scene) => single::bench(scene, options),
-        None => scaling::bench(options),
+    match (&options.study, &options.scene) {
+        (Some(BenchStudy::Sorting(options)), _) => sorting::bench(options),
+        (None, Some(scene)) => single::bench(scene, options),
+        (None, None) => scaling::bench(options),
     }
 }
 

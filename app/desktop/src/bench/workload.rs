@@ -97,7 +97,8 @@ pub fn plan(scene: &Scene) -> Result<Planned, Failure> {
     Ok(Planned { plan, particles, measure, neighbour_counts })
 }
 
-fn jittered(scene: &Scene) -> Emitted {
+/// The scene's particles off their lattice.
+pub fn jittered(scene: &Scene) -> Emitted {
     let mut emitted = emit(scene);
     let mut random = fastrand::Rng::with_seed(27);
     for position in &mut emitted.positions {

@@ -2,7 +2,7 @@
 
 mod scan;
 
-pub use scan::Scan;
+pub use scan::{SCAN_GROUP, Scan};
 
 use brooklet_gpu::{Recording, Resources};
 use brooklet_kernels::{

@@ -3,6 +3,9 @@
 //! All kernels, draws and host-visible structs.
 
 mod bench_copy;
+mod bench_count_cells_aggregated;
+mod bench_scan_groups_tree;
+mod bench_scan_step;
 mod frame_edges;
 mod frame_floor;
 mod frame_layout;
@@ -28,6 +31,9 @@ mod solver_pbf_update_velocity;
 mod solver_pbf_viscosity;
 
 pub use bench_copy::*;
+pub use bench_count_cells_aggregated::*;
+pub use bench_scan_groups_tree::*;
+pub use bench_scan_step::*;
 pub use frame_edges::*;
 pub use frame_floor::*;
 pub use frame_layout::*;
@@ -56,6 +62,9 @@ pub use solver_pbf_viscosity::*;
 pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
     [
         bench_copy::MODULES,
+        bench_count_cells_aggregated::MODULES,
+        bench_scan_groups_tree::MODULES,
+        bench_scan_step::MODULES,
         frame_edges::MODULES,
         frame_floor::MODULES,
         frame_particles::MODULES,

@@ -1,0 +1,135 @@
+//! Two ways to the same result, run in turn.
+
+use brooklet_gpu::{Engine, FrameReport, Gpu, Plan, Recording, Resources};
+use serde::Serialize;
+
+use crate::{failure::Failure, interrupt::Interrupt, timings::Spread};
+
+/// Uploads, run once.
+pub const INIT: &str = "init";
+/// The product's way.
+pub const BASELINE: &str = "baseline";
+/// The other way.
+pub const ALTERNATIVE: &str = "alternative";
+
+/// What two ways came to.
+#[derive(Clone, Debug, Serialize)]
+pub struct Outcome {
+    /// What is tried.
+    pub optimisation: &'static str,
+    /// On what.
+    pub case: String,
+    pub baseline: &'static str,
+    pub alternative: &'static str,
+    pub baseline_ms: f64,
+    pub alternative_ms: f64,
+    /// The alternative's time over the baseline's: of each pair, its median, and what 10 and 90 of
+    /// 100 pairs stay below.
+    pub ratio: f64,
+    pub ratio_p10: f64,
+    pub ratio_p90: f64,
+    pub pairs: usize,
+}
+
+/// The names that go into an outcome.
+pub struct Names {
+    pub optimisation: &'static str,
+    pub case: String,
+    pub baseline: &'static str,
+    pub alternative: &'static str,
+}
+
+/// Runs pairs of recordings on a device.
+pub struct Ring<'a> {
+    pub gpu: &'a Gpu,
+    pub interrupt: &'a Interrupt,
+    pub pairs: usize,
+}
+
+/// Pairs that are run before those that count.
+const WARM_UP: usize = 3;
+
+impl Ring<'_> {
+    /// Runs both ways in turn, once each way round, `pairs` times; `check` looks at the results
+    /// of the first pair.
+    pub fn compare(
+        &self,
+        names: Names,
+        resources: Resources,
+        recordings: [Recording; 3],
+        check: impl FnOnce(&mut Engine) -> Result<(), Failure>,
+    ) -> Result<Outcome, Failure> {
+        let plan = Plan::sweep(resources, recordings.into(), &[]).map_err(Failure::stopped)?;
+        let mut engine = Engine::new(self.gpu, plan).map_err(Failure::input)?;
+        engine.run(&[INIT], &[]).map_err(Failure::stopped)?;
+        engine.run(&[BASELINE, ALTERNATIVE], &[]).map_err(Failure::stopped)?;
+        check(&mut engine)?;
+        let mut reports = engine.finish().map_err(Failure::stopped)?;
+        reports.clear();
+        for pair in 0..WARM_UP + self.pairs {
+            if self.interrupt.is_pressed() {
+                return Err(Failure::Interrupted("nothing was written".into()));
+            }
+            // What ran before leaves the caches as it does: so each goes first as often.
+            let order = if pair % 2 == 0 { [BASELINE, ALTERNATIVE] } else { [ALTERNATIVE, BASELINE] };
+            engine.run(&order, &[]).map_err(Failure::stopped)?;
+            reports.extend(engine.reports());
+        }
+        reports.extend(engine.finish().map_err(Failure::stopped)?);
+        let times: Vec<(f64, f64)> = reports
+            .iter()
+            .skip(WARM_UP)
+            .filter_map(|report| Some((ms_of(report, BASELINE)?, ms_of(report, ALTERNATIVE)?)))
+            .collect();
+        outcome(names, &times).ok_or_else(|| Failure::Stopped("the device gave no usable times".into()))
+    }
+}
+
+/// From the first span of a recording to the end of its last, ms.
+fn ms_of(report: &FrameReport, recording: &str) -> Option<f64> {
+    let spans = || report.spans.iter().filter(|span| span.recording == recording);
+    let begin = spans().map(|span| span.begin_ticks).min()?;
+    let end = spans().map(|span| span.end_ticks).max()?;
+    (end > begin).then(|| (end - begin) as f64 * report.timestamp_period_ns * 1e-6)
+}
+
+fn outcome(names: Names, times: &[(f64, f64)]) -> Option<Outcome> {
+    let mut ratios: Vec<f64> = times.iter().map(|(baseline, alternative)| alternative / baseline).collect();
+    ratios.sort_unstable_by(f64::total_cmp);
+    let last = ratios.len().checked_sub(1)?;
+    let rank = |part: f64| ratios[(part * last as f64).round() as usize];
+    Some(Outcome {
+        optimisation: names.optimisation,
+        case: names.case,
+        baseline: names.baseline,
+        alternative: names.alternative,
+        baseline_ms: Spread::of(times.iter().map(|(baseline, _)| *baseline).collect())?.median,
+        alternative_ms: Spread::of(times.iter().map(|(_, alternative)| *alternative).collect())?.median,
+        ratio: rank(0.5),
+        ratio_p10: rank(0.1),
+        ratio_p90: rank(0.9),
+        pairs: times.len(),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn names() -> Names {
+        Names { optimisation: "o", case: String::new(), baseline: "a", alternative: "b" }
+    }
+
+    #[test]
+    fn ratios_are_of_pairs_not_of_medians() {
+        // Both ways slow down together: the ratio does not notice.
+        let times: Vec<_> = (1..=11).map(|load| (f64::from(load), 2.0 * f64::from(load))).collect();
+        let same = outcome(names(), &times).unwrap();
+        assert_eq!((same.ratio, same.ratio_p10, same.ratio_p90, same.pairs), (2.0, 2.0, 2.0, 11));
+        assert_eq!((same.baseline_ms, same.alternative_ms), (6.0, 12.0));
+        let spread: Vec<_> = (0..=10).map(|i| (1.0, f64::from(i))).collect();
+        let spread = outcome(names(), &spread).unwrap();
+        assert_eq!((spread.ratio_p10, spread.ratio, spread.ratio_p90), (1.0, 5.0, 9.0));
+        assert!(outcome(names(), &[]).is_none());
+    }
+}

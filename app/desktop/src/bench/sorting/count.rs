@@ -1,0 +1,59 @@
+//! Aggregated atomics: one for each run of particles of a cell, or one for each particle.
+
+use brooklet_gpu::{Recording, Resources};
+use brooklet_kernels::{CountCells, CountCellsAggregated, GridParams, Position};
+
+use super::contest::{ALTERNATIVE, BASELINE, INIT, Names, Outcome, Ring};
+use crate::failure::Failure;
+
+/// Counts `positions` both ways.
+pub fn aggregated_atomics(
+    ring: &Ring<'_>,
+    case: String,
+    positions: &[Position],
+    params: &GridParams,
+) -> Result<Outcome, Failure> {
+    let count = positions.len() as u32;
+    let cells = params.cell_count + 2;
+    let mut resources = Resources::new();
+    let mut at = resources.state("positions", count);
+    let mut grid = resources.state("grid", 1);
+    let mut counts = [resources.state("counts_a", cells), resources.state("counts_b", cells)];
+    let mut slots = [resources.state("slots_a", count), resources.state("slots_b", count)];
+    let mut init = Recording::new(INIT);
+    init.upload(&mut at, positions);
+    init.upload(&mut grid, &[*params]);
+
+    let mut baseline = Recording::new(BASELINE);
+    baseline.clear(&mut counts[0]);
+    baseline.dispatch(
+        &CountCells {
+            positions: at.read(),
+            cell_counts: counts[0].write(),
+            cell_slots: slots[0].write(),
+            grid: grid.uniform(),
+        },
+        count,
+    );
+    let mut alternative = Recording::new(ALTERNATIVE);
+    alternative.clear(&mut counts[1]);
+    alternative.dispatch(
+        &CountCellsAggregated {
+            positions: at.read(),
+            cell_counts: counts[1].write(),
+            cell_slots: slots[1].write(),
+            grid: grid.uniform(),
+        },
+        count,
+    );
+    let names = Names {
+        optimisation: "aggregated atomics",
+        case,
+        baseline: "an atomic a particle",
+        alternative: "an atomic a run",
+    };
+    ring.compare(names, resources, [init, baseline, alternative], |engine| {
+        let [a, b] = [engine.read(&counts[0]), engine.read(&counts[1])];
+        super::equal("counts", a.map_err(Failure::stopped)?, b.map_err(Failure::stopped)?)
+    })
+}

@@ -1,0 +1,163 @@
+//! `brooklet bench sorting`: what each optimisation of the mobile deck's counting sort is worth
+//! here, against the kernels of the product. What it was worth is in `app/fluid/SORTING.md`.
+
+mod contest;
+mod count;
+mod scan;
+
+use brooklet_fluid::grid;
+use brooklet_gpu::tier_name;
+use brooklet_kernels::{GridParams, Position};
+use serde_json::json;
+
+use super::{
+    open,
+    workload::{EDGES, LOADS, jittered},
+};
+use crate::{cli::SortingOptions, commit::COMMIT, failure::Failure, interrupt::Interrupt, table::table};
+use contest::{Outcome, Ring};
+use scan::Inner;
+
+/// Runs and prints every comparison.
+pub fn bench(options: &SortingOptions) -> Result<(), Failure> {
+    let gpu = open(&options.device)?;
+    let interrupt = Interrupt::listen()?;
+    let ring = Ring { gpu: &gpu, interrupt: &interrupt, pairs: options.pairs as usize };
+    let edge = EDGES.into_iter().filter(|edge| edge.pow(3) <= options.particles).max().unwrap_or(EDGES[0]);
+    let scene = LOADS[0].scene(edge, &[])?;
+    let particles = edge.pow(3);
+    let fine = grid::params(&scene, particles);
+    let shuffled = shuffled(jittered(&scene).positions);
+    let mut outcomes = Vec::new();
+    for (width, params) in [("h/2", fine), ("h", coarser(&fine))] {
+        for (order, positions) in [("in cell order", in_cell_order(&shuffled, &params)), ("shuffled", shuffled.clone())]
+        {
+            let case = format!("cells of {width}, particles {order}");
+            outcomes.push(count::aggregated_atomics(&ring, case, &positions, &params)?);
+        }
+    }
+    let values = counts(&shuffled, &fine);
+    let case = format!("{} cells", values.len());
+    outcomes.push(scan::shared_memory(&ring, case.clone(), &values)?);
+    let [doubling, tree, padded] = [Inner::Doubling, Inner::Tree { padded: false }, Inner::Tree { padded: true }];
+    outcomes.push(scan::inner(&ring, "scan of a group", case.clone(), &values, [doubling, tree])?);
+    outcomes.push(scan::inner(&ring, "bank-conflict padding", case.clone(), &values, [tree, padded])?);
+    outcomes.push(scan::inner(&ring, "bank-conflict padding", case, &values, [doubling, padded])?);
+
+    let info = gpu.info();
+    if options.json {
+        let all = json!({
+            "device": info.name,
+            "device_type": info.device_type,
+            "tier": tier_name(gpu.tier()),
+            "commit": COMMIT,
+            "particles": particles,
+            "comparisons": outcomes,
+        });
+        say!("{}", serde_json::to_string_pretty(&all).map_err(Failure::stopped)?);
+        return Ok(());
+    }
+    say!("{particles} particles, on {} as {}", info.name, tier_name(gpu.tier()));
+    if info.device_type == "cpu" {
+        say!(
+            "(this driver runs on the processor, where atomics do not meet, and groupshared memory has no banks\n\
+             and is no faster than any other: a GPU's answer may be another)"
+        );
+    }
+    print(&outcomes);
+    Ok(())
+}
+
+fn print(outcomes: &[Outcome]) {
+    let header = ["optimisation", "case", "a", "b", "a ms", "b ms", "b / a", "10 to 90 of 100 pairs"];
+    let mut list = table(&header, &[4, 5, 6, 7]);
+    for outcome in outcomes {
+        list.add_row([
+            outcome.optimisation.to_string(),
+            outcome.case.clone(),
+            outcome.baseline.to_string(),
+            outcome.alternative.to_string(),
+            format!("{:.3}", outcome.baseline_ms),
+            format!("{:.3}", outcome.alternative_ms),
+            format!("{:.2}", outcome.ratio),
+            format!("{:.2} to {:.2}", outcome.ratio_p10, outcome.ratio_p90),
+        ]);
+    }
+    say!("\n{}", list.trim_fmt());
+}
+
+/// Both ways have to give the same, or their times mean nothing.
+fn equal(what: &str, baseline: Vec<u32>, alternative: Vec<u32>) -> Result<(), Failure> {
+    match baseline.iter().zip(&alternative).position(|(a, b)| a != b) {
+        None if baseline.len() == alternative.len() => Ok(()),
+        place => Err(Failure::Stopped(format!("the two ways' {what} differ, first at {place:?}"))),
+    }
+}
+
+/// The grid with cells twice as wide: the mobile deck's.
+fn coarser(fine: &GridParams) -> GridParams {
+    let cells = fine.cells.map(|count| count.div_ceil(2));
+    GridParams {
+        cells,
+        cell_count: cells.iter().product(),
+        cell_size_m: 2.0 * fine.cell_size_m,
+        inverse_cell_size_per_m: 0.5 * fine.inverse_cell_size_per_m,
+        ..*fine
+    }
+}
+
+fn cell_of(position: &Position, params: &GridParams) -> u32 {
+    let [x, y, z] = position.position_m.map(|x_m| (x_m * params.inverse_cell_size_per_m) as u32);
+    (z * params.cells[1] + y) * params.cells[0] + x
+}
+
+/// As the last step leaves them: particles keep their order where they keep their cell.
+fn in_cell_order(positions: &[Position], params: &GridParams) -> Vec<Position> {
+    let mut sorted = positions.to_vec();
+    sorted.sort_by_key(|position| cell_of(position, params));
+    sorted
+}
+
+/// Particles a cell, as the scan gets them.
+fn counts(positions: &[Position], params: &GridParams) -> Vec<u32> {
+    let mut counts = vec![0; params.cell_count as usize + 2];
+    for position in positions {
+        counts[cell_of(position, params) as usize] += 1;
+    }
+    counts
+}
+
+/// As after a long time without sorting what is known of a particle.
+fn shuffled(mut positions: Vec<Position>) -> Vec<Position> {
+    fastrand::Rng::with_seed(28).shuffle(&mut positions);
+    positions
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_difference_between_the_ways_is_a_failure() {
+        assert!(equal("sums", vec![1, 2], vec![1, 2]).is_ok());
+        assert!(equal("sums", vec![1, 2], vec![1, 3]).is_err());
+        assert!(equal("sums", vec![1, 2], vec![1]).is_err());
+    }
+
+    #[test]
+    fn orders_keep_every_particle_and_cells_hold_them_all() {
+        let scene = LOADS[0].scene(EDGES[0], &[]).unwrap();
+        let fine = grid::params(&scene, 4096);
+        let positions = jittered(&scene).positions;
+        let mixed = shuffled(positions.clone());
+        assert_ne!(mixed, positions);
+        for params in [fine, coarser(&fine)] {
+            assert_eq!(counts(&mixed, &params).iter().sum::<u32>(), 4096);
+            let sorted = in_cell_order(&mixed, &params);
+            assert!(sorted.is_sorted_by_key(|position| cell_of(position, &params)));
+            let mut tags: Vec<u32> = sorted.iter().map(|position| position.tag).collect();
+            tags.sort_unstable();
+            assert!(tags.iter().enumerate().all(|(id, tag)| id as u32 == *tag));
+        }
+    }
+}

@@ -1,0 +1,148 @@
+//! The kernels that only `brooklet bench` runs, against the twins of those they are held against.
+
+use brooklet_kernels::{
+    CellSlot, CopyElements, CountCellsAggregated, GridParams, Kernel, Position, QUARANTINED, SCAN_ITEMS,
+    ScanGroupsTree, ScanGroupsTreeVariant, ScanStep,
+};
+use brooklet_reference::grid::count_cells::{check_ranks, count_cells};
+use brooklet_reference::grid::scan;
+use brooklet_tests::cases::{grid_params, sizes};
+use brooklet_tests::compare::{check_cell, check_exact, report_exact, vector};
+use brooklet_tests::harness::Bench;
+use brooklet_tests::rng;
+use glam::DVec3;
+use rand::{Rng, RngExt};
+
+#[test]
+fn copy_elements_copies() {
+    let mut rng = rng(61);
+    let mut cases = 0;
+    for size in sizes(CopyElements::GROUP_SIZE[0] as usize) {
+        let elements: Vec<[f32; 4]> = (0..size).map(|_| [0; 4].map(|_| rng.random())).collect();
+        let mut bench = Bench::new();
+        let from = bench.input("from_elements", &elements);
+        let mut to = bench.output("to_elements", size);
+        bench.dispatch(&CopyElements { from_elements: from.read(), to_elements: to.write() }, size);
+        assert_eq!(bench.run().read(&to, size), elements);
+        cases += size;
+    }
+    report_exact(CopyElements::STAGE, cases);
+}
+
+/// Particles along x, so that many of one cell follow each other; some outside or quarantined.
+fn in_rows(rng: &mut impl Rng, count: usize, size_m: DVec3) -> Vec<Position> {
+    (0..count)
+        .map(|i| {
+            let along = (i as f64 + rng.random::<f64>()) / count as f64;
+            let beyond = if i % 11 == 3 { 1.1 } else { 1.0 };
+            let place = DVec3::new(along * beyond, 0.3, 0.7) * size_m;
+            let tag = i as u32 | if i % 13 == 5 { QUARANTINED } else { 0 };
+            Position { position_m: place.to_array().map(|x| x as f32), tag }
+        })
+        .collect()
+}
+
+fn check_count(positions: &[Position], grid: GridParams) -> Result<(), String> {
+    let mut bench = Bench::new();
+    let at = bench.input("positions", positions);
+    let mut counts = bench.output("cell_counts", grid.cell_count as usize + 1);
+    let mut slots = bench.output("cell_slots", positions.len());
+    let params = bench.uniform("grid", grid);
+    bench.dispatch(
+        &CountCellsAggregated {
+            positions: at.read(),
+            cell_counts: counts.write(),
+            cell_slots: slots.write(),
+            grid: params.uniform(),
+        },
+        positions.len(),
+    );
+    let mut done = bench.run();
+    let counts = done.read(&counts, grid.cell_count as usize + 1);
+    let slots: Vec<CellSlot> = done.read(&slots, positions.len());
+    let cells: Vec<u32> = slots.iter().map(|slot| slot.cell).collect();
+    let ranks: Vec<u32> = slots.iter().map(|slot| slot.rank).collect();
+    for (position, &cell) in positions.iter().zip(&cells) {
+        match position.tag & QUARANTINED {
+            // Cells of a power of two: no rounding.
+            0 => check_cell(cell, vector(position.position_m) * 64.0, grid.cells, 0.0)?,
+            _ => check_exact(&[cell], &[grid.cell_count])?,
+        }
+    }
+    check_exact(&counts, &count_cells(&cells, grid.cell_count))?;
+    check_ranks(&cells, &ranks, grid.cell_count)
+}
+
+#[test]
+fn count_cells_aggregated_matches_the_twin_of_count_cells() {
+    let mut rng = rng(62);
+    let mut cases = 0;
+    for size in sizes(CountCellsAggregated::GROUP_SIZE[0] as usize) {
+        // Runs of all lengths: across groups, whole groups, and single particles.
+        for size_m in [DVec3::new(0.02, 0.02, 0.02), DVec3::new(0.3, 0.2, 0.1), DVec3::new(30.0, 0.02, 0.02)] {
+            check_count(&in_rows(&mut rng, size, size_m), grid_params(size_m, 1.0 / 64.0, size)).unwrap();
+            cases += size;
+        }
+    }
+    report_exact(CountCellsAggregated::STAGE, cases);
+}
+
+fn numbers(rng: &mut impl Rng, count: usize) -> Vec<u32> {
+    (0..count).map(|_| rng.random()).collect()
+}
+
+fn run_step(values: &[u32], reach: u32) -> Vec<u32> {
+    let mut bench = Bench::new();
+    let input = bench.input("values", values);
+    let reach = bench.input("reach", &[reach]);
+    let mut scanned = bench.output("scanned", values.len());
+    let kernel = ScanStep { values: input.read(), reach: reach.read(), scanned: scanned.write() };
+    bench.dispatch(&kernel, values.len());
+    bench.run().read(&scanned, values.len())
+}
+
+#[test]
+fn scan_steps_make_the_twins_scan() {
+    let mut rng = rng(63);
+    let mut cases = 0;
+    for size in [1, 2, 63, 64, 65, 1000] {
+        let values = numbers(&mut rng, size);
+        let mut steps = run_step(&values, 0);
+        let mut reach = 1;
+        while reach < size {
+            steps = run_step(&steps, reach as u32);
+            reach *= 2;
+        }
+        check_exact(&steps, &scan::scan(&values)).unwrap();
+        cases += size;
+    }
+    report_exact(ScanStep::STAGE, cases);
+}
+
+#[test]
+fn scan_groups_tree_matches_the_twin_of_scan_groups() {
+    let mut rng = rng(64);
+    let group = (ScanGroupsTree::GROUP_SIZE[0] * SCAN_ITEMS) as usize;
+    let mut cases = 0;
+    for size in [1, 3, 4, 5, group - 1, group, group + 1, 7 * group + 333] {
+        let values = numbers(&mut rng, size);
+        let offsets = numbers(&mut rng, size.div_ceil(group));
+        for (padded, with_offsets) in [(false, false), (false, true), (true, false), (true, true)] {
+            let mut bench = Bench::new();
+            let input = bench.input("values", &values);
+            let before = bench.input("group_offsets", &offsets);
+            let mut scanned = bench.output("scanned", size);
+            let kernel = ScanGroupsTree {
+                variant: ScanGroupsTreeVariant { group_offsets: with_offsets, padded },
+                values: input.read(),
+                group_offsets: with_offsets.then(|| before.read()),
+                scanned: scanned.write(),
+            };
+            bench.dispatch(&kernel, size.div_ceil(SCAN_ITEMS as usize));
+            let expected = scan::scan_groups(&values, group, with_offsets.then_some(&offsets[..]));
+            check_exact(&bench.run().read(&scanned, size), &expected).unwrap();
+            cases += size;
+        }
+    }
+    report_exact(ScanGroupsTree::STAGE, cases);
+}
