@@ -19,6 +19,7 @@
 //! [`Capture::open`] reads.
 
 mod error;
+mod framing;
 mod reader;
 mod rows;
 mod schema;

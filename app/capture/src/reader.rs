@@ -1,6 +1,7 @@
 //! Reads a capture, also one that was cut off.
 
 use std::{
+    borrow::Cow,
     collections::BTreeMap,
     fs::File,
     io::{BufReader, ErrorKind, Read},
@@ -9,13 +10,14 @@ use std::{
 
 use mcap::{
     MAGIC, McapError,
-    read::ChannelAccumulator,
+    read::{ChannelAccumulator, ChunkReader},
     records::Record,
     sans_io::linear_reader::{LinearReadEvent, LinearReader, LinearReaderOptions},
 };
 use serde::de::DeserializeOwned;
 use serde_json::{Map, Value};
 
+use crate::framing::{is_sound, is_sound_chunk, is_wanted};
 use crate::{
     CaptureError, FRAME_TOPIC, FrameRow, PASSES_TOPIC, PassRow, SPAN_TOPIC, STATS_TOPIC, SpanRow, StatField, StatsRow,
 };
@@ -81,7 +83,7 @@ impl Capture {
         let mut reader = LinearReader::new_with_options(
             LinearReaderOptions::default()
                 // A chunk's messages are seen only when all of it is there and its checksum fits.
-                .with_prevalidate_chunk_crcs(true)
+                .with_emit_chunks(true)
                 // What damage left behind as a record of no known kind is skipped; this tells.
                 .with_validate_data_section_crc(true)
                 // A damaged length must not ask for more memory than the file could fill.
@@ -93,9 +95,10 @@ impl Capture {
                     let got = read_some(&mut from, reader.insert(need)).map_err(io)?;
                     reader.notify_read(got);
                 }
-                Ok(LinearReadEvent::Record { opcode, data }) => match mcap::parse_record(opcode, data) {
-                    Ok(record) => file.record(record)?,
-                    Err(_) => return file.end(false),
+                Ok(LinearReadEvent::Record { opcode, .. }) if !is_wanted(opcode) => {}
+                Ok(LinearReadEvent::Record { opcode, data }) => match records_of(opcode, data) {
+                    Some(records) => records.into_iter().try_for_each(|record| file.record(record))?,
+                    None => return file.end(false),
                 },
                 // Cut off or damaged here: what came before is whole.
                 Err(_) => return file.end(false),
@@ -107,6 +110,22 @@ impl Capture {
     /// Times of one stage over the run, ms, in order of the frames it ran in.
     pub fn stage_ms(&self, stage: &str) -> Vec<f64> {
         self.passes.iter().filter_map(|row| row.stage_ms.get(stage).copied()).collect()
+    }
+}
+
+/// A record, or those of a chunk; none of what is damaged.
+fn records_of(opcode: u8, data: &[u8]) -> Option<Vec<Record<'_>>> {
+    if !is_sound(opcode, data) {
+        return None;
+    }
+    match mcap::parse_record(opcode, data).ok()? {
+        Record::Chunk { header, data: Cow::Borrowed(content) } => {
+            if header.compression.is_empty() && !is_sound_chunk(content) {
+                return None;
+            }
+            ChunkReader::new(header, content).ok()?.collect::<Result<_, _>>().ok()
+        }
+        record => Some(vec![record]),
     }
 }
 

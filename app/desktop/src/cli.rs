@@ -21,8 +21,8 @@ pub enum Command {
     Run(RunOptions),
     /// Show what a run would do: its passes, buffers and bytes, and what is left out and why
     Plan(PlanOptions),
-    /// List the shipped scenes
-    Scenes(ListOptions),
+    /// List the shipped scenes, or print the schema of scene files
+    Scenes(ScenesOptions),
     /// Time every pass: of one scene, or of the same workload at rising numbers of particles
     Bench(BenchOptions),
     /// List this machine's devices: their tier, what they lack, and what that costs
@@ -183,7 +183,18 @@ pub struct SortingOptions {
     pub json: bool,
 }
 
-/// `brooklet scenes` and `brooklet doctor`.
+/// `brooklet scenes`.
+#[derive(Clone, Debug, Args)]
+pub struct ScenesOptions {
+    /// Print the list as JSON
+    #[arg(long)]
+    pub json: bool,
+    /// Print the JSON Schema of scene files instead: with it an editor completes and checks them
+    #[arg(long, conflicts_with = "json")]
+    pub schema: bool,
+}
+
+/// `brooklet doctor`.
 #[derive(Clone, Debug, Args)]
 pub struct ListOptions {
     /// Print the list as JSON

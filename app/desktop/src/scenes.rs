@@ -1,12 +1,16 @@
-//! `brooklet scenes`: a line for each shipped scene.
+//! `brooklet scenes`: a line for each shipped scene, and the schema of scene files.
 
-use brooklet_fluid::shipped_scenes;
+use brooklet_fluid::{scene::schema, shipped_scenes};
 use serde_json::json;
 
-use crate::{cli::ListOptions, failure::Failure, table::table};
+use crate::{cli::ScenesOptions, failure::Failure, table::table};
 
-/// Prints the list.
-pub fn scenes(options: &ListOptions) -> Result<(), Failure> {
+/// Prints the list, or the schema.
+pub fn scenes(options: &ScenesOptions) -> Result<(), Failure> {
+    if options.schema {
+        say!("{}", schema());
+        return Ok(());
+    }
     if options.json {
         let list: Vec<_> =
             shipped_scenes().map(|(name, summary)| json!({ "name": name, "summary": summary })).collect();

@@ -35,7 +35,8 @@ pub fn records(bytes: &[u8]) -> Vec<Record> {
     records
 }
 
-fn framing(bytes: &[u8], at: usize) -> Option<(u8, usize)> {
+/// The record at `at`: its opcode, and where it ends.
+pub fn framing(bytes: &[u8], at: usize) -> Option<(u8, usize)> {
     let head = bytes.get(at..at + 9)?;
     let length = u64::from_le_bytes(head[1..].try_into().ok()?);
     let end = at.checked_add(9)?.checked_add(usize::try_from(length).ok()?)?;

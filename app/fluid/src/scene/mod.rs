@@ -7,18 +7,23 @@ mod explain;
 mod fields;
 mod load;
 mod nearest;
+#[cfg(feature = "schema")]
+mod schema;
 mod settings;
 mod shipped;
 #[cfg(test)]
 mod tests;
 
 pub use error::SceneError;
+#[cfg(feature = "schema")]
+pub use schema::schema;
 pub use shipped::shipped_scenes;
 
 use serde::{Deserialize, Serialize};
 
 /// A whole scene. [`Scene::load`] reads one, [`shipped_scenes`] lists those that come along.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Scene {
     /// Name: the file's, without its ending.
@@ -50,6 +55,7 @@ pub struct Scene {
 
 /// An axis-aligned box.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Domain {
     /// Lowest corner, m. The GPU's positions are relative to it.
@@ -71,6 +77,7 @@ impl Domain {
 
 /// One body of fluid: a block or a sphere, filled with a cubic lattice of particles.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Fluid {
     /// A box of fluid; exactly one of `block` and `sphere` is given.
@@ -89,6 +96,7 @@ pub struct Fluid {
 
 /// An axis-aligned box of fluid.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Block {
     /// Lowest corner, m.
@@ -99,6 +107,7 @@ pub struct Block {
 
 /// A ball of fluid.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Sphere {
     /// Its middle, m.
@@ -109,6 +118,7 @@ pub struct Sphere {
 
 /// Which solver.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "lowercase")]
 pub enum Method {
     /// Position Based Fluids (Macklin & Müller 2013).
@@ -127,6 +137,7 @@ impl Method {
 
 /// Solver settings. A coefficient of 0 leaves its term out: no pass, no buffer, no code.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields, default)]
 pub struct Solver {
     /// Which solver.
@@ -182,6 +193,7 @@ impl Default for Solver {
 
 /// Where pictures are taken from.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Camera {
     /// The eye, m.
@@ -195,6 +207,7 @@ pub struct Camera {
 
 /// What a run writes and measures.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields, default)]
 pub struct Outputs {
     /// Simulated time, s.

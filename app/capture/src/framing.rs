@@ -1,0 +1,104 @@
+//! Checks that lengths inside a file are those of what is there, before anything is made that
+//! large: the MCAP library allocates what a text's length says, and trusts that a chunk's records
+//! end where the chunk does.
+
+use mcap::records::op;
+
+/// Whether a record of this kind is read at all: of all others a capture needs nothing.
+pub(crate) fn is_wanted(opcode: u8) -> bool {
+    matches!(opcode, op::SCHEMA | op::CHANNEL | op::MESSAGE | op::CHUNK | op::METADATA | op::ATTACHMENT)
+}
+
+/// Whether the texts and tables of a record end inside it.
+pub(crate) fn is_sound(opcode: u8, body: &[u8]) -> bool {
+    let mut rest = Rest(body);
+    let ends_inside = match opcode {
+        op::SCHEMA => rest.skip(2).and_then(|()| rest.text()).and_then(|()| rest.text()),
+        op::CHANNEL => rest.skip(4).and_then(|()| rest.text()).and_then(|()| rest.text()).and_then(|()| rest.table()),
+        op::CHUNK => rest.skip(28).and_then(|()| rest.text()),
+        op::METADATA => rest.text().and_then(|()| rest.table()),
+        op::ATTACHMENT => rest.skip(16).and_then(|()| rest.text()).and_then(|()| rest.text()),
+        _ => Some(()),
+    };
+    ends_inside.is_some()
+}
+
+/// Whether a chunk's uncompressed content is whole, sound records and nothing else.
+pub(crate) fn is_sound_chunk(content: &[u8]) -> bool {
+    let mut rest = Rest(content);
+    while !rest.0.is_empty() {
+        let Some((opcode, body)) = rest.record() else { return false };
+        if !is_sound(opcode, body) {
+            return false;
+        }
+    }
+    true
+}
+
+/// What is not looked at yet.
+struct Rest<'a>(&'a [u8]);
+
+impl<'a> Rest<'a> {
+    fn take(&mut self, length: usize) -> Option<&'a [u8]> {
+        let (taken, rest) = self.0.split_at_checked(length)?;
+        self.0 = rest;
+        Some(taken)
+    }
+
+    fn skip(&mut self, length: usize) -> Option<()> {
+        self.take(length).map(|_| ())
+    }
+
+    /// Bytes behind their number.
+    fn sized(&mut self) -> Option<&'a [u8]> {
+        let length = u32::from_le_bytes(self.take(4)?.try_into().ok()?);
+        self.take(length as usize)
+    }
+
+    fn text(&mut self) -> Option<()> {
+        self.sized().map(|_| ())
+    }
+
+    fn table(&mut self) -> Option<()> {
+        let mut entries = Rest(self.sized()?);
+        while !entries.0.is_empty() {
+            entries.text()?;
+            entries.text()?;
+        }
+        Some(())
+    }
+
+    fn record(&mut self) -> Option<(u8, &'a [u8])> {
+        let [opcode] = *self.take(1)? else { return None };
+        let length = u64::from_le_bytes(self.take(8)?.try_into().ok()?);
+        Some((opcode, self.take(usize::try_from(length).ok()?)?))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn text(text: &str) -> Vec<u8> {
+        [&(text.len() as u32).to_le_bytes(), text.as_bytes()].concat()
+    }
+
+    #[test]
+    fn lengths_must_end_inside() {
+        let metadata = [text("device"), text(&String::from_utf8([text("a"), text("b")].concat()).unwrap())].concat();
+        assert!(is_sound(op::METADATA, &metadata));
+        for cut in 0..metadata.len() {
+            assert!(!is_sound(op::METADATA, &metadata[..cut]), "cut at {cut}");
+        }
+        let mut long = metadata;
+        long[3] = 0x7f;
+        assert!(!is_sound(op::METADATA, &long), "2 GB of text in {} bytes", long.len());
+    }
+
+    #[test]
+    fn a_chunk_is_its_records() {
+        let record = |length: u64| [&[op::MESSAGE][..], &length.to_le_bytes(), &[0; 4]].concat();
+        assert!(is_sound_chunk(&[]) && is_sound_chunk(&[record(4), record(4)].concat()));
+        assert!(!is_sound_chunk(&record(5)) && !is_sound_chunk(&record(3)) && !is_sound_chunk(&record(u64::MAX)));
+    }
+}
