@@ -148,6 +148,11 @@ fn damaged_scenes_are_read_or_refused() {
     assert!(report.accepted * 20 > report.cases && report.refused * 4 > report.cases, "{report:?}");
 }
 
+/// The file, its rows with their names, and what the reader buffers.
+fn capture_memory(case: &[u8]) -> usize {
+    (8 << 20) + 64 * case.len()
+}
+
 fn capture_bytes() -> Vec<u8> {
     let workshop = Workshop::new();
     workshop.succeed(&["run", "scene.toml", "--steps", "4", "--out", "result"]);
@@ -177,28 +182,23 @@ fn damaged_captures_are_read_or_refused() {
     // Damage behind a checksum only shows that the checksum works; without one it reaches further.
     let unchecked = fuzz_support::captures::without_checksums(&sound);
     assert_eq!(check_capture(&unchecked), Ok(true));
-    let report = Fuzz {
-        name: "captures",
-        budget: Budget::of(CAPTURES),
-        // The file, its rows (names and all), and what the reader buffers.
-        bytes: |case: &Vec<u8>| (64 << 20) + 64 * case.len(),
-    }
-    .run(
-        |rng| {
-            let base = if rng.random_bool(0.7) { &unchecked } else { &sound };
-            let mut case = base.clone();
-            for _ in 0..rng.random_range(1..4) {
-                case = match rng.random_range(0..3) {
-                    0 => fuzz_support::captures::replace_number(rng, &case),
-                    1 => fuzz_support::captures::replace_text(rng, &case),
-                    _ => damage(rng, &case, &sound),
-                };
-            }
-            case
-        },
-        |case| check_capture(case),
-        Clone::clone,
-    );
+    let report = Fuzz { name: "captures", budget: Budget::of(CAPTURES), bytes: |case: &Vec<u8>| capture_memory(case) }
+        .run(
+            |rng| {
+                let base = if rng.random_bool(0.7) { &unchecked } else { &sound };
+                let mut case = base.clone();
+                for _ in 0..rng.random_range(1..4) {
+                    case = match rng.random_range(0..3) {
+                        0 => fuzz_support::captures::replace_number(rng, &case),
+                        1 => fuzz_support::captures::replace_text(rng, &case),
+                        _ => damage(rng, &case, &sound),
+                    };
+                }
+                case
+            },
+            |case| check_capture(case),
+            Clone::clone,
+        );
     assert!(report.accepted > 0 && report.refused * 4 > report.cases, "{report:?}");
 }
 
@@ -211,16 +211,21 @@ fn what_was_found_once_stays_mended() {
     for entry in std::fs::read_dir(&folder).unwrap() {
         let path = entry.unwrap().path();
         let bytes = std::fs::read(&path).unwrap();
-        let outcome = match path.extension().and_then(|ending| ending.to_str()) {
+        match path.extension().and_then(|ending| ending.to_str()) {
             Some("toml") => {
                 let text = String::from_utf8_lossy(&bytes).into_owned();
                 let settings = text.lines().map_while(|line| line.strip_prefix("# --set ").map(String::from)).collect();
-                check_scene(&SceneCase { text, settings }, &validator)
+                let case = SceneCase { text, settings };
+                let fuzz = Fuzz { name: "found", budget: Budget::Cases(1), bytes: |_: &&SceneCase| SCENE_BYTES };
+                fuzz.run(|_| &case, |case| check_scene(case, &validator), |_| Vec::new());
             }
-            Some("mcap") => check_capture(&bytes),
+            Some("mcap") => {
+                let fuzz =
+                    Fuzz { name: "found", budget: Budget::Cases(1), bytes: |case: &Vec<u8>| capture_memory(case) };
+                fuzz.run(|_| bytes.clone(), |case| check_capture(case), Clone::clone);
+            }
             _ => continue,
-        };
-        assert!(outcome.is_ok(), "{}: {outcome:?}", path.display());
+        }
         count += 1;
     }
     assert!(count > 0, "nothing in {}", folder.display());

@@ -40,6 +40,14 @@ pub enum CaptureError {
         /// Its first bytes in hex, or that it is empty.
         found: String,
     },
+    /// A capture that another program compressed.
+    #[error("{name}: its chunks are compressed with {compression}; `mcap decompress` makes one that can be read")]
+    Compressed {
+        /// The file.
+        name: String,
+        /// The compression.
+        compression: String,
+    },
     /// An MCAP file, but of another program.
     #[error(
         "{name}: an MCAP file without any topic of a capture (its topics: {topics}; \

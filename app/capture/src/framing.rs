@@ -23,12 +23,20 @@ pub(crate) fn is_sound(opcode: u8, body: &[u8]) -> bool {
     ends_inside.is_some()
 }
 
-/// Whether a chunk's uncompressed content is whole, sound records and nothing else.
+/// The compression that a sound chunk names, if it is one that other programs use.
+pub(crate) fn compression(chunk: &[u8]) -> Option<&str> {
+    let mut rest = Rest(chunk);
+    rest.skip(28)?;
+    let name = std::str::from_utf8(rest.sized()?).ok()?;
+    matches!(name, "zstd" | "lz4").then_some(name)
+}
+
+/// Whether a chunk's uncompressed content is whole, sound records of the kinds that may be in one.
 pub(crate) fn is_sound_chunk(content: &[u8]) -> bool {
     let mut rest = Rest(content);
     while !rest.0.is_empty() {
         let Some((opcode, body)) = rest.record() else { return false };
-        if !is_sound(opcode, body) {
+        if !matches!(opcode, op::SCHEMA | op::CHANNEL | op::MESSAGE) || !is_sound(opcode, body) {
             return false;
         }
     }
@@ -99,6 +107,9 @@ mod tests {
     fn a_chunk_is_its_records() {
         let record = |length: u64| [&[op::MESSAGE][..], &length.to_le_bytes(), &[0; 4]].concat();
         assert!(is_sound_chunk(&[]) && is_sound_chunk(&[record(4), record(4)].concat()));
+        let mut other = record(4);
+        other[0] = op::METADATA_INDEX;
+        assert!(!is_sound_chunk(&other), "a kind of record that no chunk has");
         assert!(!is_sound_chunk(&record(5)) && !is_sound_chunk(&record(3)) && !is_sound_chunk(&record(u64::MAX)));
     }
 }

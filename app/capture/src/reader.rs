@@ -11,13 +11,13 @@ use std::{
 use mcap::{
     MAGIC, McapError,
     read::{ChannelAccumulator, ChunkReader},
-    records::Record,
+    records::{Record, op},
     sans_io::linear_reader::{LinearReadEvent, LinearReader, LinearReaderOptions},
 };
 use serde::de::DeserializeOwned;
 use serde_json::{Map, Value};
 
-use crate::framing::{is_sound, is_sound_chunk, is_wanted};
+use crate::framing::{compression, is_sound, is_sound_chunk, is_wanted};
 use crate::{
     CaptureError, FRAME_TOPIC, FrameRow, PASSES_TOPIC, PassRow, SPAN_TOPIC, STATS_TOPIC, SpanRow, StatField, StatsRow,
 };
@@ -96,6 +96,12 @@ impl Capture {
                     reader.notify_read(got);
                 }
                 Ok(LinearReadEvent::Record { opcode, .. }) if !is_wanted(opcode) => {}
+                Ok(LinearReadEvent::Record { opcode: op::CHUNK, data }) if compression(data).is_some() => {
+                    return Err(CaptureError::Compressed {
+                        name: name.into(),
+                        compression: compression(data).unwrap_or_default().into(),
+                    });
+                }
                 Ok(LinearReadEvent::Record { opcode, data }) => match records_of(opcode, data) {
                     Some(records) => records.into_iter().try_for_each(|record| file.record(record))?,
                     None => return file.end(false),
@@ -136,6 +142,11 @@ fn read_some(from: &mut impl Read, into: &mut [u8]) -> std::io::Result<usize> {
             result => return result,
         }
     }
+}
+
+/// A name from the file, without what would break or colour the line of an error.
+fn printable(text: &str) -> String {
+    text.chars().map(|c| if c.is_control() { '\u{fffd}' } else { c }).collect()
 }
 
 fn not_mcap(name: &str, start: &[u8]) -> CaptureError {
@@ -295,9 +306,9 @@ impl<'n> Reading<'n> {
     fn problem(&self, topic: &str, problem: String) -> CaptureError {
         CaptureError::Message {
             name: self.name.into(),
-            topic: topic.into(),
+            topic: printable(topic),
             index: self.seen.get(topic).copied().unwrap_or(0),
-            problem,
+            problem: printable(&problem),
         }
     }
 
@@ -305,7 +316,7 @@ impl<'n> Reading<'n> {
         let known = [FRAME_TOPIC, PASSES_TOPIC, SPAN_TOPIC, STATS_TOPIC];
         // A file cut before its first chunk has no topics yet, and is still a capture.
         if complete && !self.topics.iter().any(|topic| known.contains(&topic.as_str())) {
-            let topics = if self.topics.is_empty() { "none".into() } else { self.topics.join(", ") };
+            let topics = if self.topics.is_empty() { "none".into() } else { printable(&self.topics.join(", ")) };
             return Err(CaptureError::NotACapture { name: self.name.into(), topics });
         }
         self.capture.complete = complete;
