@@ -42,9 +42,15 @@ fn signalled(workshop: &Workshop, signal: &str) -> Ended {
 }
 
 #[test]
-fn ctrl_c_ends_in_order() {
+fn ctrl_c_and_a_request_to_end_are_followed_in_order() {
+    for signal in ["-INT", "-TERM"] {
+        ends_in_order(signal);
+    }
+}
+
+fn ends_in_order(signal: &str) {
     let workshop = Workshop::new();
-    let ended = signalled(&workshop, "-INT");
+    let ended = signalled(&workshop, signal);
     assert_eq!(ended.code, Some(130), "{}", ended.stderr);
     assert!(ended.stderr.contains("interrupted") && ended.stderr.contains("long"), "{}", ended.stderr);
     let summary = workshop.json("long/summary.json");
