@@ -2,15 +2,36 @@
 //! large: the MCAP library allocates what a text's length says, and trusts that a chunk's records
 //! end where the chunk does.
 
-use mcap::records::op;
+use std::borrow::Cow;
+
+use mcap::{
+    read::ChunkReader,
+    records::{Record, op},
+};
 
 /// Whether a record of this kind is read at all: of all others a capture needs nothing.
 pub(crate) fn is_wanted(opcode: u8) -> bool {
     matches!(opcode, op::SCHEMA | op::CHANNEL | op::MESSAGE | op::CHUNK | op::METADATA | op::ATTACHMENT)
 }
 
+/// A record, or those of a chunk; none of what is damaged.
+pub(crate) fn records_of(opcode: u8, data: &[u8]) -> Option<Vec<Record<'_>>> {
+    if !is_sound(opcode, data) {
+        return None;
+    }
+    match mcap::parse_record(opcode, data).ok()? {
+        Record::Chunk { header, data: Cow::Borrowed(content) } => {
+            if header.compression.is_empty() && !is_sound_chunk(content) {
+                return None;
+            }
+            ChunkReader::new(header, content).ok()?.collect::<Result<_, _>>().ok()
+        }
+        record => Some(vec![record]),
+    }
+}
+
 /// Whether the texts and tables of a record end inside it.
-pub(crate) fn is_sound(opcode: u8, body: &[u8]) -> bool {
+fn is_sound(opcode: u8, body: &[u8]) -> bool {
     let mut rest = Rest(body);
     let ends_inside = match opcode {
         op::SCHEMA => rest.skip(2).and_then(|()| rest.text()).and_then(|()| rest.text()),
@@ -32,7 +53,7 @@ pub(crate) fn compression(chunk: &[u8]) -> Option<&str> {
 }
 
 /// Whether a chunk's uncompressed content is whole, sound records of the kinds that may be in one.
-pub(crate) fn is_sound_chunk(content: &[u8]) -> bool {
+fn is_sound_chunk(content: &[u8]) -> bool {
     let mut rest = Rest(content);
     while !rest.0.is_empty() {
         let Some((opcode, body)) = rest.record() else { return false };

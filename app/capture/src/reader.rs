@@ -1,7 +1,6 @@
 //! Reads a capture, also one that was cut off.
 
 use std::{
-    borrow::Cow,
     collections::BTreeMap,
     fs::File,
     io::{BufReader, ErrorKind, Read},
@@ -10,14 +9,14 @@ use std::{
 
 use mcap::{
     MAGIC, McapError,
-    read::{ChannelAccumulator, ChunkReader},
+    read::ChannelAccumulator,
     records::{Record, op},
     sans_io::linear_reader::{LinearReadEvent, LinearReader, LinearReaderOptions},
 };
 use serde::de::DeserializeOwned;
 use serde_json::{Map, Value};
 
-use crate::framing::{compression, is_sound, is_sound_chunk, is_wanted};
+use crate::framing::{compression, is_wanted, records_of};
 use crate::{
     CaptureError, FRAME_TOPIC, FrameRow, PASSES_TOPIC, PassRow, SPAN_TOPIC, STATS_TOPIC, SpanRow, StatField, StatsRow,
 };
@@ -116,22 +115,6 @@ impl Capture {
     /// Times of one stage over the run, ms, in order of the frames it ran in.
     pub fn stage_ms(&self, stage: &str) -> Vec<f64> {
         self.passes.iter().filter_map(|row| row.stage_ms.get(stage).copied()).collect()
-    }
-}
-
-/// A record, or those of a chunk; none of what is damaged.
-fn records_of(opcode: u8, data: &[u8]) -> Option<Vec<Record<'_>>> {
-    if !is_sound(opcode, data) {
-        return None;
-    }
-    match mcap::parse_record(opcode, data).ok()? {
-        Record::Chunk { header, data: Cow::Borrowed(content) } => {
-            if header.compression.is_empty() && !is_sound_chunk(content) {
-                return None;
-            }
-            ChunkReader::new(header, content).ok()?.collect::<Result<_, _>>().ok()
-        }
-        record => Some(vec![record]),
     }
 }
 
