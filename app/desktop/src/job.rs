@@ -35,8 +35,9 @@ pub fn steps(scene: &Scene, length: &LengthOptions) -> Result<u64, Failure> {
     if (1.0..=MOST).contains(&steps) {
         Ok(steps as u64)
     } else {
+        let shown = if steps < 1e15 { format!("{steps:.0}") } else { format!("{steps:.3e}") };
         Err(Failure::Input(format!(
-            "{}: the run would have {steps:.0} steps of {dt_s} s; 1 to {MOST:.0} are possible \
+            "{}: the run would have {shown} steps of {dt_s} s; 1 to {MOST:.0} are possible \
              (--seconds, --steps, or outputs.seconds in the scene)",
             scene.name
         )))
