@@ -1,13 +1,19 @@
 //! Seeded fluids for kernel tests: positions, velocities, neighbours and settings, as the GPU gets
 //! them and as the twins do.
 
-use crate::compare::vector;
+use crate::compare::{HALF_ROUNDING, ROUNDING, vector};
+use crate::gpu;
 use crate::harness::{Bench, small};
-use brooklet_kernels::{Buffer, GridParams, Iterate, KernelParams, PbfParams, Position, StepParams, Velocity};
+use brooklet_gpu::Tier;
+use brooklet_kernels::{
+    Buffer, GridParams, KernelParams, LIST_CHUNK, LIST_SLICE, PbfParams, Position, PrecisionKeyword, StepParams,
+    Velocity,
+};
 use brooklet_reference::boundary::walls::WallTable;
 use brooklet_reference::grid::list_neighbours::{Neighbours, list_neighbours};
 use brooklet_reference::params::{Pbf, Smoothing, Step};
 use brooklet_reference::shared::lattice;
+use brooklet_reference::shared::place::Places;
 use glam::DVec3;
 use rand::{Rng, RngExt};
 
@@ -19,11 +25,34 @@ pub const SUPPORT_RATIO: f64 = 2.0;
 pub const SUPPORT_M: f64 = SPACING_M * SUPPORT_RATIO;
 /// Room for neighbours of one particle.
 pub const SLOTS: u32 = 96;
+/// The same in runs of `LIST_CHUNK`.
+pub const LIST_CHUNKS: u32 = SLOTS / LIST_CHUNK;
 
 /// Particle counts of the tests: around one group of `group`, and one that is large and odd.
 pub fn sizes(group: usize) -> Vec<usize> {
     let large = if small() { 333 } else { 2049 };
     vec![0, 1, 2, group - 1, group, group + 1, large]
+}
+
+/// Where neighbour `slot` of particle `i` stands in lists of `chunks` runs: which run, and where in it.
+pub fn list_entry(i: usize, slot: usize, chunks: u32) -> (usize, usize) {
+    let (slice, run) = (LIST_SLICE as usize, LIST_CHUNK as usize);
+    ((i / slice * chunks as usize + slot / run) * slice + i % slice, slot % run)
+}
+
+/// Runs in the lists of `count` particles.
+pub fn list_length(count: usize, chunks: u32) -> usize {
+    brooklet_fluid::grid::list_length(count as u32, chunks) as usize
+}
+
+/// The precisions that the device has, and how large a rounding of each is.
+pub fn precisions() -> Vec<(PrecisionKeyword, f64)> {
+    let mut precisions = vec![(PrecisionKeyword::Off, ROUNDING), (PrecisionKeyword::RelaxedPrecision, HALF_ROUNDING)];
+    // Real f16 is of the desktop tier; on the others its modules are refused, which `gpu_engine` tests.
+    if gpu().tier() == Tier::Desktop {
+        precisions.push((PrecisionKeyword::HalfPrecision, HALF_ROUNDING));
+    }
+    precisions
 }
 
 /// A fluid.
@@ -82,25 +111,30 @@ impl Case {
         self.velocities.iter().map(|v| vector(v.velocity_m_s)).collect()
     }
 
-    /// Positions as the iterations have them.
-    pub fn iterates(&self, lambdas: &[f32]) -> Vec<Iterate> {
-        self.positions
-            .iter()
-            .enumerate()
-            .map(|(i, p)| Iterate { position_m: p.position_m, lambda: lambdas.get(i).copied().unwrap_or(0.0) })
-            .collect()
+    /// Places as the sort makes them.
+    pub fn places(&self, places: Places) -> Vec<[u32; 2]> {
+        let inverse_support_per_m = kernel_params().inverse_support_per_m;
+        self.positions.iter().map(|p| places.place_of(p.position_m.map(|x| x * inverse_support_per_m))).collect()
     }
 
-    /// The neighbour lists as the GPU has them: slot-major, and how many each has.
-    pub fn upload_neighbours(&self, bench: &mut Bench) -> (Buffer<u32>, Buffer<u32>) {
-        let count = self.count();
-        let mut slots = vec![0; count * SLOTS as usize];
-        let mut counts = Vec::with_capacity(count);
+    /// Where those places are, m: the positions, rounded to steps.
+    pub fn placed_m(&self, places: Places) -> Vec<DVec3> {
+        let support_m = f64::from(kernel_params().support_m);
+        let near = |(place, position_m): (_, DVec3)| places.near(place, position_m / support_m) * support_m;
+        self.places(places).into_iter().zip(self.positions_m()).map(near).collect()
+    }
+
+    /// The neighbour lists as the GPU has them, and how many each has.
+    pub fn upload_neighbours(&self, bench: &mut Bench) -> (Buffer<[u32; 4]>, Buffer<u32>) {
+        let mut slots = vec![[0; LIST_CHUNK as usize]; list_length(self.count(), LIST_CHUNKS)];
+        let mut counts = Vec::with_capacity(self.count());
         for (i, list) in self.neighbours.iter().enumerate() {
             assert!(list.len() <= SLOTS as usize, "{} neighbours", list.len());
             counts.push(list.len() as u32);
-            for (slot, &j) in list.iter().enumerate() {
-                slots[slot * count + i] = j as u32;
+            let filled = list.len().next_multiple_of(LIST_CHUNK as usize);
+            for slot in 0..filled {
+                let (at, part) = list_entry(i, slot, LIST_CHUNKS);
+                slots[at][part] = list.get(slot).map_or(i, |&j| j) as u32;
             }
         }
         (bench.input("neighbours", &slots), bench.input("neighbour_counts", &counts))
@@ -115,7 +149,7 @@ impl Case {
             wall_offset_m: (SPACING_M / 4.0) as f32,
             max_speed_m_s: 2.5,
             particle_count: self.count() as u32,
-            fluid_count: 1,
+            list_chunks: LIST_CHUNKS,
             ..StepParams::default()
         }
     }
@@ -127,7 +161,7 @@ pub fn kernel_params() -> KernelParams {
         support_m: SUPPORT_M as f32,
         inverse_support_per_m: (1.0 / SUPPORT_M) as f32,
         weight: lattice::weight(SUPPORT_RATIO) as f32,
-        spacing_m: SPACING_M as f32,
+        reserved: 0.0,
     }
 }
 
@@ -156,7 +190,8 @@ pub fn grid_params(size_m: DVec3, cell_m: f64, count: usize) -> GridParams {
         inverse_cell_size_per_m: (1.0 / cell_m) as f32,
         support_m: SUPPORT_M as f32,
         particle_count: count as u32,
-        neighbour_slots: SLOTS,
+        list_chunks: LIST_CHUNKS,
+        inverse_support_per_m: (1.0 / SUPPORT_M) as f32,
         ..GridParams::default()
     }
 }

@@ -6,10 +6,13 @@ use glam::DVec3;
 /// Half the distance of 1 to the next f32: the largest relative error of one rounding.
 pub const ROUNDING: f64 = 5.960_464_477_539_063e-8;
 
+/// The same of f16.
+pub const HALF_ROUNDING: f64 = 4.882_812_5e-4;
+
 /// Compares floats against a stated tolerance and keeps the largest difference seen.
 #[derive(Debug)]
 pub struct Worst {
-    kernel: &'static str,
+    kernel: String,
     tolerance: f64,
     largest: f64,
     cases: usize,
@@ -17,8 +20,8 @@ pub struct Worst {
 
 impl Worst {
     /// A comparator for `kernel`. Differences are relative to the scale that each comparison names.
-    pub fn new(kernel: &'static str, tolerance: f64) -> Self {
-        Self { kernel, tolerance, largest: 0.0, cases: 0 }
+    pub fn new(kernel: impl Into<String>, tolerance: f64) -> Self {
+        Self { kernel: kernel.into(), tolerance, largest: 0.0, cases: 0 }
     }
 
     /// Compares one number.

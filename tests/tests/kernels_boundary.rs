@@ -4,10 +4,11 @@
 
 use brooklet_fluid::boundary::{WALL_NODES, wall_weights};
 use brooklet_kernels::{
-    CorrectPositions, CorrectPositionsVariant, Counters, Iterate, MeasureParticles, MeasureParticlesVariant,
+    Constrained, CorrectPositions, CorrectPositionsVariant, Counters, MeasureParticles, MeasureParticlesVariant,
     MeasureSums, PbfParams, Position, StepParams, Velocity, WallsKeyword,
 };
 use brooklet_reference::boundary::walls::{DomainWalls, WallDensity, Walls};
+use brooklet_reference::shared::place::Places;
 use brooklet_tests::cases::{SUPPORT_M, SUPPORT_RATIO, kernel_params, pbf_params, vectors, wall_table};
 use brooklet_tests::compare::{ROUNDING, Worst, vector};
 use brooklet_tests::harness::Bench;
@@ -95,7 +96,7 @@ fn densities(places: &[Position], size_m: DVec3, walls: WallsKeyword) -> Vec<f64
     let kernel = bench.uniform("kernel", kernel_params());
     let step_params = bench.uniform("step_params", params(size_m, 1));
     let velocities = bench.input("velocities", &[Velocity::default()]);
-    let neighbours = bench.input("neighbours", &[0_u32]);
+    let neighbours = bench.input("neighbours", &[[0_u32; 4]]);
     let neighbour_counts = bench.input("neighbour_counts", &[0_u32]);
     let mut measures = Vec::new();
     for place in places {
@@ -139,12 +140,17 @@ fn densities(places: &[Position], size_m: DVec3, walls: WallsKeyword) -> Vec<f64
 fn gradients(places: &[Position], size_m: DVec3, walls: WallsKeyword) -> Vec<DVec3> {
     let count = places.len();
     let pbf = PbfParams { relaxation: 1.0, max_correction_m: 1e3, ..pbf_params() };
-    let constrained: Vec<Iterate> = places.iter().map(|p| Iterate { position_m: p.position_m, lambda: -0.5 }).collect();
+    let inverse_support_per_m = kernel_params().inverse_support_per_m;
+    let start: Vec<[u32; 2]> =
+        places.iter().map(|p| Places::Full.place_of(p.position_m.map(|x| x * inverse_support_per_m))).collect();
+    let constrained: Vec<Constrained> =
+        start.iter().map(|&place| Constrained { place, lambda: -0.5, reserved: 0.0 }).collect();
     let mut bench = Bench::new();
     let input = bench.input("constrained", &constrained);
-    let neighbours = bench.input("neighbours", &vec![0_u32; count]);
+    let positions = bench.input("sorted_positions", places);
+    let neighbours = bench.input("neighbours", &vec![[0_u32; 4]; count]);
     let neighbour_counts = bench.input("neighbour_counts", &vec![0_u32; count]);
-    let mut iterates = bench.output::<Iterate>("iterates", count);
+    let mut after = bench.output::<[u32; 2]>("places", count);
     let mut counters = bench.input("counters", &[Counters::default()]);
     let weights = bench.input("wall_weights", &wall_weights(SUPPORT_RATIO));
     let step_params = bench.uniform("step_params", params(size_m, count));
@@ -152,11 +158,13 @@ fn gradients(places: &[Position], size_m: DVec3, walls: WallsKeyword) -> Vec<DVe
     let pbf = bench.uniform("pbf", pbf);
     bench.dispatch(
         &CorrectPositions {
-            variant: CorrectPositionsVariant { walls, s_corr: false },
-            constrained: input.read(),
+            variant: CorrectPositionsVariant { walls, ..CorrectPositionsVariant::default() },
+            constrained: Some(input.read()),
+            packed_constrained: None,
+            sorted_positions: Some(positions.read()),
             neighbours: neighbours.read(),
             neighbour_counts: neighbour_counts.read(),
-            iterates: iterates.write(),
+            places: after.write(),
             counters: counters.write(),
             wall_weights: Some(weights.read()),
             step_params: step_params.uniform(),
@@ -165,18 +173,14 @@ fn gradients(places: &[Position], size_m: DVec3, walls: WallsKeyword) -> Vec<DVe
         },
         count,
     );
-    let moved = bench.run().read(&iterates, count);
-    moved
-        .iter()
-        .zip(places)
-        .map(|(after, before)| (vector(before.position_m) - vector(after.position_m)) / SUPPORT_M)
-        .collect()
+    let after = bench.run().read(&after, count);
+    start.iter().zip(after).map(|(&before, after)| Places::Full.apart(before, after)).collect()
 }
 
 fn check(size_m: DVec3, walls_keyword: WallsKeyword, names: [&'static str; 2]) -> Vec<(WallDensity, f64)> {
     // A table value is a lerp of lerps of eight nodes of at most 1.5, the place between them known
     // to a few roundings of the distance (31 steps wide): 128 roundings. A gradient is read from a
-    // position of up to 13 h, which rounds by 13/2 of an f32's last place: 256 roundings.
+    // move of a place, which rounds to half a step of 1.9e-6 h along each axis: 28 roundings more.
     let mut density = Worst::new(names[0], 128.0 * ROUNDING);
     let mut gradient = Worst::new(names[1], 256.0 * ROUNDING);
     let places = places(size_m);

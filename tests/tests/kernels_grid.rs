@@ -2,14 +2,16 @@
 
 use brooklet_fluid::grid::Scan;
 use brooklet_kernels::{
-    CellSlot, CountCells, Counters, GridParams, Iterate, Kernel, ListNeighbours, Position, ReduceGroups, Reorder,
-    ScanGroups, ScanGroupsVariant, Velocity,
+    CellSlot, CountCells, Counters, GROUPS_A_ROW, GridParams, Kernel, LIST_CHUNK, ListNeighbours,
+    ListNeighboursVariant, Position, ReduceGroups, Reorder, ReorderVariant, SCAN_ITEMS, ScanGroups, ScanGroupsVariant,
+    Velocity,
 };
 use brooklet_reference::grid::count_cells::{check_ranks, count_cells};
 use brooklet_reference::grid::list_neighbours::{check_list, list_neighbours};
 use brooklet_reference::grid::reorder::{places, reorder};
 use brooklet_reference::grid::scan;
-use brooklet_tests::cases::{SLOTS, SUPPORT_M, fluid, grid_params, sizes, vectors};
+use brooklet_reference::shared::place::Places;
+use brooklet_tests::cases::{SLOTS, SUPPORT_M, fluid, grid_params, list_entry, list_length, sizes, vectors};
 use brooklet_tests::compare::{check_cell, check_exact, report_exact, vector};
 use brooklet_tests::harness::{Bench, small};
 use brooklet_tests::rng;
@@ -21,7 +23,7 @@ use rand::{Rng, RngExt};
 const QUARANTINED: u32 = brooklet_kernels::QUARANTINED;
 
 /// Values a group of the scan takes: four a thread.
-const SCAN_GROUP: u32 = 4 * ScanGroups::GROUP_SIZE[0];
+const SCAN_GROUP: u32 = SCAN_ITEMS * ScanGroups::GROUP_SIZE[0];
 
 /// A runner of few cases (a CPU driver takes tens of milliseconds for each), the same every time.
 fn few_cases() -> TestRunner {
@@ -97,6 +99,18 @@ fn count_cells_matches_its_twin() {
 }
 
 #[test]
+fn a_dispatch_longer_than_a_row_of_groups_reaches_all() {
+    if small() {
+        return;
+    }
+    let count = (GROUPS_A_ROW * CountCells::GROUP_SIZE[0]) as usize + 65;
+    let mut rng = rng(27);
+    let size_m = DVec3::new(0.31, 0.2, 0.17);
+    let positions = scattered(&mut rng, count, size_m);
+    check_count(&positions, grid_params(size_m, 1.0 / 64.0, count), 0.0).unwrap();
+}
+
+#[test]
 fn positions_far_outside_have_no_cell() {
     let far = [1e9, -1e9, 1e30, -1e30, f32::MAX, 3e9, -0.0];
     let positions: Vec<Position> = far.iter().map(|&x| Position { position_m: [x, 0.1, 0.1], tag: 0 }).collect();
@@ -110,7 +124,7 @@ fn run_reduce(values: &[u32]) -> Vec<u32> {
     let input = bench.input("values", values);
     let mut sums = bench.output("group_sums", groups);
     let kernel = ReduceGroups { values: input.read(), group_sums: sums.write() };
-    bench.dispatch(&kernel, values.len().div_ceil(4));
+    bench.dispatch(&kernel, values.len().div_ceil(SCAN_ITEMS as usize));
     bench.run().read(&sums, groups)
 }
 
@@ -125,7 +139,7 @@ fn run_scan_groups(values: &[u32], offsets: Option<&[u32]>) -> Vec<u32> {
         group_offsets: offsets.as_ref().map(|offsets| offsets.read()),
         scanned: scanned.write(),
     };
-    bench.dispatch(&kernel, values.len().div_ceil(4));
+    bench.dispatch(&kernel, values.len().div_ceil(SCAN_ITEMS as usize));
     bench.run().read(&scanned, values.len())
 }
 
@@ -169,8 +183,8 @@ fn scan_of_several_levels_matches_its_twin() {
     let group = SCAN_GROUP as usize;
     let mut sizes = vec![0, 1, group, group + 1, 20 * group + 77, group * group];
     if !small() {
-        // A third level; and more groups than one row of a dispatch holds.
-        sizes.extend([group * group + 1, 3 * group * group + 1234, 32_768 * group + 1]);
+        // A third level.
+        sizes.extend([group * group + 1, 3 * group * group + 1234]);
     }
     let mut cases = 0;
     for size in sizes {
@@ -193,7 +207,7 @@ fn scan_of_anything() {
 struct Sorted {
     positions: Vec<Position>,
     velocities: Vec<Velocity>,
-    iterates: Vec<Iterate>,
+    places: Vec<[u32; 2]>,
 }
 
 fn run_reorder(
@@ -202,6 +216,7 @@ fn run_reorder(
     slots: &[CellSlot],
     starts: &[u32],
     grid: GridParams,
+    packed: bool,
 ) -> Sorted {
     let count = positions.len();
     let mut bench = Bench::new();
@@ -211,17 +226,18 @@ fn run_reorder(
     let starts = bench.input("cell_starts", starts);
     let mut sorted_positions = bench.output("sorted_positions", count);
     let mut sorted_velocities = bench.output("sorted_velocities", count);
-    let mut iterates = bench.output("iterates", count);
+    let mut places = bench.output("places", count);
     let params = bench.uniform("grid", grid);
     bench.dispatch(
         &Reorder {
+            variant: ReorderVariant { packed },
             positions: at.read(),
             velocities: moving.read(),
             cell_slots: slots.read(),
             cell_starts: starts.read(),
             sorted_positions: sorted_positions.write(),
             sorted_velocities: sorted_velocities.write(),
-            iterates: iterates.write(),
+            places: places.write(),
             grid: params.uniform(),
         },
         count,
@@ -230,7 +246,7 @@ fn run_reorder(
     Sorted {
         positions: done.read(&sorted_positions, count),
         velocities: done.read(&sorted_velocities, count),
-        iterates: done.read(&iterates, count),
+        places: done.read(&places, count),
     }
 }
 
@@ -251,21 +267,24 @@ fn reorder_matches_its_twin() {
         }
         let starts = scan::scan(&filled);
         let slots: Vec<CellSlot> = cells.iter().zip(&ranks).map(|(&cell, &rank)| CellSlot { cell, rank }).collect();
-        let sorted = run_reorder(&case.positions, &case.velocities, &slots, &starts, grid);
         let places = places(&cells, &ranks, &starts);
-        assert_eq!(sorted.positions, reorder(&case.positions, &places));
-        assert_eq!(sorted.velocities, reorder(&case.velocities, &places));
-        assert_eq!(sorted.iterates, reorder(&case.iterates(&[]), &places));
+        for coding in [Places::Full, Places::Packed] {
+            let packed = coding == Places::Packed;
+            let sorted = run_reorder(&case.positions, &case.velocities, &slots, &starts, grid, packed);
+            assert_eq!(sorted.positions, reorder(&case.positions, &places));
+            assert_eq!(sorted.velocities, reorder(&case.velocities, &places));
+            assert_eq!(sorted.places, reorder(&case.places(coding), &places));
+        }
         cases += size;
     }
     report_exact(Reorder::STAGE, cases);
 }
 
 /// The whole counting sort: counted, scanned, reordered.
-fn sort(positions: &[Position], velocities: &[Velocity], grid: GridParams) -> (Sorted, Vec<u32>) {
+fn sort(positions: &[Position], velocities: &[Velocity], grid: GridParams, packed: bool) -> (Sorted, Vec<u32>) {
     let (counts, slots) = run_count(positions, grid);
     let starts = run_scan(&counts);
-    (run_reorder(positions, velocities, &slots, &starts, grid), starts)
+    (run_reorder(positions, velocities, &slots, &starts, grid, packed), starts)
 }
 
 #[test]
@@ -279,7 +298,7 @@ fn sort_is_a_permutation_in_order_of_cells() {
             let velocities: Vec<Velocity> =
                 (0..count).map(|i| Velocity { velocity_m_s: [i as f32, 0.0, 0.0], reserved: 0.0 }).collect();
             let grid = grid_params(size_m, 1.0 / 64.0, count);
-            let (sorted, _) = sort(&positions, &velocities, grid);
+            let (sorted, _) = sort(&positions, &velocities, grid, false);
             let mut seen = vec![false; count];
             let mut last_cell = 0;
             for (position, velocity) in sorted.positions.iter().zip(&sorted.velocities) {
@@ -308,17 +327,20 @@ fn sort_is_a_permutation_in_order_of_cells() {
 
 /// Lists the neighbours of sorted particles and compares with brute force; returns how many were
 /// listed and how many had no slot.
-fn check_neighbours(sorted: &[Position], starts: &[u32], grid: GridParams) -> Result<(usize, u32), String> {
-    let count = sorted.len();
+fn check_neighbours(sorted: &Sorted, starts: &[u32], grid: GridParams, packed: bool) -> Result<(usize, u32), String> {
+    let count = sorted.positions.len();
     let mut bench = Bench::new();
-    let positions = bench.input("sorted_positions", sorted);
+    let positions = bench.input("sorted_positions", &sorted.positions);
+    let places = bench.input("places", &sorted.places);
     let starts_buffer = bench.input("cell_starts", starts);
-    let mut neighbours = bench.output("neighbours", count * grid.neighbour_slots as usize);
+    let mut neighbours = bench.output("neighbours", list_length(count, grid.list_chunks));
     let mut counts = bench.output("neighbour_counts", count);
     let mut counters = bench.input("counters", &[Counters::default()]);
     let params = bench.uniform("grid", grid);
     bench.dispatch(
         &ListNeighbours {
+            variant: ListNeighboursVariant { packed },
+            places: places.read(),
             sorted_positions: positions.read(),
             cell_starts: starts_buffer.read(),
             neighbours: neighbours.write(),
@@ -329,28 +351,38 @@ fn check_neighbours(sorted: &[Position], starts: &[u32], grid: GridParams) -> Re
         count,
     );
     let mut done = bench.run();
-    let neighbours = done.read(&neighbours, count * grid.neighbour_slots as usize);
+    let neighbours = done.read(&neighbours, list_length(count, grid.list_chunks));
     let counts = done.read(&counts, count);
     let overflow = done.read(&counters, 1)[0].neighbour_overflow;
 
     let first_outside = starts[grid.cell_count as usize] as usize;
-    let positions_m = vectors(sorted);
+    let positions_m = vectors(&sorted.positions);
     let support_m = f64::from(grid.support_m);
     let expected = list_neighbours(&positions_m, |i| i >= first_outside, support_m);
+    let slots = grid.list_chunks * LIST_CHUNK;
+    let entry = |i: usize, slot: usize| {
+        let (at, part) = list_entry(i, slot, grid.list_chunks);
+        neighbours[at][part] as usize
+    };
+    // A distance rounds to steps of the two places, and its square in the seventh digit.
+    let places = if packed { Places::Packed } else { Places::Full };
+    let doubt_m = (2.0 * places.step() + 1e-6) * support_m;
     let (mut listed, mut missing) = (0, 0);
     for i in 0..count {
-        let found: Vec<usize> = (0..counts[i] as usize).map(|slot| neighbours[slot * count + i] as usize).collect();
+        let found: Vec<usize> = (0..counts[i] as usize).map(|slot| entry(i, slot)).collect();
+        for slot in found.len()..found.len().next_multiple_of(LIST_CHUNK as usize) {
+            check_exact(&[entry(i, slot) as u32], &[i as u32])?;
+        }
         listed += found.len();
-        if expected[i].len() > grid.neighbour_slots as usize {
+        if expected[i].len() > slots as usize {
             // Some are missing, which the counter owns up to; those listed are right.
-            missing += expected[i].len() as u32 - grid.neighbour_slots;
-            check_exact(&[counts[i]], &[grid.neighbour_slots])?;
+            missing += expected[i].len() as u32 - slots;
+            check_exact(&[counts[i]], &[slots])?;
             if let Some(j) = found.iter().find(|&&j| expected[i].binary_search(&j).is_err()) {
                 return Err(format!("particle {i} lists {j}, which is no neighbour"));
             }
         } else {
-            // Squares of distances round in the seventh digit.
-            check_list(i, &found, &expected[i], &positions_m, support_m, 1e-6 * support_m)?;
+            check_list(i, &found, &expected[i], &positions_m, support_m, doubt_m)?;
         }
     }
     check_exact(&[overflow], &[missing])?;
@@ -364,33 +396,35 @@ fn list_neighbours_matches_brute_force() {
     for size in sizes(ListNeighbours::GROUP_SIZE[0] as usize) {
         let case = fluid(&mut rng, size);
         let grid = grid_params(case.size_m, SUPPORT_M / 2.0, size);
-        let (sorted, starts) = sort(&case.positions, &case.velocities, grid);
-        listed += check_neighbours(&sorted.positions, &starts, grid).unwrap().0;
+        let (sorted, starts) = sort(&case.positions, &case.velocities, grid, false);
+        listed += check_neighbours(&sorted, &starts, grid, false).unwrap().0;
+        let (sorted, starts) = sort(&case.positions, &case.velocities, grid, true);
+        listed += check_neighbours(&sorted, &starts, grid, true).unwrap().0;
 
         // Sparse, with some outside and quarantined, in a domain of few cells along one axis.
         let size_m = DVec3::new(0.6, 0.05, 0.13);
         let positions = scattered(&mut rng, size, size_m);
         let grid = grid_params(size_m, SUPPORT_M / 2.0, size);
-        let (sorted, starts) = sort(&positions, &case.velocities, grid);
-        listed += check_neighbours(&sorted.positions, &starts, GridParams { neighbour_slots: 2048, ..grid }).unwrap().0;
+        let (sorted, starts) = sort(&positions, &case.velocities, grid, false);
+        listed += check_neighbours(&sorted, &starts, GridParams { list_chunks: 512, ..grid }, false).unwrap().0;
     }
-    report_exact("list_neighbours (but for distances within 1e-6 h of h)", listed);
+    report_exact("list_neighbours (but for distances within two steps of h)", listed);
 }
 
 #[test]
 fn neighbours_without_a_slot_are_counted() {
     let case = fluid(&mut rng(26), 300);
-    let grid = GridParams { neighbour_slots: 20, ..grid_params(case.size_m, SUPPORT_M / 2.0, 300) };
-    let (sorted, starts) = sort(&case.positions, &case.velocities, grid);
-    let (_, overflow) = check_neighbours(&sorted.positions, &starts, grid).unwrap();
+    let grid = GridParams { list_chunks: 5, ..grid_params(case.size_m, SUPPORT_M / 2.0, 300) };
+    let (sorted, starts) = sort(&case.positions, &case.velocities, grid, false);
+    let (_, overflow) = check_neighbours(&sorted, &starts, grid, false).unwrap();
     assert!(overflow > 0, "the case was meant to overflow");
 
     // All at one point: each sees all others.
     let positions = vec![Position { position_m: [0.1; 3], tag: 0 }; 130];
     let velocities = vec![Velocity::default(); 130];
     let grid = grid_params(DVec3::splat(0.2), SUPPORT_M / 2.0, 130);
-    let (sorted, starts) = sort(&positions, &velocities, grid);
-    let (_, overflow) = check_neighbours(&sorted.positions, &starts, grid).unwrap();
+    let (sorted, starts) = sort(&positions, &velocities, grid, false);
+    let (_, overflow) = check_neighbours(&sorted, &starts, grid, false).unwrap();
     assert_eq!(overflow, 130 * (129 - SLOTS));
 }
 
@@ -403,9 +437,9 @@ fn list_equals_brute_force_anywhere() {
             let size_m = DVec3::from_array(cells.map(f64::from)) * (SUPPORT_M / 2.0);
             let positions = scattered(&mut rng, count, size_m);
             let velocities = vec![Velocity::default(); count];
-            let grid = GridParams { neighbour_slots: 256, ..grid_params(size_m, SUPPORT_M / 2.0, count) };
-            let (sorted, starts) = sort(&positions, &velocities, grid);
-            check_neighbours(&sorted.positions, &starts, grid).map(drop).map_err(TestCaseError::fail)
+            let grid = GridParams { list_chunks: 64, ..grid_params(size_m, SUPPORT_M / 2.0, count) };
+            let (sorted, starts) = sort(&positions, &velocities, grid, false);
+            check_neighbours(&sorted, &starts, grid, false).map(drop).map_err(TestCaseError::fail)
         })
         .unwrap();
 }

@@ -5,24 +5,27 @@
 
 use brooklet_fluid::boundary::wall_weights;
 use brooklet_kernels::{
-    ConstrainDensity, ConstrainDensityVariant, CorrectPositions, CorrectPositionsVariant, Counters, Iterate, Kernel,
-    PbfParams, StepParams, UpdateVelocity, Velocity, WallsKeyword,
+    ConstrainDensity, ConstrainDensityVariant, Constrained, CorrectPositions, CorrectPositionsVariant, Counters,
+    Kernel, PbfParams, PrecisionKeyword, StepParams, UpdateVelocity, UpdateVelocityVariant, Velocity, WallsKeyword,
 };
 use brooklet_reference::boundary::walls::DomainWalls;
+use brooklet_reference::shared::place::Places;
 use brooklet_reference::solver::pbf::constrain_density::constrain_density;
 use brooklet_reference::solver::pbf::correct_positions::correct_positions;
 use brooklet_reference::solver::pbf::update_velocity::update_velocity;
 use brooklet_tests::cases::{
-    Case, SUPPORT_M, SUPPORT_RATIO, fluid, kernel_params, pbf_of, pbf_params, sizes, smoothing_of, step_of, wall_table,
+    Case, SUPPORT_M, SUPPORT_RATIO, fluid, kernel_params, pbf_of, pbf_params, precisions, sizes, smoothing_of, step_of,
+    wall_table,
 };
-use brooklet_tests::compare::{ROUNDING, Worst, vector};
+use brooklet_tests::compare::{HALF_ROUNDING, ROUNDING, Worst, vector};
 use brooklet_tests::harness::Bench;
 use brooklet_tests::rng;
 use glam::DVec3;
+use half::f16;
 use rand::RngExt;
 
 /// See the head of this file.
-const TOLERANCE: f64 = 64.0 * ROUNDING;
+const ROUNDINGS: f64 = 64.0;
 
 const ALL_WALLS: [WallsKeyword; 3] = [WallsKeyword::Off, WallsKeyword::Walls, WallsKeyword::NarrowWalls];
 
@@ -35,95 +38,64 @@ fn case_for(rng: &mut impl rand::Rng, size: usize, walls: WallsKeyword) -> Case 
     case
 }
 
-fn run_constrain(case: &Case, pbf: PbfParams, walls: WallsKeyword) -> Vec<Iterate> {
-    let mut bench = Bench::new();
-    let iterates = bench.input("iterates", &case.iterates(&[]));
-    let (neighbours, neighbour_counts) = case.upload_neighbours(&mut bench);
-    let mut constrained = bench.output("constrained", case.count());
-    let weights = bench.input("wall_weights", &wall_weights(SUPPORT_RATIO));
-    let step_params = bench.uniform("step_params", case.step_params());
-    let kernel = bench.uniform("kernel", kernel_params());
-    let pbf = bench.uniform("pbf", pbf);
-    bench.dispatch(
-        &ConstrainDensity {
-            variant: ConstrainDensityVariant { walls },
-            iterates: iterates.read(),
-            neighbours: neighbours.read(),
-            neighbour_counts: neighbour_counts.read(),
-            constrained: constrained.write(),
-            wall_weights: (walls != WallsKeyword::Off).then(|| weights.read()),
-            step_params: step_params.uniform(),
-            kernel: kernel.uniform(),
-            pbf: pbf.uniform(),
-        },
-        case.count(),
-    );
-    bench.run().read(&constrained, case.count())
+/// How a kernel's pairs are computed: precision and places.
+#[derive(Clone, Copy, PartialEq, Eq)]
+struct Pairs {
+    precision: PrecisionKeyword,
+    places: Places,
 }
 
-#[test]
-fn constrain_density_matches_its_twin() {
-    let mut worst = Worst::new(ConstrainDensity::STAGE, TOLERANCE);
-    let mut rng = rng(31);
-    let table = wall_table(&wall_weights(SUPPORT_RATIO));
-    let (smoothing, pbf) = (smoothing_of(&kernel_params()), pbf_of(&pbf_params()));
-    let mut compressed = 0;
-    for walls in ALL_WALLS {
-        for size in sizes(ConstrainDensity::GROUP_SIZE[0] as usize) {
-            let case = case_for(&mut rng, size, walls);
-            let got = run_constrain(&case, pbf_params(), walls);
-            let step = step_of(&case.step_params(), walls != WallsKeyword::Off);
-            let box_walls =
-                DomainWalls { weight: &table, domain_size_m: step.domain_size_m, support_m: smoothing.support_m };
-            let box_walls = (walls != WallsKeyword::Off).then_some(&box_walls);
-            let positions_m = case.positions_m();
-            for (i, got) in got.iter().enumerate() {
-                let expected = constrain_density(i, &positions_m, &case.neighbours[i], &smoothing, &pbf, box_walls);
-                compressed += usize::from(expected.lambda < 0.0);
-                assert_eq!(got.position_m, case.positions[i].position_m);
-                // lambda = C / D: an error of C is divided by D, and one of D counts C times.
-                let scale = (1.0 + expected.constraint) / expected.denominator;
-                worst.check(got.lambda, expected.lambda, scale).unwrap();
-            }
+const FULL: Pairs = Pairs { precision: PrecisionKeyword::Off, places: Places::Full };
+
+/// Every way there is, with how large a rounding is.
+fn all_pairs() -> Vec<(Pairs, f64)> {
+    let each =
+        |(precision, rounding)| [Places::Full, Places::Packed].map(|places| (Pairs { precision, places }, rounding));
+    precisions().into_iter().flat_map(each).collect()
+}
+
+impl Pairs {
+    /// Particle counts: every edge with full precision; the others differ from it inside a pair only.
+    fn sizes(self) -> Vec<usize> {
+        let edges = sizes(ConstrainDensity::GROUP_SIZE[0] as usize);
+        match self {
+            FULL => edges,
+            _ => vec![edges[1], edges[5], 333],
         }
     }
-    assert!(compressed > 1000 || brooklet_tests::harness::small(), "{compressed} compressed");
-    worst.report();
+
+    fn name(self, stage: &str) -> String {
+        format!("{stage} {:?} {:?}", self.precision, self.places)
+    }
+
+    fn packed(self) -> bool {
+        self.places == Places::Packed
+    }
 }
 
-#[test]
-fn without_mixing_a_lone_particle_is_no_fault() {
-    // Nothing to divide by: no neighbours, no walls, cfm = 0.
-    let case = fluid(&mut rng(32), 1);
-    let pbf = PbfParams { cfm: 0.0, ..pbf_params() };
-    let got = run_constrain(&case, pbf, WallsKeyword::Off);
-    assert_eq!(got[0].lambda.abs(), 0.0);
-}
-
-struct Corrected {
-    iterates: Vec<Iterate>,
-    clamps: u32,
-}
-
-fn run_correct(case: &Case, lambdas: &[f32], pbf: PbfParams, walls: WallsKeyword, s_corr: bool) -> Corrected {
+fn run_constrain(case: &Case, pbf: PbfParams, walls: WallsKeyword, pairs: Pairs) -> Vec<Constrained> {
     let mut bench = Bench::new();
-    let constrained = bench.input("constrained", &case.iterates(lambdas));
+    let start = case.places(pairs.places);
+    let places = bench.input("places", &start);
+    let sorted_positions = bench.input("sorted_positions", &case.positions);
     let (neighbours, neighbour_counts) = case.upload_neighbours(&mut bench);
-    let mut iterates = bench.output("iterates", case.count());
-    let mut counters = bench.input("counters", &[Counters::default()]);
+    let mut constrained = bench.output("constrained", case.count());
+    let mut packed_constrained = bench.output("packed_constrained", case.count());
     let weights = bench.input("wall_weights", &wall_weights(SUPPORT_RATIO));
     let step_params = bench.uniform("step_params", case.step_params());
     let kernel = bench.uniform("kernel", kernel_params());
     let pbf = bench.uniform("pbf", pbf);
+    let has_walls = walls != WallsKeyword::Off;
     bench.dispatch(
-        &CorrectPositions {
-            variant: CorrectPositionsVariant { walls, s_corr },
-            constrained: constrained.read(),
+        &ConstrainDensity {
+            variant: ConstrainDensityVariant { walls, precision: pairs.precision, packed: pairs.packed() },
+            places: places.read(),
+            sorted_positions: has_walls.then(|| sorted_positions.read()),
             neighbours: neighbours.read(),
             neighbour_counts: neighbour_counts.read(),
-            iterates: iterates.write(),
-            counters: counters.write(),
-            wall_weights: (walls != WallsKeyword::Off).then(|| weights.read()),
+            constrained: (!pairs.packed()).then(|| constrained.write()),
+            packed_constrained: pairs.packed().then(|| packed_constrained.write()),
+            wall_weights: has_walls.then(|| weights.read()),
             step_params: step_params.uniform(),
             kernel: kernel.uniform(),
             pbf: pbf.uniform(),
@@ -131,38 +103,153 @@ fn run_correct(case: &Case, lambdas: &[f32], pbf: PbfParams, walls: WallsKeyword
         case.count(),
     );
     let mut done = bench.run();
-    Corrected { iterates: done.read(&iterates, case.count()), clamps: done.read(&counters, 1)[0].correction_clamps }
+    if !pairs.packed() {
+        return done.read(&constrained, case.count());
+    }
+    let packed: Vec<[u32; 2]> = done.read(&packed_constrained, case.count());
+    let unpacked = |[x_y, z_lambda]: [u32; 2]| Constrained {
+        place: [x_y, z_lambda & 0xffff_0000],
+        lambda: f16::from_bits(z_lambda as u16).to_f32(),
+        reserved: 0.0,
+    };
+    packed.into_iter().map(unpacked).collect()
+}
+
+#[test]
+fn constrain_density_matches_its_twin() {
+    let table = wall_table(&wall_weights(SUPPORT_RATIO));
+    let (smoothing, pbf) = (smoothing_of(&kernel_params()), pbf_of(&pbf_params()));
+    for (pairs, rounding) in all_pairs() {
+        // A packed multiplier is rounded to f16 at the end.
+        let last = if pairs.packed() { HALF_ROUNDING } else { 0.0 };
+        let mut worst = Worst::new(pairs.name(ConstrainDensity::STAGE), ROUNDINGS * rounding + last);
+        let mut rng = rng(31);
+        let mut compressed = 0;
+        for walls in ALL_WALLS {
+            for size in pairs.sizes() {
+                let case = case_for(&mut rng, size, walls);
+                let got = run_constrain(&case, pbf_params(), walls, pairs);
+                let step = step_of(&case.step_params(), walls != WallsKeyword::Off);
+                let box_walls =
+                    DomainWalls { weight: &table, domain_size_m: step.domain_size_m, support_m: smoothing.support_m };
+                let box_walls = (walls != WallsKeyword::Off).then_some(&box_walls);
+                let placed_m = case.placed_m(pairs.places);
+                let start = case.places(pairs.places);
+                for (i, got) in got.iter().enumerate() {
+                    // The GPU asks the walls at the position, which a packed place rounds.
+                    let expected = constrain_density(i, &placed_m, &case.neighbours[i], &smoothing, &pbf, box_walls);
+                    compressed += usize::from(expected.lambda < 0.0);
+                    assert_eq!(got.place, start[i]);
+                    // lambda = C / D: an error of C is divided by D, and one of D counts C times.
+                    let scale = (1.0 + expected.constraint) / expected.denominator;
+                    worst.check(got.lambda, expected.lambda, scale).unwrap();
+                }
+            }
+        }
+        assert!(
+            compressed > if pairs == FULL { 1000 } else { 100 } || brooklet_tests::harness::small(),
+            "{compressed} compressed"
+        );
+        worst.report();
+    }
+}
+
+#[test]
+fn without_mixing_a_lone_particle_is_no_fault() {
+    // Nothing to divide by: no neighbours, no walls, cfm = 0.
+    let case = fluid(&mut rng(32), 1);
+    let pbf = PbfParams { cfm: 0.0, ..pbf_params() };
+    let got = run_constrain(&case, pbf, WallsKeyword::Off, FULL);
+    assert_eq!(got[0].lambda.abs(), 0.0);
+}
+
+struct Corrected {
+    after: Vec<[u32; 2]>,
+    /// How far each particle went, in h, if that is less than two along each axis.
+    moved: Vec<DVec3>,
+    clamps: u32,
+}
+
+fn run_correct(
+    case: &Case,
+    lambdas: &[f32],
+    pbf: PbfParams,
+    walls: WallsKeyword,
+    s_corr: bool,
+    pairs: Pairs,
+) -> Corrected {
+    let mut bench = Bench::new();
+    let start = case.places(pairs.places);
+    let with_lambdas = || start.iter().zip(lambdas);
+    let full: Vec<Constrained> =
+        with_lambdas().map(|(&place, &lambda)| Constrained { place, lambda, reserved: 0.0 }).collect();
+    let packed: Vec<[u32; 2]> =
+        with_lambdas().map(|(&[x_y, z], &lambda)| [x_y, z | u32::from(f16::from_f32(lambda).to_bits())]).collect();
+    let constrained = bench.input("constrained", &full);
+    let packed_constrained = bench.input("packed_constrained", &packed);
+    let sorted_positions = bench.input("sorted_positions", &case.positions);
+    let (neighbours, neighbour_counts) = case.upload_neighbours(&mut bench);
+    let mut places = bench.output("places", case.count());
+    let mut counters = bench.input("counters", &[Counters::default()]);
+    let weights = bench.input("wall_weights", &wall_weights(SUPPORT_RATIO));
+    let step_params = bench.uniform("step_params", case.step_params());
+    let kernel = bench.uniform("kernel", kernel_params());
+    let pbf = bench.uniform("pbf", pbf);
+    let has_walls = walls != WallsKeyword::Off;
+    bench.dispatch(
+        &CorrectPositions {
+            variant: CorrectPositionsVariant { walls, s_corr, precision: pairs.precision, packed: pairs.packed() },
+            constrained: (!pairs.packed()).then(|| constrained.read()),
+            packed_constrained: pairs.packed().then(|| packed_constrained.read()),
+            sorted_positions: has_walls.then(|| sorted_positions.read()),
+            neighbours: neighbours.read(),
+            neighbour_counts: neighbour_counts.read(),
+            places: places.write(),
+            counters: counters.write(),
+            wall_weights: has_walls.then(|| weights.read()),
+            step_params: step_params.uniform(),
+            kernel: kernel.uniform(),
+            pbf: pbf.uniform(),
+        },
+        case.count(),
+    );
+    let mut done = bench.run();
+    let after: Vec<[u32; 2]> = done.read(&places, case.count());
+    let moved = start.iter().zip(&after).map(|(&before, &after)| pairs.places.apart(after, before)).collect();
+    Corrected { after, moved, clamps: done.read(&counters, 1)[0].correction_clamps }
 }
 
 #[test]
 fn correct_positions_matches_its_twin() {
-    let mut worst = Worst::new(CorrectPositions::STAGE, TOLERANCE);
-    let mut rng = rng(33);
     let table = wall_table(&wall_weights(SUPPORT_RATIO));
     let smoothing = smoothing_of(&kernel_params());
-    let mut all_clamps = 0;
-    for walls in ALL_WALLS {
-        for s_corr in [false, true] {
+    for (pairs, rounding) in all_pairs() {
+        let tolerance = ROUNDINGS * rounding;
+        let mut worst = Worst::new(pairs.name(CorrectPositions::STAGE), tolerance);
+        let mut rng = rng(33);
+        let mut all_clamps = 0;
+        for (walls, s_corr) in ALL_WALLS.into_iter().flat_map(|walls| [(walls, false), (walls, true)]) {
             let params = match s_corr {
                 true => pbf_params(),
                 false => PbfParams { s_corr_k: 0.0, ..pbf_params() },
             };
             let pbf = pbf_of(&params);
-            for size in sizes(CorrectPositions::GROUP_SIZE[0] as usize) {
+            for size in pairs.sizes() {
                 let case = case_for(&mut rng, size, walls);
-                let lambdas: Vec<f32> = (0..size).map(|_| -rng.random::<f32>()).collect();
-                let got = run_correct(&case, &lambdas, params, walls, s_corr);
+                // Multipliers that an f16 holds exactly, so that packing them loses nothing.
+                let lambdas: Vec<f32> = (0..size).map(|_| -(rng.random_range(0..1024) as f32) / 1024.0).collect();
+                let got = run_correct(&case, &lambdas, params, walls, s_corr, pairs);
                 let step = step_of(&case.step_params(), walls != WallsKeyword::Off);
                 let box_walls =
                     DomainWalls { weight: &table, domain_size_m: step.domain_size_m, support_m: smoothing.support_m };
                 let box_walls = (walls != WallsKeyword::Off).then_some(&box_walls);
-                let positions_m = case.positions_m();
+                let placed_m = case.placed_m(pairs.places);
                 let lambdas: Vec<f64> = lambdas.iter().map(|&l| f64::from(l)).collect();
                 let (mut clamps, mut doubtful) = (0, 0);
                 for i in 0..size {
                     let expected = correct_positions(
                         i,
-                        &positions_m,
+                        &placed_m,
                         &lambdas,
                         &case.neighbours[i],
                         &step,
@@ -172,20 +259,27 @@ fn correct_positions_matches_its_twin() {
                         |_, _| DVec3::ZERO,
                     );
                     clamps += u32::from(expected.clamped);
-                    let near = (expected.asked_m / pbf.max_correction_m - 1.0).abs() < 1e-4;
+                    let doubt = (1e-4_f64).max(tolerance * expected.terms_m / pbf.max_correction_m);
+                    let near = (expected.asked_m / pbf.max_correction_m - 1.0).abs() < doubt;
                     doubtful += u32::from(near);
-                    assert_eq!(got.iterates[i].lambda, 0.0);
-                    let scale = expected.terms_m + positions_m[i].length();
-                    worst.check3(got.iterates[i].position_m, expected.position_m, scale).unwrap();
+                    // The GPU's walls are at the position's own distance, which the place rounds by
+                    // up to half a step an axis; so does the move that is stored.
+                    let steps_m = 2.0 * pairs.places.step() * smoothing.support_m;
+                    let scale = expected.terms_m + placed_m[i].length() + steps_m / tolerance;
+                    // A case outside narrow walls is moved in by more than a place can tell: the
+                    // position meant is the nearest to the expected one.
+                    let got_m = pairs.places.near(got.after[i], expected.position_m / smoothing.support_m);
+                    let error_m = got_m * smoothing.support_m - expected.position_m;
+                    worst.check3(error_m.to_array().map(|x| x as f32), DVec3::ZERO, scale).unwrap();
                 }
                 let counted = got.clamps.abs_diff(clamps) <= doubtful;
                 assert!(counted, "{} clamps, expected {clamps} but for {doubtful}", got.clamps);
                 all_clamps += clamps;
             }
         }
+        assert!(all_clamps > 0, "no case met the limit of a correction");
+        worst.report();
     }
-    assert!(all_clamps > 0, "no case met the limit of a correction");
-    worst.report();
 }
 
 #[test]
@@ -196,18 +290,14 @@ fn corrections_keep_momentum_in_free_space() {
     let lambdas: Vec<f32> = (0..size).map(|_| -0.02 * rng.random::<f32>()).collect();
     // A shortened correction would have no opposite.
     let pbf = PbfParams { max_correction_m: 1.0, ..pbf_params() };
-    let got = run_correct(&case, &lambdas, pbf, WallsKeyword::Off, true);
+    let got = run_correct(&case, &lambdas, pbf, WallsKeyword::Off, true, FULL);
     assert_eq!(got.clamps, 0);
-    let (mut sum, mut lengths) = (DVec3::ZERO, 0.0);
-    for (after, before) in got.iterates.iter().zip(&case.positions) {
-        let moved = vector(after.position_m) - vector(before.position_m);
-        sum += moved;
-        lengths += moved.length();
-    }
-    // Each position rounds once, by at most half its last place: less than 1.6e-8 m below 0.5 m.
-    let bound = 1.6e-8 * size as f64 * 3.0_f64.sqrt() + 1e-6 * lengths;
-    println!("momentum of a correction: {:.1e} of {lengths:.1e} m", sum.length());
-    assert!(lengths > 1e-3 && sum.length() < bound, "{sum} of {lengths}");
+    let sum: DVec3 = got.moved.iter().sum();
+    let lengths: f64 = got.moved.iter().map(|moved| moved.length()).sum();
+    // Each move rounds by at most half a step an axis.
+    let bound = 0.5 * Places::Full.step() * size as f64 * 3.0_f64.sqrt() + 1e-6 * lengths;
+    println!("momentum of a correction: {:.1e} of {lengths:.1e} h", sum.length());
+    assert!(lengths > 0.1 && sum.length() < bound, "{sum} of {lengths}");
 }
 
 #[test]
@@ -215,63 +305,70 @@ fn particles_at_one_point_part_oppositely() {
     let mut case = fluid(&mut rng(35), 2);
     case.positions[1].position_m = case.positions[0].position_m;
     case.neighbours = vec![vec![1], vec![0]];
-    let got = run_correct(&case, &[-1.0, -1.0], pbf_params(), WallsKeyword::Off, false);
-    let start = vector(case.positions[0].position_m);
-    let moved = [0, 1].map(|i| vector(got.iterates[i].position_m) - start);
-    let distance_m = moved[0].length();
-    assert!(distance_m > 1e-6, "{distance_m}");
-    assert!((moved[0] + moved[1]).length() < 1e-8, "{moved:?}");
+    for (pairs, _) in all_pairs() {
+        let got = run_correct(&case, &[-1.0, -1.0], pbf_params(), WallsKeyword::Off, false, pairs);
+        assert!(got.moved[0].length() > 1e-5, "{:?}", got.moved);
+        assert_eq!(got.moved[0], -got.moved[1], "{}", pairs.name("pairs"));
+    }
 }
 
 #[test]
 fn update_velocity_matches_its_twin() {
-    // A difference of positions, exact for near ones, a quotient and a sum; then the speed limit.
-    let mut worst = Worst::new(UpdateVelocity::STAGE, 20.0 * ROUNDING);
-    let mut rng = rng(36);
     let mut slowed = 0;
-    for size in sizes(UpdateVelocity::GROUP_SIZE[0] as usize) {
-        let mut case = fluid(&mut rng, size);
-        for position in case.positions.iter_mut().step_by(7) {
-            position.tag |= 1 << 31;
-        }
-        let corrected: Vec<Iterate> = case
-            .positions
-            .iter()
-            .map(|p| Iterate { position_m: p.position_m.map(|x| x + 0.005 * (rng.random::<f32>() - 0.5)), lambda: 0.0 })
-            .collect();
-        let params = case.step_params();
-        let (positions, velocities, counters) = run_update(&case, &corrected, params);
-        let step = step_of(&params, false);
-        let mut clamps = 0;
-        for i in 0..size {
-            assert_eq!(positions[i].tag, case.positions[i].tag);
-            if case.positions[i].tag >> 31 == 1 {
-                assert_eq!(positions[i], case.positions[i], "quarantined particles stay");
-                assert_eq!(velocities[i], case.velocities[i], "quarantined particles stay");
-                continue;
+    for places in [Places::Full, Places::Packed] {
+        // A difference of places, exact, a product, a quotient and a sum; then the speed limit.
+        let mut worst = Worst::new(UpdateVelocity::STAGE, 20.0 * ROUNDING);
+        let mut moves = Worst::new("update_velocity, positions", 4.0 * ROUNDING);
+        let mut rng = rng(36);
+        for size in sizes(UpdateVelocity::GROUP_SIZE[0] as usize) {
+            let mut case = fluid(&mut rng, size);
+            for position in case.positions.iter_mut().step_by(7) {
+                position.tag |= 1 << 31;
             }
-            assert_eq!(positions[i].position_m, corrected[i].position_m);
-            let [from, to] = [case.positions[i].position_m, corrected[i].position_m].map(vector);
-            let before = vector(case.velocities[i].velocity_m_s);
-            let (expected, fast) = update_velocity(from, to, before, &step);
-            clamps += u32::from(fast);
-            let scale = before.length() + (to - from).length() / step.dt_s;
-            worst.check3(velocities[i].velocity_m_s, expected, scale).unwrap();
+            let start = case.places(places);
+            let mut moved_h = || places.fixed_of(0.125 * (rng.random::<f64>() - 0.5));
+            let corrected: Vec<[u32; 2]> = start
+                .iter()
+                .map(|&place| places.place_at(places.coordinates(place).map(|c| c.wrapping_add(moved_h()))))
+                .collect();
+            let params = case.step_params();
+            let (positions, velocities, counters) = run_update(&case, &corrected, params, places);
+            let step = step_of(&params, false);
+            let mut clamps = 0;
+            for i in 0..size {
+                assert_eq!(positions[i].tag, case.positions[i].tag);
+                if case.positions[i].tag >> 31 == 1 {
+                    assert_eq!(positions[i], case.positions[i], "quarantined particles stay");
+                    assert_eq!(velocities[i], case.velocities[i], "quarantined particles stay");
+                    continue;
+                }
+                let from = vector(case.positions[i].position_m);
+                let to = from + places.apart(corrected[i], start[i]) * f64::from(kernel_params().support_m);
+                moves.check3(positions[i].position_m, to, to.length()).unwrap();
+                let before = vector(case.velocities[i].velocity_m_s);
+                let (expected, fast) = update_velocity(from, to, before, &step);
+                clamps += u32::from(fast);
+                let scale = before.length() + (to - from).length() / step.dt_s;
+                worst.check3(velocities[i].velocity_m_s, expected, scale).unwrap();
+            }
+            assert_eq!(counters.speed_clamps, clamps);
+            slowed += clamps;
         }
-        assert_eq!(counters.speed_clamps, clamps);
-        slowed += clamps;
+        worst.report();
+        moves.report();
     }
     assert!(slowed > 0, "no case met the speed limit");
-    worst.report();
 }
 
 fn run_update(
     case: &Case,
-    corrected: &[Iterate],
+    corrected: &[[u32; 2]],
     params: StepParams,
+    places: Places,
 ) -> (Vec<brooklet_kernels::Position>, Vec<Velocity>, Counters) {
     let mut bench = Bench::new();
-    let iterates = bench.input("iterates", corrected);
+    let corrected = bench.input("places", corrected);
+    let kernel = bench.uniform("kernel", kernel_params());
     let sorted_positions = bench.input("sorted_positions", &case.positions);
     let sorted_velocities = bench.input("sorted_velocities", &case.velocities);
     let mut positions = bench.output("positions", case.count());
@@ -280,7 +377,9 @@ fn run_update(
     let step_params = bench.uniform("step_params", params);
     bench.dispatch(
         &UpdateVelocity {
-            iterates: iterates.read(),
+            variant: UpdateVelocityVariant { packed: places == Places::Packed },
+            places: corrected.read(),
+            kernel: kernel.uniform(),
             sorted_positions: sorted_positions.read(),
             sorted_velocities: sorted_velocities.read(),
             positions: positions.write(),

@@ -1,162 +1,186 @@
 //! The stages of `solver/pbf/` that work on velocities alone, against their twins: viscosity, curl,
 //! vorticity confinement. Tolerances as in `kernels_solver.rs`.
 
-use brooklet_kernels::{ConfineVorticity, Curl, Kernel, Viscosity, Vorticity};
+use brooklet_kernels::{
+    ConfineVorticity, ConfineVorticityVariant, Curl, CurlVariant, Kernel, PrecisionKeyword, Viscosity,
+    ViscosityVariant, Vorticity,
+};
+use brooklet_reference::shared::place::Places;
 use brooklet_reference::shared::wendland;
 use brooklet_reference::solver::pbf::confine_vorticity::confine_vorticity;
 use brooklet_reference::solver::pbf::curl::curl;
 use brooklet_reference::solver::pbf::viscosity::viscosity;
-use brooklet_tests::cases::{fluid, kernel_params, pbf_of, pbf_params, sizes, smoothing_of, step_of};
-use brooklet_tests::compare::{ROUNDING, Worst, vector};
+use brooklet_tests::cases::{fluid, kernel_params, pbf_of, pbf_params, precisions, sizes, smoothing_of, step_of};
+use brooklet_tests::compare::{Worst, vector};
 use brooklet_tests::harness::Bench;
 use brooklet_tests::rng;
 use rand::RngExt;
 
-const TOLERANCE: f64 = 64.0 * ROUNDING;
+/// Roundings of a sum's terms, relative to the sum of their lengths.
+const ROUNDINGS: f64 = 64.0;
+
+/// Every variant: its precision, how large its roundings are, and its places.
+fn variants() -> Vec<(PrecisionKeyword, f64, Places)> {
+    let each = |(precision, rounding)| [Places::Full, Places::Packed].map(|places| (precision, rounding, places));
+    precisions().into_iter().flat_map(each).collect()
+}
+
+fn name(kernel: &str, precision: PrecisionKeyword, places: Places) -> String {
+    format!("{kernel} {precision:?} {places:?}")
+}
 
 #[test]
 fn viscosity_matches_its_twin() {
-    let mut worst = Worst::new(Viscosity::STAGE, TOLERANCE);
-    let mut rng = rng(41);
-    let (smoothing, pbf) = (smoothing_of(&kernel_params()), pbf_of(&pbf_params()));
-    for size in sizes(Viscosity::GROUP_SIZE[0] as usize) {
-        let case = fluid(&mut rng, size);
-        let mut bench = Bench::new();
-        let positions = bench.input("positions", &case.positions);
-        let velocities = bench.input("velocities", &case.velocities);
-        let (neighbours, neighbour_counts) = case.upload_neighbours(&mut bench);
-        let mut smoothed = bench.output("smoothed_velocities", size);
-        let step_params = bench.uniform("step_params", case.step_params());
-        let kernel = bench.uniform("kernel", kernel_params());
-        let pbf_buffer = bench.uniform("pbf", pbf_params());
-        bench.dispatch(
-            &Viscosity {
-                positions: positions.read(),
-                velocities: velocities.read(),
-                neighbours: neighbours.read(),
-                neighbour_counts: neighbour_counts.read(),
-                smoothed_velocities: smoothed.write(),
-                step_params: step_params.uniform(),
-                kernel: kernel.uniform(),
-                pbf: pbf_buffer.uniform(),
-            },
-            size,
-        );
-        let got = bench.run().read(&smoothed, size);
-        let (positions_m, velocities_m_s) = (case.positions_m(), case.velocities_m_s());
-        for (i, got) in got.iter().enumerate() {
-            let expected = viscosity(i, &positions_m, &velocities_m_s, &case.neighbours[i], &smoothing, &pbf);
-            // No speed is above 2 sqrt(3) m/s.
-            worst.check3(got.velocity_m_s, expected, 3.5).unwrap();
+    for (precision, rounding, places) in variants() {
+        let mut worst = Worst::new(name(Viscosity::STAGE, precision, places), ROUNDINGS * rounding);
+        let mut rng = rng(41);
+        let (smoothing, pbf) = (smoothing_of(&kernel_params()), pbf_of(&pbf_params()));
+        for size in sizes(Viscosity::GROUP_SIZE[0] as usize) {
+            let case = fluid(&mut rng, size);
+            let mut bench = Bench::new();
+            let place_buffer = bench.input("places", &case.places(places));
+            let velocities = bench.input("velocities", &case.velocities);
+            let (neighbours, neighbour_counts) = case.upload_neighbours(&mut bench);
+            let mut smoothed = bench.output("smoothed_velocities", size);
+            let step_params = bench.uniform("step_params", case.step_params());
+            let kernel = bench.uniform("kernel", kernel_params());
+            let pbf_buffer = bench.uniform("pbf", pbf_params());
+            bench.dispatch(
+                &Viscosity {
+                    variant: ViscosityVariant { precision, packed: places == Places::Packed },
+                    places: place_buffer.read(),
+                    velocities: velocities.read(),
+                    neighbours: neighbours.read(),
+                    neighbour_counts: neighbour_counts.read(),
+                    smoothed_velocities: smoothed.write(),
+                    step_params: step_params.uniform(),
+                    kernel: kernel.uniform(),
+                    pbf: pbf_buffer.uniform(),
+                },
+                size,
+            );
+            let got = bench.run().read(&smoothed, size);
+            let (positions_m, velocities_m_s) = (case.placed_m(places), case.velocities_m_s());
+            for (i, got) in got.iter().enumerate() {
+                let expected = viscosity(i, &positions_m, &velocities_m_s, &case.neighbours[i], &smoothing, &pbf);
+                // No speed is above 2 sqrt(3) m/s.
+                worst.check3(got.velocity_m_s, expected, 3.5).unwrap();
+            }
         }
+        worst.report();
     }
-    worst.report();
 }
 
 #[test]
 fn curl_matches_its_twin() {
-    let mut worst = Worst::new(Curl::STAGE, TOLERANCE);
-    let mut rng = rng(42);
-    let smoothing = smoothing_of(&kernel_params());
-    for size in sizes(Curl::GROUP_SIZE[0] as usize) {
-        let case = fluid(&mut rng, size);
-        let mut bench = Bench::new();
-        let positions = bench.input("positions", &case.positions);
-        let velocities = bench.input("velocities", &case.velocities);
-        let (neighbours, neighbour_counts) = case.upload_neighbours(&mut bench);
-        let mut vorticities = bench.output("vorticities", size);
-        let step_params = bench.uniform("step_params", case.step_params());
-        let kernel = bench.uniform("kernel", kernel_params());
-        bench.dispatch(
-            &Curl {
-                positions: positions.read(),
-                velocities: velocities.read(),
-                neighbours: neighbours.read(),
-                neighbour_counts: neighbour_counts.read(),
-                vorticities: vorticities.write(),
-                step_params: step_params.uniform(),
-                kernel: kernel.uniform(),
-            },
-            size,
-        );
-        let got = bench.run().read(&vorticities, size);
-        let (positions_m, velocities_m_s) = (case.positions_m(), case.velocities_m_s());
-        for (i, got) in got.iter().enumerate() {
-            let expected = curl(i, &positions_m, &velocities_m_s, &case.neighbours[i], &smoothing);
-            let terms: f64 = case.neighbours[i]
-                .iter()
-                .map(|&j| {
-                    let offset = (positions_m[j] - positions_m[i]) / smoothing.support_m;
-                    let slope = wendland::slope(offset.length()) * smoothing.weight / smoothing.support_m;
-                    (velocities_m_s[j] - velocities_m_s[i]).length() * slope.abs()
-                })
-                .sum();
-            // Without neighbours both are zero, whatever they are relative to.
-            let scale = terms.max(1e-3);
-            worst.check3(got.vorticity_per_s, expected, scale).unwrap();
-            worst.check(got.magnitude_per_s, expected.length(), scale).unwrap();
+    for (precision, rounding, places) in variants() {
+        let mut worst = Worst::new(name(Curl::STAGE, precision, places), ROUNDINGS * rounding);
+        let mut rng = rng(42);
+        let smoothing = smoothing_of(&kernel_params());
+        for size in sizes(Curl::GROUP_SIZE[0] as usize) {
+            let case = fluid(&mut rng, size);
+            let mut bench = Bench::new();
+            let place_buffer = bench.input("places", &case.places(places));
+            let velocities = bench.input("velocities", &case.velocities);
+            let (neighbours, neighbour_counts) = case.upload_neighbours(&mut bench);
+            let mut vorticities = bench.output("vorticities", size);
+            let step_params = bench.uniform("step_params", case.step_params());
+            let kernel = bench.uniform("kernel", kernel_params());
+            bench.dispatch(
+                &Curl {
+                    variant: CurlVariant { precision, packed: places == Places::Packed },
+                    places: place_buffer.read(),
+                    velocities: velocities.read(),
+                    neighbours: neighbours.read(),
+                    neighbour_counts: neighbour_counts.read(),
+                    vorticities: vorticities.write(),
+                    step_params: step_params.uniform(),
+                    kernel: kernel.uniform(),
+                },
+                size,
+            );
+            let got = bench.run().read(&vorticities, size);
+            let (positions_m, velocities_m_s) = (case.placed_m(places), case.velocities_m_s());
+            for (i, got) in got.iter().enumerate() {
+                let expected = curl(i, &positions_m, &velocities_m_s, &case.neighbours[i], &smoothing);
+                let terms: f64 = case.neighbours[i]
+                    .iter()
+                    .map(|&j| {
+                        let offset = (positions_m[j] - positions_m[i]) / smoothing.support_m;
+                        let slope = wendland::slope(offset.length()) * smoothing.weight / smoothing.support_m;
+                        (velocities_m_s[j] - velocities_m_s[i]).length() * slope.abs()
+                    })
+                    .sum();
+                // Without neighbours both are zero, whatever they are relative to.
+                let scale = terms.max(1e-3);
+                worst.check3(got.vorticity_per_s, expected, scale).unwrap();
+                worst.check(got.magnitude_per_s, expected.length(), scale).unwrap();
+            }
         }
+        worst.report();
     }
-    worst.report();
 }
 
 #[test]
 fn confine_vorticity_matches_its_twin() {
-    let mut worst = Worst::new(ConfineVorticity::STAGE, TOLERANCE);
-    let mut rng = rng(43);
-    let (smoothing, pbf) = (smoothing_of(&kernel_params()), pbf_of(&pbf_params()));
-    for size in sizes(ConfineVorticity::GROUP_SIZE[0] as usize) {
-        let case = fluid(&mut rng, size);
-        let swirls: Vec<Vorticity> = (0..size)
-            .map(|_| {
-                let curl = [0; 3].map(|_| rng.random::<f32>() * 200.0 - 100.0);
-                Vorticity { vorticity_per_s: curl, magnitude_per_s: vector(curl).length() as f32 }
-            })
-            .collect();
-        let mut bench = Bench::new();
-        let positions = bench.input("positions", &case.positions);
-        let vorticities = bench.input("vorticities", &swirls);
-        let (neighbours, neighbour_counts) = case.upload_neighbours(&mut bench);
-        let mut velocities = bench.input("velocities", &case.velocities);
-        let step_params = bench.uniform("step_params", case.step_params());
-        let kernel = bench.uniform("kernel", kernel_params());
-        let pbf_buffer = bench.uniform("pbf", pbf_params());
-        bench.dispatch(
-            &ConfineVorticity {
-                positions: positions.read(),
-                vorticities: vorticities.read(),
-                neighbours: neighbours.read(),
-                neighbour_counts: neighbour_counts.read(),
-                velocities: velocities.write(),
-                step_params: step_params.uniform(),
-                kernel: kernel.uniform(),
-                pbf: pbf_buffer.uniform(),
-            },
-            size,
-        );
-        let got = bench.run().read(&velocities, size);
-        let (positions_m, velocities_m_s) = (case.positions_m(), case.velocities_m_s());
-        let swirls: Vec<_> = swirls.iter().map(|s| vector(s.vorticity_per_s)).collect();
-        let step = step_of(&case.step_params(), false);
-        for (i, got) in got.iter().enumerate() {
-            let expected = confine_vorticity(
-                i,
-                &positions_m,
-                velocities_m_s[i],
-                &swirls,
-                &case.neighbours[i],
-                &step,
-                &smoothing,
-                &pbf,
+    for (precision, rounding, places) in variants() {
+        let mut worst = Worst::new(name(ConfineVorticity::STAGE, precision, places), ROUNDINGS * rounding);
+        let mut rng = rng(43);
+        let (smoothing, pbf) = (smoothing_of(&kernel_params()), pbf_of(&pbf_params()));
+        for size in sizes(ConfineVorticity::GROUP_SIZE[0] as usize) {
+            let case = fluid(&mut rng, size);
+            let swirls: Vec<Vorticity> = (0..size)
+                .map(|_| {
+                    let curl = [0; 3].map(|_| rng.random::<f32>() * 200.0 - 100.0);
+                    Vorticity { vorticity_per_s: curl, magnitude_per_s: vector(curl).length() as f32 }
+                })
+                .collect();
+            let mut bench = Bench::new();
+            let place_buffer = bench.input("places", &case.places(places));
+            let vorticities = bench.input("vorticities", &swirls);
+            let (neighbours, neighbour_counts) = case.upload_neighbours(&mut bench);
+            let mut velocities = bench.input("velocities", &case.velocities);
+            let step_params = bench.uniform("step_params", case.step_params());
+            let pbf_buffer = bench.uniform("pbf", pbf_params());
+            bench.dispatch(
+                &ConfineVorticity {
+                    variant: ConfineVorticityVariant { precision, packed: places == Places::Packed },
+                    places: place_buffer.read(),
+                    vorticities: vorticities.read(),
+                    neighbours: neighbours.read(),
+                    neighbour_counts: neighbour_counts.read(),
+                    velocities: velocities.write(),
+                    step_params: step_params.uniform(),
+                    pbf: pbf_buffer.uniform(),
+                },
+                size,
             );
-            // The push is along a direction, known as well as its terms are to their sum.
-            let push = pbf.vorticity * swirls[i].length() * step.dt_s;
-            let doubt = match expected.steepness_per_s {
-                0.0 => 1.0,
-                steepness => 1.0 + (expected.terms_per_s + swirls[i].length()) / steepness,
-            };
-            worst.check3(got.velocity_m_s, expected.velocity_m_s, velocities_m_s[i].length() + push * doubt).unwrap();
+            let got = bench.run().read(&velocities, size);
+            let (positions_m, velocities_m_s) = (case.placed_m(places), case.velocities_m_s());
+            let swirls: Vec<_> = swirls.iter().map(|s| vector(s.vorticity_per_s)).collect();
+            let step = step_of(&case.step_params(), false);
+            for (i, got) in got.iter().enumerate() {
+                let expected = confine_vorticity(
+                    i,
+                    &positions_m,
+                    velocities_m_s[i],
+                    &swirls,
+                    &case.neighbours[i],
+                    &step,
+                    &smoothing,
+                    &pbf,
+                );
+                // The push is along a direction, known as well as its terms are to their sum.
+                let push = pbf.vorticity * swirls[i].length() * step.dt_s;
+                let doubt = match expected.steepness_per_s {
+                    0.0 => 1.0,
+                    steepness => 1.0 + (expected.terms_per_s + swirls[i].length()) / steepness,
+                };
+                worst
+                    .check3(got.velocity_m_s, expected.velocity_m_s, velocities_m_s[i].length() + push * doubt)
+                    .unwrap();
+            }
         }
+        worst.report();
     }
-    worst.report();
 }

@@ -55,6 +55,6 @@ pub(crate) fn params(scene: &crate::scene::Scene) -> KernelParams {
         support_m: scene.support_m() as f32,
         inverse_support_per_m: (1.0 / scene.support_m()) as f32,
         weight: lattice(scene.solver.support_ratio).weight as f32,
-        spacing_m: scene.spacing_m as f32,
+        reserved: 0.0,
     }
 }

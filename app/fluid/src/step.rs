@@ -1,12 +1,12 @@
 //! The chain of one step, top to bottom: predict, sort, list, solve; and its measurement.
 
 use brooklet_gpu::{Recording, Resources};
-use brooklet_kernels::{Buffer, Measure, Position, Predict, PredictVariant, StepParams, Velocity};
+use brooklet_kernels::{Buffer, Measure, Position, PrecisionKeyword, Predict, PredictVariant, StepParams, Velocity};
 
 use crate::grid::{self, Grid, Neighbours, Sorted};
 use crate::measure::Measuring;
 use crate::particles::{Emitted, emit};
-use crate::scene::Scene;
+use crate::scene::{Precision, Scene};
 use crate::solver::pbf::{self, Pbf, Shared};
 use crate::{boundary, kernel};
 
@@ -55,12 +55,17 @@ pub fn record_count(resources: &mut Resources, scene: &Scene, particle_count: u3
     let mut velocities = resources.state("velocities", particle_count);
     let mut grid = Grid::declare(resources, &grid_params);
     let mut neighbours = Neighbours::declare(resources, &grid_params);
-    let mut sorted = Sorted::declare(resources, particle_count);
+    let mut sorted = Sorted::declare(resources, scene, particle_count);
     let mut pbf = Pbf::declare(resources, scene, particle_count);
     let mut shared = Shared {
         step: resources.state("step_params", 1),
         kernel: resources.state("kernel_params", 1),
         wall_weights: scene.domain.walls.then(|| resources.state("wall_weights", boundary::WALL_NODES.pow(3) as u32)),
+        precision: match scene.solver.precision {
+            Precision::Full => PrecisionKeyword::Off,
+            Precision::Relaxed => PrecisionKeyword::RelaxedPrecision,
+            Precision::Half => PrecisionKeyword::HalfPrecision,
+        },
         narrow: scene.domain.size_m().iter().any(|&size_m| size_m < 2.0 * scene.support_m()),
         counters: resources.state("counters", 1),
     };
@@ -80,7 +85,7 @@ pub fn record_count(resources: &mut Resources, scene: &Scene, particle_count: u3
     for _ in 0..scene.solver.substeps {
         predict(&mut step, &mut shared, &mut positions, &mut velocities);
         grid.record_sort(&mut step, &positions, &velocities, &mut sorted);
-        neighbours.record(&mut step, &grid, &sorted.positions, &mut shared.counters);
+        neighbours.record(&mut step, &grid, &sorted, &mut shared.counters);
         pbf.record(&mut step, &mut shared, &neighbours, &mut sorted, &mut positions, &mut velocities);
     }
 
@@ -124,7 +129,7 @@ pub fn step_params(scene: &Scene, particle_count: u32) -> StepParams {
         wall_offset_m: (WALL_OFFSET_RATIO * scene.spacing_m) as f32,
         max_speed_m_s: scene.max_speed_m_s() as f32,
         particle_count,
-        fluid_count: scene.fluids.len() as u32,
+        list_chunks: grid::list_chunks(scene),
         reserved: 0,
     }
 }

@@ -6,10 +6,14 @@
 
 // Vulkan promises 65,535 groups an axis only, so longer dispatches are folded into rows of so many.
 static const uint GROUPS_A_ROW = 32768;
-// Values each thread of a scan takes: one 16-byte load.
-static const uint SCAN_ITEMS = 4;
+// Values each thread of a scan takes.
+static const uint SCAN_ITEMS = 16;
 // Nodes an axis of the walls' table, from distance 0 to h.
 static const uint WALL_NODES = 32;
+// Particles whose neighbour lists lie interleaved: a group.
+static const uint LIST_SLICE = 64;
+// Neighbours of a particle that lie side by side: one 16-byte load.
+static const uint LIST_CHUNK = 4;
 // Bins of a histogram, 32 to an octave.
 static const uint HISTOGRAM_BINS = 512;
 // The bit of Position::tag that parks a particle whose state is not finite.
@@ -24,11 +28,12 @@ struct Position
     uint tag;           // bits 0-23 id, 24-30 fluid, 31 quarantined
 };
 
-// A particle's position during the iterations, with its constraint's multiplier.
-struct Iterate
+// A particle's place (shared/place.hlsl) during an iteration, with its constraint's multiplier.
+struct Constrained
 {
-    float3 position_m;
+    uint2 place;
     float lambda;    // Macklin & Muller 2013, eq. (11), times h^2: no unit
+    float reserved;
 };
 
 struct Velocity
@@ -60,7 +65,7 @@ struct StepParams
     float wall_offset_m;    // particles stay at least this far from a wall
     float max_speed_m_s;
     uint particle_count;
-    uint fluid_count;
+    uint list_chunks;       // room for neighbours a particle, in LIST_CHUNKs
     uint reserved;
 };
 
@@ -74,8 +79,8 @@ struct GridParams
     float inverse_cell_size_per_m;
     float support_m;        // h: the kernel is zero beyond it
     uint particle_count;
-    uint neighbour_slots;   // room for neighbours a particle
-    uint reserved0;
+    uint list_chunks;       // room for neighbours a particle, in LIST_CHUNKs
+    float inverse_support_per_m;
     uint reserved1;
     uint reserved2;
 };
@@ -86,7 +91,7 @@ struct KernelParams
     float support_m;
     float inverse_support_per_m;
     float weight;           // 1 / sum of W over the lattice, W(0) = 1
-    float spacing_m;
+    float reserved;
 };
 
 // Position Based Fluids, Macklin & Muller 2013. Lengths in units of h where no unit is named.

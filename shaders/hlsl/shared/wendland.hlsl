@@ -4,18 +4,20 @@
 #ifndef BROOKLET_WENDLAND
 #define BROOKLET_WENDLAND
 
-float WendlandW(float q)
+#include "precision.hlsl"
+
+real WendlandW(real q)
 {
-    float t = saturate(1.0 - q);
-    float t2 = t * t;
-    return t2 * t2 * (4.0 * q + 1.0);
+    real t = saturate(real(1.0) - q);
+    real t2 = t * t;
+    return t2 * t2 * (real(4.0) * q + real(1.0));
 }
 
 // The gradient of W in units of 1/h is this factor times r/h, r pointing from the neighbour here.
-float WendlandGradientFactor(float q)
+real WendlandGradientFactor(real q)
 {
-    float t = saturate(1.0 - q);
-    return -20.0 * t * t * t;
+    real t = saturate(real(1.0) - q);
+    return real(-20.0) * t * t * t;
 }
 
 #endif

@@ -108,7 +108,7 @@ fn manifest_of(
         manifest.variants.push(VariantEntry {
             name: record.stage.label.clone(),
             source: record.source.clone(),
-            profile: record.stage.stage.profile().to_owned(),
+            profile: record.stage.profile.to_owned(),
             defines: record.stage.defines.clone(),
             hash: record.stage.hash.clone(),
             module: record.module.clone(),

@@ -25,6 +25,8 @@ pub struct CompiledStage {
     pub entry: String,
     /// Entry point and keywords: `Name+KEYWORD`.
     pub label: String,
+    /// DXC's target profile.
+    pub profile: &'static str,
     /// All defines.
     pub defines: Vec<String>,
     /// Hash of all it comes from.
@@ -93,7 +95,7 @@ impl Compiler {
             let job = Job {
                 source,
                 entry,
-                profile: stage.profile(),
+                profile: program.profile(*stage, combination),
                 defines: &defines,
                 label: program.label(entry, combination),
                 place: program.place.clone(),
@@ -101,16 +103,17 @@ impl Compiler {
             let hash = hash::of_module(self.dxc.version(), job.profile, entry, &defines, &source.text);
             let compiled = self.compile(&job, &hash)?;
             let module = parsed(&compiled.spirv, &job.label)?;
-            modules.push((*stage, entry.clone(), job.label, defines.clone(), hash, module));
+            modules.push((*stage, entry.clone(), job.label, job.profile, defines.clone(), hash, module));
         }
         let slots = dense_slots(modules.iter().map(|(.., module)| reflect::reflect(module)));
         let stages = modules
             .into_iter()
-            .map(|(stage, entry, label, defines, hash, mut module)| {
+            .map(|(stage, entry, label, profile, defines, hash, mut module)| {
                 reflect::renumber(&mut module, &slots);
                 let spirv: Vec<u8> = module.assemble().iter().flat_map(|word| word.to_le_bytes()).collect();
                 validate::validate(&spirv, &label, self.cache.as_deref(), &self.scratch)?;
-                Ok(CompiledStage { reflection: reflect::reflect(&module), stage, entry, label, defines, hash, spirv })
+                let reflection = reflect::reflect(&module);
+                Ok(CompiledStage { reflection, stage, entry, label, profile, defines, hash, spirv })
             })
             .collect::<Result<Vec<_>, Problem>>()?;
         Ok(CompiledCombination { combination: combination.to_vec(), stages })

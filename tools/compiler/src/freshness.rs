@@ -35,7 +35,13 @@ pub fn stale(shaders: &Path, out: &Path) -> Result<Vec<String>, Problems> {
         for combination in program.combinations() {
             for (stage, entry) in &program.entries {
                 let defines = program.defines_of(*stage, &combination);
-                let hash = hash::of_module(PINNED_VERSION, stage.profile(), entry, &defines, &source.text);
+                let hash = hash::of_module(
+                    PINNED_VERSION,
+                    program.profile(*stage, &combination),
+                    entry,
+                    &defines,
+                    &source.text,
+                );
                 expected.insert((source.file.clone(), program.label(entry, &combination)), hash);
             }
         }

@@ -11,23 +11,25 @@ use crate::tier::Tier;
 /// Everything wrong with a program's modules.
 pub fn lint(program: &Program, combinations: &[CompiledCombination], text: &Text) -> Vec<Problem> {
     let mut problems = Vec::new();
-    for stage in combinations.iter().flat_map(|combination| &combination.stages) {
+    let stages = combinations.iter().flat_map(|one| one.stages.iter().map(|stage| (&one.combination, stage)));
+    for (combination, stage) in stages {
+        let tier = program.tier_of(combination);
         for binding in &stage.reflection.bindings {
             let found = resource(binding, text);
             problems.extend(found.map(|problem| problem.kernel(stage.label.clone())));
         }
-        let excess = program.tier.excess(&stage.reflection);
+        let excess = tier.excess(&stage.reflection);
         if !excess.is_empty() {
             let place = text.function(&stage.entry).map_or_else(|| program.place.clone(), |(place, _)| place);
             let way_out = match Tier::of(&stage.reflection) {
                 Some(tier) => format!(
-                    "use less, or say `#pragma tier {}` in the file if devices below that tier never run it",
+                    "use less, or say `#pragma tier {}`, of some variants with ` : KEYWORDS`, if devices below it never run it",
                     tier.name()
                 ),
                 None => "use less: no tier has that".to_owned(),
             };
             problems.push(
-                Problem::new(format!("it is beyond the {} tier: {}", program.tier.name(), excess.join(", ")))
+                Problem::new(format!("it is beyond the {} tier: {}", tier.name(), excess.join(", ")))
                     .at_place(Some(place))
                     .kernel(stage.label.clone())
                     .way_out(way_out),

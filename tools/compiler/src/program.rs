@@ -19,12 +19,15 @@ pub enum Stage {
 }
 
 impl Stage {
-    /// DXC's target profile for it.
-    pub fn profile(self) -> &'static str {
-        match self {
-            Self::Compute => "cs_6_0",
-            Self::Vertex => "vs_6_0",
-            Self::Fragment => "ps_6_0",
+    /// DXC's target profile for it; 16-bit arithmetic came with shader model 6.2.
+    fn profile(self, native_16_bit: bool) -> &'static str {
+        match (self, native_16_bit) {
+            (Self::Compute, false) => "cs_6_0",
+            (Self::Compute, true) => "cs_6_2",
+            (Self::Vertex, false) => "vs_6_0",
+            (Self::Vertex, true) => "vs_6_2",
+            (Self::Fragment, false) => "ps_6_0",
+            (Self::Fragment, true) => "ps_6_2",
         }
     }
     /// The define that Unity sets for it.
@@ -81,8 +84,13 @@ pub struct Program {
     pub defines: Vec<String>,
     /// Axes of keywords of its file.
     pub axes: Vec<Axis>,
+    /// Where 16-bit types are 16 bits wide (`#pragma require Native16Bit : KEYWORDS`): with any
+    /// of these keywords, or always if none is named.
+    pub native_16_bit: Option<Vec<String>>,
     /// The tier whose limits it may use up (`#pragma tier`).
     pub tier: Tier,
+    /// The same of variants with one of some keywords (`#pragma tier NAME : KEYWORDS`).
+    pub keyword_tiers: Vec<(Tier, Vec<String>)>,
     /// Where its pragma stands.
     pub place: Place,
     /// Name in Rust of its file's loose globals.
@@ -124,6 +132,21 @@ impl Program {
         let keywords = self.keywords(combination);
         defines.extend(keywords.into_iter().map(|keyword| format!("{keyword}=1")));
         defines
+    }
+    /// DXC's target profile for a stage in a combination.
+    pub fn profile(&self, stage: Stage, combination: &[usize]) -> &'static str {
+        let keywords = self.keywords(combination);
+        let native = self
+            .native_16_bit
+            .as_ref()
+            .is_some_and(|needs| needs.is_empty() || needs.iter().any(|need| keywords.contains(need)));
+        stage.profile(native)
+    }
+    /// The tier whose limits a combination may use up.
+    pub fn tier_of(&self, combination: &[usize]) -> Tier {
+        let keywords = self.keywords(combination);
+        let asked = self.keyword_tiers.iter().filter(|(_, needs)| needs.iter().any(|need| keywords.contains(need)));
+        asked.map(|(tier, _)| *tier).fold(self.tier, Tier::max)
     }
     /// How messages and modules name a combination's entry point: `Name+KEYWORD`.
     pub fn label(&self, entry: &str, combination: &[usize]) -> String {
@@ -210,9 +233,16 @@ fn list(folder: &Path, below: &str, paths: &mut Vec<String>) -> Result<(), Probl
     Ok(())
 }
 
+/// The keywords that a pragma is limited to, behind its colon; none if it has no colon.
+fn keywords_of(words: &[String]) -> Vec<String> {
+    words.iter().skip_while(|word| *word != ":").skip(1).cloned().collect()
+}
+
 fn programs_of(source: &Source, index: usize) -> Result<Vec<Program>, Problem> {
     let mut axes: Vec<Axis> = Vec::new();
     let mut tier = Tier::Floor;
+    let mut keyword_tiers = Vec::new();
+    let mut native_16_bit = None;
     let (mut vertex, mut fragment) = (None, None);
     let mut kernels = Vec::new();
     for pragma in &source.pragmas {
@@ -241,8 +271,15 @@ fn programs_of(source: &Source, index: usize) -> Result<Vec<Program>, Problem> {
             }
             "tier" => {
                 let name = pragma.words.first().ok_or_else(needs_name)?;
-                tier = Tier::named(name)
+                let named = Tier::named(name)
                     .ok_or_else(|| wrong(&format!("{name} is no tier; tiers are floor, mobile and desktop")))?;
+                match keywords_of(&pragma.words) {
+                    keywords if keywords.is_empty() => tier = named,
+                    keywords => keyword_tiers.push((named, keywords)),
+                }
+            }
+            "require" if pragma.words.iter().any(|word| word == "Native16Bit") => {
+                native_16_bit = Some(keywords_of(&pragma.words));
             }
             "geometry" | "hull" | "domain" | "surface" | "raytracing" => {
                 return Err(wrong("this stage is not supported")
@@ -270,7 +307,9 @@ fn programs_of(source: &Source, index: usize) -> Result<Vec<Program>, Problem> {
             entries: vec![(Stage::Compute, name)],
             defines,
             axes: axes.clone(),
+            native_16_bit: native_16_bit.clone(),
             tier,
+            keyword_tiers: keyword_tiers.clone(),
             place,
             globals: globals.clone(),
             source: index,
@@ -290,7 +329,9 @@ fn programs_of(source: &Source, index: usize) -> Result<Vec<Program>, Problem> {
             entries,
             defines: Vec::new(),
             axes,
+            native_16_bit,
             tier,
+            keyword_tiers,
             place,
             globals: globals.clone(),
             source: index,

@@ -32,7 +32,7 @@ pub struct Pragma {
 }
 
 /// Pragmas that are read here and hidden from DXC.
-const OWN_PRAGMAS: [&str; 15] = [
+const OWN_PRAGMAS: [&str; 16] = [
     "once",
     "kernel",
     "vertex",
@@ -42,6 +42,7 @@ const OWN_PRAGMAS: [&str; 15] = [
     "shader_feature",
     "shader_feature_local",
     "tier",
+    "require",
     "geometry",
     "hull",
     "domain",

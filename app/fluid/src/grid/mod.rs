@@ -6,7 +6,8 @@ pub use scan::{SCAN_GROUP, Scan};
 
 use brooklet_gpu::{Recording, Resources};
 use brooklet_kernels::{
-    Buffer, CellSlot, CountCells, Counters, GridParams, Iterate, ListNeighbours, Position, Reorder, Velocity,
+    Buffer, CellSlot, CountCells, Counters, GridParams, LIST_CHUNK, LIST_SLICE, ListNeighbours, ListNeighboursVariant,
+    Position, Reorder, ReorderVariant, Velocity,
 };
 
 use crate::scene::Scene;
@@ -29,11 +30,16 @@ pub fn params(scene: &Scene, particle_count: u32) -> GridParams {
         inverse_cell_size_per_m: (1.0 / cell_m) as f32,
         support_m: scene.support_m() as f32,
         particle_count,
-        neighbour_slots: scene.solver.neighbour_slots,
-        reserved0: 0,
+        list_chunks: list_chunks(scene),
+        inverse_support_per_m: (1.0 / scene.support_m()) as f32,
         reserved1: 0,
         reserved2: 0,
     }
+}
+
+/// Room for neighbours a particle, in runs of `LIST_CHUNK`.
+pub fn list_chunks(scene: &Scene) -> u32 {
+    scene.solver.neighbour_slots.div_ceil(LIST_CHUNK)
 }
 
 /// The grid's buffers.
@@ -84,13 +90,14 @@ impl Grid {
         self.scan.record(recording, &self.cell_counts, &mut self.cell_starts);
         recording.dispatch(
             &Reorder {
+                variant: ReorderVariant { packed: sorted.packed },
                 positions: positions.read(),
                 velocities: velocities.read(),
                 cell_slots: self.cell_slots.read(),
                 cell_starts: self.cell_starts.read(),
                 sorted_positions: sorted.positions.write(),
                 sorted_velocities: sorted.velocities.write(),
-                iterates: sorted.iterates.write(),
+                places: sorted.places.write(),
                 grid: self.params.uniform(),
             },
             positions.len,
@@ -104,25 +111,34 @@ pub struct Sorted {
     pub positions: Buffer<Position>,
     /// Predicted velocities.
     pub velocities: Buffer<Velocity>,
-    /// The same positions, for the iterations to change.
-    pub iterates: Buffer<Iterate>,
+    /// The same positions in fixed point, for the iterations to change.
+    pub places: Buffer<[u32; 2]>,
+    /// Whether the places are packed into 16 bits an axis.
+    pub packed: bool,
 }
 
 impl Sorted {
     /// Declares the buffers of `particle_count` particles.
-    pub fn declare(resources: &mut Resources, particle_count: u32) -> Self {
+    pub fn declare(resources: &mut Resources, scene: &Scene, particle_count: u32) -> Self {
         Self {
             positions: resources.buffer("sorted_positions", particle_count),
             velocities: resources.buffer("sorted_velocities", particle_count),
-            iterates: resources.buffer("iterates", particle_count),
+            places: resources.buffer("places", particle_count),
+            packed: scene.solver.packed_positions,
         }
     }
 }
 
+/// Runs of four neighbours in the lists of `particle_count` particles, whole slices.
+pub fn list_length(particle_count: u32, list_chunks: u32) -> u32 {
+    particle_count.next_multiple_of(LIST_SLICE).saturating_mul(list_chunks)
+}
+
 /// Each particle's neighbours, listed once a substep.
 pub struct Neighbours {
-    /// Sorted indices, slot-major: slot s of particle i stands at s·n + i.
-    pub indices: Buffer<u32>,
+    /// Sorted indices, four neighbours of a particle side by side, interleaved over slices of
+    /// `LIST_SLICE` particles. (Shader: `shared/list.hlsl`.)
+    pub indices: Buffer<[u32; 4]>,
     /// Slots used.
     pub counts: Buffer<u32>,
 }
@@ -132,29 +148,25 @@ impl Neighbours {
     /// the measurement that reads them.
     pub fn declare(resources: &mut Resources, params: &GridParams) -> Self {
         Self {
-            indices: resources.state("neighbours", params.particle_count.saturating_mul(params.neighbour_slots)),
+            indices: resources.state("neighbours", list_length(params.particle_count, params.list_chunks)),
             counts: resources.state("neighbour_counts", params.particle_count),
         }
     }
 
     /// Lists the neighbours of the sorted particles.
-    pub fn record(
-        &mut self,
-        recording: &mut Recording,
-        grid: &Grid,
-        sorted_positions: &Buffer<Position>,
-        counters: &mut Buffer<Counters>,
-    ) {
+    pub fn record(&mut self, recording: &mut Recording, grid: &Grid, sorted: &Sorted, counters: &mut Buffer<Counters>) {
         recording.dispatch(
             &ListNeighbours {
-                sorted_positions: sorted_positions.read(),
+                variant: ListNeighboursVariant { packed: sorted.packed },
+                sorted_positions: sorted.positions.read(),
+                places: sorted.places.read(),
                 cell_starts: grid.cell_starts.read(),
                 neighbours: self.indices.write(),
                 neighbour_counts: self.counts.write(),
                 counters: counters.write(),
                 grid: grid.params.uniform(),
             },
-            sorted_positions.len,
+            sorted.positions.len,
         );
     }
 }

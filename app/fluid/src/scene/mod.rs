@@ -135,6 +135,19 @@ impl Method {
     }
 }
 
+/// How the arithmetic for a pair of particles is rounded.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Precision {
+    /// f32.
+    #[default]
+    Full,
+    /// f16 where the driver chooses to (SPIR-V's RelaxedPrecision), f32 where not.
+    Relaxed,
+    /// f16; only on devices of the desktop tier that have it.
+    Half,
+}
+
 /// Solver settings. A coefficient of 0 leaves its term out: no pass, no buffer, no code.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -167,8 +180,14 @@ pub struct Solver {
     pub vorticity_m_s: f64,
     /// No particle goes faster; clamps are counted. Default: h a substep.
     pub max_speed_m_s: Option<f64>,
-    /// Room for neighbours a particle; what does not fit is counted.
+    /// Room for neighbours a particle, rounded up to fours; what does not fit is counted.
     pub neighbour_slots: u32,
+    /// How what is computed for each pair of particles is rounded. Positions, sums and everything
+    /// outside the pairs stay f32.
+    pub precision: Precision,
+    /// Gathers 16 bits an axis and an f16 multiplier, 8 bytes, where otherwise 21 bits an axis and
+    /// an f32 multiplier take 16.
+    pub packed_positions: bool,
 }
 
 impl Default for Solver {
@@ -187,6 +206,8 @@ impl Default for Solver {
             vorticity_m_s: 0.0,
             max_speed_m_s: None,
             neighbour_slots: 48,
+            precision: Precision::Full,
+            packed_positions: false,
         }
     }
 }

@@ -62,7 +62,7 @@ static DRAW_PARTICLES_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "1a48bbb346103393ec07ce8706b65721b79b416a79a4e571b804d6794f9b5b2f",
+    hash: "d8ff160372adcbf7d0327e17c4664957310f7346ddfc005cc704c67147d4b140",
 };
 
 static DRAW_PARTICLES_FRAGMENT: Module = Module {
@@ -75,5 +75,5 @@ static DRAW_PARTICLES_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "db2b2753dce2455c2ac554ff586ba434446ff7228f95e8d11611d99a0a0fedd5",
+    hash: "c73b1007d5f7d2e8f9444d7c210f28700fe5f560efa4835cff221df886823b34",
 };

@@ -104,7 +104,7 @@ static DRAW_SHADE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "fb926527bdad55bbb3078db5e2b36cdedcc1fd53051fff651d103f2981460f26",
+    hash: "1c990f331707640408f0d2a7907e377fc5ab54bca28c2067fb4424f5460ad9ef",
 };
 
 static DRAW_SHADE_FRAGMENT: Module = Module {
@@ -117,7 +117,7 @@ static DRAW_SHADE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "ca07b174fe5f9c7a79b571e92c249235449b38f6ab0fa3458dadba63aa1a24f9",
+    hash: "90c62864c8ea4dfa833017da35db0a1ab53ee77ebd76792fa33c446db41cbf27",
 };
 
 static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
@@ -130,7 +130,7 @@ static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "69ba55e26a9275f8ea466080f6957cec81dc4ff2d4b5859b607c07b27c307ba3",
+    hash: "a90fd5a69fd07ad367af70fa9bfd7c22785c2f90ade2ba7eb7542a6ef21b1d79",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
@@ -143,5 +143,5 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "0fcfa98ec583d79aac90089555ea4c3c89bb079d3857ae55563cf1860e43d682",
+    hash: "ad5c7c06ea26725ca19d7a249399d9ae44cba0248ab1d9aa1af124ee81bc0609",
 };

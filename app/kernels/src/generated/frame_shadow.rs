@@ -55,7 +55,7 @@ static DRAW_SHADOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "0e3b7873d974e49966b9cc03822cb7ff6e7f73fbd0dce96b1bf43bc69334277a",
+    hash: "ec248c90b1d87ca0af53add958cd4b7d13af4e2a73b8a9324025702815c67fb3",
 };
 
 static DRAW_SHADOW_FRAGMENT: Module = Module {
@@ -68,5 +68,5 @@ static DRAW_SHADOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "bb8ceb06e6b6cd204ae0c7170806a72e12637e456c535e558a589a352a7670ff",
+    hash: "3fd7366937b3aa4dca5d3062c9332f69d12a2b7db864a74d6e97227956af4f06",
 };

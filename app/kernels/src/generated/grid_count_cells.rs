@@ -69,5 +69,5 @@ static COUNT_CELLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "053a9626e293da34043f840cb5f05472a81e58f59a12d9f9ddd3a6a0b017a162",
+    hash: "227c97b5db5d02bb348f9d6acdf6f20322f4499cb59546ee5e0a40c7863d74fe",
 };

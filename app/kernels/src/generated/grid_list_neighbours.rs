@@ -7,19 +7,29 @@ use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
 
+/// Which variant of [`ListNeighbours`] runs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct ListNeighboursVariant {
+    /// Keyword `PACKED`.
+    pub packed: bool,
+}
+
 /// Lists each particle's neighbours once a substep; every iteration reuses the list.
 /// Cells are h/2 wide. Rows of cells along x are cut to the chord of the support sphere and are
 /// one range of sorted particles each, so about half as many candidates are looked at as in the
-/// 27 cells of width h of the mobile deck. The list is slot-major: neighbouring threads write
-/// neighbouring words.
+/// 27 cells of width h of the mobile deck.
 #[derive(Debug)]
 pub struct ListNeighbours<'a> {
+    /// Its variant.
+    pub variant: ListNeighboursVariant,
     /// `StructuredBuffer<Position> sorted_positions`.
     pub sorted_positions: Buf<'a, Position>,
+    /// `StructuredBuffer<uint2> places`.
+    pub places: Buf<'a, [u32; 2]>,
     /// `StructuredBuffer<uint> cell_starts`.
     pub cell_starts: Buf<'a, u32>,
-    /// `RWStructuredBuffer<uint> neighbours`.
-    pub neighbours: BufMut<'a, u32>,
+    /// `RWStructuredBuffer<uint4> neighbours`.
+    pub neighbours: BufMut<'a, [u32; 4]>,
     /// `RWStructuredBuffer<uint> neighbour_counts`.
     pub neighbour_counts: BufMut<'a, u32>,
     /// `RWStructuredBuffer<Counters> counters`.
@@ -33,13 +43,14 @@ impl Kernel for ListNeighbours<'_> {
     const GROUP_SIZE: [u32; 3] = [64, 1, 1];
 
     fn module(&self) -> &'static Module {
-        &LIST_NEIGHBOURS
+        if self.variant.packed { &LIST_NEIGHBOURS_WITH_PACKED } else { &LIST_NEIGHBOURS }
     }
     fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
         bind(
             self.module(),
             &[
                 ("sorted_positions", Some(self.sorted_positions.id)),
+                ("places", Some(self.places.id)),
                 ("cell_starts", Some(self.cell_starts.id)),
                 ("neighbours", Some(self.neighbours.id)),
                 ("neighbour_counts", Some(self.neighbour_counts.id)),
@@ -51,7 +62,7 @@ impl Kernel for ListNeighbours<'_> {
 }
 
 /// The modules of this file.
-pub(super) static MODULES: &[&Module] = &[&LIST_NEIGHBOURS];
+pub(super) static MODULES: &[&Module] = &[&LIST_NEIGHBOURS, &LIST_NEIGHBOURS_WITH_PACKED];
 
 static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo {
@@ -59,23 +70,24 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 0,
         kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
     },
-    BindingInfo { name: "cell_starts", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 } },
+    BindingInfo { name: "places", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo { name: "cell_starts", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 } },
     BindingInfo {
         name: "neighbours",
-        slot: 2,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 },
+        slot: 3,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
     BindingInfo {
         name: "neighbour_counts",
-        slot: 3,
+        slot: 4,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 },
     },
     BindingInfo {
         name: "counters",
-        slot: 4,
+        slot: 5,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
-    BindingInfo { name: "grid", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "grid", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
 static LIST_NEIGHBOURS: Module = Module {
@@ -88,5 +100,18 @@ static LIST_NEIGHBOURS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "f90aefc81cbd352ba2fe499f942c6e7d68934bb85c5a4a2dee761ffb87b308b8",
+    hash: "4772c6e3d765f62c0f8037349512e971065deb2747b65ed8ed8d6685ef5ca831",
+};
+
+static LIST_NEIGHBOURS_WITH_PACKED: Module = Module {
+    name: "ListNeighbours+PACKED",
+    entry: "ListNeighbours",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/list_neighbours+packed.spv"),
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "grid/list_neighbours.compute",
+    hash: "53b59d42ee3a4b47a93eb256c8d95b35a1725d8e1813cc973f85ce7078f7d52a",
 };

@@ -2,15 +2,24 @@
 // makes it anew from grid/reorder.compute.
 //! Kernels of `grid/reorder.compute`.
 
-use super::{CellSlot, GridParams, Iterate, Position, Velocity};
+use super::{CellSlot, GridParams, Position, Velocity};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
+
+/// Which variant of [`Reorder`] runs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct ReorderVariant {
+    /// Keyword `PACKED`.
+    pub packed: bool,
+}
 
 /// Last pass of the counting sort: every attribute moves to its place in cell order, so that the
 /// solver's neighbours lie close together in memory (Hoetzlein 2014; the mobile deck's "locality").
 #[derive(Debug)]
 pub struct Reorder<'a> {
+    /// Its variant.
+    pub variant: ReorderVariant,
     /// `StructuredBuffer<Position> positions`.
     pub positions: Buf<'a, Position>,
     /// `StructuredBuffer<Velocity> velocities`.
@@ -23,8 +32,8 @@ pub struct Reorder<'a> {
     pub sorted_positions: BufMut<'a, Position>,
     /// `RWStructuredBuffer<Velocity> sorted_velocities`.
     pub sorted_velocities: BufMut<'a, Velocity>,
-    /// `RWStructuredBuffer<Iterate> iterates`.
-    pub iterates: BufMut<'a, Iterate>,
+    /// `RWStructuredBuffer<uint2> places`.
+    pub places: BufMut<'a, [u32; 2]>,
     /// `ConstantBuffer<GridParams> grid`.
     pub grid: Uniform<'a, GridParams>,
 }
@@ -34,7 +43,7 @@ impl Kernel for Reorder<'_> {
     const GROUP_SIZE: [u32; 3] = [64, 1, 1];
 
     fn module(&self) -> &'static Module {
-        &REORDER
+        if self.variant.packed { &REORDER_WITH_PACKED } else { &REORDER }
     }
     fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
         bind(
@@ -46,7 +55,7 @@ impl Kernel for Reorder<'_> {
                 ("cell_starts", Some(self.cell_starts.id)),
                 ("sorted_positions", Some(self.sorted_positions.id)),
                 ("sorted_velocities", Some(self.sorted_velocities.id)),
-                ("iterates", Some(self.iterates.id)),
+                ("places", Some(self.places.id)),
                 ("grid", Some(self.grid.id)),
             ],
         )
@@ -54,7 +63,7 @@ impl Kernel for Reorder<'_> {
 }
 
 /// The modules of this file.
-pub(super) static MODULES: &[&Module] = &[&REORDER];
+pub(super) static MODULES: &[&Module] = &[&REORDER, &REORDER_WITH_PACKED];
 
 static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "positions", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
@@ -71,11 +80,7 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 5,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
-    BindingInfo {
-        name: "iterates",
-        slot: 6,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
-    },
+    BindingInfo { name: "places", slot: 6, kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 } },
     BindingInfo { name: "grid", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
@@ -89,5 +94,18 @@ static REORDER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "c30f3babd322e3dfa6a036d6b3476b08025eb40d69a7c1960aac1c4cb24610e1",
+    hash: "7e24dbeb3cf47ae82aa6929e183cd750857f4efecaea3d075d5dfe27a48664a0",
+};
+
+static REORDER_WITH_PACKED: Module = Module {
+    name: "Reorder+PACKED",
+    entry: "Reorder",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/reorder+packed.spv"),
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "grid/reorder.compute",
+    hash: "76106357c01a612d4366cae29e342397ea7cf296b629e09fda469705808bbea5",
 };

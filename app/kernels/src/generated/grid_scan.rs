@@ -109,7 +109,7 @@ static REDUCE_GROUPS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "6d2c44046abbd1d0e4024661ddee8e69072c70df7d6a35bc2d33c57c46d83795",
+    hash: "6376bf08c3145af8dbf50247fd214b90589f9ef9c3da4c727f27ec2b74633397",
 };
 
 static SCAN_GROUPS: Module = Module {
@@ -122,7 +122,7 @@ static SCAN_GROUPS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "71343b6f1051306402ecbff578e38eb234c7e7f9a4889c69ae11f1e9edf6777c",
+    hash: "9f02f46a0f8b6c5b42731b2931447c84b7200b8f5b94de356e8b868c72425907",
 };
 
 static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
@@ -135,5 +135,5 @@ static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "3ebbbbbd5b51b890db6e04800a4fa0f2029d601a7e72d1845c98fa74783d7627",
+    hash: "a991a6de76aaa00dbca1d3b57d150df8f8bfb1de27c6249b4bbc3abc0bf54c59",
 };

@@ -25,8 +25,8 @@ pub struct MeasureParticles<'a> {
     pub positions: Buf<'a, Position>,
     /// `StructuredBuffer<Velocity> velocities`.
     pub velocities: Buf<'a, Velocity>,
-    /// `StructuredBuffer<uint> neighbours`.
-    pub neighbours: Buf<'a, u32>,
+    /// `StructuredBuffer<uint4> neighbours`.
+    pub neighbours: Buf<'a, [u32; 4]>,
     /// `StructuredBuffer<uint> neighbour_counts`.
     pub neighbour_counts: Buf<'a, u32>,
     /// `RWStructuredBuffer<MeasureSums> group_measures`.
@@ -79,7 +79,7 @@ pub(super) static MODULES: &[&Module] =
 static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "positions", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
     BindingInfo { name: "velocities", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
-    BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 } },
+    BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
     BindingInfo {
         name: "neighbour_counts",
         slot: 3,
@@ -102,7 +102,7 @@ static BINDINGS_0: &[BindingInfo] = &[
 static BINDINGS_1: &[BindingInfo] = &[
     BindingInfo { name: "positions", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
     BindingInfo { name: "velocities", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
-    BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 } },
+    BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
     BindingInfo {
         name: "neighbour_counts",
         slot: 3,
@@ -137,7 +137,7 @@ static MEASURE_PARTICLES: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "d6a01147e945312f28c93c7bfe66e3d56c0c7298cec527efe87da8ec7e6eef18",
+    hash: "6230ebab36157afd90dd73a21d845ba6921f92d1e0aeecc2171c67fdf5a76f84",
 };
 
 static MEASURE_PARTICLES_WITH_WALLS: Module = Module {
@@ -150,7 +150,7 @@ static MEASURE_PARTICLES_WITH_WALLS: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "c01fc6a79e295fcadae61a1a3ef84489a7f88cd1d18beb58e22bc205a95ab8c9",
+    hash: "280b7c24f2ce39807a199659dcc9b7797cb349dae9e367f47bb07b4b0dc68f4f",
 };
 
 static MEASURE_PARTICLES_WITH_NARROW_WALLS: Module = Module {
@@ -163,5 +163,5 @@ static MEASURE_PARTICLES_WITH_NARROW_WALLS: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "dfc9e88b37c46767ce651d2a3a9d352d3931a94dee20cc0b27e04f67d4ecd379",
+    hash: "3fda71659f78517239068d8c0b78fb98e183dd69cdafe0ddc4fd0cf49ad492bc",
 };

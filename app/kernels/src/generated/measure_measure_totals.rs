@@ -73,5 +73,5 @@ static MEASURE_TOTALS: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_totals.compute",
-    hash: "330f208bc7700bb13b8938fed1467e4081572a71a2d25899aedbaaacbcecf945",
+    hash: "5f08bc16334313a946457f4bf466c932fb2353e35961add0ba23e9f079af95ed",
 };

@@ -82,7 +82,7 @@ static PREDICT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "0ddc07276b53f962948df5d8e3a039ab1fe321dd335048fe7d51c86a5ebf862d",
+    hash: "a18c24e93ef2e703e0cd309231c1d78b4e96aa0af5232f4f891ec63b8ffee073",
 };
 
 static PREDICT_WITH_WALLS: Module = Module {
@@ -95,5 +95,5 @@ static PREDICT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "984c47265eea4097e0813ac2d59a439777c74faea0ca5767af5698373c393e7b",
+    hash: "67596116e354faf928adb71e56f083f340b046d893df3b54c6d2f84bab03679d",
 };

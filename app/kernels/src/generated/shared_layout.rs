@@ -9,11 +9,17 @@ use bytemuck::{Pod, Zeroable};
 /// Vulkan promises 65,535 groups an axis only, so longer dispatches are folded into rows of so many.
 pub const GROUPS_A_ROW: u32 = 32768;
 
-/// Values each thread of a scan takes: one 16-byte load.
-pub const SCAN_ITEMS: u32 = 4;
+/// Values each thread of a scan takes.
+pub const SCAN_ITEMS: u32 = 16;
 
 /// Nodes an axis of the walls' table, from distance 0 to h.
 pub const WALL_NODES: u32 = 32;
+
+/// Particles whose neighbour lists lie interleaved: a group.
+pub const LIST_SLICE: u32 = 64;
+
+/// Neighbours of a particle that lie side by side: one 16-byte load.
+pub const LIST_CHUNK: u32 = 4;
 
 /// Bins of a histogram, 32 to an octave.
 pub const HISTOGRAM_BINS: u32 = 512;
@@ -39,19 +45,22 @@ const _: () = {
     assert!(size_of::<Position>() == 16);
 };
 
-/// A particle's position during the iterations, with its constraint's multiplier.
+/// A particle's place (shared/place.hlsl) during an iteration, with its constraint's multiplier.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
-pub struct Iterate {
-    /// `float3`.
-    pub position_m: [f32; 3],
+pub struct Constrained {
+    /// `uint2`.
+    pub place: [u32; 2],
     /// Macklin & Muller 2013, eq. (11), times h^2: no unit
     pub lambda: f32,
+    /// `float`.
+    pub reserved: f32,
 }
 const _: () = {
-    assert!(offset_of!(Iterate, position_m) == 0);
-    assert!(offset_of!(Iterate, lambda) == 12);
-    assert!(size_of::<Iterate>() == 16);
+    assert!(offset_of!(Constrained, place) == 0);
+    assert!(offset_of!(Constrained, lambda) == 8);
+    assert!(offset_of!(Constrained, reserved) == 12);
+    assert!(size_of::<Constrained>() == 16);
 };
 
 /// `Velocity`.
@@ -115,8 +124,8 @@ pub struct StepParams {
     pub max_speed_m_s: f32,
     /// `uint`.
     pub particle_count: u32,
-    /// `uint`.
-    pub fluid_count: u32,
+    /// room for neighbours a particle, in LIST\_CHUNKs
+    pub list_chunks: u32,
     /// `uint`.
     pub reserved: u32,
 }
@@ -127,7 +136,7 @@ const _: () = {
     assert!(offset_of!(StepParams, wall_offset_m) == 28);
     assert!(offset_of!(StepParams, max_speed_m_s) == 32);
     assert!(offset_of!(StepParams, particle_count) == 36);
-    assert!(offset_of!(StepParams, fluid_count) == 40);
+    assert!(offset_of!(StepParams, list_chunks) == 40);
     assert!(offset_of!(StepParams, reserved) == 44);
     assert!(size_of::<StepParams>() == 48);
 };
@@ -149,10 +158,10 @@ pub struct GridParams {
     pub support_m: f32,
     /// `uint`.
     pub particle_count: u32,
-    /// room for neighbours a particle
-    pub neighbour_slots: u32,
-    /// `uint`.
-    pub reserved0: u32,
+    /// room for neighbours a particle, in LIST\_CHUNKs
+    pub list_chunks: u32,
+    /// `float`.
+    pub inverse_support_per_m: f32,
     /// `uint`.
     pub reserved1: u32,
     /// `uint`.
@@ -165,8 +174,8 @@ const _: () = {
     assert!(offset_of!(GridParams, inverse_cell_size_per_m) == 20);
     assert!(offset_of!(GridParams, support_m) == 24);
     assert!(offset_of!(GridParams, particle_count) == 28);
-    assert!(offset_of!(GridParams, neighbour_slots) == 32);
-    assert!(offset_of!(GridParams, reserved0) == 36);
+    assert!(offset_of!(GridParams, list_chunks) == 32);
+    assert!(offset_of!(GridParams, inverse_support_per_m) == 36);
     assert!(offset_of!(GridParams, reserved1) == 40);
     assert!(offset_of!(GridParams, reserved2) == 44);
     assert!(size_of::<GridParams>() == 48);
@@ -183,13 +192,13 @@ pub struct KernelParams {
     /// 1 / sum of W over the lattice, W(0) = 1
     pub weight: f32,
     /// `float`.
-    pub spacing_m: f32,
+    pub reserved: f32,
 }
 const _: () = {
     assert!(offset_of!(KernelParams, support_m) == 0);
     assert!(offset_of!(KernelParams, inverse_support_per_m) == 4);
     assert!(offset_of!(KernelParams, weight) == 8);
-    assert!(offset_of!(KernelParams, spacing_m) == 12);
+    assert!(offset_of!(KernelParams, reserved) == 12);
     assert!(size_of::<KernelParams>() == 16);
 };
 

@@ -2,29 +2,38 @@
 // makes it anew from solver/pbf/confine_vorticity.compute.
 //! Kernels of `solver/pbf/confine_vorticity.compute`.
 
-use super::{KernelParams, PbfParams, Position, StepParams, Velocity, Vorticity};
+use super::{PbfParams, PrecisionKeyword, StepParams, Velocity, Vorticity};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
+
+/// Which variant of [`ConfineVorticity`] runs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct ConfineVorticityVariant {
+    /// Keyword `RELAXED_PRECISION` or `HALF_PRECISION`.
+    pub precision: PrecisionKeyword,
+    /// Keyword `PACKED`.
+    pub packed: bool,
+}
 
 /// Vorticity confinement (Fedkiw, Stam & Jensen 2001; Macklin & Muller 2013, eq. 16): gives back
 /// the swirl that the solver damps, pushing along N x omega, N towards larger |omega|.
 #[derive(Debug)]
 pub struct ConfineVorticity<'a> {
-    /// `StructuredBuffer<Position> positions`.
-    pub positions: Buf<'a, Position>,
+    /// Its variant.
+    pub variant: ConfineVorticityVariant,
+    /// `StructuredBuffer<uint2> places`.
+    pub places: Buf<'a, [u32; 2]>,
     /// `StructuredBuffer<Vorticity> vorticities`.
     pub vorticities: Buf<'a, Vorticity>,
-    /// `StructuredBuffer<uint> neighbours`.
-    pub neighbours: Buf<'a, u32>,
+    /// `StructuredBuffer<uint4> neighbours`.
+    pub neighbours: Buf<'a, [u32; 4]>,
     /// `StructuredBuffer<uint> neighbour_counts`.
     pub neighbour_counts: Buf<'a, u32>,
     /// `RWStructuredBuffer<Velocity> velocities`.
     pub velocities: BufMut<'a, Velocity>,
     /// `ConstantBuffer<StepParams> step_params`.
     pub step_params: Uniform<'a, StepParams>,
-    /// `ConstantBuffer<KernelParams> kernel`.
-    pub kernel: Uniform<'a, KernelParams>,
     /// `ConstantBuffer<PbfParams> pbf`.
     pub pbf: Uniform<'a, PbfParams>,
 }
@@ -34,19 +43,25 @@ impl Kernel for ConfineVorticity<'_> {
     const GROUP_SIZE: [u32; 3] = [64, 1, 1];
 
     fn module(&self) -> &'static Module {
-        &CONFINE_VORTICITY
+        match (self.variant.precision, self.variant.packed) {
+            (PrecisionKeyword::Off, false) => &CONFINE_VORTICITY,
+            (PrecisionKeyword::Off, true) => &CONFINE_VORTICITY_WITH_PACKED,
+            (PrecisionKeyword::RelaxedPrecision, false) => &CONFINE_VORTICITY_WITH_RELAXED_PRECISION,
+            (PrecisionKeyword::RelaxedPrecision, true) => &CONFINE_VORTICITY_WITH_RELAXED_PRECISION_WITH_PACKED,
+            (PrecisionKeyword::HalfPrecision, false) => &CONFINE_VORTICITY_WITH_HALF_PRECISION,
+            (PrecisionKeyword::HalfPrecision, true) => &CONFINE_VORTICITY_WITH_HALF_PRECISION_WITH_PACKED,
+        }
     }
     fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
         bind(
             self.module(),
             &[
-                ("positions", Some(self.positions.id)),
+                ("places", Some(self.places.id)),
                 ("vorticities", Some(self.vorticities.id)),
                 ("neighbours", Some(self.neighbours.id)),
                 ("neighbour_counts", Some(self.neighbour_counts.id)),
                 ("velocities", Some(self.velocities.id)),
                 ("step_params", Some(self.step_params.id)),
-                ("kernel", Some(self.kernel.id)),
                 ("pbf", Some(self.pbf.id)),
             ],
         )
@@ -54,12 +69,19 @@ impl Kernel for ConfineVorticity<'_> {
 }
 
 /// The modules of this file.
-pub(super) static MODULES: &[&Module] = &[&CONFINE_VORTICITY];
+pub(super) static MODULES: &[&Module] = &[
+    &CONFINE_VORTICITY,
+    &CONFINE_VORTICITY_WITH_PACKED,
+    &CONFINE_VORTICITY_WITH_RELAXED_PRECISION,
+    &CONFINE_VORTICITY_WITH_RELAXED_PRECISION_WITH_PACKED,
+    &CONFINE_VORTICITY_WITH_HALF_PRECISION,
+    &CONFINE_VORTICITY_WITH_HALF_PRECISION_WITH_PACKED,
+];
 
 static BINDINGS_0: &[BindingInfo] = &[
-    BindingInfo { name: "positions", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
+    BindingInfo { name: "places", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
     BindingInfo { name: "vorticities", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
-    BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 } },
+    BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
     BindingInfo {
         name: "neighbour_counts",
         slot: 3,
@@ -71,8 +93,7 @@ static BINDINGS_0: &[BindingInfo] = &[
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
     BindingInfo { name: "step_params", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "kernel", slot: 6, kind: BindingKind::Uniform { bytes: 16 } },
-    BindingInfo { name: "pbf", slot: 7, kind: BindingKind::Uniform { bytes: 32 } },
+    BindingInfo { name: "pbf", slot: 6, kind: BindingKind::Uniform { bytes: 32 } },
 ];
 
 static CONFINE_VORTICITY: Module = Module {
@@ -85,5 +106,70 @@ static CONFINE_VORTICITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "aea44af200aed14d58740c4ba48c132495f9879a1db64bcec95d59dd45b18bf1",
+    hash: "7f4f13aefc4e05b1d8eb56215a4a3588facae034b44b41d05b94813685a719bb",
+};
+
+static CONFINE_VORTICITY_WITH_PACKED: Module = Module {
+    name: "ConfineVorticity+PACKED",
+    entry: "ConfineVorticity",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/confine_vorticity+packed.spv"),
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/pbf/confine_vorticity.compute",
+    hash: "18c01e54d0b2481dae01585f85929803414d871f84ba7bedf1aed77eafc4b1d1",
+};
+
+static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
+    name: "ConfineVorticity+RELAXED_PRECISION",
+    entry: "ConfineVorticity",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/confine_vorticity+relaxed_precision.spv"),
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/pbf/confine_vorticity.compute",
+    hash: "2fa44d99f5f45771de5ccb08836dd2bece1d0ce219510b2d5397b448b5f63ee2",
+};
+
+static CONFINE_VORTICITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
+    name: "ConfineVorticity+RELAXED_PRECISION+PACKED",
+    entry: "ConfineVorticity",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/confine_vorticity+relaxed_precision+packed.spv"),
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/pbf/confine_vorticity.compute",
+    hash: "faef2d2499f277ce5cbdbc95b60090668304aacbbe58c53a9026dd6624675841",
+};
+
+static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
+    name: "ConfineVorticity+HALF_PRECISION",
+    entry: "ConfineVorticity",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/confine_vorticity+half_precision.spv"),
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Desktop,
+    source: "solver/pbf/confine_vorticity.compute",
+    hash: "55b218e283fecb5839adad33f73d66415d5ef105376cebb731a97166b17460e7",
+};
+
+static CONFINE_VORTICITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
+    name: "ConfineVorticity+HALF_PRECISION+PACKED",
+    entry: "ConfineVorticity",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/confine_vorticity+half_precision+packed.spv"),
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Desktop,
+    source: "solver/pbf/confine_vorticity.compute",
+    hash: "0dbf150b2285fda3c4b0e004bbaed981132be73f3fe2d28bc2273581cc639338",
 };

@@ -2,18 +2,27 @@
 // makes it anew from solver/pbf/update_velocity.compute.
 //! Kernels of `solver/pbf/update_velocity.compute`.
 
-use super::{Counters, Iterate, Position, StepParams, Velocity};
+use super::{Counters, KernelParams, Position, StepParams, Velocity};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
+
+/// Which variant of [`UpdateVelocity`] runs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct UpdateVelocityVariant {
+    /// Keyword `PACKED`.
+    pub packed: bool,
+}
 
 /// The velocity that the corrections amount to (Macklin & Muller 2013, algorithm 1, line 21).
 /// Only what the corrections added is divided by dt: (x\* - x)/dt of the whole path would lose
 /// x's last bits to the velocity, and a particle falling freely would not fall exactly.
 #[derive(Debug)]
 pub struct UpdateVelocity<'a> {
-    /// `StructuredBuffer<Iterate> iterates`.
-    pub iterates: Buf<'a, Iterate>,
+    /// Its variant.
+    pub variant: UpdateVelocityVariant,
+    /// `StructuredBuffer<uint2> places`.
+    pub places: Buf<'a, [u32; 2]>,
     /// `StructuredBuffer<Position> sorted_positions`.
     pub sorted_positions: Buf<'a, Position>,
     /// `StructuredBuffer<Velocity> sorted_velocities`.
@@ -26,6 +35,8 @@ pub struct UpdateVelocity<'a> {
     pub counters: BufMut<'a, Counters>,
     /// `ConstantBuffer<StepParams> step_params`.
     pub step_params: Uniform<'a, StepParams>,
+    /// `ConstantBuffer<KernelParams> kernel`.
+    pub kernel: Uniform<'a, KernelParams>,
 }
 
 impl Kernel for UpdateVelocity<'_> {
@@ -33,29 +44,30 @@ impl Kernel for UpdateVelocity<'_> {
     const GROUP_SIZE: [u32; 3] = [64, 1, 1];
 
     fn module(&self) -> &'static Module {
-        &UPDATE_VELOCITY
+        if self.variant.packed { &UPDATE_VELOCITY_WITH_PACKED } else { &UPDATE_VELOCITY }
     }
     fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
         bind(
             self.module(),
             &[
-                ("iterates", Some(self.iterates.id)),
+                ("places", Some(self.places.id)),
                 ("sorted_positions", Some(self.sorted_positions.id)),
                 ("sorted_velocities", Some(self.sorted_velocities.id)),
                 ("positions", Some(self.positions.id)),
                 ("velocities", Some(self.velocities.id)),
                 ("counters", Some(self.counters.id)),
                 ("step_params", Some(self.step_params.id)),
+                ("kernel", Some(self.kernel.id)),
             ],
         )
     }
 }
 
 /// The modules of this file.
-pub(super) static MODULES: &[&Module] = &[&UPDATE_VELOCITY];
+pub(super) static MODULES: &[&Module] = &[&UPDATE_VELOCITY, &UPDATE_VELOCITY_WITH_PACKED];
 
 static BINDINGS_0: &[BindingInfo] = &[
-    BindingInfo { name: "iterates", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
+    BindingInfo { name: "places", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
     BindingInfo {
         name: "sorted_positions",
         slot: 1,
@@ -82,6 +94,7 @@ static BINDINGS_0: &[BindingInfo] = &[
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
     BindingInfo { name: "step_params", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "kernel", slot: 7, kind: BindingKind::Uniform { bytes: 16 } },
 ];
 
 static UPDATE_VELOCITY: Module = Module {
@@ -94,5 +107,18 @@ static UPDATE_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "c711920a19b21c5f338f1f1bc7eae882b94189a12885b6304dfd83986975e930",
+    hash: "9f9e1f65b466ba846d9b4900206758fc763d8383be2823851550b3ba15e55658",
+};
+
+static UPDATE_VELOCITY_WITH_PACKED: Module = Module {
+    name: "UpdateVelocity+PACKED",
+    entry: "UpdateVelocity",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/update_velocity+packed.spv"),
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/pbf/update_velocity.compute",
+    hash: "65b4e0b8c30ee4bcead21119fed862e8f8c905e830fd3842f060ef7262f000bf",
 };

@@ -2,5 +2,6 @@
 
 pub mod cells;
 pub mod lattice;
+pub mod place;
 pub mod quadrature;
 pub mod wendland;

@@ -28,7 +28,7 @@ pub struct Job<'a> {
     pub source: &'a Source,
     /// Name of the entry point.
     pub entry: &'a str,
-    /// `cs_6_0`, `vs_6_0` or `ps_6_0`.
+    /// `cs_6_0`, or `cs_6_2` for 16-bit types; `vs_` and `ps_` likewise.
     pub profile: &'static str,
     /// `NAME` or `NAME=VALUE`.
     pub defines: &'a [String],
@@ -130,6 +130,9 @@ impl Dxc {
             command.env("BROOKLET_DXC_LIBRARY", library);
         }
         command.args(FLAGS).args(["-T", job.profile, "-E", job.entry, "-Fo"]).arg(output);
+        if job.profile.ends_with("6_2") {
+            command.arg("-enable-16bit-types");
+        }
         for define in job.defines {
             command.arg(format!("-D{define}"));
         }

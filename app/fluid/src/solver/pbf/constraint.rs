@@ -1,12 +1,10 @@
 //! One Jacobi iteration: the density constraint's multipliers, then the corrections they ask for.
 
 use brooklet_gpu::Recording;
-use brooklet_kernels::{
-    Buffer, ConstrainDensity, ConstrainDensityVariant, CorrectPositions, CorrectPositionsVariant, Iterate,
-};
+use brooklet_kernels::{Buffer, ConstrainDensity, ConstrainDensityVariant, CorrectPositions, CorrectPositionsVariant};
 
-use super::{Pbf, Shared};
-use crate::grid::Neighbours;
+use super::{Multipliers, Pbf, Shared};
+use crate::grid::{Neighbours, Sorted};
 
 /// λ of each particle into `pbf.constrained`. (Shader: `solver/pbf/constrain_density.compute`.)
 pub(super) fn constrain_density(
@@ -14,46 +12,66 @@ pub(super) fn constrain_density(
     pbf: &mut Pbf,
     shared: &Shared,
     neighbours: &Neighbours,
-    iterates: &Buffer<Iterate>,
+    sorted: &Sorted,
 ) {
+    let (constrained, packed_constrained) = match &mut pbf.constrained {
+        Multipliers::Full(constrained) => (Some(constrained.write()), None),
+        Multipliers::Packed(constrained) => (None, Some(constrained.write())),
+    };
     recording.dispatch(
         &ConstrainDensity {
-            variant: ConstrainDensityVariant { walls: shared.walls_keyword() },
-            iterates: iterates.read(),
+            variant: ConstrainDensityVariant {
+                walls: shared.walls_keyword(),
+                precision: shared.precision,
+                packed: sorted.packed,
+            },
+            places: sorted.places.read(),
+            sorted_positions: shared.wall_weights.as_ref().map(|_| sorted.positions.read()),
             neighbours: neighbours.indices.read(),
             neighbour_counts: neighbours.counts.read(),
-            constrained: pbf.constrained.write(),
+            constrained,
+            packed_constrained,
             wall_weights: shared.wall_weights.as_ref().map(Buffer::read),
             step_params: shared.step.uniform(),
             kernel: shared.kernel.uniform(),
             pbf: pbf.params.uniform(),
         },
-        iterates.len,
+        sorted.positions.len,
     );
 }
 
-/// Moves the iterates by what the multipliers ask for. (Shader: `solver/pbf/correct_positions.compute`.)
+/// Moves the places by what the multipliers ask for. (Shader: `solver/pbf/correct_positions.compute`.)
 pub(super) fn correct_positions(
     recording: &mut Recording,
     pbf: &Pbf,
     shared: &mut Shared,
     neighbours: &Neighbours,
-    iterates: &mut Buffer<Iterate>,
+    sorted: &mut Sorted,
 ) {
-    let count = iterates.len;
+    let (constrained, packed_constrained) = match &pbf.constrained {
+        Multipliers::Full(constrained) => (Some(constrained.read()), None),
+        Multipliers::Packed(constrained) => (None, Some(constrained.read())),
+    };
     recording.dispatch(
         &CorrectPositions {
-            variant: CorrectPositionsVariant { walls: shared.walls_keyword(), s_corr: pbf.s_corr },
-            constrained: pbf.constrained.read(),
+            variant: CorrectPositionsVariant {
+                walls: shared.walls_keyword(),
+                s_corr: pbf.s_corr,
+                precision: shared.precision,
+                packed: sorted.packed,
+            },
+            constrained,
+            packed_constrained,
+            sorted_positions: shared.wall_weights.as_ref().map(|_| sorted.positions.read()),
             neighbours: neighbours.indices.read(),
             neighbour_counts: neighbours.counts.read(),
-            iterates: iterates.write(),
+            places: sorted.places.write(),
             counters: shared.counters.write(),
             wall_weights: shared.wall_weights.as_ref().map(Buffer::read),
             step_params: shared.step.uniform(),
             kernel: shared.kernel.uniform(),
             pbf: pbf.params.uniform(),
         },
-        count,
+        sorted.positions.len,
     );
 }

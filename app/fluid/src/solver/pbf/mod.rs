@@ -7,7 +7,8 @@ mod velocity;
 
 use brooklet_gpu::{Recording, Resources};
 use brooklet_kernels::{
-    Buffer, Counters, Iterate, KernelParams, PbfParams, Position, StepParams, Velocity, WallsKeyword,
+    Buffer, Constrained, Counters, KernelParams, PbfParams, Position, PrecisionKeyword, StepParams, Velocity,
+    WallsKeyword,
 };
 
 use crate::grid::{Neighbours, Sorted};
@@ -23,6 +24,8 @@ pub struct Shared {
     pub kernel: Buffer<KernelParams>,
     /// The walls' table, if there are walls.
     pub wall_weights: Option<Buffer<[f32; 4]>>,
+    /// How what is computed for pairs of particles is rounded.
+    pub precision: PrecisionKeyword,
     /// Whether opposite walls are within reach of one particle.
     pub narrow: bool,
     /// Events that are counted.
@@ -46,10 +49,18 @@ pub struct Pbf {
     pub params: Buffer<PbfParams>,
     iterations: u32,
     s_corr: bool,
-    constrained: Buffer<Iterate>,
+    constrained: Multipliers,
     vortices: Option<Vortices>,
     /// Velocities before viscosity; without it they are the result.
     unsmoothed: Option<Buffer<Velocity>>,
+}
+
+/// Places with their multipliers, as they are during one iteration.
+pub(crate) enum Multipliers {
+    /// Places of 21 bits an axis, multipliers in f32.
+    Full(Buffer<Constrained>),
+    /// Both in eight bytes.
+    Packed(Buffer<[u32; 2]>),
 }
 
 /// What the shaders are given.
@@ -76,7 +87,11 @@ impl Pbf {
             params: resources.state("pbf_params", 1),
             iterations: solver.iterations,
             s_corr: solver.s_corr_k > 0.0,
-            constrained: resources.buffer("constrained", particle_count),
+            constrained: if solver.packed_positions {
+                Multipliers::Packed(resources.buffer("constrained", particle_count))
+            } else {
+                Multipliers::Full(resources.buffer("constrained", particle_count))
+            },
             vortices: (solver.vorticity_m_s > 0.0).then(|| Vortices::declare(resources, particle_count)),
             unsmoothed: (solver.xsph > 0.0).then(|| resources.buffer("unsmoothed_velocities", particle_count)),
         }
@@ -93,16 +108,16 @@ impl Pbf {
         velocities: &mut Buffer<Velocity>,
     ) {
         for _ in 0..self.iterations {
-            constraint::constrain_density(recording, self, shared, neighbours, &sorted.iterates);
-            constraint::correct_positions(recording, self, shared, neighbours, &mut sorted.iterates);
+            constraint::constrain_density(recording, self, shared, neighbours, sorted);
+            constraint::correct_positions(recording, self, shared, neighbours, sorted);
         }
         let updated = self.unsmoothed.as_mut().unwrap_or(&mut *velocities);
         velocity::update_velocity(recording, shared, sorted, positions, updated);
         if let Some(vortices) = &mut self.vortices {
-            vortices.record(recording, &self.params, shared, neighbours, positions, updated);
+            vortices.record(recording, &self.params, shared, neighbours, sorted, updated);
         }
         if let Some(unsmoothed) = &self.unsmoothed {
-            velocity::viscosity(recording, &self.params, shared, neighbours, positions, unsmoothed, velocities);
+            velocity::viscosity(recording, &self.params, shared, neighbours, sorted, unsmoothed, velocities);
         }
     }
 }

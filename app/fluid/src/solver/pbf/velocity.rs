@@ -2,7 +2,8 @@
 
 use brooklet_gpu::{Recording, Resources};
 use brooklet_kernels::{
-    Buffer, ConfineVorticity, Curl, PbfParams, Position, UpdateVelocity, Velocity, Viscosity, Vorticity,
+    Buffer, ConfineVorticity, ConfineVorticityVariant, Curl, CurlVariant, PbfParams, Position, UpdateVelocity,
+    UpdateVelocityVariant, Velocity, Viscosity, ViscosityVariant, Vorticity,
 };
 
 use super::Shared;
@@ -19,13 +20,15 @@ pub(super) fn update_velocity(
     let count = positions.len;
     recording.dispatch(
         &UpdateVelocity {
-            iterates: sorted.iterates.read(),
+            variant: UpdateVelocityVariant { packed: sorted.packed },
+            places: sorted.places.read(),
             sorted_positions: sorted.positions.read(),
             sorted_velocities: sorted.velocities.read(),
             positions: positions.write(),
             velocities: velocities.write(),
             counters: shared.counters.write(),
             step_params: shared.step.uniform(),
+            kernel: shared.kernel.uniform(),
         },
         count,
     );
@@ -37,13 +40,14 @@ pub(super) fn viscosity(
     pbf: &Buffer<PbfParams>,
     shared: &Shared,
     neighbours: &Neighbours,
-    positions: &Buffer<Position>,
+    sorted: &Sorted,
     velocities: &Buffer<Velocity>,
     smoothed: &mut Buffer<Velocity>,
 ) {
     recording.dispatch(
         &Viscosity {
-            positions: positions.read(),
+            variant: ViscosityVariant { precision: shared.precision, packed: sorted.packed },
+            places: sorted.places.read(),
             velocities: velocities.read(),
             neighbours: neighbours.indices.read(),
             neighbour_counts: neighbours.counts.read(),
@@ -52,7 +56,7 @@ pub(super) fn viscosity(
             kernel: shared.kernel.uniform(),
             pbf: pbf.uniform(),
         },
-        positions.len,
+        sorted.positions.len,
     );
 }
 
@@ -73,12 +77,13 @@ impl Vortices {
         pbf: &Buffer<PbfParams>,
         shared: &Shared,
         neighbours: &Neighbours,
-        positions: &Buffer<Position>,
+        sorted: &Sorted,
         velocities: &mut Buffer<Velocity>,
     ) {
         recording.dispatch(
             &Curl {
-                positions: positions.read(),
+                variant: CurlVariant { precision: shared.precision, packed: sorted.packed },
+                places: sorted.places.read(),
                 velocities: velocities.read(),
                 neighbours: neighbours.indices.read(),
                 neighbour_counts: neighbours.counts.read(),
@@ -86,20 +91,20 @@ impl Vortices {
                 step_params: shared.step.uniform(),
                 kernel: shared.kernel.uniform(),
             },
-            positions.len,
+            sorted.positions.len,
         );
         recording.dispatch(
             &ConfineVorticity {
-                positions: positions.read(),
+                variant: ConfineVorticityVariant { precision: shared.precision, packed: sorted.packed },
+                places: sorted.places.read(),
                 vorticities: self.vorticities.read(),
                 neighbours: neighbours.indices.read(),
                 neighbour_counts: neighbours.counts.read(),
                 velocities: velocities.write(),
                 step_params: shared.step.uniform(),
-                kernel: shared.kernel.uniform(),
                 pbf: pbf.uniform(),
             },
-            positions.len,
+            sorted.positions.len,
         );
     }
 }

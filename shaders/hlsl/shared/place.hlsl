@@ -1,0 +1,84 @@
+// Where a particle is during the iterations: fixed-point coordinates modulo four supports, 21 bits
+// an axis in 8 bytes. Differences of neighbours wrap to the right value as long as they are closer
+// than three supports, so no cell has to be known; a step is 4h / 2^21 = 1.9e-6 h, finer than an
+// f32 coordinate 32 h or more from the domain's corner. A gather then moves half the bytes of a
+// Position, and integer differences are opposite bit by bit, so pairs push each other equally.
+// PACKED: 16 bits an axis, and the multiplier as f16 in the bits that are left.
+#ifndef BROOKLET_PLACE
+#define BROOKLET_PLACE
+
+#include "layout.hlsl"
+
+// Support radii in one unit of a coordinate: 2^32 units are 4 h.
+static const float SUPPORTS_A_UNIT = 1.0 / 1073741824.0;
+
+#if defined(PACKED)
+#define PLACE_BITS 16
+#else
+#define PLACE_BITS 21
+#endif
+
+// From lengths in h to steps of a place, rounded, as 32-bit coordinates.
+uint3 FixedOf(float3 length_h)
+{
+    float steps_a_support = float(1u << (PLACE_BITS - 2));
+    return asuint(int3(round(length_h * steps_a_support))) << (32 - PLACE_BITS);
+}
+
+// The coordinates, each in the top bits of 32.
+uint3 Coordinates(uint2 place)
+{
+#if defined(PACKED)
+    return uint3(place.x & 0xffff0000, place.x << 16, place.y & 0xffff0000);
+#else
+    // x and z have the top 21 bits of a word each; y's top 11 bits end the first, its next the second.
+    return uint3(place.x & 0xfffff800, (place.x << 21) | ((place.y & 0x7ff) << 10), place.y & 0xfffff800);
+#endif
+}
+
+uint2 PlaceAt(uint3 coordinates)
+{
+#if defined(PACKED)
+    return uint2((coordinates.x & 0xffff0000) | (coordinates.y >> 16), coordinates.z & 0xffff0000);
+#else
+    return uint2((coordinates.x & 0xfffff800) | (coordinates.y >> 21),
+                 (coordinates.z & 0xfffff800) | ((coordinates.y >> 10) & 0x7ff));
+#endif
+}
+
+// The place of a position relative to the domain's corner, in h.
+uint2 PlaceOf(float3 position_h)
+{
+    float3 part = position_h * 0.25;
+    part -= floor(part);
+    return PlaceAt(FixedOf(part * 4.0));
+}
+
+// From `there` to `here`, in h.
+float3 Apart(uint3 here, uint3 there)
+{
+    // asint, for DXC 1.7 takes float3(int3(...)) of an unsigned difference as unsigned.
+    return float3(asint(here - there)) * SUPPORTS_A_UNIT;
+}
+
+// How far a particle is from the place of a position, in h.
+float3 MovedFrom(float3 position_h, uint2 place)
+{
+    return Apart(Coordinates(place), Coordinates(PlaceOf(position_h)));
+}
+
+#if defined(PACKED)
+// The multiplier in the bits that a packed place leaves, for all who read it, its own particle
+// too: pairs stay exactly opposite.
+uint2 WithLambda(uint2 place, float lambda)
+{
+    return uint2(place.x, place.y | f32tof16(lambda));
+}
+
+float LambdaOf(uint2 place)
+{
+    return f16tof32(place.y & 0xffff);
+}
+#endif
+
+#endif
