@@ -2,12 +2,13 @@
 
 use brooklet_fluid::grid::Scan;
 use brooklet_kernels::{
-    CellSlot, CountCells, Counters, GROUPS_A_ROW, GridParams, Kernel, LIST_CHUNK, ListNeighbours,
-    ListNeighboursVariant, Position, ReduceGroups, Reorder, ReorderVariant, SCAN_ITEMS, ScanGroups, ScanGroupsVariant,
-    Velocity,
+    CellSlot, CountCells, Counters, GROUPS_A_ROW, GridParams, Kernel, LIST_CHUNK, ListMembers, ListNeighbours,
+    ListNeighboursVariant, Position, RankMembers, ReduceGroups, Reorder, ReorderVariant, SCAN_ITEMS, ScanGroups,
+    ScanGroupsVariant, Velocity,
 };
 use brooklet_reference::grid::count_cells::{check_ranks, count_cells};
 use brooklet_reference::grid::list_neighbours::{check_list, list_neighbours};
+use brooklet_reference::grid::rank_members::rank_members;
 use brooklet_reference::grid::reorder::{places, reorder};
 use brooklet_reference::grid::scan;
 use brooklet_reference::shared::place::Places;
@@ -278,6 +279,67 @@ fn reorder_matches_its_twin() {
         cases += size;
     }
     report_exact(Reorder::STAGE, cases);
+}
+
+fn run_rank(positions: &[Position], slots: &[CellSlot], starts: &[u32], grid: GridParams) -> Vec<CellSlot> {
+    let mut bench = Bench::new();
+    let at = bench.input("positions", positions);
+    let mut slots = bench.input("cell_slots", slots);
+    let starts = bench.input("cell_starts", starts);
+    let mut members = bench.output("cell_members", positions.len());
+    let params = bench.uniform("grid", grid);
+    bench.dispatch(
+        &ListMembers {
+            cell_slots: slots.read(),
+            cell_starts: starts.read(),
+            cell_members: members.write(),
+            grid: params.uniform(),
+        },
+        positions.len(),
+    );
+    bench.dispatch(
+        &RankMembers {
+            positions: at.read(),
+            cell_starts: starts.read(),
+            cell_members: members.read(),
+            cell_slots: slots.write(),
+            grid: params.uniform(),
+        },
+        positions.len(),
+    );
+    bench.run().read(&slots, positions.len())
+}
+
+#[test]
+fn rank_members_matches_its_twin() {
+    let mut rng = rng(28);
+    let mut cases = 0;
+    for size in sizes(RankMembers::GROUP_SIZE[0] as usize) {
+        let size_m = DVec3::new(0.31, 0.2, 0.17);
+        let mut positions = scattered(&mut rng, size, size_m);
+        // Ids in no order, as they are after a sort.
+        for i in (1..size).rev() {
+            let other = rng.random_range(0..=i);
+            let (a, b) = (positions[i].tag, positions[other].tag);
+            (positions[i].tag, positions[other].tag) = (b, a);
+        }
+        // Cells of a fifth of the domain hold many.
+        for cell_m in [0.06, 1.0 / 64.0] {
+            let grid = grid_params(size_m, cell_m, size);
+            let (counts, slots) = run_count(&positions, grid);
+            let ranked = run_rank(&positions, &slots, &run_scan(&counts), grid);
+            let cells: Vec<u32> = slots.iter().map(|slot| slot.cell).collect();
+            let ids: Vec<u32> = positions.iter().map(|p| p.tag & !QUARANTINED).collect();
+            let expected = rank_members(&cells, &ids, grid.cell_count);
+            for (i, slot) in ranked.iter().enumerate() {
+                assert_eq!(slot.cell, cells[i]);
+                assert_eq!(slot.rank, expected[i].unwrap_or(slots[i].rank), "particle {i} of {size}");
+            }
+        }
+        cases += 2 * size;
+    }
+    report_exact(ListMembers::STAGE, cases);
+    report_exact(RankMembers::STAGE, cases);
 }
 
 /// The whole counting sort: counted, scanned, reordered.

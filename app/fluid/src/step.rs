@@ -53,7 +53,7 @@ pub fn record_count(resources: &mut Resources, scene: &Scene, particle_count: u3
     let grid_params = grid::params(scene, particle_count);
     let mut positions = resources.state("positions", particle_count);
     let mut velocities = resources.state("velocities", particle_count);
-    let mut grid = Grid::declare(resources, &grid_params);
+    let mut grid = Grid::declare(resources, scene, &grid_params);
     let mut neighbours = Neighbours::declare(resources, &grid_params);
     let mut sorted = Sorted::declare(resources, scene, particle_count);
     let mut pbf = Pbf::declare(resources, scene, particle_count);

@@ -5,6 +5,11 @@
 
 #include "layout.hlsl"
 
+uint IdOf(uint tag)
+{
+    return tag & ((1u << FLUID_SHIFT) - 1);
+}
+
 bool IsQuarantined(uint tag)
 {
     return (tag & QUARANTINED) != 0;

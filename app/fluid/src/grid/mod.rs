@@ -6,8 +6,8 @@ pub use scan::{SCAN_GROUP, Scan};
 
 use brooklet_gpu::{Recording, Resources};
 use brooklet_kernels::{
-    Buffer, CellSlot, CountCells, Counters, GridParams, LIST_CHUNK, LIST_SLICE, ListNeighbours, ListNeighboursVariant,
-    Position, Reorder, ReorderVariant, Velocity,
+    Buffer, CellSlot, CountCells, Counters, GridParams, LIST_CHUNK, LIST_SLICE, ListMembers, ListNeighbours,
+    ListNeighboursVariant, Position, RankMembers, Reorder, ReorderVariant, Velocity,
 };
 
 use crate::scene::Scene;
@@ -53,18 +53,21 @@ pub struct Grid {
     pub cell_starts: Buffer<u32>,
     /// Where each unsorted particle goes.
     pub cell_slots: Buffer<CellSlot>,
+    /// The unsorted particles of each cell, if their order is to be that of their ids.
+    members: Option<Buffer<u32>>,
     scan: Scan,
 }
 
 impl Grid {
     /// Declares the buffers of a grid with `params`.
-    pub fn declare(resources: &mut Resources, params: &GridParams) -> Self {
+    pub fn declare(resources: &mut Resources, scene: &Scene, params: &GridParams) -> Self {
         let starts = params.cell_count + 2;
         Self {
             params: resources.state("grid_params", 1),
             cell_counts: resources.buffer("cell_counts", starts),
             cell_starts: resources.buffer("cell_starts", starts),
             cell_slots: resources.buffer("cell_slots", params.particle_count),
+            members: scene.solver.deterministic.then(|| resources.buffer("cell_members", params.particle_count)),
             scan: Scan::declare(resources, "cell_starts", starts),
         }
     }
@@ -88,6 +91,28 @@ impl Grid {
             positions.len,
         );
         self.scan.record(recording, &self.cell_counts, &mut self.cell_starts);
+        if let Some(members) = &mut self.members {
+            let grid = self.params.uniform();
+            recording.dispatch(
+                &ListMembers {
+                    cell_slots: self.cell_slots.read(),
+                    cell_starts: self.cell_starts.read(),
+                    cell_members: members.write(),
+                    grid,
+                },
+                positions.len,
+            );
+            recording.dispatch(
+                &RankMembers {
+                    positions: positions.read(),
+                    cell_starts: self.cell_starts.read(),
+                    cell_members: members.read(),
+                    cell_slots: self.cell_slots.write(),
+                    grid: self.params.uniform(),
+                },
+                positions.len,
+            );
+        }
         recording.dispatch(
             &Reorder {
                 variant: ReorderVariant { packed: sorted.packed },

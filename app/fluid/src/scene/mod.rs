@@ -182,6 +182,9 @@ pub struct Solver {
     pub max_speed_m_s: Option<f64>,
     /// Room for neighbours a particle, rounded up to fours; what does not fit is counted.
     pub neighbour_slots: u32,
+    /// Sorts the particles of a cell by id, so that runs repeat bit for bit on a device; else they
+    /// come in the order that atomics give.
+    pub deterministic: bool,
     /// How what is computed for each pair of particles is rounded. Positions, sums and everything
     /// outside the pairs stay f32.
     pub precision: Precision,
@@ -206,6 +209,7 @@ impl Default for Solver {
             vorticity_m_s: 0.0,
             max_speed_m_s: None,
             neighbour_slots: 48,
+            deterministic: false,
             precision: Precision::Full,
             packed_positions: false,
         }

@@ -69,5 +69,5 @@ static COUNT_CELLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "227c97b5db5d02bb348f9d6acdf6f20322f4499cb59546ee5e0a40c7863d74fe",
+    hash: "f8a5b99154891a98c3443271a9ce9db8c947dfbc08281fd78905edb9cab3ce63",
 };

@@ -137,7 +137,7 @@ static MEASURE_PARTICLES: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "6230ebab36157afd90dd73a21d845ba6921f92d1e0aeecc2171c67fdf5a76f84",
+    hash: "4dadf832b81e9032d7e179188df8d1188156832cc95296b345e5119c064bd3f0",
 };
 
 static MEASURE_PARTICLES_WITH_WALLS: Module = Module {
@@ -150,7 +150,7 @@ static MEASURE_PARTICLES_WITH_WALLS: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "280b7c24f2ce39807a199659dcc9b7797cb349dae9e367f47bb07b4b0dc68f4f",
+    hash: "7bb6c3decf67b5d201813368ea3bf1b9f611d7637e9d3d30e09154b1f8b7fd97",
 };
 
 static MEASURE_PARTICLES_WITH_NARROW_WALLS: Module = Module {
@@ -163,5 +163,5 @@ static MEASURE_PARTICLES_WITH_NARROW_WALLS: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "3fda71659f78517239068d8c0b78fb98e183dd69cdafe0ddc4fd0cf49ad492bc",
+    hash: "96738f6e8000ec8b8b216d492b56c77114c03761616a31e0235a4b261ee28a28",
 };

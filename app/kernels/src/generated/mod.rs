@@ -15,7 +15,9 @@ mod frame_shade;
 mod frame_shadow;
 mod frame_sky;
 mod grid_count_cells;
+mod grid_list_members;
 mod grid_list_neighbours;
+mod grid_rank_members;
 mod grid_reorder;
 mod grid_scan;
 mod keywords;
@@ -43,7 +45,9 @@ pub use frame_shade::*;
 pub use frame_shadow::*;
 pub use frame_sky::*;
 pub use grid_count_cells::*;
+pub use grid_list_members::*;
 pub use grid_list_neighbours::*;
+pub use grid_rank_members::*;
 pub use grid_reorder::*;
 pub use grid_scan::*;
 pub use keywords::*;
@@ -73,7 +77,9 @@ pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
         frame_shadow::MODULES,
         frame_sky::MODULES,
         grid_count_cells::MODULES,
+        grid_list_members::MODULES,
         grid_list_neighbours::MODULES,
+        grid_rank_members::MODULES,
         grid_reorder::MODULES,
         grid_scan::MODULES,
         measure_measure_particles::MODULES,

@@ -82,7 +82,7 @@ static PREDICT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "a18c24e93ef2e703e0cd309231c1d78b4e96aa0af5232f4f891ec63b8ffee073",
+    hash: "dc923fe100de2aeb99a3e95ede6018b544a8cb856236efe22533e65ada6fc794",
 };
 
 static PREDICT_WITH_WALLS: Module = Module {
@@ -95,5 +95,5 @@ static PREDICT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "67596116e354faf928adb71e56f083f340b046d893df3b54c6d2f84bab03679d",
+    hash: "6c34b19a018358c8d91777dadb5fbcd32b6ab530f37373b62765703a8def065a",
 };

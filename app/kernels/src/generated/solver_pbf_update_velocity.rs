@@ -107,7 +107,7 @@ static UPDATE_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "9f9e1f65b466ba846d9b4900206758fc763d8383be2823851550b3ba15e55658",
+    hash: "ec4fce8ac1ff79b894b62957547eacaedb4c5f19e3fc22111cc9611864235311",
 };
 
 static UPDATE_VELOCITY_WITH_PACKED: Module = Module {
@@ -120,5 +120,5 @@ static UPDATE_VELOCITY_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "65b4e0b8c30ee4bcead21119fed862e8f8c905e830fd3842f060ef7262f000bf",
+    hash: "b24fc6bb597568d9bd9482315f86597b104c0cc96cce0fb465271653046d45fa",
 };

@@ -2,5 +2,6 @@
 
 pub mod count_cells;
 pub mod list_neighbours;
+pub mod rank_members;
 pub mod reorder;
 pub mod scan;

@@ -1,0 +1,69 @@
+// Written by the shader compiler; do not edit. `cargo run -p brooklet-compiler -- build`
+// makes it anew from grid/list_members.compute.
+//! Kernels of `grid/list_members.compute`.
+
+use super::{CellSlot, GridParams};
+use crate::{
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+};
+
+/// First pass of the deterministic order: which particles each cell holds, in whatever order the
+/// atomics of CountCells gave.
+#[derive(Debug)]
+pub struct ListMembers<'a> {
+    /// `StructuredBuffer<CellSlot> cell_slots`.
+    pub cell_slots: Buf<'a, CellSlot>,
+    /// `StructuredBuffer<uint> cell_starts`.
+    pub cell_starts: Buf<'a, u32>,
+    /// `RWStructuredBuffer<uint> cell_members`.
+    pub cell_members: BufMut<'a, u32>,
+    /// `ConstantBuffer<GridParams> grid`.
+    pub grid: Uniform<'a, GridParams>,
+}
+
+impl Kernel for ListMembers<'_> {
+    const STAGE: &'static str = "list_members";
+    const GROUP_SIZE: [u32; 3] = [64, 1, 1];
+
+    fn module(&self) -> &'static Module {
+        &LIST_MEMBERS
+    }
+    fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
+        bind(
+            self.module(),
+            &[
+                ("cell_slots", Some(self.cell_slots.id)),
+                ("cell_starts", Some(self.cell_starts.id)),
+                ("cell_members", Some(self.cell_members.id)),
+                ("grid", Some(self.grid.id)),
+            ],
+        )
+    }
+}
+
+/// The modules of this file.
+pub(super) static MODULES: &[&Module] = &[&LIST_MEMBERS];
+
+static BINDINGS_0: &[BindingInfo] = &[
+    BindingInfo { name: "cell_slots", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo { name: "cell_starts", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 } },
+    BindingInfo {
+        name: "cell_members",
+        slot: 2,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 },
+    },
+    BindingInfo { name: "grid", slot: 3, kind: BindingKind::Uniform { bytes: 48 } },
+];
+
+static LIST_MEMBERS: Module = Module {
+    name: "ListMembers",
+    entry: "ListMembers",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/list_members.spv"),
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "grid/list_members.compute",
+    hash: "eecdddc3de12a5b50da608f3d110bcc40a86f33108551cd78c90c9e7bcbaa926",
+};
