@@ -6,10 +6,18 @@ use crate::gpu;
 use brooklet_gpu::{Engine, Plan, Recording, Resources};
 use brooklet_kernels::{Buffer, Kernel};
 use bytemuck::Pod;
+use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 
 /// Whether sizes are to be kept small.
 pub fn small() -> bool {
     std::env::var_os("BROOKLET_SMALL").is_some_and(|value| value != "0" && !value.is_empty())
+}
+
+/// A runner of few cases (a CPU driver takes tens of milliseconds for each), the same every time.
+pub fn few_cases() -> TestRunner {
+    let cases = if small() { 4 } else { 12 };
+    let config = Config { cases, failure_persistence: None, ..Config::default() };
+    TestRunner::new_with_rng(config, TestRng::from_seed(RngAlgorithm::ChaCha, &[7; 32]))
 }
 
 /// A recording in the making, with its inputs.

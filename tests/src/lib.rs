@@ -8,6 +8,7 @@ mod device;
 pub mod extreme;
 pub mod harness;
 pub mod peers;
+pub mod scan;
 pub mod validation;
 
 pub use device::gpu;

@@ -1,10 +1,8 @@
-//! `grid/` against its twins: the counting sort, its prefix sums, the neighbour list.
+//! `grid/` against its twins: the counting sort, the neighbour list.
 
-use brooklet_fluid::grid::Scan;
 use brooklet_kernels::{
     CellSlot, CountCells, Counters, GROUPS_A_ROW, GridParams, Kernel, LIST_CHUNK, ListMembers, ListNeighbours,
-    ListNeighboursVariant, Position, RankMembers, ReduceGroups, Reorder, ReorderVariant, SCAN_ITEMS, ScanGroups,
-    ScanGroupsVariant, Velocity,
+    ListNeighboursVariant, Position, RankMembers, Reorder, ReorderVariant, Velocity,
 };
 use brooklet_reference::grid::count_cells::{check_ranks, count_cells};
 use brooklet_reference::grid::list_neighbours::{check_list, list_neighbours};
@@ -14,24 +12,14 @@ use brooklet_reference::grid::scan;
 use brooklet_reference::shared::place::Places;
 use brooklet_tests::cases::{SLOTS, SUPPORT_M, fluid, grid_params, list_entry, list_length, sizes, vectors};
 use brooklet_tests::compare::{check_cell, check_exact, report_exact, vector};
-use brooklet_tests::harness::{Bench, small};
+use brooklet_tests::harness::{Bench, few_cases, small};
 use brooklet_tests::rng;
+use brooklet_tests::scan::run_scan;
 use glam::DVec3;
 use proptest::prelude::*;
-use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use rand::{Rng, RngExt};
 
 const QUARANTINED: u32 = brooklet_kernels::QUARANTINED;
-
-/// Values a group of the scan takes: four a thread.
-const SCAN_GROUP: u32 = SCAN_ITEMS * ScanGroups::GROUP_SIZE[0];
-
-/// A runner of few cases (a CPU driver takes tens of milliseconds for each), the same every time.
-fn few_cases() -> TestRunner {
-    let cases = if small() { 4 } else { 12 };
-    let config = Config { cases, failure_persistence: None, ..Config::default() };
-    TestRunner::new_with_rng(config, TestRng::from_seed(RngAlgorithm::ChaCha, &[7; 32]))
-}
 
 /// Particles all over the domain and some outside it or quarantined.
 fn scattered(rng: &mut impl Rng, count: usize, size_m: DVec3) -> Vec<Position> {
@@ -117,92 +105,6 @@ fn positions_far_outside_have_no_cell() {
     let positions: Vec<Position> = far.iter().map(|&x| Position { position_m: [x, 0.1, 0.1], tag: 0 }).collect();
     let grid = grid_params(DVec3::splat(0.3), 1.0 / 64.0, positions.len());
     check_count(&positions, grid, 0.0).unwrap();
-}
-
-fn run_reduce(values: &[u32]) -> Vec<u32> {
-    let groups = values.len().div_ceil(SCAN_GROUP as usize);
-    let mut bench = Bench::new();
-    let input = bench.input("values", values);
-    let mut sums = bench.output("group_sums", groups);
-    let kernel = ReduceGroups { values: input.read(), group_sums: sums.write() };
-    bench.dispatch(&kernel, values.len().div_ceil(SCAN_ITEMS as usize));
-    bench.run().read(&sums, groups)
-}
-
-fn run_scan_groups(values: &[u32], offsets: Option<&[u32]>) -> Vec<u32> {
-    let mut bench = Bench::new();
-    let input = bench.input("values", values);
-    let offsets = offsets.map(|offsets| bench.input("group_offsets", offsets));
-    let mut scanned = bench.output("scanned", values.len());
-    let kernel = ScanGroups {
-        variant: ScanGroupsVariant { group_offsets: offsets.is_some() },
-        values: input.read(),
-        group_offsets: offsets.as_ref().map(|offsets| offsets.read()),
-        scanned: scanned.write(),
-    };
-    bench.dispatch(&kernel, values.len().div_ceil(SCAN_ITEMS as usize));
-    bench.run().read(&scanned, values.len())
-}
-
-/// All levels, as the fluid records them.
-fn run_scan(values: &[u32]) -> Vec<u32> {
-    let mut bench = Bench::new();
-    let input = bench.input("values", values);
-    let mut scanned = bench.output("scanned", values.len());
-    let (resources, recording) = bench.parts();
-    if !values.is_empty() {
-        Scan::declare(resources, "test", values.len() as u32).record(recording, &input, &mut scanned);
-    }
-    bench.run().read(&scanned, values.len())
-}
-
-fn numbers(rng: &mut impl Rng, count: usize) -> Vec<u32> {
-    (0..count).map(|_| rng.random()).collect()
-}
-
-#[test]
-fn reduce_and_scan_groups_match_their_twins() {
-    let mut rng = rng(22);
-    let group = SCAN_GROUP as usize;
-    let mut cases = 0;
-    for size in [0, 1, 3, 4, 5, group - 1, group, group + 1, 3 * group, 7 * group + 333] {
-        let values = numbers(&mut rng, size);
-        check_exact(&run_reduce(&values), &scan::reduce_groups(&values, group)).unwrap();
-        check_exact(&run_scan_groups(&values, None), &scan::scan_groups(&values, group, None)).unwrap();
-        let offsets = numbers(&mut rng, size.div_ceil(group));
-        let expected = scan::scan_groups(&values, group, Some(&offsets));
-        check_exact(&run_scan_groups(&values, Some(&offsets)), &expected).unwrap();
-        cases += size;
-    }
-    report_exact(ReduceGroups::STAGE, cases);
-    report_exact(ScanGroups::STAGE, 2 * cases);
-}
-
-#[test]
-fn scan_of_several_levels_matches_its_twin() {
-    let mut rng = rng(23);
-    let group = SCAN_GROUP as usize;
-    let mut sizes = vec![0, 1, group, group + 1, 20 * group + 77, group * group];
-    if !small() {
-        // A third level.
-        sizes.extend([group * group + 1, 3 * group * group + 1234]);
-    }
-    let mut cases = 0;
-    for size in sizes {
-        let values = numbers(&mut rng, size);
-        check_exact(&run_scan(&values), &scan::scan(&values)).unwrap();
-        cases += size;
-    }
-    report_exact("scan of several levels", cases);
-}
-
-#[test]
-fn scan_of_anything() {
-    let lengths = 0..3000_usize;
-    let values = proptest::collection::vec(any::<u32>(), lengths);
-    few_cases()
-        .run(&values, |values| check_exact(&run_scan(&values), &scan::scan(&values)).map_err(TestCaseError::fail))
-        .unwrap();
 }
 
 struct Sorted {

@@ -57,5 +57,5 @@ static COPY_ELEMENTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/copy.compute",
-    hash: "285d2c7fe268c33d58be1e410168b5d1ed6436a89810d56f7e36f5d7df64239c",
+    hash: "192b78f6c13c5b0614ee3b695196dd75d5daa115bc55f1026e50f7913f8cb84b",
 };

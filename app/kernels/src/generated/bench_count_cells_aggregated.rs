@@ -70,5 +70,5 @@ static COUNT_CELLS_AGGREGATED: Module = Module {
     shared_bytes: 512,
     tier: Tier::Floor,
     source: "bench/count_cells_aggregated.compute",
-    hash: "c51edb48e29b91775de425461820616f23f9d1a5eece976e54acaef3139dbcb0",
+    hash: "0c115a119c563ffad07282febf893c8ad87b9b055f10cf34d949940ac1db5d1e",
 };

@@ -88,7 +88,7 @@ static SCAN_GROUPS_TREE: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "87eaf78b464276686225b0c51880c6d9d732e81fc30a3d889283f1db5fc74ba0",
+    hash: "d27fba200f518e84a54f57b6cdb7b7fed80c888f440d1cdd6a6cb3608cd5ea46",
 };
 
 static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
@@ -101,7 +101,7 @@ static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "ed90095ccdcb44f591675e719aa450c52c6aa65ef06775a91e6fbccecc5e4406",
+    hash: "7ac46d0e3d67d530aef576f5df2b1ae059c3ff3553ec789d9e6f08b052c3ebde",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
@@ -114,7 +114,7 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "66470ebdfa0e32a90edaac984df61ae5f0825157a6433cb9feb2810eee6ed8a1",
+    hash: "a30a25b091abb4fe84c4b5777f6b31b34dd8950454f566ff8031c653b1c76440",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
@@ -127,5 +127,5 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "46594742a0026d4c84a9fe1bcd2560b38d928d182d19b07635ae50743f5071eb",
+    hash: "26b67afb07b382427425b5b7b6c157b8c7090fad62f60f485d6a1721256d018a",
 };

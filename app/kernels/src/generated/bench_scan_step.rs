@@ -54,5 +54,5 @@ static SCAN_STEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/scan_step.compute",
-    hash: "11e0c08f996b16b29945f2a66149487ff2906c42cf9f9462f768256c89047ffc",
+    hash: "9fd8f890dca73287218c8e24aaaac2a3c55f45274e9fb9568bc5878bfae6c38d",
 };
