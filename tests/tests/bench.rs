@@ -56,7 +56,7 @@ fn ways_to_sort_are_compared_in_pairs() {
     let compared = workshop.succeed(&arguments).json();
     assert_eq!(compared["particles"], 4096);
     let outcomes = compared["comparisons"].as_array().unwrap();
-    for optimisation in ["aggregated atomics", "shared-memory scan", "bank-conflict padding"] {
+    for optimisation in ["locality", "aggregated atomics", "shared-memory scan", "bank-conflict padding"] {
         assert!(outcomes.iter().any(|outcome| outcome["optimisation"] == optimisation), "no {optimisation}");
     }
     for outcome in outcomes {

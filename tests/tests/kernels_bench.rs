@@ -1,12 +1,16 @@
 //! The kernels that only `brooklet bench` runs, against the twins of those they are held against.
 
 use brooklet_kernels::{
-    CellSlot, CopyElements, CountCellsAggregated, GridParams, Kernel, Position, QUARANTINED, SCAN_ITEMS,
-    ScanGroupsTree, ScanGroupsTreeVariant, ScanStep,
+    CellSlot, CopyElements, CountCellsAggregated, Counters, GridParams, Kernel, ListNeighboursByIndex, Position,
+    QUARANTINED, ReorderIndex, SCAN_ITEMS, ScanGroupsTree, ScanGroupsTreeVariant, ScanStep,
 };
-use brooklet_reference::grid::count_cells::{check_ranks, count_cells};
+use brooklet_reference::grid::count_cells::{cell_of, check_ranks, count_cells};
+use brooklet_reference::grid::list_neighbours::{check_list, list_neighbours};
+use brooklet_reference::grid::reorder::{self as twin, reorder};
 use brooklet_reference::grid::scan;
-use brooklet_tests::cases::{grid_params, sizes};
+use brooklet_reference::params::Grid;
+use brooklet_reference::shared::place::Places;
+use brooklet_tests::cases::{SUPPORT_M, fluid, grid_params, list_entry, list_length, sizes, vectors};
 use brooklet_tests::compare::{check_cell, check_exact, report_exact, vector};
 use brooklet_tests::harness::Bench;
 use brooklet_tests::rng;
@@ -85,6 +89,143 @@ fn count_cells_aggregated_matches_the_twin_of_count_cells() {
         }
     }
     report_exact(CountCellsAggregated::STAGE, cases);
+}
+
+/// Where particles of `cells` go, as the counting sort has it, ranks from the last to the first:
+/// any numbering is to be obeyed.
+fn slots_of(cells: &[u32], cell_count: u32) -> (Vec<CellSlot>, Vec<u32>) {
+    let mut filled = vec![0; cell_count as usize + 2];
+    let mut slots = vec![CellSlot::default(); cells.len()];
+    for (i, &cell) in cells.iter().enumerate().rev() {
+        slots[i] = CellSlot { cell, rank: filled[cell as usize] };
+        filled[cell as usize] += 1;
+    }
+    (slots, scan::scan(&filled))
+}
+
+/// Sorts an index of particles that are in `cells`; returns it, their places, and the starts of
+/// the cells.
+fn run_reorder_index(
+    positions: &[Position],
+    cells: &[u32],
+    grid: GridParams,
+) -> (Vec<u32>, Vec<[u32; 2]>, Vec<u32>, Vec<CellSlot>) {
+    let count = positions.len();
+    let (slots, starts) = slots_of(cells, grid.cell_count);
+    let mut bench = Bench::new();
+    let at = bench.input("positions", positions);
+    let cell_slots = bench.input("cell_slots", &slots);
+    let cell_starts = bench.input("cell_starts", &starts);
+    let mut sorted_indices = bench.output("sorted_indices", count);
+    let mut places = bench.output("places", count);
+    let params = bench.uniform("grid", grid);
+    bench.dispatch(
+        &ReorderIndex {
+            positions: at.read(),
+            cell_slots: cell_slots.read(),
+            cell_starts: cell_starts.read(),
+            sorted_indices: sorted_indices.write(),
+            places: places.write(),
+            grid: params.uniform(),
+        },
+        count,
+    );
+    let mut done = bench.run();
+    (done.read(&sorted_indices, count), done.read(&places, count), starts, slots)
+}
+
+#[test]
+fn reorder_index_matches_the_twin_of_reorder() {
+    let mut rng = rng(65);
+    let mut cases = 0;
+    for size in sizes(ReorderIndex::GROUP_SIZE[0] as usize) {
+        let case = fluid(&mut rng, size);
+        let grid = grid_params(case.size_m, SUPPORT_M / 2.0, size);
+        let cells: Vec<u32> = (0..size).map(|_| rng.random_range(0..=grid.cell_count)).collect();
+        let (indices, places, starts, slots) = run_reorder_index(&case.positions, &cells, grid);
+        let ranks: Vec<u32> = slots.iter().map(|slot| slot.rank).collect();
+        let numbers: Vec<u32> = (0..size as u32).collect();
+        check_exact(&indices, &reorder(&numbers, &twin::places(&cells, &ranks, &starts))).unwrap();
+        assert_eq!(places, case.places(Places::Full));
+        cases += size;
+    }
+    report_exact(ReorderIndex::STAGE, cases);
+}
+
+/// Lists by index and compares with brute force over the particles where they lie.
+fn check_list_by_index(positions: &[Position], size_m: DVec3) -> Result<usize, String> {
+    let count = positions.len();
+    let grid = GridParams { list_chunks: 32, ..grid_params(size_m, SUPPORT_M / 2.0, count) };
+    let geometry = Grid { cells: grid.cells, cell_size_m: SUPPORT_M / 2.0, support_m: SUPPORT_M };
+    let cells: Vec<u32> = positions
+        .iter()
+        .map(|position| match position.tag & QUARANTINED {
+            0 => cell_of(vector(position.position_m), &geometry),
+            _ => grid.cell_count,
+        })
+        .collect();
+    let (indices, places, starts, _) = run_reorder_index(positions, &cells, grid);
+    let length = list_length(count, grid.list_chunks);
+    let mut bench = Bench::new();
+    let at = bench.input("positions", positions);
+    let places = bench.input("places", &places);
+    let cell_starts = bench.input("cell_starts", &starts);
+    let sorted_indices = bench.input("sorted_indices", &indices);
+    let mut neighbours = bench.output("neighbours", length);
+    let mut counts = bench.output("neighbour_counts", count);
+    let mut counters = bench.input("counters", &[Counters::default()]);
+    let params = bench.uniform("grid", grid);
+    bench.dispatch(
+        &ListNeighboursByIndex {
+            positions: at.read(),
+            places: places.read(),
+            cell_starts: cell_starts.read(),
+            sorted_indices: sorted_indices.read(),
+            neighbours: neighbours.write(),
+            neighbour_counts: counts.write(),
+            counters: counters.write(),
+            grid: params.uniform(),
+        },
+        count,
+    );
+    let mut done = bench.run();
+    let neighbours: Vec<[u32; 4]> = done.read(&neighbours, length);
+    let counts = done.read(&counts, count);
+    let positions_m = vectors(positions);
+    let expected = list_neighbours(&positions_m, |i| cells[i] == grid.cell_count, SUPPORT_M);
+    // A distance rounds to steps of the two places, and its square in the seventh digit.
+    let doubt_m = (2.0 * Places::Full.step() + 1e-6) * SUPPORT_M;
+    let mut listed = 0;
+    for (i, expected) in expected.iter().enumerate() {
+        let found: Vec<usize> = (0..counts[i] as usize)
+            .map(|slot| {
+                let (at, part) = list_entry(i, slot, grid.list_chunks);
+                neighbours[at][part] as usize
+            })
+            .collect();
+        check_list(i, &found, expected, &positions_m, SUPPORT_M, doubt_m)?;
+        listed += found.len();
+    }
+    check_exact(&[done.read(&counters, 1)[0].neighbour_overflow], &[0])?;
+    Ok(listed)
+}
+
+#[test]
+fn list_neighbours_by_index_matches_brute_force() {
+    let mut rng = rng(66);
+    let mut listed = 0;
+    for size in sizes(ListNeighboursByIndex::GROUP_SIZE[0] as usize) {
+        let case = fluid(&mut rng, size);
+        listed += check_list_by_index(&case.positions, case.size_m).unwrap();
+        // Some outside and some quarantined, in no order.
+        let size_m = DVec3::splat(0.3);
+        let mut positions = in_rows(&mut rng, size, size_m);
+        for position in &mut positions {
+            position.position_m[1] = rng.random::<f32>() * 0.3;
+        }
+        listed += check_list_by_index(&positions, size_m).unwrap();
+    }
+    report_exact("list_neighbours_by_index (but for distances within the steps of places of h)", listed);
 }
 
 fn numbers(rng: &mut impl Rng, count: usize) -> Vec<u32> {

@@ -50,7 +50,7 @@ pub(crate) fn for_lattice(support_ratio: f64, mut visit: impl FnMut([i32; 3], f6
 }
 
 /// What the shaders are given.
-pub(crate) fn params(scene: &crate::scene::Scene) -> KernelParams {
+pub fn params(scene: &crate::scene::Scene) -> KernelParams {
     KernelParams {
         support_m: scene.support_m() as f32,
         inverse_support_per_m: (1.0 / scene.support_m()) as f32,

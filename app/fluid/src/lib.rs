@@ -17,4 +17,4 @@ mod step;
 pub use measure::Stats;
 pub use scene::{Scene, SceneError, shipped_scenes};
 pub use simulation::{Simulation, SimulationError};
-pub use step::{INIT, MEASURE, Recorded, STEP, record, record_count, record_particles};
+pub use step::{INIT, MEASURE, Recorded, STEP, record, record_count, record_particles, step_params};

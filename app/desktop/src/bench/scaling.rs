@@ -10,7 +10,7 @@ use super::{
     bandwidth, open, plot, report,
     stepping::Stepping,
     targets::{self, Verdict},
-    traffic::{self, Listed, Traffic},
+    traffic::{self, Traffic},
     workload::{self, EDGES, LOADS, Load, Planned},
 };
 use crate::{
@@ -218,12 +218,11 @@ impl Bencher<'_> {
         let steps = ((left_s / step_s) as u64).clamp(MIN_STEPS, MAX_STEPS);
         stepping.run(steps, &mut timings, || ())?;
 
-        let slots = u64::from(particles) * u64::from(scene.solver.neighbour_slots);
-        let entries = match neighbour_counts {
+        let neighbours = match neighbour_counts {
             Some(counts) => engine.read(&counts).map_err(Failure::stopped)?.into_iter().map(u64::from).sum(),
             None => 0,
         };
-        let row = self.shape(&scene, load, &engine, &timings, Listed { entries, slots }, steps, particles)?;
+        let row = self.shape(&scene, load, &engine, &timings, neighbours, steps, particles)?;
         Ok((row, step_s))
     }
 
@@ -234,7 +233,7 @@ impl Bencher<'_> {
         load: Load,
         engine: &Engine,
         timings: &Timings,
-        listed: Listed,
+        neighbours: u64,
         steps: u64,
         particles: u32,
     ) -> Result<Row, Failure> {
@@ -259,7 +258,7 @@ impl Bencher<'_> {
             } else if info.module.source.starts_with("grid/") && stage != "list_neighbours" {
                 grid_ms += ms_a_step;
             }
-            let traffic = traffic::of(plan, info.recording, stage, listed);
+            let traffic = traffic::of(plan, info.recording, stage, neighbours);
             let all_bytes = traffic.compulsory_bytes + traffic.gathered_bytes;
             let bound_ms = traffic.compulsory_bytes as f64 / self.copy_bytes_per_s * 1e3;
             let pass = Pass {
@@ -288,7 +287,7 @@ impl Bencher<'_> {
             ns_per_particle_iteration: ms_a_step * 1e6 / work,
             bytes: plan.bytes(),
             bytes_per_particle: plan::simulation_bytes_per_particle(plan, particles).unwrap_or_default(),
-            neighbours_mean: listed.entries as f64 / f64::from(particles),
+            neighbours_mean: neighbours as f64 / f64::from(particles),
             grid_share: grid_ms / step_ms.median,
             furthest_from_bound: furthest.map(|(stage, _)| *stage),
             passes: Passes(passes),

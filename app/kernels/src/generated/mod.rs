@@ -4,6 +4,8 @@
 
 mod bench_copy;
 mod bench_count_cells_aggregated;
+mod bench_list_neighbours_by_index;
+mod bench_reorder_index;
 mod bench_scan_groups_tree;
 mod bench_scan_step;
 mod frame_edges;
@@ -34,6 +36,8 @@ mod solver_pbf_viscosity;
 
 pub use bench_copy::*;
 pub use bench_count_cells_aggregated::*;
+pub use bench_list_neighbours_by_index::*;
+pub use bench_reorder_index::*;
 pub use bench_scan_groups_tree::*;
 pub use bench_scan_step::*;
 pub use frame_edges::*;
@@ -67,6 +71,8 @@ pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
     [
         bench_copy::MODULES,
         bench_count_cells_aggregated::MODULES,
+        bench_list_neighbours_by_index::MODULES,
+        bench_reorder_index::MODULES,
         bench_scan_groups_tree::MODULES,
         bench_scan_step::MODULES,
         frame_edges::MODULES,

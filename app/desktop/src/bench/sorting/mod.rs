@@ -3,6 +3,7 @@
 
 mod contest;
 mod count;
+mod locality;
 mod scan;
 
 use brooklet_fluid::grid;
@@ -27,8 +28,14 @@ pub fn bench(options: &SortingOptions) -> Result<(), Failure> {
     let scene = LOADS[0].scene(edge, &[])?;
     let particles = edge.pow(3);
     let fine = grid::params(&scene, particles);
-    let shuffled = shuffled(jittered(&scene).positions);
+    let emitted = jittered(&scene).positions;
+    let shuffled = shuffled(emitted.clone());
+    let sorted = in_cell_order(&shuffled, &fine);
     let mut outcomes = Vec::new();
+    for (lie, positions) in [("where they began", &emitted), ("shuffled", &shuffled)] {
+        let case = format!("a whole step, particles without locality lie {lie}");
+        outcomes.push(locality::locality(&ring, case, &scene, &sorted, positions)?);
+    }
     for (width, params) in [("h/2", fine), ("h", coarser(&fine))] {
         for (order, positions) in [("in cell order", in_cell_order(&shuffled, &params)), ("shuffled", shuffled.clone())]
         {

@@ -1,0 +1,98 @@
+// Written by the shader compiler; do not edit. `cargo run -p brooklet-compiler -- build`
+// makes it anew from bench/list_neighbours_by_index.compute.
+//! Kernels of `bench/list_neighbours_by_index.compute`.
+
+use super::{Counters, GridParams, Position};
+use crate::{
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+};
+
+/// ListNeighbours where only the index was sorted: candidates are found through it, and the list
+/// holds particles by where they lie. What `brooklet bench sorting` holds against it is
+/// grid/list\_neighbours.compute, of which this is a copy but for the index.
+#[derive(Debug)]
+pub struct ListNeighboursByIndex<'a> {
+    /// `StructuredBuffer<Position> positions`.
+    pub positions: Buf<'a, Position>,
+    /// `StructuredBuffer<uint2> places`.
+    pub places: Buf<'a, [u32; 2]>,
+    /// `StructuredBuffer<uint> cell_starts`.
+    pub cell_starts: Buf<'a, u32>,
+    /// `StructuredBuffer<uint> sorted_indices`.
+    pub sorted_indices: Buf<'a, u32>,
+    /// `RWStructuredBuffer<uint4> neighbours`.
+    pub neighbours: BufMut<'a, [u32; 4]>,
+    /// `RWStructuredBuffer<uint> neighbour_counts`.
+    pub neighbour_counts: BufMut<'a, u32>,
+    /// `RWStructuredBuffer<Counters> counters`.
+    pub counters: BufMut<'a, Counters>,
+    /// `ConstantBuffer<GridParams> grid`.
+    pub grid: Uniform<'a, GridParams>,
+}
+
+impl Kernel for ListNeighboursByIndex<'_> {
+    const STAGE: &'static str = "list_neighbours_by_index";
+    const GROUP_SIZE: [u32; 3] = [64, 1, 1];
+
+    fn module(&self) -> &'static Module {
+        &LIST_NEIGHBOURS_BY_INDEX
+    }
+    fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
+        bind(
+            self.module(),
+            &[
+                ("positions", Some(self.positions.id)),
+                ("places", Some(self.places.id)),
+                ("cell_starts", Some(self.cell_starts.id)),
+                ("sorted_indices", Some(self.sorted_indices.id)),
+                ("neighbours", Some(self.neighbours.id)),
+                ("neighbour_counts", Some(self.neighbour_counts.id)),
+                ("counters", Some(self.counters.id)),
+                ("grid", Some(self.grid.id)),
+            ],
+        )
+    }
+}
+
+/// The modules of this file.
+pub(super) static MODULES: &[&Module] = &[&LIST_NEIGHBOURS_BY_INDEX];
+
+static BINDINGS_0: &[BindingInfo] = &[
+    BindingInfo { name: "positions", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
+    BindingInfo { name: "places", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo { name: "cell_starts", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 } },
+    BindingInfo {
+        name: "sorted_indices",
+        slot: 3,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 },
+    },
+    BindingInfo {
+        name: "neighbours",
+        slot: 4,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
+    },
+    BindingInfo {
+        name: "neighbour_counts",
+        slot: 5,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 },
+    },
+    BindingInfo {
+        name: "counters",
+        slot: 6,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
+    },
+    BindingInfo { name: "grid", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
+];
+
+static LIST_NEIGHBOURS_BY_INDEX: Module = Module {
+    name: "ListNeighboursByIndex",
+    entry: "ListNeighboursByIndex",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/list_neighbours_by_index.spv"),
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "bench/list_neighbours_by_index.compute",
+    hash: "c71b9d4482237e79978985bdc475ed6d14fddf527156cf53961b008b6165aa35",
+};

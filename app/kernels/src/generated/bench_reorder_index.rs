@@ -1,0 +1,78 @@
+// Written by the shader compiler; do not edit. `cargo run -p brooklet-compiler -- build`
+// makes it anew from bench/reorder_index.compute.
+//! Kernels of `bench/reorder_index.compute`.
+
+use super::{CellSlot, GridParams, Position};
+use crate::{
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+};
+
+/// The counting sort without locality: only each particle's index moves to cell order, and what is
+/// known of a particle stays where it is. What `brooklet bench sorting` holds against it is
+/// grid/reorder.compute.
+#[derive(Debug)]
+pub struct ReorderIndex<'a> {
+    /// `StructuredBuffer<Position> positions`.
+    pub positions: Buf<'a, Position>,
+    /// `StructuredBuffer<CellSlot> cell_slots`.
+    pub cell_slots: Buf<'a, CellSlot>,
+    /// `StructuredBuffer<uint> cell_starts`.
+    pub cell_starts: Buf<'a, u32>,
+    /// `RWStructuredBuffer<uint> sorted_indices`.
+    pub sorted_indices: BufMut<'a, u32>,
+    /// `RWStructuredBuffer<uint2> places`.
+    pub places: BufMut<'a, [u32; 2]>,
+    /// `ConstantBuffer<GridParams> grid`.
+    pub grid: Uniform<'a, GridParams>,
+}
+
+impl Kernel for ReorderIndex<'_> {
+    const STAGE: &'static str = "reorder_index";
+    const GROUP_SIZE: [u32; 3] = [64, 1, 1];
+
+    fn module(&self) -> &'static Module {
+        &REORDER_INDEX
+    }
+    fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
+        bind(
+            self.module(),
+            &[
+                ("positions", Some(self.positions.id)),
+                ("cell_slots", Some(self.cell_slots.id)),
+                ("cell_starts", Some(self.cell_starts.id)),
+                ("sorted_indices", Some(self.sorted_indices.id)),
+                ("places", Some(self.places.id)),
+                ("grid", Some(self.grid.id)),
+            ],
+        )
+    }
+}
+
+/// The modules of this file.
+pub(super) static MODULES: &[&Module] = &[&REORDER_INDEX];
+
+static BINDINGS_0: &[BindingInfo] = &[
+    BindingInfo { name: "positions", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
+    BindingInfo { name: "cell_slots", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo { name: "cell_starts", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 } },
+    BindingInfo {
+        name: "sorted_indices",
+        slot: 3,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 },
+    },
+    BindingInfo { name: "places", slot: 4, kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 } },
+    BindingInfo { name: "grid", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
+];
+
+static REORDER_INDEX: Module = Module {
+    name: "ReorderIndex",
+    entry: "ReorderIndex",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/reorder_index.spv"),
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "bench/reorder_index.compute",
+    hash: "6da49369d6274a9fb981e286cbb98d8954dd061865576a325a3afe6c7df4e50a",
+};
