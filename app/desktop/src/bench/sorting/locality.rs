@@ -32,7 +32,7 @@ impl Way {
         Self {
             positions: resources.state("positions", count),
             velocities: resources.state("velocities", count),
-            grid: Grid::declare(resources, params),
+            grid: Grid::declare(resources, scene, params),
             neighbours: Neighbours::declare(resources, params),
             pbf: Pbf::declare(resources, scene, count),
             solved_positions: resources.state("solved_positions", count),
