@@ -175,7 +175,7 @@ pub fn pbf_params() -> PbfParams {
         xsph: 0.1,
         vorticity: 0.02,
         max_correction_m: (0.5 * SPACING_M) as f32,
-        ..PbfParams::default()
+        separation: 0.25,
     }
 }
 
@@ -223,6 +223,7 @@ pub fn pbf_of(params: &PbfParams) -> Pbf {
         xsph: f64::from(params.xsph),
         vorticity: f64::from(params.vorticity),
         max_correction_m: f64::from(params.max_correction_m),
+        separation: f64::from(params.separation),
     }
 }
 

@@ -1,5 +1,5 @@
 //! Case 17: NaN and infinity in some particles, in every component. They are quarantined by their
-//! bits and spread nothing.
+//! bits and spread nothing. Absurd but finite values are no reason to lose a particle.
 
 use brooklet_tests::extreme::Case;
 
@@ -45,4 +45,21 @@ fn what_is_not_finite_is_quarantined_and_spreads_nothing() {
         assert_eq!(state.quarantined[id], bad(id).is_some(), "particle {id}");
     }
     println!("case 17: 36 of {count} quarantined, the others at rest: {:?}", stats.compression);
+}
+
+#[test]
+fn absurd_but_finite_values_are_brought_back() {
+    for (value, what) in [(3.0e38_f32, "position"), (-3.0e38, "position"), (3.0e38, "velocity"), (1.0e19, "velocity")] {
+        let mut case = Case::new(POOL, &[]);
+        let count = case.count();
+        case.place(|id, position_m, velocity_m_s| {
+            if id == 500 {
+                if what == "position" { position_m[1] = value } else { velocity_m_s[1] = value }
+            }
+        });
+        let stats = case.run(4);
+        println!("case 17: a {what} of {value:e}: {} quarantined, {:?}", stats.quarantined, stats.counters);
+        let stats = case.recovers(2.0);
+        assert_eq!((stats.quarantined, stats.particles as usize), (0, count), "a {what} of {value:e}");
+    }
 }

@@ -65,7 +65,7 @@ fn twin<'a>(scene: &Scene, table: &'a WallTable, positions: &[Position], velocit
             dt_s: scene.substep_s(),
             domain_size_m: size_m,
             walls,
-            wall_offset_m: scene.spacing_m / 4.0,
+            wall_offset_m: scene.spacing_m / 2.0,
             max_speed_m_s: scene.max_speed_m_s(),
         },
         smoothing: Smoothing { support_m: scene.support_m(), weight: lattice::weight(scene.solver.support_ratio) },

@@ -136,4 +136,4 @@ pub fn step_params(scene: &Scene, particle_count: u32) -> StepParams {
 
 /// How near a wall a particle's middle may come, over the spacing. The lattice starts at a half;
 /// what is nearer than this the walls' density alone did not hold back.
-const WALL_OFFSET_RATIO: f64 = 0.25;
+const WALL_OFFSET_RATIO: f64 = 0.5;

@@ -107,6 +107,7 @@ mod tests {
                 xsph: 0.0,
                 vorticity: 0.0,
                 max_correction_m: 1.0,
+                separation: 0.0,
             };
             let denominator = constrain_density(middle, &points, &lists[middle], &smoothing, &pbf, None).denominator;
             pbf.cfm = 0.01 * denominator;

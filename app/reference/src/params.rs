@@ -80,4 +80,6 @@ pub struct Pbf {
     pub vorticity: f64,
     /// An iteration moves a particle no further.
     pub max_correction_m: f64,
+    /// Two particles closer than this, in h, part even below rest density.
+    pub separation: f64,
 }

@@ -165,6 +165,7 @@ mod tests {
                 xsph: 0.05,
                 vorticity: 1e-3,
                 max_correction_m: SPACING,
+                separation: 0.0,
             },
             iterations: 4,
             walls: None,

@@ -104,7 +104,7 @@ struct PbfParams
     float xsph;             // eq. (17)
     float vorticity;        // eq. (16), m/s
     float max_correction_m; // an iteration moves a particle no further
-    float reserved;
+    float separation;       // two particles closer than this part even below rest density
 };
 
 // What is counted rather than hidden. Each is a sum since it was last cleared.

@@ -1,10 +1,18 @@
-// A direction for two particles at one point, where the kernel's gradient has none: drawn from
-// their indices, opposite for the two of them, so that momentum is kept.
+// What parts two particles that are too close. A pair at one point is no compression: its density
+// is below rest, nothing would push it, and it would stay one particle for good; the particles of
+// a thin sheet would clump.
 #ifndef BROOKLET_SEPARATION
 #define BROOKLET_SEPARATION
 
 // Closer than this (in h) counts as one point.
 static const float COINCIDENT = 1.0e-4;
+
+// What is added to the multipliers of a pair at distance q < separation, both in h: at one point as
+// much as about 4 % of compression gives, so that they part in some ten steps without a leap.
+float SeparationMultiplier(float q, float separation)
+{
+    return -0.02 * (1.0 - q / separation);
+}
 
 uint HashPair(uint a, uint b)
 {
@@ -14,7 +22,8 @@ uint HashPair(uint a, uint b)
     return (word >> 22) ^ word;
 }
 
-// A vector of length COINCIDENT, in h, from j to i.
+// A vector of length COINCIDENT, in h, from j to i, where the kernel's gradient has no direction:
+// drawn from the indices, opposite for the two of them, so that momentum is kept.
 float3 SeparationOf(uint i, uint j)
 {
     uint hash = HashPair(min(i, j), max(i, j));

@@ -57,5 +57,5 @@ static COPY_ELEMENTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/copy.compute",
-    hash: "192b78f6c13c5b0614ee3b695196dd75d5daa115bc55f1026e50f7913f8cb84b",
+    hash: "1ae9f1abe88a76b269b403234ca646bfcfce8c602834dfaae84f6c93594f92a2",
 };

@@ -70,5 +70,5 @@ static COUNT_CELLS_AGGREGATED: Module = Module {
     shared_bytes: 512,
     tier: Tier::Floor,
     source: "bench/count_cells_aggregated.compute",
-    hash: "0c115a119c563ffad07282febf893c8ad87b9b055f10cf34d949940ac1db5d1e",
+    hash: "025ff20c8c4997099476be176de80e2219f73adc1095994022f5a1ff7474b488",
 };

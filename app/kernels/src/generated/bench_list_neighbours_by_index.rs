@@ -94,5 +94,5 @@ static LIST_NEIGHBOURS_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/list_neighbours_by_index.compute",
-    hash: "c71b9d4482237e79978985bdc475ed6d14fddf527156cf53961b008b6165aa35",
+    hash: "bf947fbffa2cc6bc9b27799cca45816e03eeb37db5cfdbf5fe2c30cc2cdb2ae9",
 };

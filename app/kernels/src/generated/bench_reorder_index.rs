@@ -74,5 +74,5 @@ static REORDER_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/reorder_index.compute",
-    hash: "6da49369d6274a9fb981e286cbb98d8954dd061865576a325a3afe6c7df4e50a",
+    hash: "b542274be7ff3aa0c1a2d4fc88d15346bb65cef44511a1927591503925e4a00f",
 };

@@ -88,7 +88,7 @@ static SCAN_GROUPS_TREE: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "d27fba200f518e84a54f57b6cdb7b7fed80c888f440d1cdd6a6cb3608cd5ea46",
+    hash: "a7e9b17d3850d97e304ce16ca97af23cf66dfee9cb32f8f57a4ecd96db5c3d74",
 };
 
 static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
@@ -101,7 +101,7 @@ static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "7ac46d0e3d67d530aef576f5df2b1ae059c3ff3553ec789d9e6f08b052c3ebde",
+    hash: "30a88759999a28ee32f87110361cd75917acf790d0c0b62ebcfe0ef2d2ca1d21",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
@@ -114,7 +114,7 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "a30a25b091abb4fe84c4b5777f6b31b34dd8950454f566ff8031c653b1c76440",
+    hash: "c89e3c5a6890565d34d4753c9130bd03f51064f20408bdad7702bfc799fad49d",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
@@ -127,5 +127,5 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "26b67afb07b382427425b5b7b6c157b8c7090fad62f60f485d6a1721256d018a",
+    hash: "49209becb5274bcf1ff3c6836d74e375c810aa98209598850dc5abc5f4d97773",
 };

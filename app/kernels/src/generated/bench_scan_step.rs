@@ -54,5 +54,5 @@ static SCAN_STEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/scan_step.compute",
-    hash: "9fd8f890dca73287218c8e24aaaac2a3c55f45274e9fb9568bc5878bfae6c38d",
+    hash: "4ad0874d989a31f2f96e255fa086e961a5632f59464bac082a36da906fc197de",
 };

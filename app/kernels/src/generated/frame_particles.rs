@@ -62,7 +62,7 @@ static DRAW_PARTICLES_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "d8ff160372adcbf7d0327e17c4664957310f7346ddfc005cc704c67147d4b140",
+    hash: "82812134b44863a62e0c741dfcf3d336aa44f062af3902831af44499d24648f6",
 };
 
 static DRAW_PARTICLES_FRAGMENT: Module = Module {
@@ -75,5 +75,5 @@ static DRAW_PARTICLES_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "c73b1007d5f7d2e8f9444d7c210f28700fe5f560efa4835cff221df886823b34",
+    hash: "7f7feaaec2bab39cdc7486732edca16300a136628afdde7ec195e6559acebf06",
 };

@@ -104,7 +104,7 @@ static DRAW_SHADE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "1c990f331707640408f0d2a7907e377fc5ab54bca28c2067fb4424f5460ad9ef",
+    hash: "1f8347f181ff9a677f33868bf7cb3acee96a8527d63c541d98d795b65a211366",
 };
 
 static DRAW_SHADE_FRAGMENT: Module = Module {
@@ -117,7 +117,7 @@ static DRAW_SHADE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "90c62864c8ea4dfa833017da35db0a1ab53ee77ebd76792fa33c446db41cbf27",
+    hash: "2ae5cde5ed8955e97268cfa77f263ac3886efcbbfe57e22fc1e422784d49183d",
 };
 
 static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
@@ -130,7 +130,7 @@ static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "a90fd5a69fd07ad367af70fa9bfd7c22785c2f90ade2ba7eb7542a6ef21b1d79",
+    hash: "404c124b6fd6cb79b91525bcaa3486944a01214e1cb664b965f07e2271a91c3a",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
@@ -143,5 +143,5 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "ad5c7c06ea26725ca19d7a249399d9ae44cba0248ab1d9aa1af124ee81bc0609",
+    hash: "b0ada566a30cd2479247680a8d865ecd0c78a23b46a00ac3af141cf5e99be668",
 };

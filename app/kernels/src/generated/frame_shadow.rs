@@ -55,7 +55,7 @@ static DRAW_SHADOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "ec248c90b1d87ca0af53add958cd4b7d13af4e2a73b8a9324025702815c67fb3",
+    hash: "da39a9e1e257635e220408e5772abd53ac50b384f620339e5674b564ad1fc936",
 };
 
 static DRAW_SHADOW_FRAGMENT: Module = Module {
@@ -68,5 +68,5 @@ static DRAW_SHADOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "3fd7366937b3aa4dca5d3062c9332f69d12a2b7db864a74d6e97227956af4f06",
+    hash: "de9454ab6dc9055306d08f1586e3d7f3c07864f0e16572ed663df9c6f28510dd",
 };

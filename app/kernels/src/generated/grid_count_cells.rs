@@ -69,5 +69,5 @@ static COUNT_CELLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "f8a5b99154891a98c3443271a9ce9db8c947dfbc08281fd78905edb9cab3ce63",
+    hash: "7ede6f1995b49ee1929c48054ea7335783913be7ade8e84ac3f487d5e5d67923",
 };

@@ -65,5 +65,5 @@ static LIST_MEMBERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_members.compute",
-    hash: "eecdddc3de12a5b50da608f3d110bcc40a86f33108551cd78c90c9e7bcbaa926",
+    hash: "8630f333355e7dd0613a938ded08b58825a30deb9e5ec76c8f9589009b7290aa",
 };

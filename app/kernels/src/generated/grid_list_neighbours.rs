@@ -100,7 +100,7 @@ static LIST_NEIGHBOURS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "4772c6e3d765f62c0f8037349512e971065deb2747b65ed8ed8d6685ef5ca831",
+    hash: "e42dd17e5163488fbbe2c1e44c307826cce3a08df31ba6f8ceb1d317d6ba0acc",
 };
 
 static LIST_NEIGHBOURS_WITH_PACKED: Module = Module {
@@ -113,5 +113,5 @@ static LIST_NEIGHBOURS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "53b59d42ee3a4b47a93eb256c8d95b35a1725d8e1813cc973f85ce7078f7d52a",
+    hash: "eea2d2ec7392be32aa449de344a29c2107c12508937547c13a2c7f9e1a51e7cc",
 };

@@ -71,5 +71,5 @@ static RANK_MEMBERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/rank_members.compute",
-    hash: "c0afb3413bb4d5222614b8131dec239bd3a4ae99bc92e064951c62e65ccec6fe",
+    hash: "1dc7f08ce9eecea560ff5afd9964f54ad0bc46b67eab547e8188e387df0dcb4c",
 };

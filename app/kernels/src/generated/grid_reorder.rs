@@ -94,7 +94,7 @@ static REORDER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "7e24dbeb3cf47ae82aa6929e183cd750857f4efecaea3d075d5dfe27a48664a0",
+    hash: "62d0e8d610e24d8fb89310337c2e5753f0e7561979b4f63ba8c19b71dcb34764",
 };
 
 static REORDER_WITH_PACKED: Module = Module {
@@ -107,5 +107,5 @@ static REORDER_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "76106357c01a612d4366cae29e342397ea7cf296b629e09fda469705808bbea5",
+    hash: "3f39de080ae7b95ec4f575b02953814542d8ca53a7742ed94f974ae0bc29ddb8",
 };

@@ -109,7 +109,7 @@ static REDUCE_GROUPS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "6376bf08c3145af8dbf50247fd214b90589f9ef9c3da4c727f27ec2b74633397",
+    hash: "672433328b31e1c5c3572ee66fc2e338359bd0049e662670273ae636f62bbe3b",
 };
 
 static SCAN_GROUPS: Module = Module {
@@ -122,7 +122,7 @@ static SCAN_GROUPS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "9f02f46a0f8b6c5b42731b2931447c84b7200b8f5b94de356e8b868c72425907",
+    hash: "45a8a3d1475cc432522764a14268431222a029406fab0d4d0f9588cfffbf12be",
 };
 
 static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
@@ -135,5 +135,5 @@ static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "a991a6de76aaa00dbca1d3b57d150df8f8bfb1de27c6249b4bbc3abc0bf54c59",
+    hash: "18dbce8f5c1f3329eaa15c9f0b77c089599e3c6cb957baf2a733236a91a5a687",
 };

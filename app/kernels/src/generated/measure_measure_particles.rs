@@ -137,7 +137,7 @@ static MEASURE_PARTICLES: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "4dadf832b81e9032d7e179188df8d1188156832cc95296b345e5119c064bd3f0",
+    hash: "9d1e52d0c8dc7f7f95466627851d22cf14f52f3307db948424fc9a147a7d5a4f",
 };
 
 static MEASURE_PARTICLES_WITH_WALLS: Module = Module {
@@ -150,7 +150,7 @@ static MEASURE_PARTICLES_WITH_WALLS: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "7bb6c3decf67b5d201813368ea3bf1b9f611d7637e9d3d30e09154b1f8b7fd97",
+    hash: "62db0abd067e2913ff15a047dcdf93597456ea95edd3c1f12de630a1fce371d4",
 };
 
 static MEASURE_PARTICLES_WITH_NARROW_WALLS: Module = Module {
@@ -163,5 +163,5 @@ static MEASURE_PARTICLES_WITH_NARROW_WALLS: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "96738f6e8000ec8b8b216d492b56c77114c03761616a31e0235a4b261ee28a28",
+    hash: "a2e33d7d6ec1632b8f18fc2354bd6f8b4547d0425e13916fb134eabfbbea6339",
 };

@@ -73,5 +73,5 @@ static MEASURE_TOTALS: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_totals.compute",
-    hash: "5f08bc16334313a946457f4bf466c932fb2353e35961add0ba23e9f079af95ed",
+    hash: "1578f44f6bd8bf2d470891fe00fc4cc81d81f3f8232f3eb3eca5c10b13f11178",
 };

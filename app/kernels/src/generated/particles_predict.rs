@@ -82,7 +82,7 @@ static PREDICT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "dc923fe100de2aeb99a3e95ede6018b544a8cb856236efe22533e65ada6fc794",
+    hash: "f8c75cda843ab9943071f130d6ff282c6bdb231a138bd2e370e2a3b2ddbd2dcc",
 };
 
 static PREDICT_WITH_WALLS: Module = Module {
@@ -95,5 +95,5 @@ static PREDICT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "6c34b19a018358c8d91777dadb5fbcd32b6ab530f37373b62765703a8def065a",
+    hash: "121e6224e77e2002c5950c7a94b5c7b41241cdb58f2c06bffb1b7782c6fb4821",
 };

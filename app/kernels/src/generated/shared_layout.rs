@@ -220,8 +220,8 @@ pub struct PbfParams {
     pub vorticity: f32,
     /// an iteration moves a particle no further
     pub max_correction_m: f32,
-    /// `float`.
-    pub reserved: f32,
+    /// two particles closer than this part even below rest density
+    pub separation: f32,
 }
 const _: () = {
     assert!(offset_of!(PbfParams, relaxation) == 0);
@@ -231,7 +231,7 @@ const _: () = {
     assert!(offset_of!(PbfParams, xsph) == 16);
     assert!(offset_of!(PbfParams, vorticity) == 20);
     assert!(offset_of!(PbfParams, max_correction_m) == 24);
-    assert!(offset_of!(PbfParams, reserved) == 28);
+    assert!(offset_of!(PbfParams, separation) == 28);
     assert!(size_of::<PbfParams>() == 32);
 };
 

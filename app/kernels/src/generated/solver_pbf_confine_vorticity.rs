@@ -106,7 +106,7 @@ static CONFINE_VORTICITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "7f4f13aefc4e05b1d8eb56215a4a3588facae034b44b41d05b94813685a719bb",
+    hash: "537a9735b86c8e923c47d5b829ad8c2be5097af5cd5d0a18a48b068c6093b77d",
 };
 
 static CONFINE_VORTICITY_WITH_PACKED: Module = Module {
@@ -119,7 +119,7 @@ static CONFINE_VORTICITY_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "18c01e54d0b2481dae01585f85929803414d871f84ba7bedf1aed77eafc4b1d1",
+    hash: "4f15ae30f964a8d3d03ff63186649aa043d161fc053cf801f9748b4241c5ddf3",
 };
 
 static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -132,7 +132,7 @@ static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "2fa44d99f5f45771de5ccb08836dd2bece1d0ce219510b2d5397b448b5f63ee2",
+    hash: "49583f9ba1192c3ca0f6d14033a19c0aad7333eb97ce904aff833ea13e6e9324",
 };
 
 static CONFINE_VORTICITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -145,7 +145,7 @@ static CONFINE_VORTICITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "faef2d2499f277ce5cbdbc95b60090668304aacbbe58c53a9026dd6624675841",
+    hash: "a434c2642e181a7619cde7da01a260fb006ab24b6db65faf3fe3609d55732235",
 };
 
 static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
@@ -158,7 +158,7 @@ static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "55b218e283fecb5839adad33f73d66415d5ef105376cebb731a97166b17460e7",
+    hash: "74a048be10f4a9a08fa20ac5a17624993360feafeaf2ed7961baba25819a2db6",
 };
 
 static CONFINE_VORTICITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -171,5 +171,5 @@ static CONFINE_VORTICITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "0dbf150b2285fda3c4b0e004bbaed981132be73f3fe2d28bc2273581cc639338",
+    hash: "6368803f78a71a3f69b2b6813f85c2df637aa4afec79dc9712eb73aa1340fb69",
 };

@@ -240,7 +240,7 @@ static CONSTRAIN_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "e6ca71f4a9f3cc6d4cde457e2268c5e8febc480de91035a20b7eb7b47022e2fb",
+    hash: "80facc32249d4e10e55c27b7e393d940155b7a1a7e07d36de78065ee464e9e9b",
 };
 
 static CONSTRAIN_DENSITY_WITH_PACKED: Module = Module {
@@ -253,7 +253,7 @@ static CONSTRAIN_DENSITY_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "39b3b7831e90487e548a6fac665a388f1c763a17586f439ffbcabc97eedb10e7",
+    hash: "40623083a98f6c8148e81e578519fcac89751530ef864e9e1704b15f50319f7b",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -266,7 +266,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "857d05d450b0cedfaadc72ef3b964e53be0227409b04905d2c92ea3824ebb190",
+    hash: "872dadd1aa1f824f62775b9a89f9de9ed7be272a7392571cb845133697e8c42f",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -279,7 +279,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "3f735ddee1ce1291cca4eed1de3098145843395617b2a839ae0b85cba99c43e9",
+    hash: "018f59133f109fc8e93fc8811dd4a4b5ac7a8c6a38d36d9eca397b0d000b0080",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -292,7 +292,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "a012269bd660cba57e1f3c13264cec41f5c588a82693db1afa6aa3f819d3f52b",
+    hash: "bc0159d7f01838fcf7e8d823c3f79075b323495418866e9fe823f9b1efc69ce1",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -305,7 +305,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "cb44fdd3311f9bb3d085744d17658d1f0f0d2159ca7a67b28a7242e49d093746",
+    hash: "a5616f3b473351166da94f0397b1ddf1f03beb0f3a99d86ce9ad4d6cfd305641",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
@@ -318,7 +318,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "5893ba9de36f6b4c5a1b01c85ec7cc39b5afc5d7b6edc6a546651aa62705cc1a",
+    hash: "41a25e822bb5098746931be9c84f9d06ec1f1a542a4ae052ddc563c48d694888",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_PACKED: Module = Module {
@@ -331,7 +331,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "5b0e6e80b5f75896b6c8047284a0f45f71f7c3139e5bbc6c4da297bd55820fe8",
+    hash: "fdb4e588496f77c331eb151dcca24a017ee6bdd44ee164eb35c51d1fa001cb3f",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -344,7 +344,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "8f2f42081d476769714074edc9e07493305b959a36c4f971a87be1be1b49a781",
+    hash: "f9fb70411d7f22c78009c67693b65886f983dbfe5ad268f3e3370cea4a09f159",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -357,7 +357,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "96f7396cd9509f393d19711be93362fa39d2b25a05af47d64aa711ad7fb1c504",
+    hash: "b3f5423492183d5159edcc8cff2a959abcdb2e897a03b15193102e0928d8139f",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -370,7 +370,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "c3724401c0b4002ffaf841ed7ca3200c0460d0c0e1d363c18ea8f5e0a679a84c",
+    hash: "4389a270da88d9f5ceeae1031cd9d2022d901fa1830d5bc5ec4597536afdfa5a",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -383,7 +383,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "f64de324900813a3cf0e68ff960f05fd691e631a38871064c03debe8a07c3111",
+    hash: "67763ecc1b7dc5e8065ccc6a199acdfd76cd6f86dda9acbfe22728647fdd9ca4",
 };
 
 static CONSTRAIN_DENSITY_WITH_NARROW_WALLS: Module = Module {
@@ -396,7 +396,7 @@ static CONSTRAIN_DENSITY_WITH_NARROW_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "92c9ef21b6cd523471f9afc2cb415a3c5af573a90769f4a2e27e9d19e43fe972",
+    hash: "41d66ad46fd334fdfd9af884306a634b4cb3a0a309797507b0ae76a65a510581",
 };
 
 static CONSTRAIN_DENSITY_WITH_NARROW_WALLS_WITH_PACKED: Module = Module {
@@ -409,7 +409,7 @@ static CONSTRAIN_DENSITY_WITH_NARROW_WALLS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "8f11843529d11135e71d2cbee7102351fe739ec78d92a64ba60821c731122561",
+    hash: "7328d2e28e1725598cbbe4238c086140b7b7a8d1e94c43af69bc2192b9b5dcb6",
 };
 
 static CONSTRAIN_DENSITY_WITH_NARROW_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -422,7 +422,7 @@ static CONSTRAIN_DENSITY_WITH_NARROW_WALLS_WITH_RELAXED_PRECISION: Module = Modu
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "250c31cdc2ff167d7db28f90673217520a98fd663ca2c55e57dc4e1e075e6ff5",
+    hash: "81b9decf2f438f7a3a87dfa0ca6372824d0f3aae56a0dab0a2a2197afe5d4376",
 };
 
 static CONSTRAIN_DENSITY_WITH_NARROW_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -435,7 +435,7 @@ static CONSTRAIN_DENSITY_WITH_NARROW_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: M
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "7d70ce591b69b1d53b978317b7ecd7b47744fcedf1935089077ef7dded19c02e",
+    hash: "28afc0532a75f06c24eaba7276b6fde61548b7c83a7027d38cdac4286619a266",
 };
 
 static CONSTRAIN_DENSITY_WITH_NARROW_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -448,7 +448,7 @@ static CONSTRAIN_DENSITY_WITH_NARROW_WALLS_WITH_HALF_PRECISION: Module = Module 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "c89ec59f65940f045a5a79ad0d194bafe05d4bc594f8e210c1fd5e60bef2ce92",
+    hash: "b6a15835946df372cc0898b761aa2461db7a8ae712f6f541ca554c9cdc008301",
 };
 
 static CONSTRAIN_DENSITY_WITH_NARROW_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -461,5 +461,5 @@ static CONSTRAIN_DENSITY_WITH_NARROW_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Modu
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "5e5b4e09fff1ca5199319656814bbee9bd4282c1f35edceb5026fce6051f709b",
+    hash: "7bf41c8f92c1f127b5154a35b5bd0327474d4e99b4e33894e413305e7f3bccb1",
 };

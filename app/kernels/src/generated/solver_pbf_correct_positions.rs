@@ -327,7 +327,7 @@ static CORRECT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "1fce5eb5c00d3e1445dcd771ec406b672e05beedddd8f312f1339887fc4c8e36",
+    hash: "9644a305c167bac7de01494700ad00dc72d6933601e585535d0a4a8876db451c",
 };
 
 static CORRECT_POSITIONS_WITH_PACKED: Module = Module {
@@ -340,7 +340,7 @@ static CORRECT_POSITIONS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "17ec7227c108174a5bdf8d81353e6298eb5eddb1a26d47fa0872c7e647283f4e",
+    hash: "5055c90d7709dcf1a5f448ddf7cca6553f62620d242c10587662a7290f39af68",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
@@ -353,7 +353,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "ff8258707e0a10477dc00c55549b8ead352dd727e24f91433e8b00cf75ab4fe3",
+    hash: "9c0706ad22946a3bc1425085b74cdb097f59a988a55ef29546922c96edd1a226",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -366,7 +366,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "582757f44f9736280ac25167a6998031eaf6340e9efbbaa397cd83400ce1dffd",
+    hash: "f3f3600e4e20acad8cc2b748cbed99db2e9f05d3f09e7852f6276938c6a0dec2",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
@@ -379,7 +379,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "320e4128906e33a43f0d0ca1a1095c09672d2944a2bd93ede8b68686f64d9533",
+    hash: "07ffd14a8c337304522727b7c78c5fb4884ee917de09f7dbb8108345561ac119",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -392,7 +392,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "294bcdac47d89081a7704c28500ff9eb3ce853b6d09a19146683faa2059dd744",
+    hash: "c64d55b8912076d60d4568452c00775c69a178f532ea93265e77c488f8d808c2",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
@@ -405,7 +405,7 @@ static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "108c5754162940827e2a1ac5b4435835edbec42172a13eaaa657a11f521c5234",
+    hash: "74f821f708ee6198d031437d58e3bcc22d4b3dd394d46fbabcad25378f84a7fa",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_PACKED: Module = Module {
@@ -418,7 +418,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "18881be5589299c749a0510a4a615d1697567aabe0f0efe8d5e203df689396a2",
+    hash: "130836de88af2d254e1eb7e1ba2873773dfe9226f3d2d7ef8363aaaad55dbea5",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -431,7 +431,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "9534673e3a34c8efe06e488339edc141b544347b057e4537d11676cc9a2f1381",
+    hash: "44334536b5b75b2c2eb473094992c386ad220f6cc3af13d374a238e273359e4c",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -444,7 +444,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "abcb68e3b85c589748decaf1abea058d54487ab9b7fa798075a2115d2d1adb0e",
+    hash: "e0e5f051867a166c3a1318446506df813e0dc0c5f0cf4437bfbd9b873e1476c2",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -457,7 +457,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "27d33121857ff1ffc4db2bff763347953796879359de6057841cafa09817565d",
+    hash: "af1f3b7b91ee4e0220f10b1dfb0b7893bf218451d8f6aabb233c6775025e7ae6",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -470,7 +470,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = M
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "0d612eea165b6713734f86552789f2d8a8b3c90423fd64d13b524d1a93315334",
+    hash: "3f1f91fa592d6b43a6a3b94b506da3f6ebb963df54392b77cff2f594be0e7ce9",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
@@ -483,7 +483,7 @@ static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "13ead8d9c9473a8047475fc88c4cf517d67cd7360a2c38f9b56a7c8ed2fcc92a",
+    hash: "d1380fcfca2f93c12d61f4ce2baa95e4f41b3ad44d1c01002a7250bd592a1102",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_PACKED: Module = Module {
@@ -496,7 +496,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "2225326bb0f35668323787b4a3b1fc2ee49a2b0648f1a4e7607f0032d41ff2b2",
+    hash: "b389950498fe0a657205f289f643a475716b8a6fbe36cdd0ea9792c767ff92bb",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -509,7 +509,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "cc9f37afe41afd36525a476399bc99b4579b8df7ebcf9c8d47896d5970832e20",
+    hash: "8f63bb0fe19415a2b2830d5cc7c532769bb9aa958f8c57fa6d1175adfcbd4683",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -522,7 +522,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "9edbecde204dba5f752c01580e6947eb043f723d8ae04cd6fa5e2b9f20040453",
+    hash: "8d609b44a8629f138b59c16cc7b732dd35432867a2046fb0e9853bbad20c4907",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -535,7 +535,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "6f8a7cbc6c050db4f1d7ea362a91dc242ea32a5b96f057b16dd7a7eb0a9d0068",
+    hash: "a2241889766bc7323e8d01f67cedb762a604ff84b111e575c0e447b023ec0879",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -548,7 +548,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "6637c84ff1ecbfed1bb466def66ceb7ada5a1e4cbb76760b9c81ad99f7eb0ca7",
+    hash: "b97c4220dd097f2ba75961eb0b99089d4ca3de5be6ba13bbdc80747311d574ac",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
@@ -561,7 +561,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "8491381b54ad150b23e2b61d05e9101c85c425ed6c68096ab89763f2908f21de",
+    hash: "32f827e1baf05f3a9b4f0a9d5b58c1dfe7a7577406feedc39f86684156693ba0",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_PACKED: Module = Module {
@@ -574,7 +574,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "06f29e2b3097e0178cba7b3e6e3a700fd6b607fa1d74afacfb1a8dc244b70259",
+    hash: "71f23980580dc60820ba50081e26b6afa1477a36c7ad3e027ddcfd2d18f4d6e2",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -587,7 +587,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "859977869cde01a52ad942b363751866fe72eb207884f71a9f7aa865a3a845ca",
+    hash: "2d0dd745faf362dcbc0d5bed2131688579b188aa4d625e0db6851d9c2d848868",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -600,7 +600,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACK
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "a597b1ae145ca9400c89d4f5cce883d278717bfb08b4b54cc319d639df264729",
+    hash: "bfb1480c4d0a96c604401d2fbacae77575e667910a79399ba39338b9f9ecbff6",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -613,7 +613,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "d9e4c1d40d19e10fcd0e565a05a77af9c1e0972f2c97edc60e861c49b248d29e",
+    hash: "274b3dd044570e60c9b328102d3c134387545d34011208a24cd385c158c22f0a",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -626,7 +626,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED:
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "17379717b08644cbe4460ffca4f781a5bc024495eac136dc6beeb86812ee9957",
+    hash: "8aa5b84920ece512bc31c1c554ba4ef43aff1374d130ac884fe46cc683cad7c2",
 };
 
 static CORRECT_POSITIONS_WITH_NARROW_WALLS: Module = Module {
@@ -639,7 +639,7 @@ static CORRECT_POSITIONS_WITH_NARROW_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "00b4fc80efa721481426800976211e2c29171d899e4dd8ae212a5dce478dbb2e",
+    hash: "eb5c3d739f2c504573f424a7841cd9d6267c4c93ea8dfe5c9219b46ed699eba1",
 };
 
 static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_PACKED: Module = Module {
@@ -652,7 +652,7 @@ static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "53dfa0610d2f7e12acccb841c2ce8d0ed7d2cf5896c61f436f6739d35dfad3d1",
+    hash: "d629a71bb076f4260e390d4ae8149f19900560660da23b3d43c4b97291807667",
 };
 
 static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -665,7 +665,7 @@ static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_RELAXED_PRECISION: Module = Modu
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "cbb921527f31cbd4955dcaadbb2fe1c71a86865805e5bf865a319eb63f4d7fff",
+    hash: "3d495c3a026280b79387a59817a1b4a13bc6e8c255428c8b48e69bd81ad5d2f3",
 };
 
 static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -678,7 +678,7 @@ static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: M
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "c0542495a4ccba1432c68583554fa080951ab831afcb77a31a4c56258253771a",
+    hash: "1167f2234f5706a5e432765ef70b696a6c21c33a87c8c6c5f2eb320f47705db0",
 };
 
 static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -691,7 +691,7 @@ static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_HALF_PRECISION: Module = Module 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "8a4dff0938498416120a51a95a7e46ccf826d1b46b451c139c63e02418c43e1f",
+    hash: "d3e4ee2bf9325eada9b5a9a8955ac44c07f4aa251252d06801d8e8310888c9d5",
 };
 
 static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -704,7 +704,7 @@ static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Modu
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "1a564e1c0ce6c1b99966fc2514d6ec7b0253abb49939972a6891c328544979ef",
+    hash: "0a29ef2a47d39d480215b58782ec48c8f5bab956d6c43357721ba388bdd5459c",
 };
 
 static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_S_CORR: Module = Module {
@@ -717,7 +717,7 @@ static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "8ccd855ab9491667182347ad7fbb84ae0d530aceaf7c2d129acb3cc2895f7e1d",
+    hash: "a4c25fda58ffe462df3236bf17966f96b2c77721384215baba51c98820c531b5",
 };
 
 static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_S_CORR_WITH_PACKED: Module = Module {
@@ -730,7 +730,7 @@ static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_S_CORR_WITH_PACKED: Module = Mod
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "abee65ea2ca98d85f04a8416cbf3904e8b90a99bce112abaa0860c46074bd518",
+    hash: "8610dc1dc8690766df882741bc30fd0840fe239816112004d426923b5b148c60",
 };
 
 static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -743,7 +743,7 @@ static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: M
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "bb6bbc3d72a25055d2551391bb58f30a0ea6d5960339d29ad732d64fcf8b0d31",
+    hash: "69be189b1ac9e5c0ca8efb7e870557feb16ab84fcfac0321f1fe0794eb7d2f04",
 };
 
 static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -756,7 +756,7 @@ static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION_WI
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "ff2fd5e71e59f7dce8f3f6adfbafe3b1b16b5c33eda00e7e5e591162ac24b81d",
+    hash: "d962f09efd484c3e2e0459f0b50accbe99160c70ecf5972fd30ce15e57fd3067",
 };
 
 static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -769,7 +769,7 @@ static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Modu
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "8f9f820bc7ca071b835b8b5bedf03bfd58ea4c30076683c1db0f7833b6d0b476",
+    hash: "23bf7a3d3557d5fdaf9b2b0bd1f4747a7ffcf910dfdb492274904429d56f2d77",
 };
 
 static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -782,5 +782,5 @@ static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "bc161bd6b2705119020178a36c137f3595843b07110ba3a32f984b47c3732e63",
+    hash: "cb0e340b789fe6234ecadef6fe9fa360e86ba639ffd9e568257d920b976ef660",
 };

@@ -105,7 +105,7 @@ static CURL: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/curl.compute",
-    hash: "895efc641eb439f47509c9d7526e7f963581d56d3d175d74e0b3d21b08ed4b60",
+    hash: "1eeaa88289f19b39f877bb2c1c689c258151cdc5e86414a312180ff3a12402de",
 };
 
 static CURL_WITH_PACKED: Module = Module {
@@ -118,7 +118,7 @@ static CURL_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/curl.compute",
-    hash: "e33397c87b6b6993750b10028c5fdf1ef4fcbb1817da4e0f4d206ac61cdc8298",
+    hash: "96ef35d0bb2e24beafafcf802bd1ed7f129ac09ac765ba86c134e6b343fa9a29",
 };
 
 static CURL_WITH_RELAXED_PRECISION: Module = Module {
@@ -131,7 +131,7 @@ static CURL_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/curl.compute",
-    hash: "07298bb1d866ea8bd4048dd4fd9662b41af65c441969926fe662ce4c8daee8b1",
+    hash: "da9aea174f8ea9a5a0a6906902929c20ecf14bb4039a31a589e917ebfa1d93f0",
 };
 
 static CURL_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -144,7 +144,7 @@ static CURL_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/curl.compute",
-    hash: "28eb379c207254686d2e1607f06e387631e87589fd168aa18a0b7cf081a0bd2e",
+    hash: "a1984a8631abd13ca0e60450a7ce99c7620229f1be513ab1970fb71d51ce765e",
 };
 
 static CURL_WITH_HALF_PRECISION: Module = Module {
@@ -157,7 +157,7 @@ static CURL_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/curl.compute",
-    hash: "ce38e89bc004de8cfdc2a5ee8dfea036abf4b41450c56595ef29689a18662a4c",
+    hash: "4b6545bd76db88c73141468bd6f3dee899630d838e618292e960d1ca1c0a7a6b",
 };
 
 static CURL_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -170,5 +170,5 @@ static CURL_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/curl.compute",
-    hash: "eb2858fcaee775e8160b9ee9cbf89fb02ca83d6ce0fcab22d599a553c8cd4fc2",
+    hash: "d9d3e8186a5170b258a54896e9c0119bcaa77e4668e8810d76bb452110f9c39c",
 };

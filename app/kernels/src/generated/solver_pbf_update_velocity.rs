@@ -107,7 +107,7 @@ static UPDATE_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "ec4fce8ac1ff79b894b62957547eacaedb4c5f19e3fc22111cc9611864235311",
+    hash: "9a16f8b3cd69b2897311c7b9fcaadc44c38cd43f3001784e30b5b9879e8045fc",
 };
 
 static UPDATE_VELOCITY_WITH_PACKED: Module = Module {
@@ -120,5 +120,5 @@ static UPDATE_VELOCITY_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "b24fc6bb597568d9bd9482315f86597b104c0cc96cce0fb465271653046d45fa",
+    hash: "de1cb4e3c9a55ee69b3566343220662230ca140e8b97399a2b113b14ee5fa9cf",
 };

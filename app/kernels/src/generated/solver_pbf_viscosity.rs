@@ -110,7 +110,7 @@ static VISCOSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/viscosity.compute",
-    hash: "b0c9898e6979391641f97a98c8dc553429200c3fb71f35db159e00f81684c5b2",
+    hash: "347f44b12eeae733e30383a3c53b618eaf5cb0f1831c2a73db7337a7aae299f8",
 };
 
 static VISCOSITY_WITH_PACKED: Module = Module {
@@ -123,7 +123,7 @@ static VISCOSITY_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/viscosity.compute",
-    hash: "bd73a0942635b5677019d1066ce8fa14ac8f518c0396e09a3dec31d30160c80c",
+    hash: "9a4b3d0ffd0f474d5b6f453699b61348348e6b84dc2ab7efaa4750bf8747d885",
 };
 
 static VISCOSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -136,7 +136,7 @@ static VISCOSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/viscosity.compute",
-    hash: "453c05a034d69663884bdecb04014466b615d281e9b34f956d1dac51127d2599",
+    hash: "18ccab9d23b8cec566dbb59d044d3dfd81fc29af80b35bec816486dcad5d33bd",
 };
 
 static VISCOSITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -149,7 +149,7 @@ static VISCOSITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/viscosity.compute",
-    hash: "4952adb19db0ce4fa2c0b3361c547d2da6f4840d34b4728f89e93281060661ac",
+    hash: "6191828668e9f05f1bdfaeec257e4cc09187650b4857d3cfcdf4ff5bf85169e2",
 };
 
 static VISCOSITY_WITH_HALF_PRECISION: Module = Module {
@@ -162,7 +162,7 @@ static VISCOSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/viscosity.compute",
-    hash: "6e880fe965f7acb1b0dc7e7d7f32f842900662c3f8971b468415328f2707fa97",
+    hash: "63ea880cbc4a033f69e8925a1f082de5f4b5196210245886e432a5db8e628bd2",
 };
 
 static VISCOSITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -175,5 +175,5 @@ static VISCOSITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/viscosity.compute",
-    hash: "ec0fd3bcde54e35c121ed4fd8776f21735d38061209be1bda64ea7a5f11404b8",
+    hash: "929db2bcb5b3da885b20cee9b638f2caa5fae01a631b7a49227938c08551c0bb",
 };

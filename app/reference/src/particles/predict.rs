@@ -36,8 +36,11 @@ pub fn predict(before: Particle, step: &Step) -> Predicted {
     let (velocity_m_s, slowed) = step.slowed(before.velocity_m_s + step.gravity_m_s2 * step.dt_s);
     let free_m = before.position_m + velocity_m_s * step.dt_s;
     let position_m = step.inside(free_m);
-    let particle =
-        Particle { position_m, velocity_m_s: velocity_m_s + (position_m - free_m) / step.dt_s, quarantined: false };
+    let mut after_m_s = velocity_m_s + (position_m - free_m) / step.dt_s;
+    if step.walls {
+        after_m_s = after_m_s.clamp(DVec3::splat(-step.max_speed_m_s), DVec3::splat(step.max_speed_m_s));
+    }
+    let particle = Particle { position_m, velocity_m_s: after_m_s, quarantined: false };
     Predicted { particle, slowed }
 }
 

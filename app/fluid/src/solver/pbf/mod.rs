@@ -75,7 +75,8 @@ pub fn params(scene: &Scene) -> PbfParams {
         vorticity: solver.vorticity_m_s as f32,
         // Half a spacing: further, and two particles a correction drives together pass each other.
         max_correction_m: (0.5 * scene.spacing_m) as f32,
-        reserved: 0.0,
+        // Half a spacing: fluid at rest, however dense, keeps further apart.
+        separation: (0.5 / solver.support_ratio) as f32,
     }
 }
 

@@ -75,6 +75,7 @@ mod tests {
             xsph: 0.0,
             vorticity: 0.3,
             max_correction_m: 1.0,
+            separation: 0.0,
         };
         let push = confine_vorticity(0, &points, DVec3::ZERO, &swirls, &[1], &step, &smoothing, &pbf);
         assert!((push.velocity_m_s - DVec3::NEG_Y * 0.03).length() < 1e-15);

@@ -61,6 +61,7 @@ mod tests {
         xsph: 0.0,
         vorticity: 0.0,
         max_correction_m: 1.0,
+        separation: 0.0,
     };
 
     #[test]

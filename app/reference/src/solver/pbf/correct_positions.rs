@@ -44,7 +44,9 @@ pub fn correct_positions(
         let w = wendland::kernel(offset.length()) * pbf.s_corr_inverse_w;
         let s_corr = -pbf.s_corr_k * w.powi(4);
         let gradient = wendland::gradient(offset) * smoothing.weight;
-        let term = gradient * (lambdas[i] + lambdas[j] + s_corr);
+        let q = offset.length();
+        let part = if q < pbf.separation { SEPARATION * (1.0 - q / pbf.separation) } else { 0.0 };
+        let term = gradient * (lambdas[i] + lambdas[j] + s_corr - part);
         correction += term;
         terms += term.length();
     }
@@ -66,6 +68,10 @@ pub fn correct_positions(
         asked_m,
     }
 }
+
+/// What parts two particles at one point, as a multiplier; it falls to nothing where they are
+/// `separation` apart.
+pub const SEPARATION: f64 = 0.02;
 
 /// Closer than this, in h, counts as one point.
 pub const COINCIDENT: f64 = 1e-4;
@@ -93,6 +99,7 @@ mod tests {
             xsph: 0.0,
             vorticity: 0.0,
             max_correction_m: 1.0,
+            separation: 0.0,
         };
         let step = Step {
             gravity_m_s2: DVec3::ZERO,

@@ -1,0 +1,54 @@
+//! The column law (`brooklet_reference::column`): what iterations leave of a column's compression.
+//!
+//! The column is 4 particles wide between walls, of which the middle 2 x 2 are looked at: walls add
+//! no neighbours whose gradients count, so beside them lambda is larger and the compression smaller.
+//! `examples/column_law.rs` shows that wider columns differ by a hundredth, and more cases.
+
+use brooklet_tests::column::{Settled, Setup};
+
+const COLUMN: Setup = Setup { layers: 60, width: 4, iterations: 4, substeps: 1, dt_s: 1.0 / 240.0 };
+
+/// The law holds to this where it says 0.05 to 0.15; fixed before the first run.
+const TOLERANCE: f64 = 0.25;
+
+fn check(settled: &Settled, law: f64) -> Result<(), String> {
+    let off = settled.bottom / law - 1.0;
+    // Swings would make a lucky moment of it.
+    if off.abs() <= TOLERANCE && settled.unrest < 0.1 * law {
+        return Ok(());
+    }
+    Err(format!("measured {} +- {}, the law says {law}", settled.bottom, settled.unrest))
+}
+
+#[test]
+fn four_eight_and_sixteen_iterations_leave_what_the_law_says() {
+    for (iterations, compression) in [(4, 0.15), (8, 0.1), (16, 0.05)] {
+        let setup = Setup { iterations, ..COLUMN }.at(compression);
+        let settled = setup.settle();
+        println!("column of 60, {iterations} iterations: law {:.4}, measured {:.4}", settled.law, settled.bottom);
+        assert!((settled.law - compression).abs() < 1.0e-12);
+        check(&settled, settled.law).unwrap();
+        // The law of half as many iterations, or twice: told apart.
+        check(&settled, 0.5 * settled.law).unwrap_err();
+        check(&settled, 2.0 * settled.law).unwrap_err();
+    }
+}
+
+#[test]
+fn substeps_beat_iterations() {
+    // 8 iterations in all a step: the law says eps / substeps.
+    let step = Setup { layers: 30, iterations: 8, ..COLUMN }.at(0.12);
+    let mut before = f64::INFINITY;
+    for substeps in [1, 2, 4, 8] {
+        let settled = Setup { substeps, iterations: 8 / substeps, ..step }.settle();
+        println!(
+            "column of 30, {substeps} substeps x {} iterations: law {:.4}, measured {:.4}",
+            8 / substeps,
+            settled.law,
+            settled.bottom
+        );
+        check(&settled, 0.12 / f64::from(substeps)).unwrap();
+        assert!(settled.bottom < 0.65 * before, "{substeps} substeps");
+        before = settled.bottom;
+    }
+}

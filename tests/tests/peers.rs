@@ -1,0 +1,32 @@
+//! The peers' workload at 1/25 m, 3,600 particles. `examples/peers_compression.rs` runs it at 1/50 m, as
+//! the peers were measured.
+
+use brooklet_tests::peers::{average, run, scene};
+
+#[test]
+fn compression_is_below_that_of_splishsplash() {
+    let snapshots = run(&scene(0.04, &[]).unwrap()).unwrap();
+    let compression = average(&snapshots);
+    println!("peers' workload at 0.04 m: {compression:?}");
+    assert_eq!(compression.all.particles, 12 * 12 * 25);
+    // What SPlisHSPlasH's PBF leaves at 1/50 m with the same step and iterations. By the column law
+    // compression grows with N/d, so it is smaller here by (50/25)^2; and walls hold the fluid only if
+    // the layer at them is hardly denser than the rest.
+    assert!(compression.all.mean < 0.013 / 4.0, "{compression:?}");
+    assert!(compression.all.max < 0.19 / 4.0, "{compression:?}");
+    assert!(compression.wall.mean < 2.0 * 0.013 / 4.0, "{compression:?}");
+    // Density alone can pass a wrong fluid: 12 layers spread over 2 m are 0.12 m, half of it the mean
+    // height, and waves lift it.
+    let height_m = snapshots.iter().map(|s| s.height_m).fold(f64::INFINITY, f64::min);
+    assert!(height_m > 0.06, "the fluid lost volume: its middle is at {height_m} m");
+    // Inviscid, a dam of depth H has its front at 2 sqrt(g H) t; the column's foot adds a little.
+    let front_m = snapshots[1].front_m;
+    assert!(front_m > 1.2 && front_m < 0.5 + 2.0 * (9.81_f64 * 0.5).sqrt() * 0.4, "front at {front_m} m after 0.4 s");
+}
+
+#[test]
+fn a_fluid_that_is_solved_too_little_is_told_apart() {
+    let lazy = average(&run(&scene(0.04, &["solver.iterations=1".into()]).unwrap()).unwrap());
+    println!("peers' workload at 0.04 m, 1 iteration: {lazy:?}");
+    assert!(lazy.all.max > 0.19 / 4.0 || lazy.all.mean > 0.013 / 4.0, "{lazy:?}");
+}
