@@ -87,6 +87,13 @@ struct Term {
 
 const TERMS: &[Term] = &[
     Term {
+        without: "solver.deterministic=false",
+        with: "solver.deterministic=true",
+        stages: &["list_members", "rank_members"],
+        buffers: &["cell_members"],
+        variant: None,
+    },
+    Term {
         without: "solver.vorticity_m_s=0",
         with: "solver.vorticity_m_s=0.1",
         stages: &["curl", "confine_vorticity"],

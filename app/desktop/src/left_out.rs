@@ -51,6 +51,11 @@ const TERMS: &[Term] = &[
         turn_on: |scene| scene.solver.s_corr_k = 0.1,
     },
     Term {
+        reason: "solver.deterministic = false",
+        is_off: |scene| !scene.solver.deterministic,
+        turn_on: |scene| scene.solver.deterministic = true,
+    },
+    Term {
         reason: "domain.walls = false",
         is_off: |scene| !scene.domain.walls,
         turn_on: |scene| scene.domain.walls = true,
