@@ -210,7 +210,7 @@ impl Default for Solver {
             xsph: 0.01,
             vorticity_m_s: 0.0,
             max_speed_m_s: None,
-            neighbour_slots: 44,
+            neighbour_slots: 48,
             deterministic: false,
             precision: Precision::Full,
             packed_positions: false,
