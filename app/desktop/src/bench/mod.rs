@@ -1,6 +1,7 @@
 //! `brooklet bench`: the time of every pass, of one scene or of one workload at rising sizes.
 
 mod bandwidth;
+mod figures;
 mod plot;
 mod report;
 mod scaling;

@@ -3,7 +3,7 @@
 use plotters::{coord::Shift, element::DashedPathElement, prelude::*};
 
 use super::{
-    scaling::{Row, Scaling},
+    figures::{Row, Scaling},
     targets::{DEFAULT_RATE, EVERY_TERM_RATE},
     workload::LOADS,
 };

@@ -1,7 +1,7 @@
 //! The table for people.
 
 use super::{
-    scaling::{Row, Scaling},
+    figures::{Row, Scaling},
     workload::LOADS,
 };
 use crate::table::table;
@@ -90,7 +90,7 @@ fn print_sizes(rows: &[Row]) {
     say!("(M/s: million particle iterations a second; ns: for one; measuring is in both where it is on)");
 }
 
-fn print_passes(rows: &[&Row], cell: impl Fn(&super::scaling::Pass) -> String) {
+fn print_passes(rows: &[&Row], cell: impl Fn(&super::figures::Pass) -> String) {
     let header: Vec<String> =
         std::iter::once("pass".to_string()).chain(rows.iter().map(|row| row.particles.to_string())).collect();
     let numbers: Vec<usize> = (1..header.len()).collect();

@@ -1,8 +1,9 @@
 //! What the table is held against: set for two CPU cores, where a real GPU meets the rates easily.
 
-use serde::Serialize;
-
-use super::{scaling::Row, workload::LOADS};
+use super::{
+    figures::{Row, Verdict},
+    workload::LOADS,
+};
 
 /// Particle iterations a second with the default terms.
 pub const DEFAULT_RATE: f64 = 4.5e6;
@@ -14,17 +15,6 @@ const BYTES_PER_PARTICLE: f64 = 320.0;
 /// Below so many particles a step is over before a device is busy.
 const SMALLEST: u32 = 27_000;
 const RATE_SIZES: [u32; 2] = [27_000, 125_000];
-
-/// A target and what was measured.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Verdict {
-    pub name: String,
-    pub target: f64,
-    pub measured: f64,
-    pub met: bool,
-    /// Whether the measured value has to be at least the target; else at most.
-    pub at_least: bool,
-}
 
 /// Each target for which the table has figures.
 pub fn verdicts(rows: &[Row]) -> Vec<Verdict> {
