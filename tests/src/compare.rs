@@ -1,6 +1,8 @@
 //! Comparators of a kernel's output with its twin's, each fed a wrong input once in
 //! `tests/comparators.rs`.
 
+use brooklet_kernels::{CellSlot, GridParams, Position, QUARANTINED};
+use brooklet_reference::grid::count_cells::{check_ranks, count_cells};
 use glam::DVec3;
 
 /// Half the distance of 1 to the next f32: the largest relative error of one rounding.
@@ -118,6 +120,32 @@ pub fn check_cell(cell: u32, place: DVec3, cells: [u32; 3], doubt: f64) -> Resul
         true => Ok(()),
         false => Err(format!("cell {cell} at {place}, expected {}", index(place))),
     }
+}
+
+/// Whether `counts` and `slots` are those of `positions`: each in its cell (as [`check_cell`], with
+/// its `doubt`) or, quarantined, behind the last; each rank of a cell once.
+///
+/// # Errors
+/// Names the first that is not.
+pub fn check_counted(
+    positions: &[Position],
+    counts: &[u32],
+    slots: &[CellSlot],
+    grid: &GridParams,
+    doubt: f64,
+) -> Result<(), String> {
+    let cells: Vec<u32> = slots.iter().map(|slot| slot.cell).collect();
+    let ranks: Vec<u32> = slots.iter().map(|slot| slot.rank).collect();
+    for (position, &cell) in positions.iter().zip(&cells) {
+        if position.tag & QUARANTINED != 0 {
+            check_exact(&[cell], &[grid.cell_count])?;
+        } else {
+            let place = vector(position.position_m) * f64::from(grid.inverse_cell_size_per_m);
+            check_cell(cell, place, grid.cells, doubt)?;
+        }
+    }
+    check_exact(counts, &count_cells(&cells, grid.cell_count))?;
+    check_ranks(&cells, &ranks, grid.cell_count)
 }
 
 /// A GPU vector in f64.

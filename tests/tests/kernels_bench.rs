@@ -4,14 +4,14 @@ use brooklet_kernels::{
     CellSlot, CopyElements, CountCellsAggregated, Counters, GridParams, Kernel, ListNeighboursByIndex, Position,
     QUARANTINED, ReorderIndex, SCAN_ITEMS, ScanGroupsTree, ScanGroupsTreeVariant, ScanStep,
 };
-use brooklet_reference::grid::count_cells::{cell_of, check_ranks, count_cells};
+use brooklet_reference::grid::count_cells::cell_of;
 use brooklet_reference::grid::list_neighbours::{check_list, list_neighbours};
 use brooklet_reference::grid::reorder::{self as twin, reorder};
 use brooklet_reference::grid::scan;
 use brooklet_reference::params::Grid;
 use brooklet_reference::shared::place::Places;
 use brooklet_tests::cases::{SUPPORT_M, fluid, grid_params, list_entry, list_length, sizes, vectors};
-use brooklet_tests::compare::{check_cell, check_exact, report_exact, vector};
+use brooklet_tests::compare::{check_counted, check_exact, report_exact, vector};
 use brooklet_tests::harness::Bench;
 use brooklet_tests::rng;
 use glam::DVec3;
@@ -64,17 +64,8 @@ fn check_count(positions: &[Position], grid: GridParams) -> Result<(), String> {
     let mut done = bench.run();
     let counts = done.read(&counts, grid.cell_count as usize + 1);
     let slots: Vec<CellSlot> = done.read(&slots, positions.len());
-    let cells: Vec<u32> = slots.iter().map(|slot| slot.cell).collect();
-    let ranks: Vec<u32> = slots.iter().map(|slot| slot.rank).collect();
-    for (position, &cell) in positions.iter().zip(&cells) {
-        match position.tag & QUARANTINED {
-            // Cells of a power of two: no rounding.
-            0 => check_cell(cell, vector(position.position_m) * 64.0, grid.cells, 0.0)?,
-            _ => check_exact(&[cell], &[grid.cell_count])?,
-        }
-    }
-    check_exact(&counts, &count_cells(&cells, grid.cell_count))?;
-    check_ranks(&cells, &ranks, grid.cell_count)
+    // Cells of a power of two: no rounding.
+    check_counted(positions, &counts, &slots, &grid, 0.0)
 }
 
 #[test]

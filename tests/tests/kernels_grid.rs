@@ -4,14 +4,13 @@ use brooklet_kernels::{
     CellSlot, CountCells, Counters, GROUPS_A_ROW, GridParams, Kernel, LIST_CHUNK, ListMembers, ListNeighbours,
     ListNeighboursVariant, Position, RankMembers, Reorder, ReorderVariant, Velocity,
 };
-use brooklet_reference::grid::count_cells::{check_ranks, count_cells};
 use brooklet_reference::grid::list_neighbours::{check_list, list_neighbours};
 use brooklet_reference::grid::rank_members::rank_members;
 use brooklet_reference::grid::reorder::{places, reorder};
 use brooklet_reference::grid::scan;
 use brooklet_reference::shared::place::Places;
 use brooklet_tests::cases::{SLOTS, SUPPORT_M, fluid, grid_params, list_entry, list_length, sizes, vectors};
-use brooklet_tests::compare::{check_cell, check_exact, report_exact, vector};
+use brooklet_tests::compare::{check_counted, check_exact, report_exact, vector};
 use brooklet_tests::harness::{Bench, few_cases, small};
 use brooklet_tests::rng;
 use brooklet_tests::scan::run_scan;
@@ -53,18 +52,7 @@ fn run_count(positions: &[Position], grid: GridParams) -> (Vec<u32>, Vec<CellSlo
 
 fn check_count(positions: &[Position], grid: GridParams, doubt: f64) -> Result<(), String> {
     let (counts, slots) = run_count(positions, grid);
-    let cells: Vec<u32> = slots.iter().map(|slot| slot.cell).collect();
-    let ranks: Vec<u32> = slots.iter().map(|slot| slot.rank).collect();
-    for (position, &cell) in positions.iter().zip(&cells) {
-        if position.tag & QUARANTINED != 0 {
-            check_exact(&[cell], &[grid.cell_count])?;
-        } else {
-            let place = vector(position.position_m) * f64::from(grid.inverse_cell_size_per_m);
-            check_cell(cell, place, grid.cells, doubt)?;
-        }
-    }
-    check_exact(&counts, &count_cells(&cells, grid.cell_count))?;
-    check_ranks(&cells, &ranks, grid.cell_count)
+    check_counted(positions, &counts, &slots, &grid, doubt)
 }
 
 #[test]

@@ -61,10 +61,11 @@ float3 Apart(uint3 here, uint3 there)
     return float3(asint(here - there)) * SUPPORTS_A_UNIT;
 }
 
-// How far a particle is from the place of a position, in h.
-float3 MovedFrom(float3 position_h, uint2 place)
+// How far a particle is from a position, in metres: exactly nothing where it has not moved.
+float3 MovedFrom(float3 position_m, uint2 place, KernelParams kernel)
 {
-    return Apart(Coordinates(place), Coordinates(PlaceOf(position_h)));
+    uint2 start = PlaceOf(position_m * kernel.inverse_support_per_m);
+    return Apart(Coordinates(place), Coordinates(start)) * kernel.support_m;
 }
 
 #if defined(PACKED)

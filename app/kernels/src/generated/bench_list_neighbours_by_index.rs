@@ -9,25 +9,25 @@ use crate::{
 
 /// ListNeighbours where only the index was sorted: candidates are found through it, and the list
 /// holds particles by where they lie. What `brooklet bench sorting` holds against it is
-/// grid/list\_neighbours.compute, of which this is a copy but for the index.
+/// grid/list\_neighbours.compute.
 #[derive(Debug)]
 pub struct ListNeighboursByIndex<'a> {
     /// `StructuredBuffer<Position> positions`.
     pub positions: Buf<'a, Position>,
+    /// `StructuredBuffer<uint> sorted_indices`.
+    pub sorted_indices: Buf<'a, u32>,
+    /// `ConstantBuffer<GridParams> grid`.
+    pub grid: Uniform<'a, GridParams>,
     /// `StructuredBuffer<uint2> places`.
     pub places: Buf<'a, [u32; 2]>,
     /// `StructuredBuffer<uint> cell_starts`.
     pub cell_starts: Buf<'a, u32>,
-    /// `StructuredBuffer<uint> sorted_indices`.
-    pub sorted_indices: Buf<'a, u32>,
     /// `RWStructuredBuffer<uint4> neighbours`.
     pub neighbours: BufMut<'a, [u32; 4]>,
     /// `RWStructuredBuffer<uint> neighbour_counts`.
     pub neighbour_counts: BufMut<'a, u32>,
     /// `RWStructuredBuffer<Counters> counters`.
     pub counters: BufMut<'a, Counters>,
-    /// `ConstantBuffer<GridParams> grid`.
-    pub grid: Uniform<'a, GridParams>,
 }
 
 impl Kernel for ListNeighboursByIndex<'_> {
@@ -42,13 +42,13 @@ impl Kernel for ListNeighboursByIndex<'_> {
             self.module(),
             &[
                 ("positions", Some(self.positions.id)),
+                ("sorted_indices", Some(self.sorted_indices.id)),
+                ("grid", Some(self.grid.id)),
                 ("places", Some(self.places.id)),
                 ("cell_starts", Some(self.cell_starts.id)),
-                ("sorted_indices", Some(self.sorted_indices.id)),
                 ("neighbours", Some(self.neighbours.id)),
                 ("neighbour_counts", Some(self.neighbour_counts.id)),
                 ("counters", Some(self.counters.id)),
-                ("grid", Some(self.grid.id)),
             ],
         )
     }
@@ -59,29 +59,29 @@ pub(super) static MODULES: &[&Module] = &[&LIST_NEIGHBOURS_BY_INDEX];
 
 static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "positions", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
-    BindingInfo { name: "places", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
-    BindingInfo { name: "cell_starts", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 } },
     BindingInfo {
         name: "sorted_indices",
-        slot: 3,
+        slot: 1,
         kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 },
     },
+    BindingInfo { name: "grid", slot: 2, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "places", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo { name: "cell_starts", slot: 4, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 } },
     BindingInfo {
         name: "neighbours",
-        slot: 4,
+        slot: 5,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
     BindingInfo {
         name: "neighbour_counts",
-        slot: 5,
+        slot: 6,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 },
     },
     BindingInfo {
         name: "counters",
-        slot: 6,
+        slot: 7,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
-    BindingInfo { name: "grid", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
 static LIST_NEIGHBOURS_BY_INDEX: Module = Module {
@@ -94,5 +94,5 @@ static LIST_NEIGHBOURS_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/list_neighbours_by_index.compute",
-    hash: "bf947fbffa2cc6bc9b27799cca45816e03eeb37db5cfdbf5fe2c30cc2cdb2ae9",
+    hash: "eeaab07070c3f772a6cb007ba6b46a919a400fd5e76850986077ca52f2766faa",
 };

@@ -74,5 +74,5 @@ static REORDER_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/reorder_index.compute",
-    hash: "b542274be7ff3aa0c1a2d4fc88d15346bb65cef44511a1927591503925e4a00f",
+    hash: "08e6703c3104a694324223c3ff2e0024ae535ea460de0eda83abaa1190c61b20",
 };

@@ -15,15 +15,14 @@ pub struct ListNeighboursVariant {
 }
 
 /// Lists each particle's neighbours once a substep; every iteration reuses the list.
-/// Cells are h/2 wide. Rows of cells along x are cut to the chord of the support sphere and are
-/// one range of sorted particles each, so about half as many candidates are looked at as in the
-/// 27 cells of width h of the mobile deck.
 #[derive(Debug)]
 pub struct ListNeighbours<'a> {
     /// Its variant.
     pub variant: ListNeighboursVariant,
     /// `StructuredBuffer<Position> sorted_positions`.
     pub sorted_positions: Buf<'a, Position>,
+    /// `ConstantBuffer<GridParams> grid`.
+    pub grid: Uniform<'a, GridParams>,
     /// `StructuredBuffer<uint2> places`.
     pub places: Buf<'a, [u32; 2]>,
     /// `StructuredBuffer<uint> cell_starts`.
@@ -34,8 +33,6 @@ pub struct ListNeighbours<'a> {
     pub neighbour_counts: BufMut<'a, u32>,
     /// `RWStructuredBuffer<Counters> counters`.
     pub counters: BufMut<'a, Counters>,
-    /// `ConstantBuffer<GridParams> grid`.
-    pub grid: Uniform<'a, GridParams>,
 }
 
 impl Kernel for ListNeighbours<'_> {
@@ -50,12 +47,12 @@ impl Kernel for ListNeighbours<'_> {
             self.module(),
             &[
                 ("sorted_positions", Some(self.sorted_positions.id)),
+                ("grid", Some(self.grid.id)),
                 ("places", Some(self.places.id)),
                 ("cell_starts", Some(self.cell_starts.id)),
                 ("neighbours", Some(self.neighbours.id)),
                 ("neighbour_counts", Some(self.neighbour_counts.id)),
                 ("counters", Some(self.counters.id)),
-                ("grid", Some(self.grid.id)),
             ],
         )
     }
@@ -70,24 +67,24 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 0,
         kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
     },
-    BindingInfo { name: "places", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
-    BindingInfo { name: "cell_starts", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 } },
+    BindingInfo { name: "grid", slot: 1, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "places", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo { name: "cell_starts", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 } },
     BindingInfo {
         name: "neighbours",
-        slot: 3,
+        slot: 4,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
     BindingInfo {
         name: "neighbour_counts",
-        slot: 4,
+        slot: 5,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 },
     },
     BindingInfo {
         name: "counters",
-        slot: 5,
+        slot: 6,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
-    BindingInfo { name: "grid", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
 static LIST_NEIGHBOURS: Module = Module {
@@ -100,7 +97,7 @@ static LIST_NEIGHBOURS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "e42dd17e5163488fbbe2c1e44c307826cce3a08df31ba6f8ceb1d317d6ba0acc",
+    hash: "44f8384fc159a8198575e5b6ba25608974eeec2d9874f5b55732761c59cd947f",
 };
 
 static LIST_NEIGHBOURS_WITH_PACKED: Module = Module {
@@ -113,5 +110,5 @@ static LIST_NEIGHBOURS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "eea2d2ec7392be32aa449de344a29c2107c12508937547c13a2c7f9e1a51e7cc",
+    hash: "0100850934312a28b025207897073b958ab577c366691f39c7d87e0d1d1f8b8d",
 };

@@ -94,7 +94,7 @@ static REORDER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "62d0e8d610e24d8fb89310337c2e5753f0e7561979b4f63ba8c19b71dcb34764",
+    hash: "13d004ce1f90dd7fe606644ba0ebc2a3c01c23745d13254db3b26c9fce2abe6d",
 };
 
 static REORDER_WITH_PACKED: Module = Module {
@@ -107,5 +107,5 @@ static REORDER_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "3f39de080ae7b95ec4f575b02953814542d8ca53a7742ed94f974ae0bc29ddb8",
+    hash: "d295130b5c361b7c76efddd23dd11a9a665afeb86b00361fcf52067f2016d928",
 };

@@ -106,7 +106,7 @@ static CONFINE_VORTICITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "537a9735b86c8e923c47d5b829ad8c2be5097af5cd5d0a18a48b068c6093b77d",
+    hash: "22aace323f3e945f7e808bb8a76838f95bc112c8bd52d48bc819ae6146d2b5f4",
 };
 
 static CONFINE_VORTICITY_WITH_PACKED: Module = Module {
@@ -119,7 +119,7 @@ static CONFINE_VORTICITY_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "4f15ae30f964a8d3d03ff63186649aa043d161fc053cf801f9748b4241c5ddf3",
+    hash: "686b830b1665c70883a43ff8b18b6ddeb9c60dd66f86e21c013f3ff4c56fbcde",
 };
 
 static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -132,7 +132,7 @@ static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "49583f9ba1192c3ca0f6d14033a19c0aad7333eb97ce904aff833ea13e6e9324",
+    hash: "09216d7ff33c5dec96695a7e3030054f9cd39ca7135f3c84a82f2558f63cd69d",
 };
 
 static CONFINE_VORTICITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -145,7 +145,7 @@ static CONFINE_VORTICITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "a434c2642e181a7619cde7da01a260fb006ab24b6db65faf3fe3609d55732235",
+    hash: "0258f6c97a20e7de6b5af94feb3a5b937b1c590b8e12c0c05b8af63ac442e2f6",
 };
 
 static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
@@ -158,7 +158,7 @@ static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "74a048be10f4a9a08fa20ac5a17624993360feafeaf2ed7961baba25819a2db6",
+    hash: "a5736d7c7e6f9901347927f3f9d416784387fe94b3ab85abe7f68a2ae25c6fd7",
 };
 
 static CONFINE_VORTICITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -171,5 +171,5 @@ static CONFINE_VORTICITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "6368803f78a71a3f69b2b6813f85c2df637aa4afec79dc9712eb73aa1340fb69",
+    hash: "c39b835d8bd6acaa70e99f376feaaf122c7319f0d4f381dc998db67270845b9b",
 };

@@ -240,7 +240,7 @@ static CONSTRAIN_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "80facc32249d4e10e55c27b7e393d940155b7a1a7e07d36de78065ee464e9e9b",
+    hash: "193614e5c85dc239e1ec102a8864318eb1a62e1b23bf2a2f1177d78775ecd899",
 };
 
 static CONSTRAIN_DENSITY_WITH_PACKED: Module = Module {
@@ -253,7 +253,7 @@ static CONSTRAIN_DENSITY_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "40623083a98f6c8148e81e578519fcac89751530ef864e9e1704b15f50319f7b",
+    hash: "6702316c95d185ba0b4fdd97f261afcd39f6f71559204475175ba0da15c56518",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -266,7 +266,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "872dadd1aa1f824f62775b9a89f9de9ed7be272a7392571cb845133697e8c42f",
+    hash: "bc85e6c2c4f9f8d66f94275fdced73b9eb78d40d57d188ffb4355f0754815dc4",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -279,7 +279,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "018f59133f109fc8e93fc8811dd4a4b5ac7a8c6a38d36d9eca397b0d000b0080",
+    hash: "0d162eedd3e4d69987db8f20344c6591cf2f52fcf973675884b3cd5305b44e53",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -292,7 +292,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "bc0159d7f01838fcf7e8d823c3f79075b323495418866e9fe823f9b1efc69ce1",
+    hash: "c7ac8696b1cb9ce4d57ffc919e0c65b17c03f2601d19c28003cc8e308db3d496",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -305,7 +305,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "a5616f3b473351166da94f0397b1ddf1f03beb0f3a99d86ce9ad4d6cfd305641",
+    hash: "9143bbded45dbdc88c063189a457500cb826b90b838512bad2092ce1161086d0",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
@@ -318,7 +318,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "41a25e822bb5098746931be9c84f9d06ec1f1a542a4ae052ddc563c48d694888",
+    hash: "d86ff5c703b0ea34244b33327e3f5539a7860b4dc05e09292ab8526f5d2e2e7d",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_PACKED: Module = Module {
@@ -331,7 +331,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "fdb4e588496f77c331eb151dcca24a017ee6bdd44ee164eb35c51d1fa001cb3f",
+    hash: "932be47f320bc0bc543b3d5b60587b88c84f80fb50b5387ecdfab667dab2ffdf",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -344,7 +344,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "f9fb70411d7f22c78009c67693b65886f983dbfe5ad268f3e3370cea4a09f159",
+    hash: "29c5e1d653a2e07f57df4b957e573640a8197d82a8b4c86a690cc3b03d61a1d7",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -357,7 +357,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "b3f5423492183d5159edcc8cff2a959abcdb2e897a03b15193102e0928d8139f",
+    hash: "8d02aec82d4911e825e34b7e632b27c58519306f333fec8a562c0aad916b95dc",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -370,7 +370,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "4389a270da88d9f5ceeae1031cd9d2022d901fa1830d5bc5ec4597536afdfa5a",
+    hash: "2b98c71ba200ae9fdc5fd4f33c2cd2c9387215ad59c138632185ea4d65b45bd4",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -383,7 +383,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "67763ecc1b7dc5e8065ccc6a199acdfd76cd6f86dda9acbfe22728647fdd9ca4",
+    hash: "05be4dc779d30e235444416d4481b480ac931430cb4f3ef129ebd1ca2ddac05c",
 };
 
 static CONSTRAIN_DENSITY_WITH_NARROW_WALLS: Module = Module {
@@ -396,7 +396,7 @@ static CONSTRAIN_DENSITY_WITH_NARROW_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "41d66ad46fd334fdfd9af884306a634b4cb3a0a309797507b0ae76a65a510581",
+    hash: "7c2cf74e362a61f674504938b177e6b69a99bd9fb719c123e3e96df8d9d73580",
 };
 
 static CONSTRAIN_DENSITY_WITH_NARROW_WALLS_WITH_PACKED: Module = Module {
@@ -409,7 +409,7 @@ static CONSTRAIN_DENSITY_WITH_NARROW_WALLS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "7328d2e28e1725598cbbe4238c086140b7b7a8d1e94c43af69bc2192b9b5dcb6",
+    hash: "6273c55b0fdefc7edddb9410fda9b6dcc6bbd68e3e7e3978eb60af3a712b96af",
 };
 
 static CONSTRAIN_DENSITY_WITH_NARROW_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -422,7 +422,7 @@ static CONSTRAIN_DENSITY_WITH_NARROW_WALLS_WITH_RELAXED_PRECISION: Module = Modu
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "81b9decf2f438f7a3a87dfa0ca6372824d0f3aae56a0dab0a2a2197afe5d4376",
+    hash: "75cbb29b496cd6e086675e589f15a1fea8e87259d23234fdd511c497624f5365",
 };
 
 static CONSTRAIN_DENSITY_WITH_NARROW_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -435,7 +435,7 @@ static CONSTRAIN_DENSITY_WITH_NARROW_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: M
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "28afc0532a75f06c24eaba7276b6fde61548b7c83a7027d38cdac4286619a266",
+    hash: "3ab98b00f1243dceee9b9a5e68a66e72d772ac66193405e76618e80812d8b24b",
 };
 
 static CONSTRAIN_DENSITY_WITH_NARROW_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -448,7 +448,7 @@ static CONSTRAIN_DENSITY_WITH_NARROW_WALLS_WITH_HALF_PRECISION: Module = Module 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "b6a15835946df372cc0898b761aa2461db7a8ae712f6f541ca554c9cdc008301",
+    hash: "a5918ad858f82d5f8ea3bca3d0baaf89e4391509e5a7e1178e6d3f7cdf9a0a87",
 };
 
 static CONSTRAIN_DENSITY_WITH_NARROW_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -461,5 +461,5 @@ static CONSTRAIN_DENSITY_WITH_NARROW_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Modu
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "7bf41c8f92c1f127b5154a35b5bd0327474d4e99b4e33894e413305e7f3bccb1",
+    hash: "142a947213da08968c80908c45b452d5358fe66b649b9bef26dd87b4d4d78ca8",
 };

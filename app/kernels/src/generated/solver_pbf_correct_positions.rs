@@ -327,7 +327,7 @@ static CORRECT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "9644a305c167bac7de01494700ad00dc72d6933601e585535d0a4a8876db451c",
+    hash: "34ca6fd66c7122a8398fb3fb536f811a428123b4d86f17dde41ddbac12cab340",
 };
 
 static CORRECT_POSITIONS_WITH_PACKED: Module = Module {
@@ -340,7 +340,7 @@ static CORRECT_POSITIONS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "5055c90d7709dcf1a5f448ddf7cca6553f62620d242c10587662a7290f39af68",
+    hash: "7e52303d8d54af1d2733b2c00e3cb46123d6ac7cce554b639cff3c166671cd7a",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
@@ -353,7 +353,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "9c0706ad22946a3bc1425085b74cdb097f59a988a55ef29546922c96edd1a226",
+    hash: "c3ad4c24a6e550fc504edf84d94342b1d0ca6a5a34aa80a9c226b4e749b1da9a",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -366,7 +366,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "f3f3600e4e20acad8cc2b748cbed99db2e9f05d3f09e7852f6276938c6a0dec2",
+    hash: "68dea1d1b1ee393e1622dfe08b19e04d701c2befcd82a0e49583acfb9a6ed8c1",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
@@ -379,7 +379,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "07ffd14a8c337304522727b7c78c5fb4884ee917de09f7dbb8108345561ac119",
+    hash: "97a27c46d202572f339efb2a00552b6171b0bdfd680bef784e0736572f398b16",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -392,7 +392,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "c64d55b8912076d60d4568452c00775c69a178f532ea93265e77c488f8d808c2",
+    hash: "e636f15d6d3aa185168a768cb82fe19ed5974a7dcc030686df6ff3b12dd9bf2d",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
@@ -405,7 +405,7 @@ static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "74f821f708ee6198d031437d58e3bcc22d4b3dd394d46fbabcad25378f84a7fa",
+    hash: "44a9b8783583bd702f44aa8ede0b9b92a78db4b9ff16c045479e185b6c33d7b3",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_PACKED: Module = Module {
@@ -418,7 +418,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "130836de88af2d254e1eb7e1ba2873773dfe9226f3d2d7ef8363aaaad55dbea5",
+    hash: "4109a89ce0d35e1a921adf06fbcd8722123d053520839cd4026ebf09d99535df",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -431,7 +431,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "44334536b5b75b2c2eb473094992c386ad220f6cc3af13d374a238e273359e4c",
+    hash: "2592f1d12416f4c742946cdc88f1bd5e686f9ef3627ef2596feb62206ea3d1be",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -444,7 +444,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "e0e5f051867a166c3a1318446506df813e0dc0c5f0cf4437bfbd9b873e1476c2",
+    hash: "d2c2668ac7108ae741646ace9fe76fa955d3fffadc0c79b50ea52b492f98d9a2",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -457,7 +457,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "af1f3b7b91ee4e0220f10b1dfb0b7893bf218451d8f6aabb233c6775025e7ae6",
+    hash: "ca8bdaa79b127ccf95d3dbdee8df8f07d630a79dba6d2bf4ac7d11bf77fb983f",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -470,7 +470,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = M
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "3f1f91fa592d6b43a6a3b94b506da3f6ebb963df54392b77cff2f594be0e7ce9",
+    hash: "e6ee6ace46c754895f1aa4cf77a998827b32c6aa9527a5b844a076dfe3dadc50",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
@@ -483,7 +483,7 @@ static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "d1380fcfca2f93c12d61f4ce2baa95e4f41b3ad44d1c01002a7250bd592a1102",
+    hash: "dec94a487c1548960bd3612cde11f35067adba5aeb1dc440f956fe2bcef571e7",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_PACKED: Module = Module {
@@ -496,7 +496,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "b389950498fe0a657205f289f643a475716b8a6fbe36cdd0ea9792c767ff92bb",
+    hash: "f12920041cb9840b00f56421c7f025eb547fa08303906fe15c5106f3f204d56c",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -509,7 +509,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "8f63bb0fe19415a2b2830d5cc7c532769bb9aa958f8c57fa6d1175adfcbd4683",
+    hash: "9865d314bed58835e72030c45f648e4d5ad2c3a3ad854faf24827c06107537a7",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -522,7 +522,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "8d609b44a8629f138b59c16cc7b732dd35432867a2046fb0e9853bbad20c4907",
+    hash: "0db729348e440340e07f321e3d17fea649cf0755a7341d6f1115569e679a3778",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -535,7 +535,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "a2241889766bc7323e8d01f67cedb762a604ff84b111e575c0e447b023ec0879",
+    hash: "41ac8737f1bb8a51e8f2125aef551bae68417de29b2c8a62db495b453d2d5c43",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -548,7 +548,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "b97c4220dd097f2ba75961eb0b99089d4ca3de5be6ba13bbdc80747311d574ac",
+    hash: "0a851585198515eae258b95c4adc622cf5c7be1762602475c8f4150876173950",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
@@ -561,7 +561,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "32f827e1baf05f3a9b4f0a9d5b58c1dfe7a7577406feedc39f86684156693ba0",
+    hash: "89c777a4528c3d64a6c58da12d63132078a51bbf0e422ae82e20ae490366f43f",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_PACKED: Module = Module {
@@ -574,7 +574,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "71f23980580dc60820ba50081e26b6afa1477a36c7ad3e027ddcfd2d18f4d6e2",
+    hash: "0b9960e0ed5cc7f0b0f6d6d7d16d0ad46eef1b180756964368f5f6ebccc13ece",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -587,7 +587,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "2d0dd745faf362dcbc0d5bed2131688579b188aa4d625e0db6851d9c2d848868",
+    hash: "43d6ac489b3b8cee84e0eb2f79cf92fd9fe7380bb7636ff120fc7b598778dc5c",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -600,7 +600,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACK
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "bfb1480c4d0a96c604401d2fbacae77575e667910a79399ba39338b9f9ecbff6",
+    hash: "ef6e4d90a9a8ead451d1459f44dfe1a1abb03c0ec6c546a5a9f543e4ecfee82e",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -613,7 +613,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "274b3dd044570e60c9b328102d3c134387545d34011208a24cd385c158c22f0a",
+    hash: "b77cc6a8d857fac85381353067a6b1f058d4e40fc8b42c8ce79c98f582b01dc7",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -626,7 +626,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED:
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "8aa5b84920ece512bc31c1c554ba4ef43aff1374d130ac884fe46cc683cad7c2",
+    hash: "c6b693adb27a1755825206aed8105bcdb6a13c2fb04613166d67e1a7950ab2bb",
 };
 
 static CORRECT_POSITIONS_WITH_NARROW_WALLS: Module = Module {
@@ -639,7 +639,7 @@ static CORRECT_POSITIONS_WITH_NARROW_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "eb5c3d739f2c504573f424a7841cd9d6267c4c93ea8dfe5c9219b46ed699eba1",
+    hash: "f2761ae7d1406a9abe1cd06a201da2a776a7098b2a39f80b6d53501cfedf1208",
 };
 
 static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_PACKED: Module = Module {
@@ -652,7 +652,7 @@ static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "d629a71bb076f4260e390d4ae8149f19900560660da23b3d43c4b97291807667",
+    hash: "a1bb48c4f765a81a881197a8899674fef4f29329b6c17276ac1257d31f7a04cf",
 };
 
 static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -665,7 +665,7 @@ static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_RELAXED_PRECISION: Module = Modu
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "3d495c3a026280b79387a59817a1b4a13bc6e8c255428c8b48e69bd81ad5d2f3",
+    hash: "2c33d571126b813639922da4bd83ea14a824248b64aa373162e1ef281076df70",
 };
 
 static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -678,7 +678,7 @@ static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: M
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "1167f2234f5706a5e432765ef70b696a6c21c33a87c8c6c5f2eb320f47705db0",
+    hash: "f2ac7a5ebfdfaeeb971d8f433f2e7119be68a1adef19f5eb121077a1c0ac6d74",
 };
 
 static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -691,7 +691,7 @@ static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_HALF_PRECISION: Module = Module 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "d3e4ee2bf9325eada9b5a9a8955ac44c07f4aa251252d06801d8e8310888c9d5",
+    hash: "5a35c8345ca8b694cfd9ca5bb3138de414724500225441308a5c4fb460fb53e2",
 };
 
 static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -704,7 +704,7 @@ static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Modu
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "0a29ef2a47d39d480215b58782ec48c8f5bab956d6c43357721ba388bdd5459c",
+    hash: "0c6c0346e1691fab30dd506f0ab86f5a4f3e458a78b116126bcca92e6f7ae7ab",
 };
 
 static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_S_CORR: Module = Module {
@@ -717,7 +717,7 @@ static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "a4c25fda58ffe462df3236bf17966f96b2c77721384215baba51c98820c531b5",
+    hash: "5d1f41e78171b56102e4410b637da93d790ac14a1d8ed06ee8c415724458d06a",
 };
 
 static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_S_CORR_WITH_PACKED: Module = Module {
@@ -730,7 +730,7 @@ static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_S_CORR_WITH_PACKED: Module = Mod
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "8610dc1dc8690766df882741bc30fd0840fe239816112004d426923b5b148c60",
+    hash: "729abd6d8a1c8ced2b361d4ee3d9dd28a40188eeb1e1caf857ec18442be20529",
 };
 
 static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -743,7 +743,7 @@ static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: M
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "69be189b1ac9e5c0ca8efb7e870557feb16ab84fcfac0321f1fe0794eb7d2f04",
+    hash: "3b554e698f7053b7cf2316ac18158b2df283543efd02969851323937df9047ea",
 };
 
 static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -756,7 +756,7 @@ static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION_WI
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "d962f09efd484c3e2e0459f0b50accbe99160c70ecf5972fd30ce15e57fd3067",
+    hash: "3cf07438b5128c66206cdb861ffa155328cc211a9cbdb89cad8aa11d2e129e9f",
 };
 
 static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -769,7 +769,7 @@ static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Modu
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "23bf7a3d3557d5fdaf9b2b0bd1f4747a7ffcf910dfdb492274904429d56f2d77",
+    hash: "1a91dd1330cc9e29f866285576e274d01273d0b37ad858ce38bc6cc885443180",
 };
 
 static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -782,5 +782,5 @@ static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "cb0e340b789fe6234ecadef6fe9fa360e86ba639ffd9e568257d920b976ef660",
+    hash: "556e67831ddf87ddb384bfe5f7d530d0d4b58218a04c3ee2eb855741a231f7fe",
 };

@@ -105,7 +105,7 @@ static CURL: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/curl.compute",
-    hash: "1eeaa88289f19b39f877bb2c1c689c258151cdc5e86414a312180ff3a12402de",
+    hash: "fb9f70091ac2a4e8a5ec2911ec84e93102619797c380d2968cb478d17eb7636e",
 };
 
 static CURL_WITH_PACKED: Module = Module {
@@ -118,7 +118,7 @@ static CURL_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/curl.compute",
-    hash: "96ef35d0bb2e24beafafcf802bd1ed7f129ac09ac765ba86c134e6b343fa9a29",
+    hash: "9b61373678709bdec3d53d13ca15806a9d0628811db2118e1792389cfb25bd42",
 };
 
 static CURL_WITH_RELAXED_PRECISION: Module = Module {
@@ -131,7 +131,7 @@ static CURL_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/curl.compute",
-    hash: "da9aea174f8ea9a5a0a6906902929c20ecf14bb4039a31a589e917ebfa1d93f0",
+    hash: "dc2186f750ae87981a6ed9e7c442ec57f239866fe2289a6d8b2243f6946414a3",
 };
 
 static CURL_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -144,7 +144,7 @@ static CURL_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/curl.compute",
-    hash: "a1984a8631abd13ca0e60450a7ce99c7620229f1be513ab1970fb71d51ce765e",
+    hash: "fcb1a5f98eaed6d4464309219dce398c937ce73d42c3213ec5165933b1623577",
 };
 
 static CURL_WITH_HALF_PRECISION: Module = Module {
@@ -157,7 +157,7 @@ static CURL_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/curl.compute",
-    hash: "4b6545bd76db88c73141468bd6f3dee899630d838e618292e960d1ca1c0a7a6b",
+    hash: "6ed85768dbed71e5eab9b825cd98e632929034bd555e1593aa3b30ba911557e1",
 };
 
 static CURL_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -170,5 +170,5 @@ static CURL_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/curl.compute",
-    hash: "d9d3e8186a5170b258a54896e9c0119bcaa77e4668e8810d76bb452110f9c39c",
+    hash: "69977e6f81be6efbbf5ba4c4e34e3b9f845e99956178e5900f2eb849a1abac82",
 };

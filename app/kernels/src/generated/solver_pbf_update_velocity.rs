@@ -107,7 +107,7 @@ static UPDATE_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "9a16f8b3cd69b2897311c7b9fcaadc44c38cd43f3001784e30b5b9879e8045fc",
+    hash: "5b4abfb5e6851669df96c73f8f23be33b6baf0dda55cda20ecfb4d674602d026",
 };
 
 static UPDATE_VELOCITY_WITH_PACKED: Module = Module {
@@ -120,5 +120,5 @@ static UPDATE_VELOCITY_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "de1cb4e3c9a55ee69b3566343220662230ca140e8b97399a2b113b14ee5fa9cf",
+    hash: "36e6243bbd35be5603c3ba55db38ce4bf27782a3130d15cecca958770ca1af23",
 };

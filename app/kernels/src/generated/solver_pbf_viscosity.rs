@@ -110,7 +110,7 @@ static VISCOSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/viscosity.compute",
-    hash: "347f44b12eeae733e30383a3c53b618eaf5cb0f1831c2a73db7337a7aae299f8",
+    hash: "7133c678d92e68ef8efa4bd9b9c42a638bb12f3b6be34802cbdd625333c67d70",
 };
 
 static VISCOSITY_WITH_PACKED: Module = Module {
@@ -123,7 +123,7 @@ static VISCOSITY_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/viscosity.compute",
-    hash: "9a4b3d0ffd0f474d5b6f453699b61348348e6b84dc2ab7efaa4750bf8747d885",
+    hash: "f17c97d650469e843fcfc4503c5dc53b2a278fb809661d71c13d1bbcf66153f0",
 };
 
 static VISCOSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -136,7 +136,7 @@ static VISCOSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/viscosity.compute",
-    hash: "18ccab9d23b8cec566dbb59d044d3dfd81fc29af80b35bec816486dcad5d33bd",
+    hash: "0885f5bd2feba900618ed0dc4fa9a116bc9e6a864facb01322a52690c8423b09",
 };
 
 static VISCOSITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -149,7 +149,7 @@ static VISCOSITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/viscosity.compute",
-    hash: "6191828668e9f05f1bdfaeec257e4cc09187650b4857d3cfcdf4ff5bf85169e2",
+    hash: "69865a9a9a964e1b1915e3e94fc33174cd726fd2163e634505195b8469a0c020",
 };
 
 static VISCOSITY_WITH_HALF_PRECISION: Module = Module {
@@ -162,7 +162,7 @@ static VISCOSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/viscosity.compute",
-    hash: "63ea880cbc4a033f69e8925a1f082de5f4b5196210245886e432a5db8e628bd2",
+    hash: "f32c4e436aaf1a080a681b4b8887916ffae85d5f08d67f9042bc41d5fb44c142",
 };
 
 static VISCOSITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -175,5 +175,5 @@ static VISCOSITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/viscosity.compute",
-    hash: "929db2bcb5b3da885b20cee9b638f2caa5fae01a631b7a49227938c08551c0bb",
+    hash: "976f2e490646861730f1449de6447362c560a69b458c123cd8c85fedead4996b",
 };
