@@ -9,7 +9,7 @@ use brooklet_kernels::{
     Buffer, GridParams, KernelParams, LIST_CHUNK, LIST_SLICE, PbfParams, Position, PrecisionKeyword, StepParams,
     Velocity,
 };
-use brooklet_reference::boundary::walls::WallTable;
+use brooklet_reference::boundary::walls::{DomainWalls, WallScales};
 use brooklet_reference::grid::list_neighbours::{Neighbours, list_neighbours};
 use brooklet_reference::params::{Pbf, Smoothing, Step};
 use brooklet_reference::shared::lattice;
@@ -157,11 +157,15 @@ impl Case {
 
 /// Scale of the smoothing kernel.
 pub fn kernel_params() -> KernelParams {
+    let walls = WallScales::new(SUPPORT_RATIO);
     KernelParams {
         support_m: SUPPORT_M as f32,
         inverse_support_per_m: (1.0 / SUPPORT_M) as f32,
         weight: lattice::weight(SUPPORT_RATIO) as f32,
-        reserved: 0.0,
+        wall_plane: walls.plane as f32,
+        wall_edge: walls.edge as f32,
+        wall_corner: walls.corner as f32,
+        ..KernelParams::default()
     }
 }
 
@@ -227,10 +231,36 @@ pub fn pbf_of(params: &PbfParams) -> Pbf {
     }
 }
 
-/// The wall table that the GPU has, for the twin.
-pub fn wall_table(weights: &[[f32; 4]]) -> WallTable {
-    WallTable {
-        nodes: brooklet_fluid::boundary::WALL_NODES,
-        values: weights.iter().map(|w| w.map(f64::from)).collect(),
+/// Walls of a case.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Around {
+    /// None.
+    Nothing,
+    /// Each particle has at most one an axis within reach.
+    Walls,
+    /// Some have both walls of an axis within reach.
+    NarrowWalls,
+}
+
+impl Around {
+    /// Every one.
+    pub const ALL: [Self; 3] = [Self::Nothing, Self::Walls, Self::NarrowWalls];
+
+    /// Whether there are any.
+    pub fn has_walls(self) -> bool {
+        self != Self::Nothing
+    }
+}
+
+/// The walls of a box whose kernel has these scales, for the twin.
+pub fn walls_of(kernel: &KernelParams, domain_size_m: DVec3) -> DomainWalls {
+    DomainWalls {
+        scales: WallScales {
+            plane: f64::from(kernel.wall_plane),
+            edge: f64::from(kernel.wall_edge),
+            corner: f64::from(kernel.wall_corner),
+        },
+        domain_size_m,
+        support_m: f64::from(kernel.support_m),
     }
 }

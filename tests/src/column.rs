@@ -1,10 +1,8 @@
 //! A column of water at rest between walls, on the GPU, beside the column law.
 
-use crate::cases::wall_table;
+use crate::cases::walls_of;
 use crate::extreme::{Case, State};
 use brooklet_fluid::Scene;
-use brooklet_fluid::boundary::wall_weights;
-use brooklet_reference::boundary::walls::DomainWalls;
 use brooklet_reference::column::Column;
 use brooklet_reference::grid::list_neighbours::list_neighbours;
 use brooklet_reference::params::Smoothing;
@@ -139,12 +137,7 @@ impl Setup {
     }
 
     fn layers_of(&self, scene: &Scene, state: &State) -> Vec<f64> {
-        let table = wall_table(&wall_weights(scene.solver.support_ratio));
-        let walls = DomainWalls {
-            weight: &table,
-            domain_size_m: DVec3::from_array(scene.domain.size_m()),
-            support_m: scene.support_m(),
-        };
+        let walls = walls_of(&brooklet_fluid::kernel::params(scene), DVec3::from_array(scene.domain.size_m()));
         let smoothing = Smoothing { support_m: scene.support_m(), weight: lattice::weight(scene.solver.support_ratio) };
         let at_m = state.at_m();
         let lists = list_neighbours(&at_m, |_| false, smoothing.support_m);

@@ -1,13 +1,11 @@
 //! Case 16: fewer than three cells along an axis. No cell is visited twice: densities are those of
 //! brute force, and the fluid comes to rest.
 
-use brooklet_fluid::boundary::wall_weights;
-use brooklet_reference::boundary::walls::DomainWalls;
+use brooklet_reference::boundary::walls::{DomainWalls, WallScales};
 use brooklet_reference::grid::list_neighbours::list_neighbours;
 use brooklet_reference::params::Smoothing;
 use brooklet_reference::shared::lattice;
 use brooklet_reference::solver::pbf::density_ratio;
-use brooklet_tests::cases::wall_table;
 use brooklet_tests::compare::Worst;
 use brooklet_tests::extreme::Case;
 use brooklet_tests::rng;
@@ -42,8 +40,7 @@ fn densities_are_those_of_brute_force() {
         });
         let stats = case.run(1);
         let at_m = case.state().at_m();
-        let table = wall_table(&wall_weights(2.0));
-        let walls = DomainWalls { weight: &table, domain_size_m: size_m, support_m: 0.04 };
+        let walls = DomainWalls { scales: WallScales::new(2.0), domain_size_m: size_m, support_m: 0.04 };
         let smoothing = Smoothing { support_m: 0.04, weight: lattice::weight(2.0) };
         let lists = list_neighbours(&at_m, |_| false, 0.04);
         let errors: Vec<f64> = (0..at_m.len())

@@ -1,55 +1,31 @@
-//! `boundary/`: the walls' table against an independent integration, and what the kernels read from
-//! it against the table's twin. It has no kernel of its own: a lone particle's density and
-//! correction show it.
+//! `boundary/`: what the kernels add for walls, against its twin. It has no kernel of its own: a lone
+//! particle's density and correction show it.
 
-use brooklet_fluid::boundary::{WALL_NODES, wall_weights};
+use brooklet_fluid::boundary;
 use brooklet_kernels::{
     Constrained, CorrectPositions, CorrectPositionsVariant, Counters, MeasureParticles, MeasureParticlesVariant,
-    MeasureSums, PbfParams, Position, StepParams, Velocity, WallsKeyword,
+    MeasureSums, PbfParams, Position, StepParams, Velocity,
 };
-use brooklet_reference::boundary::walls::{DomainWalls, WallDensity, Walls};
+use brooklet_reference::boundary::walls::{WallDensity, WallScales, beyond_wall};
 use brooklet_reference::shared::place::Places;
-use brooklet_tests::cases::{SUPPORT_M, SUPPORT_RATIO, kernel_params, pbf_params, vectors, wall_table};
+use brooklet_tests::cases::{SUPPORT_M, kernel_params, pbf_params, vectors, walls_of};
 use brooklet_tests::compare::{ROUNDING, Worst, vector};
 use brooklet_tests::harness::Bench;
 use brooklet_tests::rng;
 use glam::DVec3;
 use rand::RngExt;
 
-/// Nodes to compare: every one on the axes and diagonals, and a coarse net between.
-fn probes() -> Vec<[usize; 3]> {
-    let last = WALL_NODES - 1;
-    let mut probes = Vec::new();
-    for k in 0..WALL_NODES {
-        probes.extend([[k, last, last], [last, k, last], [last, last, k], [k, k, last], [k, k, k], [0, k, 3]]);
-    }
-    for z in (0..WALL_NODES).step_by(6) {
-        for y in (0..WALL_NODES).step_by(5) {
-            probes.extend((0..WALL_NODES).step_by(7).map(|x| [x, y, z]));
-        }
-    }
-    probes
-}
-
 #[test]
-fn table_matches_an_independent_integration() {
-    // The table is integrated by the midpoint rule with steps of h/124: errors of the order of
-    // (1/124)^2 = 6.5e-5 of the kernel's curvature, and its scale is taken where the shader
-    // interpolates.
+fn walls_count_as_their_twin_says() {
     for support_ratio in [2.0, 2.5, 3.0] {
-        let mut density = Worst::new("wall_weights table, density", 2e-3);
-        let mut gradient = Worst::new("wall_weights table, gradient", 1e-2);
-        let walls = Walls::new(support_ratio);
-        let table = wall_weights(support_ratio);
-        assert_eq!(table.len(), WALL_NODES.pow(3));
-        for [x, y, z] in probes() {
-            let at = DVec3::new(x as f64, y as f64, z as f64) / (WALL_NODES - 1) as f64;
-            let [gx, gy, gz, value] = table[(z * WALL_NODES + y) * WALL_NODES + x];
-            density.check(value, walls.density(at), 1.0).unwrap();
-            gradient.check3([gx, gy, gz], walls.gradient(at), 1.0).unwrap();
+        let (host, twin) = (boundary::WallScales::new(support_ratio), WallScales::new(support_ratio));
+        for (host, twin) in [(host.plane, twin.plane), (host.edge, twin.edge), (host.corner, twin.corner)] {
+            assert!((host / twin - 1.0).abs() < 1e-12, "h = {support_ratio} d: {host} {twin}");
         }
-        density.report();
-        gradient.report();
+        for i in 0..=10 {
+            let distance = f64::from(i) / 10.0;
+            assert!((boundary::beyond_wall(distance) - beyond_wall(distance)).abs() < 1e-15);
+        }
     }
 }
 
@@ -89,10 +65,9 @@ fn params(size_m: DVec3, count: usize) -> StepParams {
 }
 
 /// Density ratios that walls add at each place: each is measured alone.
-fn densities(places: &[Position], size_m: DVec3, walls: WallsKeyword) -> Vec<f64> {
+fn densities(places: &[Position], size_m: DVec3) -> Vec<f64> {
     let weight = f64::from(kernel_params().weight);
     let mut bench = Bench::new();
-    let weights = bench.input("wall_weights", &wall_weights(SUPPORT_RATIO));
     let kernel = bench.uniform("kernel", kernel_params());
     let step_params = bench.uniform("step_params", params(size_m, 1));
     let velocities = bench.input("velocities", &[Velocity::default()]);
@@ -105,14 +80,13 @@ fn densities(places: &[Position], size_m: DVec3, walls: WallsKeyword) -> Vec<f64
         let mut histograms = bench.output("histograms", 1024);
         bench.dispatch(
             &MeasureParticles {
-                variant: MeasureParticlesVariant { walls },
+                variant: MeasureParticlesVariant { walls: true },
                 positions: positions.read(),
                 velocities: velocities.read(),
                 neighbours: neighbours.read(),
                 neighbour_counts: neighbour_counts.read(),
                 group_measures: group_measures.write(),
                 histograms: histograms.write(),
-                wall_weights: Some(weights.read()),
                 step_params: step_params.uniform(),
                 kernel: kernel.uniform(),
             },
@@ -137,7 +111,7 @@ fn densities(places: &[Position], size_m: DVec3, walls: WallsKeyword) -> Vec<f64
 
 /// Gradients of the density that walls add, from corrections with lambda = -1/2 and factors of 1:
 /// the correction is then the negative gradient times h.
-fn gradients(places: &[Position], size_m: DVec3, walls: WallsKeyword) -> Vec<DVec3> {
+fn gradients(places: &[Position], size_m: DVec3) -> Vec<DVec3> {
     let count = places.len();
     let pbf = PbfParams { relaxation: 1.0, max_correction_m: 1e3, ..pbf_params() };
     let inverse_support_per_m = kernel_params().inverse_support_per_m;
@@ -152,13 +126,12 @@ fn gradients(places: &[Position], size_m: DVec3, walls: WallsKeyword) -> Vec<DVe
     let neighbour_counts = bench.input("neighbour_counts", &vec![0_u32; count]);
     let mut after = bench.output::<[u32; 2]>("places", count);
     let mut counters = bench.input("counters", &[Counters::default()]);
-    let weights = bench.input("wall_weights", &wall_weights(SUPPORT_RATIO));
     let step_params = bench.uniform("step_params", params(size_m, count));
     let kernel = bench.uniform("kernel", kernel_params());
     let pbf = bench.uniform("pbf", pbf);
     bench.dispatch(
         &CorrectPositions {
-            variant: CorrectPositionsVariant { walls, ..CorrectPositionsVariant::default() },
+            variant: CorrectPositionsVariant { walls: true, ..CorrectPositionsVariant::default() },
             constrained: Some(input.read()),
             packed_constrained: None,
             sorted_positions: Some(positions.read()),
@@ -166,7 +139,6 @@ fn gradients(places: &[Position], size_m: DVec3, walls: WallsKeyword) -> Vec<DVe
             neighbour_counts: neighbour_counts.read(),
             places: after.write(),
             counters: counters.write(),
-            wall_weights: Some(weights.read()),
             step_params: step_params.uniform(),
             kernel: kernel.uniform(),
             pbf: pbf.uniform(),
@@ -177,22 +149,16 @@ fn gradients(places: &[Position], size_m: DVec3, walls: WallsKeyword) -> Vec<DVe
     start.iter().zip(after).map(|(&before, after)| Places::Full.apart(before, after)).collect()
 }
 
-fn check(size_m: DVec3, walls_keyword: WallsKeyword, names: [&'static str; 2]) -> Vec<(WallDensity, f64)> {
-    // A table value is a lerp of lerps of eight nodes of at most 1.5, the place between them known
-    // to a few roundings of the distance (31 steps wide): 128 roundings. A gradient is read from a
-    // move of a place, which rounds to half a step of 1.9e-6 h along each axis: 28 roundings more.
-    let mut density = Worst::new(names[0], 128.0 * ROUNDING);
-    let mut gradient = Worst::new(names[1], 256.0 * ROUNDING);
+fn check(size_m: DVec3, names: [&'static str; 2]) -> Vec<(WallDensity, f64)> {
+    // A density is at most 3 sums of some 20 roundings each, and its slope over a distance, which is
+    // rounded too, is at most 2. A gradient is read from a move of a place, which rounds to half a
+    // step of 1.9e-6 h along each axis: 28 roundings more.
+    let mut density = Worst::new(names[0], 64.0 * ROUNDING);
+    let mut gradient = Worst::new(names[1], 128.0 * ROUNDING);
     let places = places(size_m);
-    let weights = wall_weights(SUPPORT_RATIO);
-    let table = wall_table(&weights);
-    let walls = DomainWalls {
-        weight: &table,
-        domain_size_m: vector(params(size_m, 0).domain_size_m),
-        support_m: f64::from(kernel_params().support_m),
-    };
-    let got_densities = densities(&places, size_m, walls_keyword);
-    let got_gradients = gradients(&places, size_m, walls_keyword);
+    let walls = walls_of(&kernel_params(), vector(params(size_m, 0).domain_size_m));
+    let got_densities = densities(&places, size_m);
+    let got_gradients = gradients(&places, size_m);
     let mut results = Vec::new();
     for (i, at) in vectors(&places).into_iter().enumerate() {
         let expected = walls.at(at);
@@ -206,28 +172,14 @@ fn check(size_m: DVec3, walls_keyword: WallsKeyword, names: [&'static str; 2]) -
 }
 
 #[test]
-fn wall_weights_match_their_twin() {
-    let wide =
-        check(DVec3::new(0.3, 0.2, 0.5), WallsKeyword::Walls, ["wall_weights, density", "wall_weights, gradient"]);
+fn walls_match_their_twin() {
+    let wide = check(DVec3::new(0.3, 0.2, 0.5), ["walls, density", "walls, gradient"]);
     assert!(wide.iter().any(|(walls, _)| walls.density > 0.5), "no place was in a corner");
     assert!(wide.iter().any(|(walls, _)| walls.density == 0.0), "no place was far from walls");
 }
 
 #[test]
-fn narrow_wall_weights_match_their_twin() {
-    check(
-        DVec3::new(1.2 * SUPPORT_M, 0.3, 1.7 * SUPPORT_M),
-        WallsKeyword::NarrowWalls,
-        ["narrow wall_weights, density", "narrow wall_weights, gradient"],
-    );
-    // In a wide domain both variants say the same.
-    let size_m = DVec3::new(0.3, 0.2, 0.5);
-    let places = places(size_m);
-    let near = densities(&places, size_m, WallsKeyword::Walls);
-    let narrow = densities(&places, size_m, WallsKeyword::NarrowWalls);
-    let mut worst = Worst::new("narrow wall_weights in a wide domain", 128.0 * ROUNDING);
-    for (near, narrow) in near.iter().zip(&narrow) {
-        worst.check(*narrow as f32, *near, 1.0).unwrap();
-    }
-    worst.report();
+fn narrow_walls_match_their_twin() {
+    let size_m = DVec3::new(1.2 * SUPPORT_M, 0.3, 1.7 * SUPPORT_M);
+    check(size_m, ["narrow walls, density", "narrow walls, gradient"]);
 }

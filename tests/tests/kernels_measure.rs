@@ -1,15 +1,13 @@
 //! `measure/` against its twins.
 
-use brooklet_fluid::boundary::wall_weights;
 use brooklet_kernels::{
     Counters, Kernel, Measure, MeasureParticles, MeasureParticlesVariant, MeasureSums, MeasureTotals, StepParams,
-    WallsKeyword,
 };
 use brooklet_reference::boundary::walls::DomainWalls;
 use brooklet_reference::measure::measure_particles::{Sample, Sums, measure_particles};
 use brooklet_reference::measure::measure_totals::{measure_totals, percentile_99};
 use brooklet_reference::solver::pbf::density_ratio;
-use brooklet_tests::cases::{Case, SUPPORT_M, SUPPORT_RATIO, fluid, kernel_params, sizes, smoothing_of, wall_table};
+use brooklet_tests::cases::{Around, Case, SUPPORT_M, fluid, kernel_params, sizes, smoothing_of, walls_of};
 use brooklet_tests::compare::{ROUNDING, Worst, check_exact, vector};
 use brooklet_tests::harness::Bench;
 use brooklet_tests::rng;
@@ -24,7 +22,7 @@ const GROUP: usize = MeasureParticles::GROUP_SIZE[0] as usize;
 /// them adds six more, and a mean of thousands of sums a dozen.
 const TOLERANCE: f64 = 80.0 * ROUNDING;
 
-fn run_particles(case: &Case, params: StepParams, walls: WallsKeyword) -> (Vec<MeasureSums>, Vec<u32>) {
+fn run_particles(case: &Case, params: StepParams, walls: Around) -> (Vec<MeasureSums>, Vec<u32>) {
     let groups = case.count().div_ceil(GROUP);
     let mut bench = Bench::new();
     let positions = bench.input("positions", &case.positions);
@@ -32,19 +30,17 @@ fn run_particles(case: &Case, params: StepParams, walls: WallsKeyword) -> (Vec<M
     let (neighbours, neighbour_counts) = case.upload_neighbours(&mut bench);
     let mut group_measures = bench.output("group_measures", groups);
     let mut histograms = bench.output("histograms", 2 * BINS);
-    let weights = bench.input("wall_weights", &wall_weights(SUPPORT_RATIO));
     let step_params = bench.uniform("step_params", params);
     let kernel = bench.uniform("kernel", kernel_params());
     bench.dispatch(
         &MeasureParticles {
-            variant: MeasureParticlesVariant { walls },
+            variant: MeasureParticlesVariant { walls: walls.has_walls() },
             positions: positions.read(),
             velocities: velocities.read(),
             neighbours: neighbours.read(),
             neighbour_counts: neighbour_counts.read(),
             group_measures: group_measures.write(),
             histograms: histograms.write(),
-            wall_weights: (walls != WallsKeyword::Off).then(|| weights.read()),
             step_params: step_params.uniform(),
             kernel: kernel.uniform(),
         },
@@ -129,18 +125,16 @@ fn measures_match_their_twins() {
     let mut particles = Worst::new(MeasureParticles::STAGE, TOLERANCE);
     let mut totals = Worst::new(MeasureTotals::STAGE, TOLERANCE);
     let mut rng = rng(51);
-    let table = wall_table(&wall_weights(SUPPORT_RATIO));
-    for walls in [WallsKeyword::Off, WallsKeyword::Walls, WallsKeyword::NarrowWalls] {
+    for walls in Around::ALL {
         for size in sizes(GROUP) {
             let mut case = disturbed(&mut rng, size);
-            if walls == WallsKeyword::NarrowWalls {
+            if walls == Around::NarrowWalls {
                 case.size_m = case.size_m.min(DVec3::new(9.0, 1.3 * SUPPORT_M, 1.7 * SUPPORT_M));
             }
             let params = case.step_params();
             let (groups, histograms) = run_particles(&case, params, walls);
-            let box_walls =
-                DomainWalls { weight: &table, domain_size_m: vector(params.domain_size_m), support_m: SUPPORT_M };
-            let samples = samples(&case, (walls != WallsKeyword::Off).then_some(&box_walls));
+            let box_walls = walls_of(&kernel_params(), vector(params.domain_size_m));
+            let samples = samples(&case, walls.has_walls().then_some(&box_walls));
             let expected: Vec<Sums> =
                 samples.chunks(GROUP).map(|group| measure_particles(group, box_walls.domain_size_m)).collect();
             for (got, expected) in groups.iter().zip(&expected) {

@@ -3,19 +3,17 @@
 //! A sum has some 30 terms, each of a handful of roundings; they add up to a tolerance of 64
 //! roundings, relative to the sum of the terms' lengths.
 
-use brooklet_fluid::boundary::wall_weights;
 use brooklet_kernels::{
     ConstrainDensity, ConstrainDensityVariant, Constrained, CorrectPositions, CorrectPositionsVariant, Counters,
-    Kernel, PbfParams, PrecisionKeyword, StepParams, UpdateVelocity, UpdateVelocityVariant, Velocity, WallsKeyword,
+    Kernel, PbfParams, PrecisionKeyword, StepParams, UpdateVelocity, UpdateVelocityVariant, Velocity,
 };
-use brooklet_reference::boundary::walls::DomainWalls;
 use brooklet_reference::shared::place::Places;
 use brooklet_reference::solver::pbf::constrain_density::constrain_density;
 use brooklet_reference::solver::pbf::correct_positions::correct_positions;
 use brooklet_reference::solver::pbf::update_velocity::update_velocity;
 use brooklet_tests::cases::{
-    Case, SUPPORT_M, SUPPORT_RATIO, fluid, kernel_params, pbf_of, pbf_params, precisions, sizes, smoothing_of, step_of,
-    wall_table,
+    Around, Case, SUPPORT_M, fluid, kernel_params, pbf_of, pbf_params, precisions, sizes, smoothing_of, step_of,
+    walls_of,
 };
 use brooklet_tests::compare::{HALF_ROUNDING, ROUNDING, Worst, vector};
 use brooklet_tests::harness::Bench;
@@ -27,12 +25,10 @@ use rand::RngExt;
 /// See the head of this file.
 const ROUNDINGS: f64 = 64.0;
 
-const ALL_WALLS: [WallsKeyword; 3] = [WallsKeyword::Off, WallsKeyword::Walls, WallsKeyword::NarrowWalls];
-
 /// A case whose domain has opposite walls in reach of one particle, if the variant is for that.
-fn case_for(rng: &mut impl rand::Rng, size: usize, walls: WallsKeyword) -> Case {
+fn case_for(rng: &mut impl rand::Rng, size: usize, walls: Around) -> Case {
     let mut case = fluid(rng, size);
-    if walls == WallsKeyword::NarrowWalls {
+    if walls == Around::NarrowWalls {
         case.size_m = case.size_m.min(DVec3::new(1.4 * SUPPORT_M, 9.0, 1.1 * SUPPORT_M));
     }
     case
@@ -73,7 +69,7 @@ impl Pairs {
     }
 }
 
-fn run_constrain(case: &Case, pbf: PbfParams, walls: WallsKeyword, pairs: Pairs) -> Vec<Constrained> {
+fn run_constrain(case: &Case, pbf: PbfParams, walls: Around, pairs: Pairs) -> Vec<Constrained> {
     let mut bench = Bench::new();
     let start = case.places(pairs.places);
     let places = bench.input("places", &start);
@@ -81,21 +77,22 @@ fn run_constrain(case: &Case, pbf: PbfParams, walls: WallsKeyword, pairs: Pairs)
     let (neighbours, neighbour_counts) = case.upload_neighbours(&mut bench);
     let mut constrained = bench.output("constrained", case.count());
     let mut packed_constrained = bench.output("packed_constrained", case.count());
-    let weights = bench.input("wall_weights", &wall_weights(SUPPORT_RATIO));
     let step_params = bench.uniform("step_params", case.step_params());
     let kernel = bench.uniform("kernel", kernel_params());
     let pbf = bench.uniform("pbf", pbf);
-    let has_walls = walls != WallsKeyword::Off;
     bench.dispatch(
         &ConstrainDensity {
-            variant: ConstrainDensityVariant { walls, precision: pairs.precision, packed: pairs.packed() },
+            variant: ConstrainDensityVariant {
+                walls: walls.has_walls(),
+                precision: pairs.precision,
+                packed: pairs.packed(),
+            },
             places: places.read(),
-            sorted_positions: has_walls.then(|| sorted_positions.read()),
+            sorted_positions: walls.has_walls().then(|| sorted_positions.read()),
             neighbours: neighbours.read(),
             neighbour_counts: neighbour_counts.read(),
             constrained: (!pairs.packed()).then(|| constrained.write()),
             packed_constrained: pairs.packed().then(|| packed_constrained.write()),
-            wall_weights: has_walls.then(|| weights.read()),
             step_params: step_params.uniform(),
             kernel: kernel.uniform(),
             pbf: pbf.uniform(),
@@ -117,7 +114,6 @@ fn run_constrain(case: &Case, pbf: PbfParams, walls: WallsKeyword, pairs: Pairs)
 
 #[test]
 fn constrain_density_matches_its_twin() {
-    let table = wall_table(&wall_weights(SUPPORT_RATIO));
     let (smoothing, pbf) = (smoothing_of(&kernel_params()), pbf_of(&pbf_params()));
     for (pairs, rounding) in all_pairs() {
         // A packed multiplier is rounded to f16 at the end.
@@ -125,14 +121,13 @@ fn constrain_density_matches_its_twin() {
         let mut worst = Worst::new(pairs.name(ConstrainDensity::STAGE), ROUNDINGS * rounding + last);
         let mut rng = rng(31);
         let mut compressed = 0;
-        for walls in ALL_WALLS {
+        for walls in Around::ALL {
             for size in pairs.sizes() {
                 let case = case_for(&mut rng, size, walls);
                 let got = run_constrain(&case, pbf_params(), walls, pairs);
-                let step = step_of(&case.step_params(), walls != WallsKeyword::Off);
-                let box_walls =
-                    DomainWalls { weight: &table, domain_size_m: step.domain_size_m, support_m: smoothing.support_m };
-                let box_walls = (walls != WallsKeyword::Off).then_some(&box_walls);
+                let step = step_of(&case.step_params(), walls.has_walls());
+                let box_walls = walls_of(&kernel_params(), step.domain_size_m);
+                let box_walls = walls.has_walls().then_some(&box_walls);
                 let placed_m = case.placed_m(pairs.places);
                 let start = case.places(pairs.places);
                 for (i, got) in got.iter().enumerate() {
@@ -159,7 +154,7 @@ fn without_mixing_a_lone_particle_is_no_fault() {
     // Nothing to divide by: no neighbours, no walls, cfm = 0.
     let case = fluid(&mut rng(32), 1);
     let pbf = PbfParams { cfm: 0.0, ..pbf_params() };
-    let got = run_constrain(&case, pbf, WallsKeyword::Off, FULL);
+    let got = run_constrain(&case, pbf, Around::Nothing, FULL);
     assert_eq!(got[0].lambda.abs(), 0.0);
 }
 
@@ -170,14 +165,7 @@ struct Corrected {
     clamps: u32,
 }
 
-fn run_correct(
-    case: &Case,
-    lambdas: &[f32],
-    pbf: PbfParams,
-    walls: WallsKeyword,
-    s_corr: bool,
-    pairs: Pairs,
-) -> Corrected {
+fn run_correct(case: &Case, lambdas: &[f32], pbf: PbfParams, walls: Around, s_corr: bool, pairs: Pairs) -> Corrected {
     let mut bench = Bench::new();
     let start = case.places(pairs.places);
     let with_lambdas = || start.iter().zip(lambdas);
@@ -191,22 +179,24 @@ fn run_correct(
     let (neighbours, neighbour_counts) = case.upload_neighbours(&mut bench);
     let mut places = bench.output("places", case.count());
     let mut counters = bench.input("counters", &[Counters::default()]);
-    let weights = bench.input("wall_weights", &wall_weights(SUPPORT_RATIO));
     let step_params = bench.uniform("step_params", case.step_params());
     let kernel = bench.uniform("kernel", kernel_params());
     let pbf = bench.uniform("pbf", pbf);
-    let has_walls = walls != WallsKeyword::Off;
     bench.dispatch(
         &CorrectPositions {
-            variant: CorrectPositionsVariant { walls, s_corr, precision: pairs.precision, packed: pairs.packed() },
+            variant: CorrectPositionsVariant {
+                walls: walls.has_walls(),
+                s_corr,
+                precision: pairs.precision,
+                packed: pairs.packed(),
+            },
             constrained: (!pairs.packed()).then(|| constrained.read()),
             packed_constrained: pairs.packed().then(|| packed_constrained.read()),
-            sorted_positions: has_walls.then(|| sorted_positions.read()),
+            sorted_positions: walls.has_walls().then(|| sorted_positions.read()),
             neighbours: neighbours.read(),
             neighbour_counts: neighbour_counts.read(),
             places: places.write(),
             counters: counters.write(),
-            wall_weights: has_walls.then(|| weights.read()),
             step_params: step_params.uniform(),
             kernel: kernel.uniform(),
             pbf: pbf.uniform(),
@@ -221,14 +211,13 @@ fn run_correct(
 
 #[test]
 fn correct_positions_matches_its_twin() {
-    let table = wall_table(&wall_weights(SUPPORT_RATIO));
     let smoothing = smoothing_of(&kernel_params());
     for (pairs, rounding) in all_pairs() {
         let tolerance = ROUNDINGS * rounding;
         let mut worst = Worst::new(pairs.name(CorrectPositions::STAGE), tolerance);
         let mut rng = rng(33);
         let mut all_clamps = 0;
-        for (walls, s_corr) in ALL_WALLS.into_iter().flat_map(|walls| [(walls, false), (walls, true)]) {
+        for (walls, s_corr) in Around::ALL.into_iter().flat_map(|walls| [(walls, false), (walls, true)]) {
             let params = match s_corr {
                 true => pbf_params(),
                 false => PbfParams { s_corr_k: 0.0, ..pbf_params() },
@@ -239,10 +228,9 @@ fn correct_positions_matches_its_twin() {
                 // Multipliers that an f16 holds exactly, so that packing them loses nothing.
                 let lambdas: Vec<f32> = (0..size).map(|_| -(rng.random_range(0..1024) as f32) / 1024.0).collect();
                 let got = run_correct(&case, &lambdas, params, walls, s_corr, pairs);
-                let step = step_of(&case.step_params(), walls != WallsKeyword::Off);
-                let box_walls =
-                    DomainWalls { weight: &table, domain_size_m: step.domain_size_m, support_m: smoothing.support_m };
-                let box_walls = (walls != WallsKeyword::Off).then_some(&box_walls);
+                let step = step_of(&case.step_params(), walls.has_walls());
+                let box_walls = walls_of(&kernel_params(), step.domain_size_m);
+                let box_walls = walls.has_walls().then_some(&box_walls);
                 let placed_m = case.placed_m(pairs.places);
                 let lambdas: Vec<f64> = lambdas.iter().map(|&l| f64::from(l)).collect();
                 let (mut clamps, mut doubtful) = (0, 0);
@@ -290,7 +278,7 @@ fn corrections_keep_momentum_in_free_space() {
     let lambdas: Vec<f32> = (0..size).map(|_| -0.02 * rng.random::<f32>()).collect();
     // A shortened correction would have no opposite.
     let pbf = PbfParams { max_correction_m: 1.0, ..pbf_params() };
-    let got = run_correct(&case, &lambdas, pbf, WallsKeyword::Off, true, FULL);
+    let got = run_correct(&case, &lambdas, pbf, Around::Nothing, true, FULL);
     assert_eq!(got.clamps, 0);
     let sum: DVec3 = got.moved.iter().sum();
     let lengths: f64 = got.moved.iter().map(|moved| moved.length()).sum();
@@ -306,7 +294,7 @@ fn particles_at_one_point_part_oppositely() {
     case.positions[1].position_m = case.positions[0].position_m;
     case.neighbours = vec![vec![1], vec![0]];
     for (pairs, _) in all_pairs() {
-        let got = run_correct(&case, &[-1.0, -1.0], pbf_params(), WallsKeyword::Off, false, pairs);
+        let got = run_correct(&case, &[-1.0, -1.0], pbf_params(), Around::Nothing, false, pairs);
         assert!(got.moved[0].length() > 1e-5, "{:?}", got.moved);
         assert_eq!(got.moved[0], -got.moved[1], "{}", pairs.name("pairs"));
     }

@@ -1,14 +1,12 @@
 //! A whole step of the chain, as the fluid records it, against the f64 twin's.
 
-use brooklet_fluid::boundary::wall_weights;
 use brooklet_fluid::{Scene, Simulation};
 use brooklet_kernels::{Position, Velocity};
-use brooklet_reference::boundary::walls::{DomainWalls, WallTable};
 use brooklet_reference::params::{Smoothing, Step};
 use brooklet_reference::particles::predict::Particle;
 use brooklet_reference::shared::lattice;
 use brooklet_reference::step::Fluid;
-use brooklet_tests::cases::{pbf_of, wall_table};
+use brooklet_tests::cases::{pbf_of, walls_of};
 use brooklet_tests::compare::{Worst, vector};
 use brooklet_tests::harness::small;
 use brooklet_tests::{gpu, rng};
@@ -47,7 +45,7 @@ fn start(simulation: &mut Simulation) -> (Vec<Position>, Vec<Velocity>) {
     (positions, velocities)
 }
 
-fn twin<'a>(scene: &Scene, table: &'a WallTable, positions: &[Position], velocities: &[Velocity]) -> Fluid<'a> {
+fn twin(scene: &Scene, positions: &[Position], velocities: &[Velocity]) -> Fluid {
     let size_m = DVec3::from_array(scene.domain.size_m());
     let walls = scene.domain.walls;
     Fluid {
@@ -71,7 +69,7 @@ fn twin<'a>(scene: &Scene, table: &'a WallTable, positions: &[Position], velocit
         smoothing: Smoothing { support_m: scene.support_m(), weight: lattice::weight(scene.solver.support_ratio) },
         pbf: pbf_of(&brooklet_fluid::solver::pbf::params(scene)),
         iterations: scene.solver.iterations,
-        walls: walls.then_some(DomainWalls { weight: table, domain_size_m: size_m, support_m: scene.support_m() }),
+        walls: walls.then_some(walls_of(&brooklet_fluid::kernel::params(scene), size_m)),
         grid_ends_at_domain: true,
     }
 }
@@ -86,8 +84,7 @@ fn follow(scene: &Scene, twin_scene: &Scene, steps: usize, worst: &mut Worst) ->
     let mut simulation = Simulation::new(&gpu(), scene).unwrap();
     let (positions, velocities) = start(&mut simulation);
     assert_eq!(positions.len(), 8 * 10 * 6);
-    let table = wall_table(&wall_weights(scene.solver.support_ratio));
-    let mut fluid = twin(twin_scene, &table, &positions, &velocities);
+    let mut fluid = twin(twin_scene, &positions, &velocities);
     for _ in 0..steps {
         simulation.step().unwrap();
         for _ in 0..scene.solver.substeps {

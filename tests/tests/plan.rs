@@ -118,7 +118,7 @@ const TERMS: &[Term] = &[
         without: "domain.walls=false",
         with: "domain.walls=true",
         stages: &[],
-        buffers: &["wall_weights"],
+        buffers: &[],
         variant: Some("WALLS"),
     },
     Term {

@@ -3,6 +3,8 @@
 
 use brooklet_kernels::KernelParams;
 
+use crate::boundary::WallScales;
+
 /// W(q) = (1-q)⁴ (4q+1) for q < 1 (Wendland 1995).
 pub fn wendland(q: f64) -> f64 {
     let t = (1.0 - q).max(0.0);
@@ -51,10 +53,15 @@ pub(crate) fn for_lattice(support_ratio: f64, mut visit: impl FnMut([i32; 3], f6
 
 /// What the shaders are given.
 pub fn params(scene: &crate::scene::Scene) -> KernelParams {
+    let walls = WallScales::new(scene.solver.support_ratio);
     KernelParams {
         support_m: scene.support_m() as f32,
         inverse_support_per_m: (1.0 / scene.support_m()) as f32,
         weight: lattice(scene.solver.support_ratio).weight as f32,
-        reserved: 0.0,
+        wall_plane: walls.plane as f32,
+        wall_edge: walls.edge as f32,
+        wall_corner: walls.corner as f32,
+        reserved0: 0.0,
+        reserved1: 0.0,
     }
 }

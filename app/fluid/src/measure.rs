@@ -43,14 +43,13 @@ impl Measuring {
         recording.clear(&mut self.histograms);
         recording.dispatch(
             &MeasureParticles {
-                variant: MeasureParticlesVariant { walls: shared.walls_keyword() },
+                variant: MeasureParticlesVariant { walls: shared.walls },
                 positions: positions.read(),
                 velocities: velocities.read(),
                 neighbours: neighbours.indices.read(),
                 neighbour_counts: neighbours.counts.read(),
                 group_measures: self.group_measures.write(),
                 histograms: self.histograms.write(),
-                wall_weights: shared.wall_weights.as_ref().map(Buffer::read),
                 step_params: shared.step.uniform(),
                 kernel: shared.kernel.uniform(),
             },

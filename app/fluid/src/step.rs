@@ -4,11 +4,11 @@ use brooklet_gpu::{Recording, Resources};
 use brooklet_kernels::{Buffer, Measure, Position, PrecisionKeyword, Predict, PredictVariant, StepParams, Velocity};
 
 use crate::grid::{self, Grid, Neighbours, Sorted};
+use crate::kernel;
 use crate::measure::Measuring;
 use crate::particles::{Emitted, emit};
 use crate::scene::{Precision, Scene};
 use crate::solver::pbf::{self, Pbf, Shared};
-use crate::{boundary, kernel};
 
 /// Name of the recording that uploads the scene; run it once, first.
 pub const INIT: &str = "init";
@@ -60,13 +60,12 @@ pub fn record_count(resources: &mut Resources, scene: &Scene, particle_count: u3
     let mut shared = Shared {
         step: resources.state("step_params", 1),
         kernel: resources.state("kernel_params", 1),
-        wall_weights: scene.domain.walls.then(|| resources.state("wall_weights", boundary::WALL_NODES.pow(3) as u32)),
+        walls: scene.domain.walls,
         precision: match scene.solver.precision {
             Precision::Full => PrecisionKeyword::Off,
             Precision::Relaxed => PrecisionKeyword::RelaxedPrecision,
             Precision::Half => PrecisionKeyword::HalfPrecision,
         },
-        narrow: scene.domain.size_m().iter().any(|&size_m| size_m < 2.0 * scene.support_m()),
         counters: resources.state("counters", 1),
     };
 
@@ -75,9 +74,6 @@ pub fn record_count(resources: &mut Resources, scene: &Scene, particle_count: u3
     init.upload(&mut shared.step, &[step_params(scene, particle_count)]);
     init.upload(&mut shared.kernel, &[kernel::params(scene)]);
     init.upload(&mut pbf.params, &[pbf::params(scene)]);
-    if let Some(wall_weights) = &mut shared.wall_weights {
-        init.upload(wall_weights, &boundary::wall_weights(scene.solver.support_ratio));
-    }
     init.clear(&mut shared.counters);
     init.clear(&mut neighbours.counts);
 
@@ -110,7 +106,7 @@ fn predict(
     let count = positions.len;
     recording.dispatch(
         &Predict {
-            variant: PredictVariant { walls: shared.wall_weights.is_some() },
+            variant: PredictVariant { walls: shared.walls },
             positions: positions.write(),
             velocities: velocities.write(),
             counters: shared.counters.write(),

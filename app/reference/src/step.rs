@@ -14,7 +14,7 @@ use crate::solver::pbf::viscosity::viscosity;
 use glam::DVec3;
 
 /// A fluid and everything that moves it.
-pub struct Fluid<'a> {
+pub struct Fluid {
     /// The particles; they keep their order.
     pub particles: Vec<Particle>,
     /// The substep.
@@ -26,12 +26,12 @@ pub struct Fluid<'a> {
     /// Iterations a substep.
     pub iterations: u32,
     /// What walls add to the density; `None` in an open domain.
-    pub walls: Option<DomainWalls<'a>>,
+    pub walls: Option<DomainWalls>,
     /// Whether particles outside the domain have no neighbours, being outside the grid.
     pub grid_ends_at_domain: bool,
 }
 
-impl Fluid<'_> {
+impl Fluid {
     /// Advances by one substep.
     pub fn substep(&mut self) {
         for particle in &mut self.particles {
@@ -137,12 +137,12 @@ impl Fluid<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::boundary::walls::Walls;
+    use crate::boundary::walls::WallScales;
     use crate::shared::lattice;
 
     const SPACING: f64 = 0.02;
 
-    fn fluid(positions_m: &[DVec3], gravity: f64) -> Fluid<'static> {
+    fn fluid(positions_m: &[DVec3], gravity: f64) -> Fluid {
         Fluid {
             particles: positions_m
                 .iter()
@@ -192,12 +192,11 @@ mod tests {
     fn a_full_box_stays_at_rest() {
         // The lattice has density ratio 1 at walls, edges and corners, so nothing pushes it.
         let points = lattice::points([5, 4, 3], SPACING);
-        let weight = Walls::new(2.0);
         let mut fluid = fluid(&points, 0.0);
         fluid.step.walls = true;
         fluid.step.domain_size_m = DVec3::new(5.0, 4.0, 3.0) * SPACING;
         fluid.walls = Some(DomainWalls {
-            weight: &weight,
+            scales: WallScales::new(2.0),
             domain_size_m: fluid.step.domain_size_m,
             support_m: fluid.smoothing.support_m,
         });

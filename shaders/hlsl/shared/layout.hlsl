@@ -8,8 +8,6 @@
 static const uint GROUPS_A_ROW = 32768;
 // Values each thread of a scan takes.
 static const uint SCAN_ITEMS = 16;
-// Nodes an axis of the walls' table, from distance 0 to h.
-static const uint WALL_NODES = 32;
 // Particles whose neighbour lists lie interleaved: a group.
 static const uint LIST_SLICE = 64;
 // Neighbours of a particle that lie side by side: one 16-byte load.
@@ -85,13 +83,18 @@ struct GridParams
     uint reserved2;
 };
 
-// The smoothing kernel, Wendland C2, scaled so that the initial lattice has density ratio 1.
+// The smoothing kernel, Wendland C2, scaled so that the initial lattice has density ratio 1, and
+// what it counts beyond walls (boundary/walls.hlsl).
 struct KernelParams
 {
     float support_m;
     float inverse_support_per_m;
     float weight;           // 1 / sum of W over the lattice, W(0) = 1
-    float reserved;
+    float wall_plane;       // density ratio of all space, as one wall's share of it counts
+    float wall_edge;        // of two walls' product
+    float wall_corner;      // of three walls'
+    float reserved0;
+    float reserved1;
 };
 
 // Position Based Fluids, Macklin & Muller 2013. Lengths in units of h where no unit is named.

@@ -90,7 +90,7 @@ mod tests {
         // 4 iterations; what is bound once each, of the list what is in use, and 8 bytes of each
         // neighbour's place.
         let constrain = of(&planned.plan, STEP, "constrain_density", 27 * n);
-        let once = bytes(&["places", "sorted_positions", "neighbour_counts", "constrained", "wall_weights"]);
+        let once = bytes(&["places", "sorted_positions", "neighbour_counts", "constrained"]);
         assert_eq!(constrain.compulsory_bytes, 4 * (once + 4 * 27 * n));
         assert_eq!(constrain.gathered_bytes, 4 * 27 * n * 8);
         // Nothing is gathered where nothing is listed.

@@ -2,4 +2,4 @@
 
 mod walls;
 
-pub use walls::{WALL_NODES, wall_weights};
+pub use walls::{WallScales, beyond_wall};

@@ -57,5 +57,5 @@ static COPY_ELEMENTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/copy.compute",
-    hash: "1ae9f1abe88a76b269b403234ca646bfcfce8c602834dfaae84f6c93594f92a2",
+    hash: "1bd93208f236bb7036e8f45ea9aa8edc1b12afd8eed6847ccb32b43bd05608e1",
 };

@@ -70,5 +70,5 @@ static COUNT_CELLS_AGGREGATED: Module = Module {
     shared_bytes: 512,
     tier: Tier::Floor,
     source: "bench/count_cells_aggregated.compute",
-    hash: "025ff20c8c4997099476be176de80e2219f73adc1095994022f5a1ff7474b488",
+    hash: "38ee8a053cd0b71eb090bc8f9fb1a0e99a54fc1049264b008097f4e11ed06655",
 };

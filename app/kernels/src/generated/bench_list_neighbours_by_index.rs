@@ -94,5 +94,5 @@ static LIST_NEIGHBOURS_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/list_neighbours_by_index.compute",
-    hash: "eeaab07070c3f772a6cb007ba6b46a919a400fd5e76850986077ca52f2766faa",
+    hash: "66c7db48af4a42fcfbf2eeba4dcaa12ff86f7ab6466b76ba4dd13f75a9391efb",
 };

@@ -74,5 +74,5 @@ static REORDER_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/reorder_index.compute",
-    hash: "08e6703c3104a694324223c3ff2e0024ae535ea460de0eda83abaa1190c61b20",
+    hash: "7a30e764a00a9eca2ce65bfaa2b7d98e397ac7f23fc6ef24637b040c729ef695",
 };

@@ -88,7 +88,7 @@ static SCAN_GROUPS_TREE: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "a7e9b17d3850d97e304ce16ca97af23cf66dfee9cb32f8f57a4ecd96db5c3d74",
+    hash: "51b1a94de1c2e994586ff14de20ea0c2cac45a369521433546c4285d7db052c8",
 };
 
 static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
@@ -101,7 +101,7 @@ static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "30a88759999a28ee32f87110361cd75917acf790d0c0b62ebcfe0ef2d2ca1d21",
+    hash: "74f522f73630dc337d82375f6f1ed1fcae69f93cd20befa7ce5d1852c0936030",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
@@ -114,7 +114,7 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "c89e3c5a6890565d34d4753c9130bd03f51064f20408bdad7702bfc799fad49d",
+    hash: "3f09bde17a235899d98b61c0568fd1bbcdc1878b342616cc7e42228be9f4f382",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
@@ -127,5 +127,5 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "49209becb5274bcf1ff3c6836d74e375c810aa98209598850dc5abc5f4d97773",
+    hash: "7e8711f25afb8ee8753cffd293f8d81dba25bfc5ae3616f6be5279d7f8b8f994",
 };

@@ -54,5 +54,5 @@ static SCAN_STEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/scan_step.compute",
-    hash: "4ad0874d989a31f2f96e255fa086e961a5632f59464bac082a36da906fc197de",
+    hash: "6ede3a47a1d43e090138e3d76d83dad417f0a885ded0954b7380792551666075",
 };

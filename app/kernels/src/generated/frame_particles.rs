@@ -62,7 +62,7 @@ static DRAW_PARTICLES_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "82812134b44863a62e0c741dfcf3d336aa44f062af3902831af44499d24648f6",
+    hash: "bface27a59b619cc78cd747855acb627c12c859e7c98deb066222082b9c7dcad",
 };
 
 static DRAW_PARTICLES_FRAGMENT: Module = Module {
@@ -75,5 +75,5 @@ static DRAW_PARTICLES_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "7f7feaaec2bab39cdc7486732edca16300a136628afdde7ec195e6559acebf06",
+    hash: "e8634d8617a98d49a4670914879ce248d6c63f605cf9c8dbdde24655f8b40326",
 };

@@ -104,7 +104,7 @@ static DRAW_SHADE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "1f8347f181ff9a677f33868bf7cb3acee96a8527d63c541d98d795b65a211366",
+    hash: "77257039d2709c4d906435f6db0cefc9f6ab5b1cb52c8124e071101c3eae18c9",
 };
 
 static DRAW_SHADE_FRAGMENT: Module = Module {
@@ -117,7 +117,7 @@ static DRAW_SHADE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "2ae5cde5ed8955e97268cfa77f263ac3886efcbbfe57e22fc1e422784d49183d",
+    hash: "6a8ff812f97106f12727f67566c6f3596a4f29c8709d5c7747d54eb0ab9dddb9",
 };
 
 static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
@@ -130,7 +130,7 @@ static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "404c124b6fd6cb79b91525bcaa3486944a01214e1cb664b965f07e2271a91c3a",
+    hash: "f14d5168c2bdddce5960da2514307ca19e50f00265f01b18348b1ad1e76863ee",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
@@ -143,5 +143,5 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "b0ada566a30cd2479247680a8d865ecd0c78a23b46a00ac3af141cf5e99be668",
+    hash: "d8c0bcf50436081c458c93e03f41b487008ffaf8651fabcfad937921faf956d2",
 };

@@ -55,7 +55,7 @@ static DRAW_SHADOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "da39a9e1e257635e220408e5772abd53ac50b384f620339e5674b564ad1fc936",
+    hash: "e84f02c5797d1e76995e57395ff78659ce42a449b0b920d7ed7f0edf408d2079",
 };
 
 static DRAW_SHADOW_FRAGMENT: Module = Module {
@@ -68,5 +68,5 @@ static DRAW_SHADOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "de9454ab6dc9055306d08f1586e3d7f3c07864f0e16572ed663df9c6f28510dd",
+    hash: "6a30689d15df02ff6d7e325e35252155e0e67111bf52d04bfc4df557284538a6",
 };

@@ -69,5 +69,5 @@ static COUNT_CELLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "7ede6f1995b49ee1929c48054ea7335783913be7ade8e84ac3f487d5e5d67923",
+    hash: "811293927e2d2b2e0447cc56bb760cd74c4f282335a1c627fe54715ff08c371f",
 };

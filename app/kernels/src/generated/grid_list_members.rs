@@ -65,5 +65,5 @@ static LIST_MEMBERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_members.compute",
-    hash: "8630f333355e7dd0613a938ded08b58825a30deb9e5ec76c8f9589009b7290aa",
+    hash: "783028f0dcb8ea7c196cbc3eb1046711096b8f22f8ff6435ab59e45fed5db791",
 };

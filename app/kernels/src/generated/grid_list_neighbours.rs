@@ -97,7 +97,7 @@ static LIST_NEIGHBOURS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "44f8384fc159a8198575e5b6ba25608974eeec2d9874f5b55732761c59cd947f",
+    hash: "5ef98a512b4b646d2c2fb3720486f788ffc8c1fafe60fa0691f1071e4ac2a592",
 };
 
 static LIST_NEIGHBOURS_WITH_PACKED: Module = Module {
@@ -110,5 +110,5 @@ static LIST_NEIGHBOURS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "0100850934312a28b025207897073b958ab577c366691f39c7d87e0d1d1f8b8d",
+    hash: "4b4c53c51324ef27f1fda123d8cf3abdc478a78cb115ea1321df2d90ca86b826",
 };

@@ -71,5 +71,5 @@ static RANK_MEMBERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/rank_members.compute",
-    hash: "1dc7f08ce9eecea560ff5afd9964f54ad0bc46b67eab547e8188e387df0dcb4c",
+    hash: "78524cec3083299f98be3820c62fbdb98d6f13b257fa2885c371539bf1005841",
 };

@@ -94,7 +94,7 @@ static REORDER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "13d004ce1f90dd7fe606644ba0ebc2a3c01c23745d13254db3b26c9fce2abe6d",
+    hash: "6ce3112e7cec14d836d02bd20d5851c10a5a89a7e8ff25ebe8e46b6c411847c8",
 };
 
 static REORDER_WITH_PACKED: Module = Module {
@@ -107,5 +107,5 @@ static REORDER_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "d295130b5c361b7c76efddd23dd11a9a665afeb86b00361fcf52067f2016d928",
+    hash: "88052db4ea03818f7d8deeea8da819ec8251058a3cf97c8bef66aea6449b729a",
 };

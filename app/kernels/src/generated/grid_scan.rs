@@ -109,7 +109,7 @@ static REDUCE_GROUPS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "672433328b31e1c5c3572ee66fc2e338359bd0049e662670273ae636f62bbe3b",
+    hash: "f69f301aa7fc253d12659cc30e722a2ea222ef5a44963f91339e6c7a48c4b96b",
 };
 
 static SCAN_GROUPS: Module = Module {
@@ -122,7 +122,7 @@ static SCAN_GROUPS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "45a8a3d1475cc432522764a14268431222a029406fab0d4d0f9588cfffbf12be",
+    hash: "77d7927e8b86b14ed328e13673962575d9452073b86b3df14f26a75eb03ac9c1",
 };
 
 static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
@@ -135,5 +135,5 @@ static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "18dbce8f5c1f3329eaa15c9f0b77c089599e3c6cb957baf2a733236a91a5a687",
+    hash: "052ed172055dd322bda912b9481e89790ada842868ff7841672a5e95fbbdc56b",
 };

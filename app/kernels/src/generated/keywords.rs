@@ -13,15 +13,3 @@ pub enum PrecisionKeyword {
     /// `HALF_PRECISION` is on.
     HalfPrecision,
 }
-
-/// `#pragma multi_compile _ WALLS NARROW_WALLS`.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum WallsKeyword {
-    /// None of them is on.
-    #[default]
-    Off,
-    /// `WALLS` is on.
-    Walls,
-    /// `NARROW_WALLS` is on.
-    NarrowWalls,
-}

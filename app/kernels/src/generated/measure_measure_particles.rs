@@ -2,7 +2,7 @@
 // makes it anew from measure/measure_particles.compute.
 //! Kernels of `measure/measure_particles.compute`.
 
-use super::{KernelParams, MeasureSums, Position, StepParams, Velocity, WallsKeyword};
+use super::{KernelParams, MeasureSums, Position, StepParams, Velocity};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
@@ -10,8 +10,8 @@ use crate::{
 /// Which variant of [`MeasureParticles`] runs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct MeasureParticlesVariant {
-    /// Keyword `WALLS` or `NARROW_WALLS`.
-    pub walls: WallsKeyword,
+    /// Keyword `WALLS`.
+    pub walls: bool,
 }
 
 /// Density error, compression, energy and place of every particle, summed a group. Percentiles
@@ -37,10 +37,6 @@ pub struct MeasureParticles<'a> {
     pub step_params: Uniform<'a, StepParams>,
     /// `ConstantBuffer<KernelParams> kernel`.
     pub kernel: Uniform<'a, KernelParams>,
-    /// xyz: gradient over the three distances, 1/h; w: density ratio.
-    ///
-    /// `StructuredBuffer<float4> wall_weights`.
-    pub wall_weights: Option<Buf<'a, [f32; 4]>>,
 }
 
 impl Kernel for MeasureParticles<'_> {
@@ -48,11 +44,7 @@ impl Kernel for MeasureParticles<'_> {
     const GROUP_SIZE: [u32; 3] = [64, 1, 1];
 
     fn module(&self) -> &'static Module {
-        match self.variant.walls {
-            WallsKeyword::Off => &MEASURE_PARTICLES,
-            WallsKeyword::Walls => &MEASURE_PARTICLES_WITH_WALLS,
-            WallsKeyword::NarrowWalls => &MEASURE_PARTICLES_WITH_NARROW_WALLS,
-        }
+        if self.variant.walls { &MEASURE_PARTICLES_WITH_WALLS } else { &MEASURE_PARTICLES }
     }
     fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
         bind(
@@ -66,15 +58,13 @@ impl Kernel for MeasureParticles<'_> {
                 ("histograms", Some(self.histograms.id)),
                 ("step_params", Some(self.step_params.id)),
                 ("kernel", Some(self.kernel.id)),
-                ("wall_weights", self.wall_weights.as_ref().map(|bound| bound.id)),
             ],
         )
     }
 }
 
 /// The modules of this file.
-pub(super) static MODULES: &[&Module] =
-    &[&MEASURE_PARTICLES, &MEASURE_PARTICLES_WITH_WALLS, &MEASURE_PARTICLES_WITH_NARROW_WALLS];
+pub(super) static MODULES: &[&Module] = &[&MEASURE_PARTICLES, &MEASURE_PARTICLES_WITH_WALLS];
 
 static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "positions", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
@@ -96,35 +86,7 @@ static BINDINGS_0: &[BindingInfo] = &[
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 },
     },
     BindingInfo { name: "step_params", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "kernel", slot: 7, kind: BindingKind::Uniform { bytes: 16 } },
-];
-
-static BINDINGS_1: &[BindingInfo] = &[
-    BindingInfo { name: "positions", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
-    BindingInfo { name: "velocities", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
-    BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
-    BindingInfo {
-        name: "neighbour_counts",
-        slot: 3,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 },
-    },
-    BindingInfo {
-        name: "group_measures",
-        slot: 4,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 64 },
-    },
-    BindingInfo {
-        name: "histograms",
-        slot: 5,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 },
-    },
-    BindingInfo { name: "step_params", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "kernel", slot: 7, kind: BindingKind::Uniform { bytes: 16 } },
-    BindingInfo {
-        name: "wall_weights",
-        slot: 8,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
-    },
+    BindingInfo { name: "kernel", slot: 7, kind: BindingKind::Uniform { bytes: 32 } },
 ];
 
 static MEASURE_PARTICLES: Module = Module {
@@ -137,7 +99,7 @@ static MEASURE_PARTICLES: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "9d1e52d0c8dc7f7f95466627851d22cf14f52f3307db948424fc9a147a7d5a4f",
+    hash: "7f59d69e9b793379843015f55ad5d18013e4b2d747c123856e58d1e33c433e23",
 };
 
 static MEASURE_PARTICLES_WITH_WALLS: Module = Module {
@@ -145,23 +107,10 @@ static MEASURE_PARTICLES_WITH_WALLS: Module = Module {
     entry: "MeasureParticles",
     stage: StageKind::Compute,
     spirv: include_bytes!("../../spirv/measure_particles+walls.spv"),
-    bindings: BINDINGS_1,
+    bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "62db0abd067e2913ff15a047dcdf93597456ea95edd3c1f12de630a1fce371d4",
-};
-
-static MEASURE_PARTICLES_WITH_NARROW_WALLS: Module = Module {
-    name: "MeasureParticles+NARROW_WALLS",
-    entry: "MeasureParticles",
-    stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/measure_particles+narrow_walls.spv"),
-    bindings: BINDINGS_1,
-    group_size: [64, 1, 1],
-    shared_bytes: 4096,
-    tier: Tier::Floor,
-    source: "measure/measure_particles.compute",
-    hash: "a2e33d7d6ec1632b8f18fc2354bd6f8b4547d0425e13916fb134eabfbbea6339",
+    hash: "7d4d5c0bc23732717afac1a3010396d7405b2100680a1ab5fe49e942f5973ca1",
 };

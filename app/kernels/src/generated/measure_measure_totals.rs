@@ -73,5 +73,5 @@ static MEASURE_TOTALS: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_totals.compute",
-    hash: "1578f44f6bd8bf2d470891fe00fc4cc81d81f3f8232f3eb3eca5c10b13f11178",
+    hash: "f09a54a36dd0832925752da51e0184ba1f3df1ad0222ad280a93ef7bfcffbf57",
 };

@@ -82,7 +82,7 @@ static PREDICT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "f8c75cda843ab9943071f130d6ff282c6bdb231a138bd2e370e2a3b2ddbd2dcc",
+    hash: "e3b08e282c61f97a05728500f62d8723e10e45a0d26fcd2e862c8124b774e2ce",
 };
 
 static PREDICT_WITH_WALLS: Module = Module {
@@ -95,5 +95,5 @@ static PREDICT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "121e6224e77e2002c5950c7a94b5c7b41241cdb58f2c06bffb1b7782c6fb4821",
+    hash: "106694ff671d3008eb3b902c975d54bc02bcdb8f0e9982d0b7c53c56d1fb0b9e",
 };

@@ -12,9 +12,6 @@ pub const GROUPS_A_ROW: u32 = 32768;
 /// Values each thread of a scan takes.
 pub const SCAN_ITEMS: u32 = 16;
 
-/// Nodes an axis of the walls' table, from distance 0 to h.
-pub const WALL_NODES: u32 = 32;
-
 /// Particles whose neighbour lists lie interleaved: a group.
 pub const LIST_SLICE: u32 = 64;
 
@@ -181,7 +178,8 @@ const _: () = {
     assert!(size_of::<GridParams>() == 48);
 };
 
-/// The smoothing kernel, Wendland C2, scaled so that the initial lattice has density ratio 1.
+/// The smoothing kernel, Wendland C2, scaled so that the initial lattice has density ratio 1, and
+/// what it counts beyond walls (boundary/walls.hlsl).
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct KernelParams {
@@ -191,15 +189,27 @@ pub struct KernelParams {
     pub inverse_support_per_m: f32,
     /// 1 / sum of W over the lattice, W(0) = 1
     pub weight: f32,
+    /// density ratio of all space, as one wall's share of it counts
+    pub wall_plane: f32,
+    /// of two walls' product
+    pub wall_edge: f32,
+    /// of three walls'
+    pub wall_corner: f32,
     /// `float`.
-    pub reserved: f32,
+    pub reserved0: f32,
+    /// `float`.
+    pub reserved1: f32,
 }
 const _: () = {
     assert!(offset_of!(KernelParams, support_m) == 0);
     assert!(offset_of!(KernelParams, inverse_support_per_m) == 4);
     assert!(offset_of!(KernelParams, weight) == 8);
-    assert!(offset_of!(KernelParams, reserved) == 12);
-    assert!(size_of::<KernelParams>() == 16);
+    assert!(offset_of!(KernelParams, wall_plane) == 12);
+    assert!(offset_of!(KernelParams, wall_edge) == 16);
+    assert!(offset_of!(KernelParams, wall_corner) == 20);
+    assert!(offset_of!(KernelParams, reserved0) == 24);
+    assert!(offset_of!(KernelParams, reserved1) == 28);
+    assert!(size_of::<KernelParams>() == 32);
 };
 
 /// Position Based Fluids, Macklin & Muller 2013. Lengths in units of h where no unit is named.

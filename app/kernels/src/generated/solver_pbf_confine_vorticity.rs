@@ -106,7 +106,7 @@ static CONFINE_VORTICITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "22aace323f3e945f7e808bb8a76838f95bc112c8bd52d48bc819ae6146d2b5f4",
+    hash: "760821c2d88d864b4227896bf999965869201dc059b8cd9275249513e2abd367",
 };
 
 static CONFINE_VORTICITY_WITH_PACKED: Module = Module {
@@ -119,7 +119,7 @@ static CONFINE_VORTICITY_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "686b830b1665c70883a43ff8b18b6ddeb9c60dd66f86e21c013f3ff4c56fbcde",
+    hash: "0da7c16d04521238c286fc49f20723550c2e780eebc6b3a9380dad51e1ed95b2",
 };
 
 static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -132,7 +132,7 @@ static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "09216d7ff33c5dec96695a7e3030054f9cd39ca7135f3c84a82f2558f63cd69d",
+    hash: "2e9cf2a5b962639cacbd0fff1bc704a43b50c627916ca610f4c3ec19c6b218b0",
 };
 
 static CONFINE_VORTICITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -145,7 +145,7 @@ static CONFINE_VORTICITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "0258f6c97a20e7de6b5af94feb3a5b937b1c590b8e12c0c05b8af63ac442e2f6",
+    hash: "f9077bbed84705f56ea810229165e192f0bde871350e64f344592a771f856d41",
 };
 
 static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
@@ -158,7 +158,7 @@ static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "a5736d7c7e6f9901347927f3f9d416784387fe94b3ab85abe7f68a2ae25c6fd7",
+    hash: "4a534e9c5160ab7641b97158841bf318585ba61807dc85c52dd2ebb4922bc12e",
 };
 
 static CONFINE_VORTICITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -171,5 +171,5 @@ static CONFINE_VORTICITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "c39b835d8bd6acaa70e99f376feaaf122c7319f0d4f381dc998db67270845b9b",
+    hash: "15b7380d33f2fbc4cd599b4c22db19da237e67de79a98888649a7bd3f078e3c7",
 };

@@ -2,7 +2,7 @@
 // makes it anew from solver/pbf/constrain_density.compute.
 //! Kernels of `solver/pbf/constrain_density.compute`.
 
-use super::{Constrained, KernelParams, PbfParams, Position, PrecisionKeyword, StepParams, WallsKeyword};
+use super::{Constrained, KernelParams, PbfParams, Position, PrecisionKeyword, StepParams};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
@@ -10,8 +10,8 @@ use crate::{
 /// Which variant of [`ConstrainDensity`] runs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct ConstrainDensityVariant {
-    /// Keyword `WALLS` or `NARROW_WALLS`.
-    pub walls: WallsKeyword,
+    /// Keyword `WALLS`.
+    pub walls: bool,
     /// Keyword `RELAXED_PRECISION` or `HALF_PRECISION`.
     pub precision: PrecisionKeyword,
     /// Keyword `PACKED`.
@@ -43,10 +43,6 @@ pub struct ConstrainDensity<'a> {
     pub packed_constrained: Option<BufMut<'a, [u32; 2]>>,
     /// `StructuredBuffer<Position> sorted_positions`.
     pub sorted_positions: Option<Buf<'a, Position>>,
-    /// xyz: gradient over the three distances, 1/h; w: density ratio.
-    ///
-    /// `StructuredBuffer<float4> wall_weights`.
-    pub wall_weights: Option<Buf<'a, [f32; 4]>>,
 }
 
 impl Kernel for ConstrainDensity<'_> {
@@ -55,45 +51,21 @@ impl Kernel for ConstrainDensity<'_> {
 
     fn module(&self) -> &'static Module {
         match (self.variant.walls, self.variant.precision, self.variant.packed) {
-            (WallsKeyword::Off, PrecisionKeyword::Off, false) => &CONSTRAIN_DENSITY,
-            (WallsKeyword::Off, PrecisionKeyword::Off, true) => &CONSTRAIN_DENSITY_WITH_PACKED,
-            (WallsKeyword::Off, PrecisionKeyword::RelaxedPrecision, false) => &CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION,
-            (WallsKeyword::Off, PrecisionKeyword::RelaxedPrecision, true) => {
-                &CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION_WITH_PACKED
-            }
-            (WallsKeyword::Off, PrecisionKeyword::HalfPrecision, false) => &CONSTRAIN_DENSITY_WITH_HALF_PRECISION,
-            (WallsKeyword::Off, PrecisionKeyword::HalfPrecision, true) => {
-                &CONSTRAIN_DENSITY_WITH_HALF_PRECISION_WITH_PACKED
-            }
-            (WallsKeyword::Walls, PrecisionKeyword::Off, false) => &CONSTRAIN_DENSITY_WITH_WALLS,
-            (WallsKeyword::Walls, PrecisionKeyword::Off, true) => &CONSTRAIN_DENSITY_WITH_WALLS_WITH_PACKED,
-            (WallsKeyword::Walls, PrecisionKeyword::RelaxedPrecision, false) => {
-                &CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION
-            }
-            (WallsKeyword::Walls, PrecisionKeyword::RelaxedPrecision, true) => {
+            (false, PrecisionKeyword::Off, false) => &CONSTRAIN_DENSITY,
+            (false, PrecisionKeyword::Off, true) => &CONSTRAIN_DENSITY_WITH_PACKED,
+            (false, PrecisionKeyword::RelaxedPrecision, false) => &CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION,
+            (false, PrecisionKeyword::RelaxedPrecision, true) => &CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION_WITH_PACKED,
+            (false, PrecisionKeyword::HalfPrecision, false) => &CONSTRAIN_DENSITY_WITH_HALF_PRECISION,
+            (false, PrecisionKeyword::HalfPrecision, true) => &CONSTRAIN_DENSITY_WITH_HALF_PRECISION_WITH_PACKED,
+            (true, PrecisionKeyword::Off, false) => &CONSTRAIN_DENSITY_WITH_WALLS,
+            (true, PrecisionKeyword::Off, true) => &CONSTRAIN_DENSITY_WITH_WALLS_WITH_PACKED,
+            (true, PrecisionKeyword::RelaxedPrecision, false) => &CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION,
+            (true, PrecisionKeyword::RelaxedPrecision, true) => {
                 &CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED
             }
-            (WallsKeyword::Walls, PrecisionKeyword::HalfPrecision, false) => {
-                &CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION
-            }
-            (WallsKeyword::Walls, PrecisionKeyword::HalfPrecision, true) => {
+            (true, PrecisionKeyword::HalfPrecision, false) => &CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION,
+            (true, PrecisionKeyword::HalfPrecision, true) => {
                 &CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED
-            }
-            (WallsKeyword::NarrowWalls, PrecisionKeyword::Off, false) => &CONSTRAIN_DENSITY_WITH_NARROW_WALLS,
-            (WallsKeyword::NarrowWalls, PrecisionKeyword::Off, true) => {
-                &CONSTRAIN_DENSITY_WITH_NARROW_WALLS_WITH_PACKED
-            }
-            (WallsKeyword::NarrowWalls, PrecisionKeyword::RelaxedPrecision, false) => {
-                &CONSTRAIN_DENSITY_WITH_NARROW_WALLS_WITH_RELAXED_PRECISION
-            }
-            (WallsKeyword::NarrowWalls, PrecisionKeyword::RelaxedPrecision, true) => {
-                &CONSTRAIN_DENSITY_WITH_NARROW_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED
-            }
-            (WallsKeyword::NarrowWalls, PrecisionKeyword::HalfPrecision, false) => {
-                &CONSTRAIN_DENSITY_WITH_NARROW_WALLS_WITH_HALF_PRECISION
-            }
-            (WallsKeyword::NarrowWalls, PrecisionKeyword::HalfPrecision, true) => {
-                &CONSTRAIN_DENSITY_WITH_NARROW_WALLS_WITH_HALF_PRECISION_WITH_PACKED
             }
         }
     }
@@ -110,7 +82,6 @@ impl Kernel for ConstrainDensity<'_> {
                 ("pbf", Some(self.pbf.id)),
                 ("packed_constrained", self.packed_constrained.as_ref().map(|bound| bound.id)),
                 ("sorted_positions", self.sorted_positions.as_ref().map(|bound| bound.id)),
-                ("wall_weights", self.wall_weights.as_ref().map(|bound| bound.id)),
             ],
         )
     }
@@ -130,12 +101,6 @@ pub(super) static MODULES: &[&Module] = &[
     &CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED,
     &CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION,
     &CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED,
-    &CONSTRAIN_DENSITY_WITH_NARROW_WALLS,
-    &CONSTRAIN_DENSITY_WITH_NARROW_WALLS_WITH_PACKED,
-    &CONSTRAIN_DENSITY_WITH_NARROW_WALLS_WITH_RELAXED_PRECISION,
-    &CONSTRAIN_DENSITY_WITH_NARROW_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED,
-    &CONSTRAIN_DENSITY_WITH_NARROW_WALLS_WITH_HALF_PRECISION,
-    &CONSTRAIN_DENSITY_WITH_NARROW_WALLS_WITH_HALF_PRECISION_WITH_PACKED,
 ];
 
 static BINDINGS_0: &[BindingInfo] = &[
@@ -152,7 +117,7 @@ static BINDINGS_0: &[BindingInfo] = &[
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
     BindingInfo { name: "step_params", slot: 4, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "kernel", slot: 5, kind: BindingKind::Uniform { bytes: 16 } },
+    BindingInfo { name: "kernel", slot: 5, kind: BindingKind::Uniform { bytes: 32 } },
     BindingInfo { name: "pbf", slot: 6, kind: BindingKind::Uniform { bytes: 32 } },
 ];
 
@@ -170,7 +135,7 @@ static BINDINGS_1: &[BindingInfo] = &[
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
     },
     BindingInfo { name: "step_params", slot: 4, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "kernel", slot: 5, kind: BindingKind::Uniform { bytes: 16 } },
+    BindingInfo { name: "kernel", slot: 5, kind: BindingKind::Uniform { bytes: 32 } },
     BindingInfo { name: "pbf", slot: 6, kind: BindingKind::Uniform { bytes: 32 } },
 ];
 
@@ -193,13 +158,8 @@ static BINDINGS_2: &[BindingInfo] = &[
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
     BindingInfo { name: "step_params", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "kernel", slot: 6, kind: BindingKind::Uniform { bytes: 16 } },
+    BindingInfo { name: "kernel", slot: 6, kind: BindingKind::Uniform { bytes: 32 } },
     BindingInfo { name: "pbf", slot: 7, kind: BindingKind::Uniform { bytes: 32 } },
-    BindingInfo {
-        name: "wall_weights",
-        slot: 8,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
-    },
 ];
 
 static BINDINGS_3: &[BindingInfo] = &[
@@ -221,13 +181,8 @@ static BINDINGS_3: &[BindingInfo] = &[
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
     },
     BindingInfo { name: "step_params", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "kernel", slot: 6, kind: BindingKind::Uniform { bytes: 16 } },
+    BindingInfo { name: "kernel", slot: 6, kind: BindingKind::Uniform { bytes: 32 } },
     BindingInfo { name: "pbf", slot: 7, kind: BindingKind::Uniform { bytes: 32 } },
-    BindingInfo {
-        name: "wall_weights",
-        slot: 8,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
-    },
 ];
 
 static CONSTRAIN_DENSITY: Module = Module {
@@ -240,7 +195,7 @@ static CONSTRAIN_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "193614e5c85dc239e1ec102a8864318eb1a62e1b23bf2a2f1177d78775ecd899",
+    hash: "174d75d24968c9fc6c6bda0cb899d294c3c7290996333ad6a2df4396a0de33cc",
 };
 
 static CONSTRAIN_DENSITY_WITH_PACKED: Module = Module {
@@ -253,7 +208,7 @@ static CONSTRAIN_DENSITY_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "6702316c95d185ba0b4fdd97f261afcd39f6f71559204475175ba0da15c56518",
+    hash: "50f5c114f6a2818cbc15ca9591074f5bf97bc2b9a481ca3616218698a1e7ec8f",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -266,7 +221,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "bc85e6c2c4f9f8d66f94275fdced73b9eb78d40d57d188ffb4355f0754815dc4",
+    hash: "a4e0947ef1793242c940587548058be71572b258a2f3884b30b299954022a159",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -279,7 +234,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "0d162eedd3e4d69987db8f20344c6591cf2f52fcf973675884b3cd5305b44e53",
+    hash: "5b1404dd616aa38141e4ae99d7cc7d1214977b36cd199ef05744ad5457ebdaad",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -292,7 +247,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "c7ac8696b1cb9ce4d57ffc919e0c65b17c03f2601d19c28003cc8e308db3d496",
+    hash: "2abb59f28d13e92ad6d295c80e0d072c6f63770b8cb4fee66b13089ae76431cd",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -305,7 +260,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "9143bbded45dbdc88c063189a457500cb826b90b838512bad2092ce1161086d0",
+    hash: "d9563fd24c04d9f98b99a0053ec2baf08a08a375d425988c57f888293f90c677",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
@@ -318,7 +273,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "d86ff5c703b0ea34244b33327e3f5539a7860b4dc05e09292ab8526f5d2e2e7d",
+    hash: "999eb313342750043d46e3e420380c5c5dcaf325365fee1c1272281899f0b6ae",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_PACKED: Module = Module {
@@ -331,7 +286,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "932be47f320bc0bc543b3d5b60587b88c84f80fb50b5387ecdfab667dab2ffdf",
+    hash: "7b88da816908a56b6ca19ffec192cdaa631df9f0c451bdb81e118fce170dc973",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -344,7 +299,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "29c5e1d653a2e07f57df4b957e573640a8197d82a8b4c86a690cc3b03d61a1d7",
+    hash: "cde0f92114a03d63aa70a851345c78ed393d82bfeb1d4ec0c23956d3fc526ce5",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -357,7 +312,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "8d02aec82d4911e825e34b7e632b27c58519306f333fec8a562c0aad916b95dc",
+    hash: "0cde0d460ac341843d9be71053d8c502995b707175e06ed8b2282e5a10be747f",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -370,7 +325,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "2b98c71ba200ae9fdc5fd4f33c2cd2c9387215ad59c138632185ea4d65b45bd4",
+    hash: "af6b210fbac535d3e0590e3de1f377fa0c0b4c5e4823f43708452e9fa58cc875",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -383,83 +338,5 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "05be4dc779d30e235444416d4481b480ac931430cb4f3ef129ebd1ca2ddac05c",
-};
-
-static CONSTRAIN_DENSITY_WITH_NARROW_WALLS: Module = Module {
-    name: "ConstrainDensity+NARROW_WALLS",
-    entry: "ConstrainDensity",
-    stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/constrain_density+narrow_walls.spv"),
-    bindings: BINDINGS_2,
-    group_size: [64, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Floor,
-    source: "solver/pbf/constrain_density.compute",
-    hash: "7c2cf74e362a61f674504938b177e6b69a99bd9fb719c123e3e96df8d9d73580",
-};
-
-static CONSTRAIN_DENSITY_WITH_NARROW_WALLS_WITH_PACKED: Module = Module {
-    name: "ConstrainDensity+NARROW_WALLS+PACKED",
-    entry: "ConstrainDensity",
-    stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/constrain_density+narrow_walls+packed.spv"),
-    bindings: BINDINGS_3,
-    group_size: [64, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Floor,
-    source: "solver/pbf/constrain_density.compute",
-    hash: "6273c55b0fdefc7edddb9410fda9b6dcc6bbd68e3e7e3978eb60af3a712b96af",
-};
-
-static CONSTRAIN_DENSITY_WITH_NARROW_WALLS_WITH_RELAXED_PRECISION: Module = Module {
-    name: "ConstrainDensity+NARROW_WALLS+RELAXED_PRECISION",
-    entry: "ConstrainDensity",
-    stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/constrain_density+narrow_walls+relaxed_precision.spv"),
-    bindings: BINDINGS_2,
-    group_size: [64, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Floor,
-    source: "solver/pbf/constrain_density.compute",
-    hash: "75cbb29b496cd6e086675e589f15a1fea8e87259d23234fdd511c497624f5365",
-};
-
-static CONSTRAIN_DENSITY_WITH_NARROW_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
-    name: "ConstrainDensity+NARROW_WALLS+RELAXED_PRECISION+PACKED",
-    entry: "ConstrainDensity",
-    stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/constrain_density+narrow_walls+relaxed_precision+packed.spv"),
-    bindings: BINDINGS_3,
-    group_size: [64, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Floor,
-    source: "solver/pbf/constrain_density.compute",
-    hash: "3ab98b00f1243dceee9b9a5e68a66e72d772ac66193405e76618e80812d8b24b",
-};
-
-static CONSTRAIN_DENSITY_WITH_NARROW_WALLS_WITH_HALF_PRECISION: Module = Module {
-    name: "ConstrainDensity+NARROW_WALLS+HALF_PRECISION",
-    entry: "ConstrainDensity",
-    stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/constrain_density+narrow_walls+half_precision.spv"),
-    bindings: BINDINGS_2,
-    group_size: [64, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Desktop,
-    source: "solver/pbf/constrain_density.compute",
-    hash: "a5918ad858f82d5f8ea3bca3d0baaf89e4391509e5a7e1178e6d3f7cdf9a0a87",
-};
-
-static CONSTRAIN_DENSITY_WITH_NARROW_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
-    name: "ConstrainDensity+NARROW_WALLS+HALF_PRECISION+PACKED",
-    entry: "ConstrainDensity",
-    stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/constrain_density+narrow_walls+half_precision+packed.spv"),
-    bindings: BINDINGS_3,
-    group_size: [64, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Desktop,
-    source: "solver/pbf/constrain_density.compute",
-    hash: "142a947213da08968c80908c45b452d5358fe66b649b9bef26dd87b4d4d78ca8",
+    hash: "df1d64ab3ab90f2a29816fa9327165fc825c45f52a6bcb1c40bf2b1b6941c856",
 };

@@ -2,7 +2,7 @@
 // makes it anew from solver/pbf/correct_positions.compute.
 //! Kernels of `solver/pbf/correct_positions.compute`.
 
-use super::{Constrained, Counters, KernelParams, PbfParams, Position, PrecisionKeyword, StepParams, WallsKeyword};
+use super::{Constrained, Counters, KernelParams, PbfParams, Position, PrecisionKeyword, StepParams};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
@@ -10,8 +10,8 @@ use crate::{
 /// Which variant of [`CorrectPositions`] runs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct CorrectPositionsVariant {
-    /// Keyword `WALLS` or `NARROW_WALLS`.
-    pub walls: WallsKeyword,
+    /// Keyword `WALLS`.
+    pub walls: bool,
     /// Keyword `S_CORR`.
     pub s_corr: bool,
     /// Keyword `RELAXED_PRECISION` or `HALF_PRECISION`.
@@ -47,10 +47,6 @@ pub struct CorrectPositions<'a> {
     pub packed_constrained: Option<Buf<'a, [u32; 2]>>,
     /// `StructuredBuffer<Position> sorted_positions`.
     pub sorted_positions: Option<Buf<'a, Position>>,
-    /// xyz: gradient over the three distances, 1/h; w: density ratio.
-    ///
-    /// `StructuredBuffer<float4> wall_weights`.
-    pub wall_weights: Option<Buf<'a, [f32; 4]>>,
 }
 
 impl Kernel for CorrectPositions<'_> {
@@ -59,97 +55,51 @@ impl Kernel for CorrectPositions<'_> {
 
     fn module(&self) -> &'static Module {
         match (self.variant.walls, self.variant.s_corr, self.variant.precision, self.variant.packed) {
-            (WallsKeyword::Off, false, PrecisionKeyword::Off, false) => &CORRECT_POSITIONS,
-            (WallsKeyword::Off, false, PrecisionKeyword::Off, true) => &CORRECT_POSITIONS_WITH_PACKED,
-            (WallsKeyword::Off, false, PrecisionKeyword::RelaxedPrecision, false) => {
-                &CORRECT_POSITIONS_WITH_RELAXED_PRECISION
-            }
-            (WallsKeyword::Off, false, PrecisionKeyword::RelaxedPrecision, true) => {
+            (false, false, PrecisionKeyword::Off, false) => &CORRECT_POSITIONS,
+            (false, false, PrecisionKeyword::Off, true) => &CORRECT_POSITIONS_WITH_PACKED,
+            (false, false, PrecisionKeyword::RelaxedPrecision, false) => &CORRECT_POSITIONS_WITH_RELAXED_PRECISION,
+            (false, false, PrecisionKeyword::RelaxedPrecision, true) => {
                 &CORRECT_POSITIONS_WITH_RELAXED_PRECISION_WITH_PACKED
             }
-            (WallsKeyword::Off, false, PrecisionKeyword::HalfPrecision, false) => {
-                &CORRECT_POSITIONS_WITH_HALF_PRECISION
-            }
-            (WallsKeyword::Off, false, PrecisionKeyword::HalfPrecision, true) => {
-                &CORRECT_POSITIONS_WITH_HALF_PRECISION_WITH_PACKED
-            }
-            (WallsKeyword::Off, true, PrecisionKeyword::Off, false) => &CORRECT_POSITIONS_WITH_S_CORR,
-            (WallsKeyword::Off, true, PrecisionKeyword::Off, true) => &CORRECT_POSITIONS_WITH_S_CORR_WITH_PACKED,
-            (WallsKeyword::Off, true, PrecisionKeyword::RelaxedPrecision, false) => {
+            (false, false, PrecisionKeyword::HalfPrecision, false) => &CORRECT_POSITIONS_WITH_HALF_PRECISION,
+            (false, false, PrecisionKeyword::HalfPrecision, true) => &CORRECT_POSITIONS_WITH_HALF_PRECISION_WITH_PACKED,
+            (false, true, PrecisionKeyword::Off, false) => &CORRECT_POSITIONS_WITH_S_CORR,
+            (false, true, PrecisionKeyword::Off, true) => &CORRECT_POSITIONS_WITH_S_CORR_WITH_PACKED,
+            (false, true, PrecisionKeyword::RelaxedPrecision, false) => {
                 &CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION
             }
-            (WallsKeyword::Off, true, PrecisionKeyword::RelaxedPrecision, true) => {
+            (false, true, PrecisionKeyword::RelaxedPrecision, true) => {
                 &CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED
             }
-            (WallsKeyword::Off, true, PrecisionKeyword::HalfPrecision, false) => {
-                &CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION
-            }
-            (WallsKeyword::Off, true, PrecisionKeyword::HalfPrecision, true) => {
+            (false, true, PrecisionKeyword::HalfPrecision, false) => &CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION,
+            (false, true, PrecisionKeyword::HalfPrecision, true) => {
                 &CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED
             }
-            (WallsKeyword::Walls, false, PrecisionKeyword::Off, false) => &CORRECT_POSITIONS_WITH_WALLS,
-            (WallsKeyword::Walls, false, PrecisionKeyword::Off, true) => &CORRECT_POSITIONS_WITH_WALLS_WITH_PACKED,
-            (WallsKeyword::Walls, false, PrecisionKeyword::RelaxedPrecision, false) => {
+            (true, false, PrecisionKeyword::Off, false) => &CORRECT_POSITIONS_WITH_WALLS,
+            (true, false, PrecisionKeyword::Off, true) => &CORRECT_POSITIONS_WITH_WALLS_WITH_PACKED,
+            (true, false, PrecisionKeyword::RelaxedPrecision, false) => {
                 &CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION
             }
-            (WallsKeyword::Walls, false, PrecisionKeyword::RelaxedPrecision, true) => {
+            (true, false, PrecisionKeyword::RelaxedPrecision, true) => {
                 &CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED
             }
-            (WallsKeyword::Walls, false, PrecisionKeyword::HalfPrecision, false) => {
-                &CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION
-            }
-            (WallsKeyword::Walls, false, PrecisionKeyword::HalfPrecision, true) => {
+            (true, false, PrecisionKeyword::HalfPrecision, false) => &CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION,
+            (true, false, PrecisionKeyword::HalfPrecision, true) => {
                 &CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED
             }
-            (WallsKeyword::Walls, true, PrecisionKeyword::Off, false) => &CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR,
-            (WallsKeyword::Walls, true, PrecisionKeyword::Off, true) => {
-                &CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_PACKED
-            }
-            (WallsKeyword::Walls, true, PrecisionKeyword::RelaxedPrecision, false) => {
+            (true, true, PrecisionKeyword::Off, false) => &CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR,
+            (true, true, PrecisionKeyword::Off, true) => &CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_PACKED,
+            (true, true, PrecisionKeyword::RelaxedPrecision, false) => {
                 &CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION
             }
-            (WallsKeyword::Walls, true, PrecisionKeyword::RelaxedPrecision, true) => {
+            (true, true, PrecisionKeyword::RelaxedPrecision, true) => {
                 &CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED
             }
-            (WallsKeyword::Walls, true, PrecisionKeyword::HalfPrecision, false) => {
+            (true, true, PrecisionKeyword::HalfPrecision, false) => {
                 &CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION
             }
-            (WallsKeyword::Walls, true, PrecisionKeyword::HalfPrecision, true) => {
+            (true, true, PrecisionKeyword::HalfPrecision, true) => {
                 &CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED
-            }
-            (WallsKeyword::NarrowWalls, false, PrecisionKeyword::Off, false) => &CORRECT_POSITIONS_WITH_NARROW_WALLS,
-            (WallsKeyword::NarrowWalls, false, PrecisionKeyword::Off, true) => {
-                &CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_PACKED
-            }
-            (WallsKeyword::NarrowWalls, false, PrecisionKeyword::RelaxedPrecision, false) => {
-                &CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_RELAXED_PRECISION
-            }
-            (WallsKeyword::NarrowWalls, false, PrecisionKeyword::RelaxedPrecision, true) => {
-                &CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED
-            }
-            (WallsKeyword::NarrowWalls, false, PrecisionKeyword::HalfPrecision, false) => {
-                &CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_HALF_PRECISION
-            }
-            (WallsKeyword::NarrowWalls, false, PrecisionKeyword::HalfPrecision, true) => {
-                &CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_HALF_PRECISION_WITH_PACKED
-            }
-            (WallsKeyword::NarrowWalls, true, PrecisionKeyword::Off, false) => {
-                &CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_S_CORR
-            }
-            (WallsKeyword::NarrowWalls, true, PrecisionKeyword::Off, true) => {
-                &CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_S_CORR_WITH_PACKED
-            }
-            (WallsKeyword::NarrowWalls, true, PrecisionKeyword::RelaxedPrecision, false) => {
-                &CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION
-            }
-            (WallsKeyword::NarrowWalls, true, PrecisionKeyword::RelaxedPrecision, true) => {
-                &CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED
-            }
-            (WallsKeyword::NarrowWalls, true, PrecisionKeyword::HalfPrecision, false) => {
-                &CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_S_CORR_WITH_HALF_PRECISION
-            }
-            (WallsKeyword::NarrowWalls, true, PrecisionKeyword::HalfPrecision, true) => {
-                &CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED
             }
         }
     }
@@ -167,7 +117,6 @@ impl Kernel for CorrectPositions<'_> {
                 ("pbf", Some(self.pbf.id)),
                 ("packed_constrained", self.packed_constrained.as_ref().map(|bound| bound.id)),
                 ("sorted_positions", self.sorted_positions.as_ref().map(|bound| bound.id)),
-                ("wall_weights", self.wall_weights.as_ref().map(|bound| bound.id)),
             ],
         )
     }
@@ -199,18 +148,6 @@ pub(super) static MODULES: &[&Module] = &[
     &CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED,
     &CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION,
     &CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED,
-    &CORRECT_POSITIONS_WITH_NARROW_WALLS,
-    &CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_PACKED,
-    &CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_RELAXED_PRECISION,
-    &CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED,
-    &CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_HALF_PRECISION,
-    &CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_HALF_PRECISION_WITH_PACKED,
-    &CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_S_CORR,
-    &CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_S_CORR_WITH_PACKED,
-    &CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION,
-    &CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED,
-    &CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_S_CORR_WITH_HALF_PRECISION,
-    &CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED,
 ];
 
 static BINDINGS_0: &[BindingInfo] = &[
@@ -228,7 +165,7 @@ static BINDINGS_0: &[BindingInfo] = &[
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
     BindingInfo { name: "step_params", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "kernel", slot: 6, kind: BindingKind::Uniform { bytes: 16 } },
+    BindingInfo { name: "kernel", slot: 6, kind: BindingKind::Uniform { bytes: 32 } },
     BindingInfo { name: "pbf", slot: 7, kind: BindingKind::Uniform { bytes: 32 } },
 ];
 
@@ -251,7 +188,7 @@ static BINDINGS_1: &[BindingInfo] = &[
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
     BindingInfo { name: "step_params", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "kernel", slot: 6, kind: BindingKind::Uniform { bytes: 16 } },
+    BindingInfo { name: "kernel", slot: 6, kind: BindingKind::Uniform { bytes: 32 } },
     BindingInfo { name: "pbf", slot: 7, kind: BindingKind::Uniform { bytes: 32 } },
 ];
 
@@ -275,13 +212,8 @@ static BINDINGS_2: &[BindingInfo] = &[
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
     BindingInfo { name: "step_params", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "kernel", slot: 7, kind: BindingKind::Uniform { bytes: 16 } },
+    BindingInfo { name: "kernel", slot: 7, kind: BindingKind::Uniform { bytes: 32 } },
     BindingInfo { name: "pbf", slot: 8, kind: BindingKind::Uniform { bytes: 32 } },
-    BindingInfo {
-        name: "wall_weights",
-        slot: 9,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
-    },
 ];
 
 static BINDINGS_3: &[BindingInfo] = &[
@@ -308,13 +240,8 @@ static BINDINGS_3: &[BindingInfo] = &[
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
     BindingInfo { name: "step_params", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "kernel", slot: 7, kind: BindingKind::Uniform { bytes: 16 } },
+    BindingInfo { name: "kernel", slot: 7, kind: BindingKind::Uniform { bytes: 32 } },
     BindingInfo { name: "pbf", slot: 8, kind: BindingKind::Uniform { bytes: 32 } },
-    BindingInfo {
-        name: "wall_weights",
-        slot: 9,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
-    },
 ];
 
 static CORRECT_POSITIONS: Module = Module {
@@ -327,7 +254,7 @@ static CORRECT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "34ca6fd66c7122a8398fb3fb536f811a428123b4d86f17dde41ddbac12cab340",
+    hash: "c484ce382f92c337b8e46865845200fce1bcf6896693a40119cfcdcc55b3d6ef",
 };
 
 static CORRECT_POSITIONS_WITH_PACKED: Module = Module {
@@ -340,7 +267,7 @@ static CORRECT_POSITIONS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "7e52303d8d54af1d2733b2c00e3cb46123d6ac7cce554b639cff3c166671cd7a",
+    hash: "a0b41367e8b69feaec1ee4773de4afaf6dbf232532e8f8191ccda795c57ab51d",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
@@ -353,7 +280,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "c3ad4c24a6e550fc504edf84d94342b1d0ca6a5a34aa80a9c226b4e749b1da9a",
+    hash: "0c61ffda9b23e554f828cc307bd69cad8c618872cece4175ee337a27a293a4af",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -366,7 +293,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "68dea1d1b1ee393e1622dfe08b19e04d701c2befcd82a0e49583acfb9a6ed8c1",
+    hash: "6e7bbb87e6cb18f1b9f98ec7b66238f7a25a0b4f3c02619402315789f000cdd5",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
@@ -379,7 +306,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "97a27c46d202572f339efb2a00552b6171b0bdfd680bef784e0736572f398b16",
+    hash: "c2f685583eeb04b80bbec057aad83fc4fbed2addd158e0380cb3e54f9ae08e83",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -392,7 +319,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "e636f15d6d3aa185168a768cb82fe19ed5974a7dcc030686df6ff3b12dd9bf2d",
+    hash: "9f5ce1d2b0cb468412f5dc25cddd8650a0b863462fcaf322c9d13a801156df72",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
@@ -405,7 +332,7 @@ static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "44a9b8783583bd702f44aa8ede0b9b92a78db4b9ff16c045479e185b6c33d7b3",
+    hash: "3b06252aa06facd87851181134259f934ad7268afb08e4bbd192329c24aceea6",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_PACKED: Module = Module {
@@ -418,7 +345,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "4109a89ce0d35e1a921adf06fbcd8722123d053520839cd4026ebf09d99535df",
+    hash: "679448eb7a30e22807f5c0d56059514080599dc26ef369a2300c711196b5972e",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -431,7 +358,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "2592f1d12416f4c742946cdc88f1bd5e686f9ef3627ef2596feb62206ea3d1be",
+    hash: "56ff3b12cf48432c1100532f430ac0be862606f552493750d7a60a0dfaa1e0de",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -444,7 +371,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "d2c2668ac7108ae741646ace9fe76fa955d3fffadc0c79b50ea52b492f98d9a2",
+    hash: "e755a0dd4d2b81ee1dc170a64e53baa57602e7bfb3f21a4e228e3b7f67cb8aca",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -457,7 +384,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "ca8bdaa79b127ccf95d3dbdee8df8f07d630a79dba6d2bf4ac7d11bf77fb983f",
+    hash: "d7902f7e9ccf20eaa59aec75eca4da8dc670645ba2024660f355c39a481359ba",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -470,7 +397,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = M
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "e6ee6ace46c754895f1aa4cf77a998827b32c6aa9527a5b844a076dfe3dadc50",
+    hash: "5471e95c52451a473ecc2a979197c0e9f685700b2f803966cc0d0afbd12fa5b3",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
@@ -483,7 +410,7 @@ static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "dec94a487c1548960bd3612cde11f35067adba5aeb1dc440f956fe2bcef571e7",
+    hash: "551a0bfd5a701bd0ad35bde02cfd15139834f5768d3a80562ca4ac5b7a4468de",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_PACKED: Module = Module {
@@ -496,7 +423,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "f12920041cb9840b00f56421c7f025eb547fa08303906fe15c5106f3f204d56c",
+    hash: "bc1cd9220ac62a4bb8e50c17f5542af66d5758b5d1bfdbd54441fbbcb4114a21",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -509,7 +436,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "9865d314bed58835e72030c45f648e4d5ad2c3a3ad854faf24827c06107537a7",
+    hash: "8623e06fda152b0233a57bb204f11f1c1761af592884d42003d6663716364f3e",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -522,7 +449,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "0db729348e440340e07f321e3d17fea649cf0755a7341d6f1115569e679a3778",
+    hash: "1ee57ed4f9c8539474f17425b6b50da2394648f1a2268291ddf10d9584224289",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -535,7 +462,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "41ac8737f1bb8a51e8f2125aef551bae68417de29b2c8a62db495b453d2d5c43",
+    hash: "0f6ccdcaf4e16090a6058fabe44e0dbd1e0f827e12265c89a02279319f37390e",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -548,7 +475,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "0a851585198515eae258b95c4adc622cf5c7be1762602475c8f4150876173950",
+    hash: "88b8343120936b899e7f1337f7b637a879cb8130fb808c563b15caa95979123e",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
@@ -561,7 +488,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "89c777a4528c3d64a6c58da12d63132078a51bbf0e422ae82e20ae490366f43f",
+    hash: "e57dabddb6f2a072cb0c070da0ba60538e30acfc8d1bd5a9c95fa8d8b746d35e",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_PACKED: Module = Module {
@@ -574,7 +501,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "0b9960e0ed5cc7f0b0f6d6d7d16d0ad46eef1b180756964368f5f6ebccc13ece",
+    hash: "940a301852f586bcb1c12718933a1327ede882c26c6aca4c10a700a28f681c5c",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -587,7 +514,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "43d6ac489b3b8cee84e0eb2f79cf92fd9fe7380bb7636ff120fc7b598778dc5c",
+    hash: "4a2a4ad5c2908cbaa70ab4966e12c1c71f4ab856ab63ef3f0356d00a65e8069a",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -600,7 +527,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACK
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "ef6e4d90a9a8ead451d1459f44dfe1a1abb03c0ec6c546a5a9f543e4ecfee82e",
+    hash: "3bc930d12b486f4b3c7c2e60502e6f228dac26c07434950102fe71feab7a8236",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -613,7 +540,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "b77cc6a8d857fac85381353067a6b1f058d4e40fc8b42c8ce79c98f582b01dc7",
+    hash: "1ba62e19c1580ebf62c11cb8e1f5af6461f9284df7c0db4c7bb96da5d9cbf153",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -626,161 +553,5 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED:
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "c6b693adb27a1755825206aed8105bcdb6a13c2fb04613166d67e1a7950ab2bb",
-};
-
-static CORRECT_POSITIONS_WITH_NARROW_WALLS: Module = Module {
-    name: "CorrectPositions+NARROW_WALLS",
-    entry: "CorrectPositions",
-    stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/correct_positions+narrow_walls.spv"),
-    bindings: BINDINGS_2,
-    group_size: [64, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Floor,
-    source: "solver/pbf/correct_positions.compute",
-    hash: "f2761ae7d1406a9abe1cd06a201da2a776a7098b2a39f80b6d53501cfedf1208",
-};
-
-static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_PACKED: Module = Module {
-    name: "CorrectPositions+NARROW_WALLS+PACKED",
-    entry: "CorrectPositions",
-    stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/correct_positions+narrow_walls+packed.spv"),
-    bindings: BINDINGS_3,
-    group_size: [64, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Floor,
-    source: "solver/pbf/correct_positions.compute",
-    hash: "a1bb48c4f765a81a881197a8899674fef4f29329b6c17276ac1257d31f7a04cf",
-};
-
-static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_RELAXED_PRECISION: Module = Module {
-    name: "CorrectPositions+NARROW_WALLS+RELAXED_PRECISION",
-    entry: "CorrectPositions",
-    stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/correct_positions+narrow_walls+relaxed_precision.spv"),
-    bindings: BINDINGS_2,
-    group_size: [64, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Floor,
-    source: "solver/pbf/correct_positions.compute",
-    hash: "2c33d571126b813639922da4bd83ea14a824248b64aa373162e1ef281076df70",
-};
-
-static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
-    name: "CorrectPositions+NARROW_WALLS+RELAXED_PRECISION+PACKED",
-    entry: "CorrectPositions",
-    stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/correct_positions+narrow_walls+relaxed_precision+packed.spv"),
-    bindings: BINDINGS_3,
-    group_size: [64, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Floor,
-    source: "solver/pbf/correct_positions.compute",
-    hash: "f2ac7a5ebfdfaeeb971d8f433f2e7119be68a1adef19f5eb121077a1c0ac6d74",
-};
-
-static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_HALF_PRECISION: Module = Module {
-    name: "CorrectPositions+NARROW_WALLS+HALF_PRECISION",
-    entry: "CorrectPositions",
-    stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/correct_positions+narrow_walls+half_precision.spv"),
-    bindings: BINDINGS_2,
-    group_size: [64, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Desktop,
-    source: "solver/pbf/correct_positions.compute",
-    hash: "5a35c8345ca8b694cfd9ca5bb3138de414724500225441308a5c4fb460fb53e2",
-};
-
-static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
-    name: "CorrectPositions+NARROW_WALLS+HALF_PRECISION+PACKED",
-    entry: "CorrectPositions",
-    stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/correct_positions+narrow_walls+half_precision+packed.spv"),
-    bindings: BINDINGS_3,
-    group_size: [64, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Desktop,
-    source: "solver/pbf/correct_positions.compute",
-    hash: "0c6c0346e1691fab30dd506f0ab86f5a4f3e458a78b116126bcca92e6f7ae7ab",
-};
-
-static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_S_CORR: Module = Module {
-    name: "CorrectPositions+NARROW_WALLS+S_CORR",
-    entry: "CorrectPositions",
-    stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/correct_positions+narrow_walls+s_corr.spv"),
-    bindings: BINDINGS_2,
-    group_size: [64, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Floor,
-    source: "solver/pbf/correct_positions.compute",
-    hash: "5d1f41e78171b56102e4410b637da93d790ac14a1d8ed06ee8c415724458d06a",
-};
-
-static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_S_CORR_WITH_PACKED: Module = Module {
-    name: "CorrectPositions+NARROW_WALLS+S_CORR+PACKED",
-    entry: "CorrectPositions",
-    stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/correct_positions+narrow_walls+s_corr+packed.spv"),
-    bindings: BINDINGS_3,
-    group_size: [64, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Floor,
-    source: "solver/pbf/correct_positions.compute",
-    hash: "729abd6d8a1c8ced2b361d4ee3d9dd28a40188eeb1e1caf857ec18442be20529",
-};
-
-static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
-    name: "CorrectPositions+NARROW_WALLS+S_CORR+RELAXED_PRECISION",
-    entry: "CorrectPositions",
-    stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/correct_positions+narrow_walls+s_corr+relaxed_precision.spv"),
-    bindings: BINDINGS_2,
-    group_size: [64, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Floor,
-    source: "solver/pbf/correct_positions.compute",
-    hash: "3b554e698f7053b7cf2316ac18158b2df283543efd02969851323937df9047ea",
-};
-
-static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
-    name: "CorrectPositions+NARROW_WALLS+S_CORR+RELAXED_PRECISION+PACKED",
-    entry: "CorrectPositions",
-    stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/correct_positions+narrow_walls+s_corr+relaxed_precision+packed.spv"),
-    bindings: BINDINGS_3,
-    group_size: [64, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Floor,
-    source: "solver/pbf/correct_positions.compute",
-    hash: "3cf07438b5128c66206cdb861ffa155328cc211a9cbdb89cad8aa11d2e129e9f",
-};
-
-static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
-    name: "CorrectPositions+NARROW_WALLS+S_CORR+HALF_PRECISION",
-    entry: "CorrectPositions",
-    stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/correct_positions+narrow_walls+s_corr+half_precision.spv"),
-    bindings: BINDINGS_2,
-    group_size: [64, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Desktop,
-    source: "solver/pbf/correct_positions.compute",
-    hash: "1a91dd1330cc9e29f866285576e274d01273d0b37ad858ce38bc6cc885443180",
-};
-
-static CORRECT_POSITIONS_WITH_NARROW_WALLS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
-    name: "CorrectPositions+NARROW_WALLS+S_CORR+HALF_PRECISION+PACKED",
-    entry: "CorrectPositions",
-    stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/correct_positions+narrow_walls+s_corr+half_precision+packed.spv"),
-    bindings: BINDINGS_3,
-    group_size: [64, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Desktop,
-    source: "solver/pbf/correct_positions.compute",
-    hash: "556e67831ddf87ddb384bfe5f7d530d0d4b58218a04c3ee2eb855741a231f7fe",
+    hash: "a669a24c9a6cd12ee60002169edb6bd9afb9648216d51fd73d4fabfb861a0a7d",
 };

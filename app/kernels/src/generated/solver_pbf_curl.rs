@@ -92,7 +92,7 @@ static BINDINGS_0: &[BindingInfo] = &[
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
     BindingInfo { name: "step_params", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "kernel", slot: 6, kind: BindingKind::Uniform { bytes: 16 } },
+    BindingInfo { name: "kernel", slot: 6, kind: BindingKind::Uniform { bytes: 32 } },
 ];
 
 static CURL: Module = Module {
@@ -105,7 +105,7 @@ static CURL: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/curl.compute",
-    hash: "fb9f70091ac2a4e8a5ec2911ec84e93102619797c380d2968cb478d17eb7636e",
+    hash: "9fac20e652fde076ff1c8ae23a35ff945891b2083156f7d8e77a64a904d0693a",
 };
 
 static CURL_WITH_PACKED: Module = Module {
@@ -118,7 +118,7 @@ static CURL_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/curl.compute",
-    hash: "9b61373678709bdec3d53d13ca15806a9d0628811db2118e1792389cfb25bd42",
+    hash: "198fdb161b28d662cd0e0bb5d057a6510b4e4f56065af2596c6b46adc3d5856b",
 };
 
 static CURL_WITH_RELAXED_PRECISION: Module = Module {
@@ -131,7 +131,7 @@ static CURL_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/curl.compute",
-    hash: "dc2186f750ae87981a6ed9e7c442ec57f239866fe2289a6d8b2243f6946414a3",
+    hash: "9846bb94cd92ae06e4165a832d9c868b4eab4f2a774bac408f1855b808c6fd39",
 };
 
 static CURL_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -144,7 +144,7 @@ static CURL_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/curl.compute",
-    hash: "fcb1a5f98eaed6d4464309219dce398c937ce73d42c3213ec5165933b1623577",
+    hash: "43374b43c96d67ff3fd36c2451f93e2c13762544585cded4a48022ce04612b32",
 };
 
 static CURL_WITH_HALF_PRECISION: Module = Module {
@@ -157,7 +157,7 @@ static CURL_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/curl.compute",
-    hash: "6ed85768dbed71e5eab9b825cd98e632929034bd555e1593aa3b30ba911557e1",
+    hash: "07d3840f24ab5317eeead2452d0be45dfe88c4b3a97d57636f753022acce421f",
 };
 
 static CURL_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -170,5 +170,5 @@ static CURL_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/curl.compute",
-    hash: "69977e6f81be6efbbf5ba4c4e34e3b9f845e99956178e5900f2eb849a1abac82",
+    hash: "44d7944ab9e3715f78b606ba1ab82de41a7892e830c75b1874e0a078e126ed9b",
 };

@@ -94,7 +94,7 @@ static BINDINGS_0: &[BindingInfo] = &[
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
     BindingInfo { name: "step_params", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "kernel", slot: 7, kind: BindingKind::Uniform { bytes: 16 } },
+    BindingInfo { name: "kernel", slot: 7, kind: BindingKind::Uniform { bytes: 32 } },
 ];
 
 static UPDATE_VELOCITY: Module = Module {
@@ -107,7 +107,7 @@ static UPDATE_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "5b4abfb5e6851669df96c73f8f23be33b6baf0dda55cda20ecfb4d674602d026",
+    hash: "15888fb750cf75cb7a2d526930ccde7d1d1af21d684ace95863db09c2a182910",
 };
 
 static UPDATE_VELOCITY_WITH_PACKED: Module = Module {
@@ -120,5 +120,5 @@ static UPDATE_VELOCITY_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "36e6243bbd35be5603c3ba55db38ce4bf27782a3130d15cecca958770ca1af23",
+    hash: "7b2983dfe0d0f661894b6defa565e7e3e2f179ea96375292f3fabcadb010056c",
 };

@@ -96,7 +96,7 @@ static BINDINGS_0: &[BindingInfo] = &[
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
     BindingInfo { name: "step_params", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "kernel", slot: 6, kind: BindingKind::Uniform { bytes: 16 } },
+    BindingInfo { name: "kernel", slot: 6, kind: BindingKind::Uniform { bytes: 32 } },
     BindingInfo { name: "pbf", slot: 7, kind: BindingKind::Uniform { bytes: 32 } },
 ];
 
@@ -110,7 +110,7 @@ static VISCOSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/viscosity.compute",
-    hash: "7133c678d92e68ef8efa4bd9b9c42a638bb12f3b6be34802cbdd625333c67d70",
+    hash: "008bfba9899f83e7b2a970b3727938098e2a1d60c0ef9f762c3ada6081f82809",
 };
 
 static VISCOSITY_WITH_PACKED: Module = Module {
@@ -123,7 +123,7 @@ static VISCOSITY_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/viscosity.compute",
-    hash: "f17c97d650469e843fcfc4503c5dc53b2a278fb809661d71c13d1bbcf66153f0",
+    hash: "988d82b0ef3880abd25b9879821fe2ae2a6c67e91b977dbbf479f0a803586a1b",
 };
 
 static VISCOSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -136,7 +136,7 @@ static VISCOSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/viscosity.compute",
-    hash: "0885f5bd2feba900618ed0dc4fa9a116bc9e6a864facb01322a52690c8423b09",
+    hash: "5903a240e52cd23998fc5cc264df10df734e40571cbabc99d84cda0948c5125f",
 };
 
 static VISCOSITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -149,7 +149,7 @@ static VISCOSITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/viscosity.compute",
-    hash: "69865a9a9a964e1b1915e3e94fc33174cd726fd2163e634505195b8469a0c020",
+    hash: "8cb58116c3166266741fbcfe36e6b337871d62a1dae22e763251ffe01963093f",
 };
 
 static VISCOSITY_WITH_HALF_PRECISION: Module = Module {
@@ -162,7 +162,7 @@ static VISCOSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/viscosity.compute",
-    hash: "f32c4e436aaf1a080a681b4b8887916ffae85d5f08d67f9042bc41d5fb44c142",
+    hash: "7757a3495132b09bff15a09101674115743fb67a9bfd07477aa7ac1d65f87838",
 };
 
 static VISCOSITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -175,5 +175,5 @@ static VISCOSITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/viscosity.compute",
-    hash: "976f2e490646861730f1449de6447362c560a69b458c123cd8c85fedead4996b",
+    hash: "2158c1cfaa906eb482bcc4cfe6b8e1ad6985babcb951190ce197f0660607049c",
 };

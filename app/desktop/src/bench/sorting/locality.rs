@@ -1,7 +1,7 @@
 //! Locality: everything known of a particle moves to cell order, or its index alone.
 
 use brooklet_fluid::{
-    Scene, boundary,
+    Scene,
     grid::{Grid, Neighbours, Scan, Sorted, params},
     kernel,
     solver::pbf::{self, Pbf, Shared},
@@ -63,13 +63,12 @@ impl Way {
     }
 }
 
-fn shared(resources: &mut Resources, scene: &Scene) -> Shared {
+fn shared(resources: &mut Resources) -> Shared {
     Shared {
         step: resources.state("step_params", 1),
         kernel: resources.state("kernel_params", 1),
-        wall_weights: Some(resources.state("wall_weights", boundary::WALL_NODES.pow(3) as u32)),
+        walls: true,
         precision: PrecisionKeyword::Off,
-        narrow: scene.domain.size_m().iter().any(|&size_m| size_m < 2.0 * scene.support_m()),
         counters: resources.state("counters", 1),
     }
 }
@@ -86,15 +85,12 @@ pub fn locality(
     let count = lie.len() as u32;
     let params = params(scene, count);
     let mut resources = Resources::new();
-    let mut shared = shared(&mut resources, scene);
+    let mut shared = shared(&mut resources);
     let mut product = Way::declare(&mut resources, scene, &params);
     let mut by_index = Way::declare(&mut resources, scene, &params);
     let mut init = Recording::new(INIT);
     init.upload(&mut shared.step, &[step_params(scene, count)]);
     init.upload(&mut shared.kernel, &[kernel::params(scene)]);
-    if let Some(weights) = &mut shared.wall_weights {
-        init.upload(weights, &boundary::wall_weights(scene.solver.support_ratio));
-    }
     product.upload(&mut init, scene, &params, in_order);
     by_index.upload(&mut init, scene, &params, lie);
 

@@ -1,7 +1,7 @@
 //! One Jacobi iteration: the density constraint's multipliers, then the corrections they ask for.
 
 use brooklet_gpu::Recording;
-use brooklet_kernels::{Buffer, ConstrainDensity, ConstrainDensityVariant, CorrectPositions, CorrectPositionsVariant};
+use brooklet_kernels::{ConstrainDensity, ConstrainDensityVariant, CorrectPositions, CorrectPositionsVariant};
 
 use super::{Multipliers, Pbf, Shared};
 use crate::grid::{Neighbours, Sorted};
@@ -21,17 +21,16 @@ pub(super) fn constrain_density(
     recording.dispatch(
         &ConstrainDensity {
             variant: ConstrainDensityVariant {
-                walls: shared.walls_keyword(),
+                walls: shared.walls,
                 precision: shared.precision,
                 packed: sorted.packed,
             },
             places: sorted.places.read(),
-            sorted_positions: shared.wall_weights.as_ref().map(|_| sorted.positions.read()),
+            sorted_positions: shared.walls.then(|| sorted.positions.read()),
             neighbours: neighbours.indices.read(),
             neighbour_counts: neighbours.counts.read(),
             constrained,
             packed_constrained,
-            wall_weights: shared.wall_weights.as_ref().map(Buffer::read),
             step_params: shared.step.uniform(),
             kernel: shared.kernel.uniform(),
             pbf: pbf.params.uniform(),
@@ -55,19 +54,18 @@ pub(super) fn correct_positions(
     recording.dispatch(
         &CorrectPositions {
             variant: CorrectPositionsVariant {
-                walls: shared.walls_keyword(),
+                walls: shared.walls,
                 s_corr: pbf.s_corr,
                 precision: shared.precision,
                 packed: sorted.packed,
             },
             constrained,
             packed_constrained,
-            sorted_positions: shared.wall_weights.as_ref().map(|_| sorted.positions.read()),
+            sorted_positions: shared.walls.then(|| sorted.positions.read()),
             neighbours: neighbours.indices.read(),
             neighbour_counts: neighbours.counts.read(),
             places: sorted.places.write(),
             counters: shared.counters.write(),
-            wall_weights: shared.wall_weights.as_ref().map(Buffer::read),
             step_params: shared.step.uniform(),
             kernel: shared.kernel.uniform(),
             pbf: pbf.params.uniform(),

@@ -8,7 +8,6 @@ mod velocity;
 use brooklet_gpu::{Recording, Resources};
 use brooklet_kernels::{
     Buffer, Constrained, Counters, KernelParams, PbfParams, Position, PrecisionKeyword, StepParams, Velocity,
-    WallsKeyword,
 };
 
 use crate::grid::{Neighbours, Sorted};
@@ -22,25 +21,12 @@ pub struct Shared {
     pub step: Buffer<StepParams>,
     /// The smoothing kernel.
     pub kernel: Buffer<KernelParams>,
-    /// The walls' table, if there are walls.
-    pub wall_weights: Option<Buffer<[f32; 4]>>,
+    /// Whether the domain has walls.
+    pub walls: bool,
     /// How what is computed for pairs of particles is rounded.
     pub precision: PrecisionKeyword,
-    /// Whether opposite walls are within reach of one particle.
-    pub narrow: bool,
     /// Events that are counted.
     pub counters: Buffer<Counters>,
-}
-
-impl Shared {
-    /// Which variant of the stages that feel walls the domain needs.
-    pub fn walls_keyword(&self) -> WallsKeyword {
-        match (&self.wall_weights, self.narrow) {
-            (None, _) => WallsKeyword::Off,
-            (Some(_), false) => WallsKeyword::Walls,
-            (Some(_), true) => WallsKeyword::NarrowWalls,
-        }
-    }
 }
 
 /// The solver's settings and buffers.
