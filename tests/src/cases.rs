@@ -6,14 +6,14 @@ use crate::gpu;
 use crate::harness::{Bench, small};
 use brooklet_gpu::Tier;
 use brooklet_kernels::{
-    Buffer, GridParams, KernelParams, LIST_CHUNK, LIST_SLICE, PbfParams, Position, PrecisionKeyword, StepParams,
+    Buffer, GridParams, KernelParams, LIST_CHUNK, ListHead, PbfParams, Position, PrecisionKeyword, StepParams,
     Velocity,
 };
 use brooklet_reference::boundary::walls::{DomainWalls, WallScales};
 use brooklet_reference::grid::list_neighbours::{Neighbours, list_neighbours};
 use brooklet_reference::params::{Pbf, Smoothing, Step};
-use brooklet_reference::shared::lattice;
 use brooklet_reference::shared::place::Places;
+use brooklet_reference::shared::{lattice, list};
 use glam::DVec3;
 use rand::{Rng, RngExt};
 
@@ -32,12 +32,6 @@ pub const LIST_CHUNKS: u32 = SLOTS / LIST_CHUNK;
 pub fn sizes(group: usize) -> Vec<usize> {
     let large = if small() { 333 } else { 2049 };
     vec![0, 1, 2, group - 1, group, group + 1, large]
-}
-
-/// Where neighbour `slot` of particle `i` stands in lists of `chunks` runs: which run, and where in it.
-pub fn list_entry(i: usize, slot: usize, chunks: u32) -> (usize, usize) {
-    let (slice, run) = (LIST_SLICE as usize, LIST_CHUNK as usize);
-    ((i / slice * chunks as usize + slot / run) * slice + i % slice, slot % run)
 }
 
 /// Runs in the lists of `count` particles.
@@ -124,20 +118,10 @@ impl Case {
         self.places(places).into_iter().zip(self.positions_m()).map(near).collect()
     }
 
-    /// The neighbour lists as the GPU has them, and how many each has.
-    pub fn upload_neighbours(&self, bench: &mut Bench) -> (Buffer<[u32; 4]>, Buffer<u32>) {
-        let mut slots = vec![[0; LIST_CHUNK as usize]; list_length(self.count(), LIST_CHUNKS)];
-        let mut counts = Vec::with_capacity(self.count());
-        for (i, list) in self.neighbours.iter().enumerate() {
-            assert!(list.len() <= SLOTS as usize, "{} neighbours", list.len());
-            counts.push(list.len() as u32);
-            let filled = list.len().next_multiple_of(LIST_CHUNK as usize);
-            for slot in 0..filled {
-                let (at, part) = list_entry(i, slot, LIST_CHUNKS);
-                slots[at][part] = list.get(slot).map_or(i, |&j| j) as u32;
-            }
-        }
-        (bench.input("neighbours", &slots), bench.input("neighbour_counts", &counts))
+    /// The neighbour lists as the GPU has them, and where each begins.
+    pub fn upload_neighbours(&self, bench: &mut Bench) -> (Buffer<[u32; 2]>, Buffer<ListHead>) {
+        let (lists, heads) = list::encoded(&self.neighbours, LIST_CHUNKS);
+        (bench.input("neighbours", &lists), bench.input("list_heads", &heads))
     }
 
     /// Settings of a substep.

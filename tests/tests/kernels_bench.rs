@@ -1,20 +1,27 @@
 //! The kernels that only `brooklet bench` runs, against the twins of those they are held against.
 
 use brooklet_kernels::{
-    CellSlot, CopyElements, CountCellsAggregated, Counters, GridParams, Kernel, ListNeighboursByIndex, Position,
-    QUARANTINED, ReorderIndex, SCAN_ITEMS, ScanGroupsTree, ScanGroupsTreeVariant, ScanStep,
+    CellSlot, ConstrainDensityByIndex, Constrained, CopyElements, CountCellsAggregated, GridParams, Kernel, LIST_CHUNK,
+    ListNeighboursByIndex, Position, QUARANTINED, ReorderIndex, SCAN_ITEMS, ScanGroupsTree, ScanGroupsTreeVariant,
+    ScanStep,
 };
 use brooklet_reference::grid::count_cells::cell_of;
 use brooklet_reference::grid::list_neighbours::{check_list, list_neighbours};
 use brooklet_reference::grid::reorder::{self as twin, reorder};
 use brooklet_reference::grid::scan;
 use brooklet_reference::params::Grid;
+use brooklet_reference::shared::list;
 use brooklet_reference::shared::place::Places;
-use brooklet_tests::cases::{SUPPORT_M, fluid, grid_params, list_entry, list_length, sizes, vectors};
-use brooklet_tests::compare::{check_counted, check_exact, report_exact, vector};
+use brooklet_reference::solver::pbf::constrain_density::constrain_density;
+use brooklet_tests::cases::{
+    LIST_CHUNKS, SUPPORT_M, fluid, grid_params, kernel_params, list_length, pbf_of, pbf_params, sizes, smoothing_of,
+    vectors,
+};
+use brooklet_tests::compare::{ROUNDING, Worst, check_counted, check_exact, report_exact, vector};
 use brooklet_tests::harness::Bench;
 use brooklet_tests::rng;
 use glam::DVec3;
+use rand::seq::SliceRandom;
 use rand::{Rng, RngExt};
 
 #[test]
@@ -162,9 +169,8 @@ fn check_list_by_index(positions: &[Position], size_m: DVec3) -> Result<usize, S
     let places = bench.input("places", &places);
     let cell_starts = bench.input("cell_starts", &starts);
     let sorted_indices = bench.input("sorted_indices", &indices);
-    let mut neighbours = bench.output("neighbours", length);
-    let mut counts = bench.output("neighbour_counts", count);
-    let mut counters = bench.input("counters", &[Counters::default()]);
+    let mut listed_indices = bench.output("listed_indices", length);
+    let mut counts = bench.output("listed_counts", count);
     let params = bench.uniform("grid", grid);
     bench.dispatch(
         &ListNeighboursByIndex {
@@ -172,15 +178,14 @@ fn check_list_by_index(positions: &[Position], size_m: DVec3) -> Result<usize, S
             places: places.read(),
             cell_starts: cell_starts.read(),
             sorted_indices: sorted_indices.read(),
-            neighbours: neighbours.write(),
-            neighbour_counts: counts.write(),
-            counters: counters.write(),
+            listed_indices: listed_indices.write(),
+            listed_counts: counts.write(),
             grid: params.uniform(),
         },
         count,
     );
     let mut done = bench.run();
-    let neighbours: Vec<[u32; 4]> = done.read(&neighbours, length);
+    let neighbours: Vec<[u32; 4]> = done.read(&listed_indices, length);
     let counts = done.read(&counts, count);
     let positions_m = vectors(positions);
     let expected = list_neighbours(&positions_m, |i| cells[i] == grid.cell_count, SUPPORT_M);
@@ -190,14 +195,13 @@ fn check_list_by_index(positions: &[Position], size_m: DVec3) -> Result<usize, S
     for (i, expected) in expected.iter().enumerate() {
         let found: Vec<usize> = (0..counts[i] as usize)
             .map(|slot| {
-                let (at, part) = list_entry(i, slot, grid.list_chunks);
+                let (at, part) = list::place(i, slot, grid.list_chunks);
                 neighbours[at][part] as usize
             })
             .collect();
         check_list(i, &found, expected, &positions_m, SUPPORT_M, doubt_m)?;
         listed += found.len();
     }
-    check_exact(&[done.read(&counters, 1)[0].neighbour_overflow], &[0])?;
     Ok(listed)
 }
 
@@ -217,6 +221,59 @@ fn list_neighbours_by_index_matches_brute_force() {
         listed += check_list_by_index(&positions, size_m).unwrap();
     }
     report_exact("list_neighbours_by_index (but for distances within the steps of places of h)", listed);
+}
+
+#[test]
+fn constrain_density_by_index_matches_the_twin_of_constrain_density() {
+    // The rounding of `constrain_density`: see `kernels_solver`.
+    let mut worst = Worst::new(ConstrainDensityByIndex::STAGE, 64.0 * ROUNDING);
+    let (smoothing, pbf) = (smoothing_of(&kernel_params()), pbf_of(&pbf_params()));
+    let mut rng = rng(67);
+    let mut compressed = 0;
+    for size in sizes(ConstrainDensityByIndex::GROUP_SIZE[0] as usize) {
+        let case = fluid(&mut rng, size);
+        let mut indices = vec![[0_u32; 4]; list_length(size, LIST_CHUNKS)];
+        for (i, neighbours) in case.neighbours.iter().enumerate() {
+            // In no order, as they are found.
+            let mut shuffled = neighbours.clone();
+            shuffled.shuffle(&mut rng);
+            for slot in 0..neighbours.len().next_multiple_of(LIST_CHUNK as usize) {
+                let (at, part) = list::place(i, slot, LIST_CHUNKS);
+                indices[at][part] = shuffled.get(slot).map_or(i, |&j| j) as u32;
+            }
+        }
+        let counts: Vec<u32> = case.neighbours.iter().map(|list| list.len() as u32).collect();
+        let mut bench = Bench::new();
+        let start = case.places(Places::Full);
+        let places = bench.input("places", &start);
+        let listed_indices = bench.input("listed_indices", &indices);
+        let listed_counts = bench.input("listed_counts", &counts);
+        let mut constrained = bench.output::<Constrained>("constrained", size);
+        let step_params = bench.uniform("step_params", case.step_params());
+        let kernel = bench.uniform("kernel", kernel_params());
+        let pbf_params = bench.uniform("pbf", pbf_params());
+        bench.dispatch(
+            &ConstrainDensityByIndex {
+                places: places.read(),
+                listed_indices: listed_indices.read(),
+                listed_counts: listed_counts.read(),
+                constrained: constrained.write(),
+                step_params: step_params.uniform(),
+                kernel: kernel.uniform(),
+                pbf: pbf_params.uniform(),
+            },
+            size,
+        );
+        let placed_m = case.placed_m(Places::Full);
+        for (i, got) in bench.run().read(&constrained, size).iter().enumerate() {
+            let expected = constrain_density(i, &placed_m, &case.neighbours[i], &smoothing, &pbf, None);
+            compressed += usize::from(expected.lambda < 0.0);
+            assert_eq!(got.place, start[i]);
+            worst.check(got.lambda, expected.lambda, (1.0 + expected.constraint) / expected.denominator).unwrap();
+        }
+    }
+    assert!(compressed > 100, "{compressed}");
+    worst.report();
 }
 
 fn numbers(rng: &mut impl Rng, count: usize) -> Vec<u32> {

@@ -3,8 +3,8 @@
 
 use brooklet_fluid::boundary;
 use brooklet_kernels::{
-    Constrained, CorrectPositions, CorrectPositionsVariant, Counters, MeasureParticles, MeasureParticlesVariant,
-    MeasureSums, PbfParams, Position, StepParams, Velocity,
+    Constrained, CorrectPositions, CorrectPositionsVariant, Counters, ListHead, MeasureParticles,
+    MeasureParticlesVariant, MeasureSums, PbfParams, Position, StepParams, Velocity,
 };
 use brooklet_reference::boundary::walls::{WallDensity, WallScales, beyond_wall};
 use brooklet_reference::shared::place::Places;
@@ -71,8 +71,8 @@ fn densities(places: &[Position], size_m: DVec3) -> Vec<f64> {
     let kernel = bench.uniform("kernel", kernel_params());
     let step_params = bench.uniform("step_params", params(size_m, 1));
     let velocities = bench.input("velocities", &[Velocity::default()]);
-    let neighbours = bench.input("neighbours", &[[0_u32; 4]]);
-    let neighbour_counts = bench.input("neighbour_counts", &[0_u32]);
+    let neighbours = bench.input("neighbours", &[[0_u32; 2]]);
+    let list_heads = bench.input("list_heads", &[ListHead::default()]);
     let mut measures = Vec::new();
     for place in places {
         let positions = bench.input("positions", &[*place]);
@@ -84,7 +84,7 @@ fn densities(places: &[Position], size_m: DVec3) -> Vec<f64> {
                 positions: positions.read(),
                 velocities: velocities.read(),
                 neighbours: neighbours.read(),
-                neighbour_counts: neighbour_counts.read(),
+                list_heads: list_heads.read(),
                 group_measures: group_measures.write(),
                 histograms: histograms.write(),
                 step_params: step_params.uniform(),
@@ -122,8 +122,8 @@ fn gradients(places: &[Position], size_m: DVec3) -> Vec<DVec3> {
     let mut bench = Bench::new();
     let input = bench.input("constrained", &constrained);
     let positions = bench.input("sorted_positions", places);
-    let neighbours = bench.input("neighbours", &vec![[0_u32; 4]; count]);
-    let neighbour_counts = bench.input("neighbour_counts", &vec![0_u32; count]);
+    let neighbours = bench.input("neighbours", &vec![[0_u32; 2]; count]);
+    let list_heads = bench.input("list_heads", &vec![ListHead::default(); count]);
     let mut after = bench.output::<[u32; 2]>("places", count);
     let mut counters = bench.input("counters", &[Counters::default()]);
     let step_params = bench.uniform("step_params", params(size_m, count));
@@ -136,7 +136,7 @@ fn gradients(places: &[Position], size_m: DVec3) -> Vec<DVec3> {
             packed_constrained: None,
             sorted_positions: Some(positions.read()),
             neighbours: neighbours.read(),
-            neighbour_counts: neighbour_counts.read(),
+            list_heads: list_heads.read(),
             places: after.write(),
             counters: counters.write(),
             step_params: step_params.uniform(),

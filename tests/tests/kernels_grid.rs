@@ -1,15 +1,17 @@
 //! `grid/` against its twins: the counting sort, the neighbour list.
 
+use brooklet_fluid::grid::listed;
 use brooklet_kernels::{
-    CellSlot, CountCells, Counters, GROUPS_A_ROW, GridParams, Kernel, LIST_CHUNK, ListMembers, ListNeighbours,
-    ListNeighboursVariant, Position, RankMembers, Reorder, ReorderVariant, Velocity,
+    CellSlot, CountCells, Counters, GROUPS_A_ROW, GridParams, Kernel, LIST_CHUNK, LIST_NOBODY, ListHead, ListMembers,
+    ListNeighbours, ListNeighboursVariant, Position, RankMembers, Reorder, ReorderVariant, Velocity,
 };
-use brooklet_reference::grid::list_neighbours::{check_list, list_neighbours};
+use brooklet_reference::grid::list_neighbours::{Neighbours, check_list, list_neighbours};
 use brooklet_reference::grid::rank_members::rank_members;
 use brooklet_reference::grid::reorder::{places, reorder};
 use brooklet_reference::grid::scan;
+use brooklet_reference::shared::list;
 use brooklet_reference::shared::place::Places;
-use brooklet_tests::cases::{SLOTS, SUPPORT_M, fluid, grid_params, list_entry, list_length, sizes, vectors};
+use brooklet_tests::cases::{SLOTS, SUPPORT_M, fluid, grid_params, list_length, sizes, vectors};
 use brooklet_tests::compare::{check_counted, check_exact, report_exact, vector};
 use brooklet_tests::harness::{Bench, few_cases, small};
 use brooklet_tests::rng;
@@ -277,16 +279,37 @@ fn sort_is_a_permutation_in_order_of_cells() {
         .unwrap();
 }
 
-/// Lists the neighbours of sorted particles and compares with brute force; returns how many were
-/// listed and how many had no slot.
-fn check_neighbours(sorted: &Sorted, starts: &[u32], grid: GridParams, packed: bool) -> Result<(usize, u32), String> {
+/// What a listing came to.
+struct Listing {
+    neighbours: usize,
+    /// Gaps that took an entry of their own.
+    wide_gaps: usize,
+    /// Neighbours without a slot.
+    overflow: u32,
+}
+
+/// Lists the neighbours of sorted particles and compares with brute force.
+fn check_neighbours(sorted: &Sorted, starts: &[u32], grid: GridParams, packed: bool) -> Result<Listing, String> {
+    let first_outside = starts[grid.cell_count as usize] as usize;
+    let support_m = f64::from(grid.support_m);
+    let expected = list_neighbours(&vectors(&sorted.positions), |i| i >= first_outside, support_m);
+    check_lists(sorted, starts, grid, packed, &expected)
+}
+
+fn check_lists(
+    sorted: &Sorted,
+    starts: &[u32],
+    grid: GridParams,
+    packed: bool,
+    expected: &Neighbours,
+) -> Result<Listing, String> {
     let count = sorted.positions.len();
     let mut bench = Bench::new();
     let positions = bench.input("sorted_positions", &sorted.positions);
     let places = bench.input("places", &sorted.places);
     let starts_buffer = bench.input("cell_starts", starts);
     let mut neighbours = bench.output("neighbours", list_length(count, grid.list_chunks));
-    let mut counts = bench.output("neighbour_counts", count);
+    let mut heads = bench.output("list_heads", count);
     let mut counters = bench.input("counters", &[Counters::default()]);
     let params = bench.uniform("grid", grid);
     bench.dispatch(
@@ -296,40 +319,42 @@ fn check_neighbours(sorted: &Sorted, starts: &[u32], grid: GridParams, packed: b
             sorted_positions: positions.read(),
             cell_starts: starts_buffer.read(),
             neighbours: neighbours.write(),
-            neighbour_counts: counts.write(),
+            list_heads: heads.write(),
             counters: counters.write(),
             grid: params.uniform(),
         },
         count,
     );
     let mut done = bench.run();
-    let neighbours = done.read(&neighbours, list_length(count, grid.list_chunks));
-    let counts = done.read(&counts, count);
+    let neighbours: Vec<[u32; 2]> = done.read(&neighbours, list_length(count, grid.list_chunks));
+    let heads: Vec<ListHead> = done.read(&heads, count);
     let overflow = done.read(&counters, 1)[0].neighbour_overflow;
 
-    let first_outside = starts[grid.cell_count as usize] as usize;
     let positions_m = vectors(&sorted.positions);
     let support_m = f64::from(grid.support_m);
-    let expected = list_neighbours(&positions_m, |i| i >= first_outside, support_m);
     let slots = grid.list_chunks * LIST_CHUNK;
-    let entry = |i: usize, slot: usize| {
-        let (at, part) = list_entry(i, slot, grid.list_chunks);
-        neighbours[at][part] as usize
-    };
+    let entry = |i: usize, slot: usize| list::entry(i, slot, &neighbours, grid.list_chunks);
     // A distance rounds to steps of the two places, and its square in the seventh digit.
     let places = if packed { Places::Packed } else { Places::Full };
     let doubt_m = (2.0 * places.step() + 1e-6) * support_m;
-    let (mut listed, mut missing) = (0, 0);
+    let (mut all, mut wide_gaps, mut missing) = (0, 0, 0);
     for i in 0..count {
-        let found: Vec<usize> = (0..counts[i] as usize).map(|slot| entry(i, slot)).collect();
-        for slot in found.len()..found.len().next_multiple_of(LIST_CHUNK as usize) {
-            check_exact(&[entry(i, slot) as u32], &[i as u32])?;
+        let ListHead { entries, first } = heads[i];
+        let gaps: Vec<u32> = (0..entries as usize).map(|slot| entry(i, slot)).collect();
+        for slot in gaps.len()..gaps.len().next_multiple_of(LIST_CHUNK as usize) {
+            check_exact(&[entry(i, slot)], &[LIST_NOBODY])?;
         }
-        listed += found.len();
+        let found = list::followed(first, &gaps);
+        let host: Vec<usize> = listed(i as u32, heads[i], &neighbours, grid.list_chunks).map(|j| j as usize).collect();
+        if host != found {
+            return Err(format!("particle {i}: the host reads {host:?}, the twin {found:?}"));
+        }
+        all += found.len();
+        wide_gaps += gaps.len() - found.len();
         if expected[i].len() > slots as usize {
             // Some are missing, which the counter owns up to; those listed are right.
-            missing += expected[i].len() as u32 - slots;
-            check_exact(&[counts[i]], &[slots])?;
+            missing += (expected[i].len() - found.len()) as u32;
+            check_exact(&[entries], &[slots])?;
             if let Some(j) = found.iter().find(|&&j| expected[i].binary_search(&j).is_err()) {
                 return Err(format!("particle {i} lists {j}, which is no neighbour"));
             }
@@ -338,7 +363,7 @@ fn check_neighbours(sorted: &Sorted, starts: &[u32], grid: GridParams, packed: b
         }
     }
     check_exact(&[overflow], &[missing])?;
-    Ok((listed, overflow))
+    Ok(Listing { neighbours: all, wide_gaps, overflow })
 }
 
 #[test]
@@ -349,16 +374,17 @@ fn list_neighbours_matches_brute_force() {
         let case = fluid(&mut rng, size);
         let grid = grid_params(case.size_m, SUPPORT_M / 2.0, size);
         let (sorted, starts) = sort(&case.positions, &case.velocities, grid, false);
-        listed += check_neighbours(&sorted, &starts, grid, false).unwrap().0;
+        listed += check_neighbours(&sorted, &starts, grid, false).unwrap().neighbours;
         let (sorted, starts) = sort(&case.positions, &case.velocities, grid, true);
-        listed += check_neighbours(&sorted, &starts, grid, true).unwrap().0;
+        listed += check_neighbours(&sorted, &starts, grid, true).unwrap().neighbours;
 
         // Sparse, with some outside and quarantined, in a domain of few cells along one axis.
         let size_m = DVec3::new(0.6, 0.05, 0.13);
         let positions = scattered(&mut rng, size, size_m);
         let grid = grid_params(size_m, SUPPORT_M / 2.0, size);
         let (sorted, starts) = sort(&positions, &case.velocities, grid, false);
-        listed += check_neighbours(&sorted, &starts, GridParams { list_chunks: 512, ..grid }, false).unwrap().0;
+        listed +=
+            check_neighbours(&sorted, &starts, GridParams { list_chunks: 512, ..grid }, false).unwrap().neighbours;
     }
     report_exact("list_neighbours (but for distances within two steps of h)", listed);
 }
@@ -368,7 +394,7 @@ fn neighbours_without_a_slot_are_counted() {
     let case = fluid(&mut rng(26), 300);
     let grid = GridParams { list_chunks: 5, ..grid_params(case.size_m, SUPPORT_M / 2.0, 300) };
     let (sorted, starts) = sort(&case.positions, &case.velocities, grid, false);
-    let (_, overflow) = check_neighbours(&sorted, &starts, grid, false).unwrap();
+    let overflow = check_neighbours(&sorted, &starts, grid, false).unwrap().overflow;
     assert!(overflow > 0, "the case was meant to overflow");
 
     // All at one point: each sees all others.
@@ -376,8 +402,52 @@ fn neighbours_without_a_slot_are_counted() {
     let velocities = vec![Velocity::default(); 130];
     let grid = grid_params(DVec3::splat(0.2), SUPPORT_M / 2.0, 130);
     let (sorted, starts) = sort(&positions, &velocities, grid, false);
-    let (_, overflow) = check_neighbours(&sorted, &starts, grid, false).unwrap();
+    let overflow = check_neighbours(&sorted, &starts, grid, false).unwrap().overflow;
     assert_eq!(overflow, 130 * (129 - SLOTS));
+}
+
+#[test]
+fn lists_reach_over_wide_gaps() {
+    // A layer of particles that see nobody, and a few above it: between one of those and what is below
+    // lie so many sorted particles that the gap does not fit its 16 bits, once or twice over.
+    const SIDE: usize = 400;
+    let mut rng = rng(27);
+    let size_m = DVec3::new(SIDE as f64, SIDE as f64, 2.0) * 1.01 * SUPPORT_M;
+    let apart_m = 1.01 * SUPPORT_M;
+    let mut positions: Vec<Position> = (0..SIDE * SIDE)
+        .map(|i| DVec3::new((i % SIDE) as f64 + 0.5, (i / SIDE) as f64 + 0.5, 0.4) * apart_m)
+        .chain((0..300).map(|_| {
+            let at = DVec3::new(rng.random(), rng.random(), 0.0) * size_m;
+            at.with_z((0.9 + 0.4 * rng.random::<f64>()) * apart_m)
+        }))
+        .enumerate()
+        .map(|(i, at)| Position { position_m: at.to_array().map(|x| x as f32), tag: i as u32 })
+        .collect();
+    let last = positions.len() - 1;
+    positions.swap(0, last);
+    let velocities = vec![Velocity::default(); positions.len()];
+    let grid = grid_params(size_m, SUPPORT_M / 2.0, positions.len());
+    let (sorted, starts) = sort(&positions, &velocities, grid, false);
+    // Only pairs with one of the few can be near.
+    let at_m = vectors(&sorted.positions);
+    let mut expected = vec![Vec::new(); at_m.len()];
+    let few = |i: usize| sorted.positions[i].tag >= (SIDE * SIDE) as u32;
+    for i in (0..at_m.len()).filter(|&i| few(i)) {
+        for j in (0..at_m.len()).filter(|&j| j != i && (at_m[i] - at_m[j]).length() < SUPPORT_M) {
+            expected[i].push(j);
+            if !few(j) {
+                expected[j].push(i);
+            }
+        }
+    }
+    expected.iter_mut().for_each(|list| list.sort_unstable());
+    let listing = check_lists(&sorted, &starts, grid, false, &expected).unwrap();
+    assert!(listing.neighbours > 300 && listing.wide_gaps > 300, "{} gaps", listing.wide_gaps);
+    report_exact("list_neighbours over wide gaps", listing.wide_gaps);
+    // A list that skips a wide gap is found out.
+    expected[at_m.len() - 1].push(0);
+    expected[at_m.len() - 1].sort_unstable();
+    assert!(check_lists(&sorted, &starts, grid, false, &expected).is_err());
 }
 
 #[test]

@@ -27,7 +27,7 @@ fn run_particles(case: &Case, params: StepParams, walls: Around) -> (Vec<Measure
     let mut bench = Bench::new();
     let positions = bench.input("positions", &case.positions);
     let velocities = bench.input("velocities", &case.velocities);
-    let (neighbours, neighbour_counts) = case.upload_neighbours(&mut bench);
+    let (neighbours, list_heads) = case.upload_neighbours(&mut bench);
     let mut group_measures = bench.output("group_measures", groups);
     let mut histograms = bench.output("histograms", 2 * BINS);
     let step_params = bench.uniform("step_params", params);
@@ -38,7 +38,7 @@ fn run_particles(case: &Case, params: StepParams, walls: Around) -> (Vec<Measure
             positions: positions.read(),
             velocities: velocities.read(),
             neighbours: neighbours.read(),
-            neighbour_counts: neighbour_counts.read(),
+            list_heads: list_heads.read(),
             group_measures: group_measures.write(),
             histograms: histograms.write(),
             step_params: step_params.uniform(),

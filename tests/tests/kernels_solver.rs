@@ -74,7 +74,7 @@ fn run_constrain(case: &Case, pbf: PbfParams, walls: Around, pairs: Pairs) -> Ve
     let start = case.places(pairs.places);
     let places = bench.input("places", &start);
     let sorted_positions = bench.input("sorted_positions", &case.positions);
-    let (neighbours, neighbour_counts) = case.upload_neighbours(&mut bench);
+    let (neighbours, list_heads) = case.upload_neighbours(&mut bench);
     let mut constrained = bench.output("constrained", case.count());
     let mut packed_constrained = bench.output("packed_constrained", case.count());
     let step_params = bench.uniform("step_params", case.step_params());
@@ -90,7 +90,7 @@ fn run_constrain(case: &Case, pbf: PbfParams, walls: Around, pairs: Pairs) -> Ve
             places: places.read(),
             sorted_positions: walls.has_walls().then(|| sorted_positions.read()),
             neighbours: neighbours.read(),
-            neighbour_counts: neighbour_counts.read(),
+            list_heads: list_heads.read(),
             constrained: (!pairs.packed()).then(|| constrained.write()),
             packed_constrained: pairs.packed().then(|| packed_constrained.write()),
             step_params: step_params.uniform(),
@@ -176,7 +176,7 @@ fn run_correct(case: &Case, lambdas: &[f32], pbf: PbfParams, walls: Around, s_co
     let constrained = bench.input("constrained", &full);
     let packed_constrained = bench.input("packed_constrained", &packed);
     let sorted_positions = bench.input("sorted_positions", &case.positions);
-    let (neighbours, neighbour_counts) = case.upload_neighbours(&mut bench);
+    let (neighbours, list_heads) = case.upload_neighbours(&mut bench);
     let mut places = bench.output("places", case.count());
     let mut counters = bench.input("counters", &[Counters::default()]);
     let step_params = bench.uniform("step_params", case.step_params());
@@ -194,7 +194,7 @@ fn run_correct(case: &Case, lambdas: &[f32], pbf: PbfParams, walls: Around, s_co
             packed_constrained: pairs.packed().then(|| packed_constrained.read()),
             sorted_positions: walls.has_walls().then(|| sorted_positions.read()),
             neighbours: neighbours.read(),
-            neighbour_counts: neighbour_counts.read(),
+            list_heads: list_heads.read(),
             places: places.write(),
             counters: counters.write(),
             step_params: step_params.uniform(),

@@ -40,7 +40,7 @@ fn viscosity_matches_its_twin() {
             let mut bench = Bench::new();
             let place_buffer = bench.input("places", &case.places(places));
             let velocities = bench.input("velocities", &case.velocities);
-            let (neighbours, neighbour_counts) = case.upload_neighbours(&mut bench);
+            let (neighbours, list_heads) = case.upload_neighbours(&mut bench);
             let mut smoothed = bench.output("smoothed_velocities", size);
             let step_params = bench.uniform("step_params", case.step_params());
             let kernel = bench.uniform("kernel", kernel_params());
@@ -51,7 +51,7 @@ fn viscosity_matches_its_twin() {
                     places: place_buffer.read(),
                     velocities: velocities.read(),
                     neighbours: neighbours.read(),
-                    neighbour_counts: neighbour_counts.read(),
+                    list_heads: list_heads.read(),
                     smoothed_velocities: smoothed.write(),
                     step_params: step_params.uniform(),
                     kernel: kernel.uniform(),
@@ -82,7 +82,7 @@ fn curl_matches_its_twin() {
             let mut bench = Bench::new();
             let place_buffer = bench.input("places", &case.places(places));
             let velocities = bench.input("velocities", &case.velocities);
-            let (neighbours, neighbour_counts) = case.upload_neighbours(&mut bench);
+            let (neighbours, list_heads) = case.upload_neighbours(&mut bench);
             let mut vorticities = bench.output("vorticities", size);
             let step_params = bench.uniform("step_params", case.step_params());
             let kernel = bench.uniform("kernel", kernel_params());
@@ -92,7 +92,7 @@ fn curl_matches_its_twin() {
                     places: place_buffer.read(),
                     velocities: velocities.read(),
                     neighbours: neighbours.read(),
-                    neighbour_counts: neighbour_counts.read(),
+                    list_heads: list_heads.read(),
                     vorticities: vorticities.write(),
                     step_params: step_params.uniform(),
                     kernel: kernel.uniform(),
@@ -138,7 +138,7 @@ fn confine_vorticity_matches_its_twin() {
             let mut bench = Bench::new();
             let place_buffer = bench.input("places", &case.places(places));
             let vorticities = bench.input("vorticities", &swirls);
-            let (neighbours, neighbour_counts) = case.upload_neighbours(&mut bench);
+            let (neighbours, list_heads) = case.upload_neighbours(&mut bench);
             let mut velocities = bench.input("velocities", &case.velocities);
             let step_params = bench.uniform("step_params", case.step_params());
             let pbf_buffer = bench.uniform("pbf", pbf_params());
@@ -148,7 +148,7 @@ fn confine_vorticity_matches_its_twin() {
                     places: place_buffer.read(),
                     vorticities: vorticities.read(),
                     neighbours: neighbours.read(),
-                    neighbour_counts: neighbour_counts.read(),
+                    list_heads: list_heads.read(),
                     velocities: velocities.write(),
                     step_params: step_params.uniform(),
                     pbf: pbf_buffer.uniform(),

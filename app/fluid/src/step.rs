@@ -75,7 +75,7 @@ pub fn record_count(resources: &mut Resources, scene: &Scene, particle_count: u3
     init.upload(&mut shared.kernel, &[kernel::params(scene)]);
     init.upload(&mut pbf.params, &[pbf::params(scene)]);
     init.clear(&mut shared.counters);
-    init.clear(&mut neighbours.counts);
+    init.clear(&mut neighbours.heads);
 
     let mut step = Recording::new(STEP);
     for _ in 0..scene.solver.substeps {

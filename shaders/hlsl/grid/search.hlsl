@@ -1,20 +1,10 @@
-// Lists the particles within h of one, for the kernels that say what a sorted place holds: they
-// define CandidateAt before they include this.
+// Finds the particles within h of one, for the kernels that say what a sorted place holds and how a
+// list is written: they define `Found`, CandidateAt, BeginRow and Add before they include this.
 // Rows of cells along x are cut to the chord of the support sphere and are one range of sorted
 // places each, so about half as many candidates are looked at as in the 27 cells of width h of the
 // mobile deck.
 #ifndef BROOKLET_SEARCH
 #define BROOKLET_SEARCH
-
-#include "../shared/layout.hlsl"
-#include "../shared/list.hlsl"
-#include "../shared/place.hlsl"
-
-StructuredBuffer<uint2> places;
-StructuredBuffer<uint> cell_starts;
-RWStructuredBuffer<uint4> neighbours;
-RWStructuredBuffer<uint> neighbour_counts;
-RWStructuredBuffer<Counters> counters;
 
 // Distance from x to the cell [cell, cell + 1) along one axis, in metres; 0 inside it.
 float DistanceToCell(float x_m, int cell)
@@ -23,8 +13,8 @@ float DistanceToCell(float x_m, int cell)
     return max(max(low_m - x_m, x_m - (low_m + grid.cell_size_m)), 0.0);
 }
 
-// The list of particle i, which is at here_m, in some cell.
-void Search(uint i, float3 here_m)
+// Visits everything near particle i, which is at here_m, in some cell, in sorted order.
+void Search(uint i, float3 here_m, inout Found found)
 {
     // The search reaches a hair beyond h, so that rounding of a cell's edge loses nobody; the
     // distance itself decides.
@@ -35,9 +25,6 @@ void Search(uint i, float3 here_m)
     int3 high = clamp(int3(floor((here_m + reach_m) * grid.inverse_cell_size_per_m)), 0, last_cell);
 
     uint3 here = Coordinates(places[i]);
-    uint first = FirstChunk(i, grid.list_chunks);
-    uint slots = grid.list_chunks * LIST_CHUNK;
-    uint found = 0;
     for (int z = low.z; z <= high.z; ++z)
     {
         float dz_m = DistanceToCell(here_m.z, z);
@@ -51,29 +38,16 @@ void Search(uint i, float3 here_m)
             int first_x = max(int(floor((here_m.x - chord_m) * grid.inverse_cell_size_per_m)), 0);
             int last_x = min(int(floor((here_m.x + chord_m) * grid.inverse_cell_size_per_m)), last_cell.x);
             uint row = (uint(z) * grid.cells.y + uint(y)) * grid.cells.x;
+            uint start = cell_starts[row + uint(first_x)];
             uint end = cell_starts[row + uint(last_x) + 1];
-            for (uint sorted = cell_starts[row + uint(first_x)]; sorted < end; ++sorted)
+            BeginRow(found, start);
+            for (uint sorted = start; sorted < end; ++sorted)
             {
                 uint j = CandidateAt(sorted);
                 float3 apart = Apart(here, Coordinates(places[j]));
-                if (dot(apart, apart) < 1.0 && j != i)
-                {
-                    if (found < slots)
-                        neighbours[first + found / LIST_CHUNK * LIST_SLICE][found % LIST_CHUNK] = j;
-                    ++found;
-                }
+                Add(found, sorted, j, dot(apart, apart) < 1.0 && j != i);
             }
         }
-    }
-
-    uint listed = min(found, slots);
-    neighbour_counts[i] = listed;
-    for (uint rest = listed; rest % LIST_CHUNK != 0; ++rest)
-        neighbours[first + rest / LIST_CHUNK * LIST_SLICE][rest % LIST_CHUNK] = i;
-    if (found > slots)
-    {
-        uint before;
-        InterlockedAdd(counters[0].neighbour_overflow, found - slots, before);
     }
 }
 

@@ -10,8 +10,11 @@ static const uint GROUPS_A_ROW = 32768;
 static const uint SCAN_ITEMS = 16;
 // Particles whose neighbour lists lie interleaved: a group.
 static const uint LIST_SLICE = 64;
-// Neighbours of a particle that lie side by side: one 16-byte load.
+// Neighbours of a particle that lie side by side: one 8-byte load.
 static const uint LIST_CHUNK = 4;
+// A neighbour's gap that stands for nobody, and moves on by the widest gap there is.
+static const uint LIST_NOBODY = 0;
+static const uint LIST_WIDEST_GAP = 65535;
 // Bins of a histogram, 32 to an octave.
 static const uint HISTOGRAM_BINS = 512;
 // The bit of Position::tag that parks a particle whose state is not finite.
@@ -52,6 +55,13 @@ struct CellSlot
 {
     uint cell;
     uint rank;
+};
+
+// How a particle's neighbour list begins (shared/list.hlsl).
+struct ListHead
+{
+    uint entries;   // neighbours, and gaps too wide for one
+    uint first;     // sorted index that the first neighbour's gap is counted from, plus 1
 };
 
 // One substep.

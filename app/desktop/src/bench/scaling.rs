@@ -126,7 +126,7 @@ impl Bencher<'_> {
     fn row(&mut self, load: Load, edge: u32, share_s: f64) -> Result<(Row, f64), Failure> {
         let begun = Instant::now();
         let scene = load.scene(edge, &self.options.settings)?;
-        let Planned { plan, particles, measure, neighbour_counts } = workload::plan(&scene)?;
+        let Planned { plan, particles, measure, list_heads } = workload::plan(&scene)?;
         let mut engine = fit::engine(self.gpu, &scene, particles, plan)?;
         engine.run(&[INIT], &[]).map_err(Failure::stopped)?;
         engine.finish().map_err(Failure::stopped)?;
@@ -142,8 +142,10 @@ impl Bencher<'_> {
         let steps = ((left_s / step_s) as u64).clamp(MIN_STEPS, MAX_STEPS);
         stepping.run(steps, &mut timings, || ())?;
 
-        let neighbours = match neighbour_counts {
-            Some(counts) => engine.read(&counts).map_err(Failure::stopped)?.into_iter().map(u64::from).sum(),
+        let neighbours = match list_heads {
+            Some(heads) => {
+                engine.read(&heads).map_err(Failure::stopped)?.iter().map(|head| u64::from(head.entries)).sum()
+            }
             None => 0,
         };
         let row = self.shape(&scene, load, &engine, &timings, neighbours, steps, particles)?;

@@ -25,13 +25,12 @@ const GATHERS: &[(&str, &[&str])] = &[
     ("confine_vorticity", &["places", "vorticities"]),
     ("viscosity", &["places", "velocities"]),
     ("measure_particles", &["positions"]),
-    ("list_neighbours_by_index", &["places"]),
 ];
 
 /// Name of the binding that is the neighbour list.
 const LIST: &str = "neighbours";
 /// Bytes of a neighbour in the list.
-const LISTED_BYTES: u64 = 4;
+const LISTED_BYTES: u64 = 2;
 
 /// Bytes that a stage moves in one run of its recording.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
@@ -90,8 +89,8 @@ mod tests {
         // 4 iterations; what is bound once each, of the list what is in use, and 8 bytes of each
         // neighbour's place.
         let constrain = of(&planned.plan, STEP, "constrain_density", 27 * n);
-        let once = bytes(&["places", "sorted_positions", "neighbour_counts", "constrained"]);
-        assert_eq!(constrain.compulsory_bytes, 4 * (once + 4 * 27 * n));
+        let once = bytes(&["places", "sorted_positions", "list_heads", "constrained"]);
+        assert_eq!(constrain.compulsory_bytes, 4 * (once + 2 * 27 * n));
         assert_eq!(constrain.gathered_bytes, 4 * 27 * n * 8);
         // Nothing is gathered where nothing is listed.
         let update = of(&planned.plan, STEP, "update_velocity", 27 * n);

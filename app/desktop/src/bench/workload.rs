@@ -13,7 +13,7 @@ use brooklet_fluid::{
     record_particles,
 };
 use brooklet_gpu::{Plan, ResourceId, Resources};
-use brooklet_kernels::Buffer;
+use brooklet_kernels::{Buffer, ListHead};
 
 use crate::failure::Failure;
 
@@ -81,8 +81,8 @@ pub struct Planned {
     pub particles: u32,
     /// What a measurement is read back from, if it measures.
     pub measure: Option<ResourceId>,
-    /// How many neighbours each particle has.
-    pub neighbour_counts: Option<Buffer<u32>>,
+    /// How long each particle's list of neighbours is.
+    pub list_heads: Option<Buffer<ListHead>>,
 }
 
 /// Plans `scene` with its particles off the lattice.
@@ -91,10 +91,10 @@ pub fn plan(scene: &Scene) -> Result<Planned, Failure> {
     let recorded = record_particles(&mut resources, scene, jittered(scene));
     let Recorded { particle_count: particles, recordings, measure, .. } = recorded;
     let measure = measure.map(|measure| measure.id);
-    let counts = resources.iter().find(|(_, entry)| entry.label == "neighbour_counts");
-    let neighbour_counts = counts.map(|(id, _)| Buffer::new(id, particles));
+    let heads = resources.iter().find(|(_, entry)| entry.label == "list_heads");
+    let list_heads = heads.map(|(id, _)| Buffer::new(id, particles));
     let plan = Plan::sweep(resources, recordings, measure.as_slice()).map_err(Failure::stopped)?;
-    Ok(Planned { plan, particles, measure, neighbour_counts })
+    Ok(Planned { plan, particles, measure, list_heads })
 }
 
 /// The scene's particles off their lattice.

@@ -1,13 +1,14 @@
 //! The neighbour grid: counting sort into cells of h/2 with full reorder, and neighbour lists.
 
+mod list;
 mod scan;
 
+pub use list::{Neighbours, list_chunks, list_length, listed};
 pub use scan::{SCAN_GROUP, Scan};
 
 use brooklet_gpu::{Recording, Resources};
 use brooklet_kernels::{
-    Buffer, CellSlot, CountCells, Counters, GridParams, LIST_CHUNK, LIST_SLICE, ListMembers, ListNeighbours,
-    ListNeighboursVariant, Position, RankMembers, Reorder, ReorderVariant, Velocity,
+    Buffer, CellSlot, CountCells, GridParams, ListMembers, Position, RankMembers, Reorder, ReorderVariant, Velocity,
 };
 
 use crate::scene::Scene;
@@ -35,11 +36,6 @@ pub fn params(scene: &Scene, particle_count: u32) -> GridParams {
         reserved1: 0,
         reserved2: 0,
     }
-}
-
-/// Room for neighbours a particle, in runs of `LIST_CHUNK`.
-pub fn list_chunks(scene: &Scene) -> u32 {
-    scene.solver.neighbour_slots.div_ceil(LIST_CHUNK)
 }
 
 /// The grid's buffers.
@@ -151,47 +147,5 @@ impl Sorted {
             places: resources.buffer("places", particle_count),
             packed: scene.solver.packed_positions,
         }
-    }
-}
-
-/// Runs of four neighbours in the lists of `particle_count` particles, whole slices.
-pub fn list_length(particle_count: u32, list_chunks: u32) -> u32 {
-    particle_count.next_multiple_of(LIST_SLICE).saturating_mul(list_chunks)
-}
-
-/// Each particle's neighbours, listed once a substep.
-pub struct Neighbours {
-    /// Sorted indices, four neighbours of a particle side by side, interleaved over slices of
-    /// `LIST_SLICE` particles. (Shader: `shared/list.hlsl`.)
-    pub indices: Buffer<[u32; 4]>,
-    /// Slots used.
-    pub counts: Buffer<u32>,
-}
-
-impl Neighbours {
-    /// Declares the lists of a grid with `params`. They persist from the step that made them to
-    /// the measurement that reads them.
-    pub fn declare(resources: &mut Resources, params: &GridParams) -> Self {
-        Self {
-            indices: resources.state("neighbours", list_length(params.particle_count, params.list_chunks)),
-            counts: resources.state("neighbour_counts", params.particle_count),
-        }
-    }
-
-    /// Lists the neighbours of the sorted particles.
-    pub fn record(&mut self, recording: &mut Recording, grid: &Grid, sorted: &Sorted, counters: &mut Buffer<Counters>) {
-        recording.dispatch(
-            &ListNeighbours {
-                variant: ListNeighboursVariant { packed: sorted.packed },
-                sorted_positions: sorted.positions.read(),
-                places: sorted.places.read(),
-                cell_starts: grid.cell_starts.read(),
-                neighbours: self.indices.write(),
-                neighbour_counts: self.counts.write(),
-                counters: counters.write(),
-                grid: grid.params.uniform(),
-            },
-            sorted.positions.len,
-        );
     }
 }

@@ -57,5 +57,5 @@ static COPY_ELEMENTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/copy.compute",
-    hash: "1bd93208f236bb7036e8f45ea9aa8edc1b12afd8eed6847ccb32b43bd05608e1",
+    hash: "973d7dc423fcdb4c45a7c0201078ff7d0f86ab558c6e3c41ec9a906ca10a3d6a",
 };

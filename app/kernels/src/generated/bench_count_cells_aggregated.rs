@@ -70,5 +70,5 @@ static COUNT_CELLS_AGGREGATED: Module = Module {
     shared_bytes: 512,
     tier: Tier::Floor,
     source: "bench/count_cells_aggregated.compute",
-    hash: "38ee8a053cd0b71eb090bc8f9fb1a0e99a54fc1049264b008097f4e11ed06655",
+    hash: "220094b2d5acf5e687f6a8254c61bcf116352f3158e8cc92a4c317e65e16f6a4",
 };

@@ -2,32 +2,30 @@
 // makes it anew from bench/list_neighbours_by_index.compute.
 //! Kernels of `bench/list_neighbours_by_index.compute`.
 
-use super::{Counters, GridParams, Position};
+use super::{GridParams, Position};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
 
 /// ListNeighbours where only the index was sorted: candidates are found through it, and the list
-/// holds particles by where they lie. What `brooklet bench sorting` holds against it is
-/// grid/list\_neighbours.compute.
+/// holds particles by where they lie, in no order, so that a neighbour takes 32 bits. What `brooklet
+/// bench sorting` holds against it is grid/list_neighbours.compute.
 #[derive(Debug)]
 pub struct ListNeighboursByIndex<'a> {
     /// `StructuredBuffer<Position> positions`.
     pub positions: Buf<'a, Position>,
-    /// `StructuredBuffer<uint> sorted_indices`.
-    pub sorted_indices: Buf<'a, u32>,
-    /// `ConstantBuffer<GridParams> grid`.
-    pub grid: Uniform<'a, GridParams>,
     /// `StructuredBuffer<uint2> places`.
     pub places: Buf<'a, [u32; 2]>,
+    /// `StructuredBuffer<uint> sorted_indices`.
+    pub sorted_indices: Buf<'a, u32>,
     /// `StructuredBuffer<uint> cell_starts`.
     pub cell_starts: Buf<'a, u32>,
-    /// `RWStructuredBuffer<uint4> neighbours`.
-    pub neighbours: BufMut<'a, [u32; 4]>,
-    /// `RWStructuredBuffer<uint> neighbour_counts`.
-    pub neighbour_counts: BufMut<'a, u32>,
-    /// `RWStructuredBuffer<Counters> counters`.
-    pub counters: BufMut<'a, Counters>,
+    /// `RWStructuredBuffer<uint4> listed_indices`.
+    pub listed_indices: BufMut<'a, [u32; 4]>,
+    /// `RWStructuredBuffer<uint> listed_counts`.
+    pub listed_counts: BufMut<'a, u32>,
+    /// `ConstantBuffer<GridParams> grid`.
+    pub grid: Uniform<'a, GridParams>,
 }
 
 impl Kernel for ListNeighboursByIndex<'_> {
@@ -42,13 +40,12 @@ impl Kernel for ListNeighboursByIndex<'_> {
             self.module(),
             &[
                 ("positions", Some(self.positions.id)),
-                ("sorted_indices", Some(self.sorted_indices.id)),
-                ("grid", Some(self.grid.id)),
                 ("places", Some(self.places.id)),
+                ("sorted_indices", Some(self.sorted_indices.id)),
                 ("cell_starts", Some(self.cell_starts.id)),
-                ("neighbours", Some(self.neighbours.id)),
-                ("neighbour_counts", Some(self.neighbour_counts.id)),
-                ("counters", Some(self.counters.id)),
+                ("listed_indices", Some(self.listed_indices.id)),
+                ("listed_counts", Some(self.listed_counts.id)),
+                ("grid", Some(self.grid.id)),
             ],
         )
     }
@@ -59,29 +56,24 @@ pub(super) static MODULES: &[&Module] = &[&LIST_NEIGHBOURS_BY_INDEX];
 
 static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "positions", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
+    BindingInfo { name: "places", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
     BindingInfo {
         name: "sorted_indices",
-        slot: 1,
+        slot: 2,
         kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 },
     },
-    BindingInfo { name: "grid", slot: 2, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "places", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
-    BindingInfo { name: "cell_starts", slot: 4, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 } },
+    BindingInfo { name: "cell_starts", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 } },
     BindingInfo {
-        name: "neighbours",
-        slot: 5,
+        name: "listed_indices",
+        slot: 4,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
     BindingInfo {
-        name: "neighbour_counts",
-        slot: 6,
+        name: "listed_counts",
+        slot: 5,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 },
     },
-    BindingInfo {
-        name: "counters",
-        slot: 7,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
-    },
+    BindingInfo { name: "grid", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
 static LIST_NEIGHBOURS_BY_INDEX: Module = Module {
@@ -94,5 +86,5 @@ static LIST_NEIGHBOURS_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/list_neighbours_by_index.compute",
-    hash: "66c7db48af4a42fcfbf2eeba4dcaa12ff86f7ab6466b76ba4dd13f75a9391efb",
+    hash: "c99eacdea21322f3d1b25fe70d3ecf9452b6e07efb198b518605506ebaf5e7b7",
 };

@@ -74,5 +74,5 @@ static REORDER_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/reorder_index.compute",
-    hash: "7a30e764a00a9eca2ce65bfaa2b7d98e397ac7f23fc6ef24637b040c729ef695",
+    hash: "6d780dadbe1825885cdc86a54458472aebc7fa960988e1c28b25895ba0dfee22",
 };

@@ -88,7 +88,7 @@ static SCAN_GROUPS_TREE: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "51b1a94de1c2e994586ff14de20ea0c2cac45a369521433546c4285d7db052c8",
+    hash: "e61bb8385c1a9b52b82a232e5905a7b8ce50c2db3bde586b4d3bdfe9ee5d6d98",
 };
 
 static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
@@ -101,7 +101,7 @@ static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "74f522f73630dc337d82375f6f1ed1fcae69f93cd20befa7ce5d1852c0936030",
+    hash: "6125b66b2d103bf79b19c21fb57f51a5868d5c6f8106e1c9f4a531343cd6c294",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
@@ -114,7 +114,7 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "3f09bde17a235899d98b61c0568fd1bbcdc1878b342616cc7e42228be9f4f382",
+    hash: "f35753e23d2855c794a439b7973cdd50a1e16c66c81636886e3a9a9ae5c405fd",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
@@ -127,5 +127,5 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "7e8711f25afb8ee8753cffd293f8d81dba25bfc5ae3616f6be5279d7f8b8f994",
+    hash: "f4f7c396d9a7a64743fe900f17ee331e51687980c0baf1d2b5de6bc859427984",
 };

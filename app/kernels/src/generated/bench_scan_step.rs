@@ -54,5 +54,5 @@ static SCAN_STEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/scan_step.compute",
-    hash: "6ede3a47a1d43e090138e3d76d83dad417f0a885ded0954b7380792551666075",
+    hash: "0b222f5103aa9c5e8d624d04e62308de1a2f948194c29f7a92aff5e8f313fa27",
 };

@@ -62,7 +62,7 @@ static DRAW_PARTICLES_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "bface27a59b619cc78cd747855acb627c12c859e7c98deb066222082b9c7dcad",
+    hash: "13cf77169213d144e06debef250b0fe2a708e803933648429282ccd89c7f1852",
 };
 
 static DRAW_PARTICLES_FRAGMENT: Module = Module {
@@ -75,5 +75,5 @@ static DRAW_PARTICLES_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "e8634d8617a98d49a4670914879ce248d6c63f605cf9c8dbdde24655f8b40326",
+    hash: "2108776c507294ce35c5b74021f4eb3354bb6f0682c5da33e63587a10b4a75fa",
 };

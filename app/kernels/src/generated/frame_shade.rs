@@ -104,7 +104,7 @@ static DRAW_SHADE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "77257039d2709c4d906435f6db0cefc9f6ab5b1cb52c8124e071101c3eae18c9",
+    hash: "c412fc45004a6df19afcc7b61779986154f2c2b4bc98df077addce5960f2d748",
 };
 
 static DRAW_SHADE_FRAGMENT: Module = Module {
@@ -117,7 +117,7 @@ static DRAW_SHADE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "6a8ff812f97106f12727f67566c6f3596a4f29c8709d5c7747d54eb0ab9dddb9",
+    hash: "d650c0ce98f6d522b839ff707f309f411f0336eb1c19d23cbef5257832104e41",
 };
 
 static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
@@ -130,7 +130,7 @@ static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "f14d5168c2bdddce5960da2514307ca19e50f00265f01b18348b1ad1e76863ee",
+    hash: "4e499965ad8272865cfad83eb582bf0d53ae4321de0db360b1824d6bf840a802",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
@@ -143,5 +143,5 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "d8c0bcf50436081c458c93e03f41b487008ffaf8651fabcfad937921faf956d2",
+    hash: "cd4dce2debb9b9b16b8670f61a05e488a6317bc3efd26d2da0a4cd08dd8cb6e0",
 };

@@ -55,7 +55,7 @@ static DRAW_SHADOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "e84f02c5797d1e76995e57395ff78659ce42a449b0b920d7ed7f0edf408d2079",
+    hash: "4ab7c78dbfc23251cff2649a82ac98eba1e70c13f6ca250a3848447d46395089",
 };
 
 static DRAW_SHADOW_FRAGMENT: Module = Module {
@@ -68,5 +68,5 @@ static DRAW_SHADOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "6a30689d15df02ff6d7e325e35252155e0e67111bf52d04bfc4df557284538a6",
+    hash: "4353c4a8187b11ef3c09b0ccb86a3f48db241f6e1e4e3d1453d30d2f85638571",
 };

@@ -69,5 +69,5 @@ static COUNT_CELLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "811293927e2d2b2e0447cc56bb760cd74c4f282335a1c627fe54715ff08c371f",
+    hash: "af59214ba3cf429cde439c2ac5f74beb02a1b456a2095d08b843320d4130c146",
 };

@@ -65,5 +65,5 @@ static LIST_MEMBERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_members.compute",
-    hash: "783028f0dcb8ea7c196cbc3eb1046711096b8f22f8ff6435ab59e45fed5db791",
+    hash: "893b4058197df3a2bc512ef7ba683eae3d61f476efddbdef34eec2f114028dc1",
 };

@@ -2,7 +2,7 @@
 // makes it anew from grid/list_neighbours.compute.
 //! Kernels of `grid/list_neighbours.compute`.
 
-use super::{Counters, GridParams, Position};
+use super::{Counters, GridParams, ListHead, Position};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
@@ -21,18 +21,18 @@ pub struct ListNeighbours<'a> {
     pub variant: ListNeighboursVariant,
     /// `StructuredBuffer<Position> sorted_positions`.
     pub sorted_positions: Buf<'a, Position>,
-    /// `ConstantBuffer<GridParams> grid`.
-    pub grid: Uniform<'a, GridParams>,
     /// `StructuredBuffer<uint2> places`.
     pub places: Buf<'a, [u32; 2]>,
     /// `StructuredBuffer<uint> cell_starts`.
     pub cell_starts: Buf<'a, u32>,
-    /// `RWStructuredBuffer<uint4> neighbours`.
-    pub neighbours: BufMut<'a, [u32; 4]>,
-    /// `RWStructuredBuffer<uint> neighbour_counts`.
-    pub neighbour_counts: BufMut<'a, u32>,
+    /// `RWStructuredBuffer<uint2> neighbours`.
+    pub neighbours: BufMut<'a, [u32; 2]>,
+    /// `RWStructuredBuffer<ListHead> list_heads`.
+    pub list_heads: BufMut<'a, ListHead>,
     /// `RWStructuredBuffer<Counters> counters`.
     pub counters: BufMut<'a, Counters>,
+    /// `ConstantBuffer<GridParams> grid`.
+    pub grid: Uniform<'a, GridParams>,
 }
 
 impl Kernel for ListNeighbours<'_> {
@@ -47,12 +47,12 @@ impl Kernel for ListNeighbours<'_> {
             self.module(),
             &[
                 ("sorted_positions", Some(self.sorted_positions.id)),
-                ("grid", Some(self.grid.id)),
                 ("places", Some(self.places.id)),
                 ("cell_starts", Some(self.cell_starts.id)),
                 ("neighbours", Some(self.neighbours.id)),
-                ("neighbour_counts", Some(self.neighbour_counts.id)),
+                ("list_heads", Some(self.list_heads.id)),
                 ("counters", Some(self.counters.id)),
+                ("grid", Some(self.grid.id)),
             ],
         )
     }
@@ -67,24 +67,24 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 0,
         kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
     },
-    BindingInfo { name: "grid", slot: 1, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "places", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
-    BindingInfo { name: "cell_starts", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 } },
+    BindingInfo { name: "places", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo { name: "cell_starts", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 } },
     BindingInfo {
         name: "neighbours",
-        slot: 4,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
+        slot: 3,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
     },
     BindingInfo {
-        name: "neighbour_counts",
-        slot: 5,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 },
+        name: "list_heads",
+        slot: 4,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
     },
     BindingInfo {
         name: "counters",
-        slot: 6,
+        slot: 5,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
+    BindingInfo { name: "grid", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
 static LIST_NEIGHBOURS: Module = Module {
@@ -97,7 +97,7 @@ static LIST_NEIGHBOURS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "5ef98a512b4b646d2c2fb3720486f788ffc8c1fafe60fa0691f1071e4ac2a592",
+    hash: "0787e8b36791e7f5da9963c8e6401efa040654c96df6733206912cfc0c0dd4f8",
 };
 
 static LIST_NEIGHBOURS_WITH_PACKED: Module = Module {
@@ -110,5 +110,5 @@ static LIST_NEIGHBOURS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "4b4c53c51324ef27f1fda123d8cf3abdc478a78cb115ea1321df2d90ca86b826",
+    hash: "ce51df2f3d4203dc67b0cdf54216adc07039c9711d8e2084c38b8d7e9794dd37",
 };

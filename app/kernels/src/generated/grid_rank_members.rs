@@ -71,5 +71,5 @@ static RANK_MEMBERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/rank_members.compute",
-    hash: "78524cec3083299f98be3820c62fbdb98d6f13b257fa2885c371539bf1005841",
+    hash: "8db090afce0ef208383d84cb4717002cf8c818202b784fa9f87077636082eba9",
 };

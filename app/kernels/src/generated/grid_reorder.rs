@@ -94,7 +94,7 @@ static REORDER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "6ce3112e7cec14d836d02bd20d5851c10a5a89a7e8ff25ebe8e46b6c411847c8",
+    hash: "1c0ff11d63bb62e09ccdf90a1b9ace11a92f1e74b0b119361a573fbb76e08326",
 };
 
 static REORDER_WITH_PACKED: Module = Module {
@@ -107,5 +107,5 @@ static REORDER_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "88052db4ea03818f7d8deeea8da819ec8251058a3cf97c8bef66aea6449b729a",
+    hash: "cd3fec412d4a42890b5e05ebc3c2db4d94404b5ab22ed2e487085acc35ac3332",
 };

@@ -109,7 +109,7 @@ static REDUCE_GROUPS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "f69f301aa7fc253d12659cc30e722a2ea222ef5a44963f91339e6c7a48c4b96b",
+    hash: "1107d8c10a91d6ca8997ef93d34f793a5bab2d27fc236ecd46df48f911ccbe3c",
 };
 
 static SCAN_GROUPS: Module = Module {
@@ -122,7 +122,7 @@ static SCAN_GROUPS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "77d7927e8b86b14ed328e13673962575d9452073b86b3df14f26a75eb03ac9c1",
+    hash: "2da13e3eb39cfff8fb25c3d2868a93f36ce7d68056056f660151ab460960257f",
 };
 
 static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
@@ -135,5 +135,5 @@ static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "052ed172055dd322bda912b9481e89790ada842868ff7841672a5e95fbbdc56b",
+    hash: "8c06e2bac2f94e6fc932f15cb6c41122576b2013b6a0b7239bb8c6d709f000fc",
 };

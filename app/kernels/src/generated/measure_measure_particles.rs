@@ -2,7 +2,7 @@
 // makes it anew from measure/measure_particles.compute.
 //! Kernels of `measure/measure_particles.compute`.
 
-use super::{KernelParams, MeasureSums, Position, StepParams, Velocity};
+use super::{KernelParams, ListHead, MeasureSums, Position, StepParams, Velocity};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
@@ -25,10 +25,10 @@ pub struct MeasureParticles<'a> {
     pub positions: Buf<'a, Position>,
     /// `StructuredBuffer<Velocity> velocities`.
     pub velocities: Buf<'a, Velocity>,
-    /// `StructuredBuffer<uint4> neighbours`.
-    pub neighbours: Buf<'a, [u32; 4]>,
-    /// `StructuredBuffer<uint> neighbour_counts`.
-    pub neighbour_counts: Buf<'a, u32>,
+    /// `StructuredBuffer<uint2> neighbours`.
+    pub neighbours: Buf<'a, [u32; 2]>,
+    /// `StructuredBuffer<ListHead> list_heads`.
+    pub list_heads: Buf<'a, ListHead>,
     /// `RWStructuredBuffer<MeasureSums> group_measures`.
     pub group_measures: BufMut<'a, MeasureSums>,
     /// `RWStructuredBuffer<uint> histograms`.
@@ -53,7 +53,7 @@ impl Kernel for MeasureParticles<'_> {
                 ("positions", Some(self.positions.id)),
                 ("velocities", Some(self.velocities.id)),
                 ("neighbours", Some(self.neighbours.id)),
-                ("neighbour_counts", Some(self.neighbour_counts.id)),
+                ("list_heads", Some(self.list_heads.id)),
                 ("group_measures", Some(self.group_measures.id)),
                 ("histograms", Some(self.histograms.id)),
                 ("step_params", Some(self.step_params.id)),
@@ -69,12 +69,8 @@ pub(super) static MODULES: &[&Module] = &[&MEASURE_PARTICLES, &MEASURE_PARTICLES
 static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "positions", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
     BindingInfo { name: "velocities", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
-    BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
-    BindingInfo {
-        name: "neighbour_counts",
-        slot: 3,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 },
-    },
+    BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo { name: "list_heads", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
     BindingInfo {
         name: "group_measures",
         slot: 4,
@@ -99,7 +95,7 @@ static MEASURE_PARTICLES: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "7f59d69e9b793379843015f55ad5d18013e4b2d747c123856e58d1e33c433e23",
+    hash: "a1f3715d6f6c26cede1a0837cbc05645c6232361d768f25ef86014d064fdeb30",
 };
 
 static MEASURE_PARTICLES_WITH_WALLS: Module = Module {
@@ -112,5 +108,5 @@ static MEASURE_PARTICLES_WITH_WALLS: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "7d4d5c0bc23732717afac1a3010396d7405b2100680a1ab5fe49e942f5973ca1",
+    hash: "c8194d6a31bf8b8653eec551ef2be209b155925a01cb94e5f9412fa309d7c173",
 };

@@ -73,5 +73,5 @@ static MEASURE_TOTALS: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_totals.compute",
-    hash: "f09a54a36dd0832925752da51e0184ba1f3df1ad0222ad280a93ef7bfcffbf57",
+    hash: "86f00e55081fbae1041c15e3d5e6e032b714cebd3214bd3595f03f50d2c8a2aa",
 };

@@ -2,6 +2,7 @@
 // makes it anew from shaders/hlsl.
 //! All kernels, draws and host-visible structs.
 
+mod bench_constrain_density_by_index;
 mod bench_copy;
 mod bench_count_cells_aggregated;
 mod bench_list_neighbours_by_index;
@@ -34,6 +35,7 @@ mod solver_pbf_curl;
 mod solver_pbf_update_velocity;
 mod solver_pbf_viscosity;
 
+pub use bench_constrain_density_by_index::*;
 pub use bench_copy::*;
 pub use bench_count_cells_aggregated::*;
 pub use bench_list_neighbours_by_index::*;
@@ -69,6 +71,7 @@ pub use solver_pbf_viscosity::*;
 /// Every module there is, for building all pipelines at start.
 pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
     [
+        bench_constrain_density_by_index::MODULES,
         bench_copy::MODULES,
         bench_count_cells_aggregated::MODULES,
         bench_list_neighbours_by_index::MODULES,

@@ -82,7 +82,7 @@ static PREDICT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "e3b08e282c61f97a05728500f62d8723e10e45a0d26fcd2e862c8124b774e2ce",
+    hash: "492b0666d7459ed1c887f73a056656a7d1b462dd80c7370492bea598f7cab297",
 };
 
 static PREDICT_WITH_WALLS: Module = Module {
@@ -95,5 +95,5 @@ static PREDICT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "106694ff671d3008eb3b902c975d54bc02bcdb8f0e9982d0b7c53c56d1fb0b9e",
+    hash: "4215f03988ad26ea8cbe26a235117ab2da3951a7370b9f6f7c9e51d174ab2056",
 };

@@ -15,8 +15,14 @@ pub const SCAN_ITEMS: u32 = 16;
 /// Particles whose neighbour lists lie interleaved: a group.
 pub const LIST_SLICE: u32 = 64;
 
-/// Neighbours of a particle that lie side by side: one 16-byte load.
+/// Neighbours of a particle that lie side by side: one 8-byte load.
 pub const LIST_CHUNK: u32 = 4;
+
+/// A neighbour's gap that stands for nobody, and moves on by the widest gap there is.
+pub const LIST_NOBODY: u32 = 0;
+
+/// `LIST_WIDEST_GAP`.
+pub const LIST_WIDEST_GAP: u32 = 65535;
 
 /// Bins of a histogram, 32 to an octave.
 pub const HISTOGRAM_BINS: u32 = 512;
@@ -103,6 +109,21 @@ const _: () = {
     assert!(offset_of!(CellSlot, cell) == 0);
     assert!(offset_of!(CellSlot, rank) == 4);
     assert!(size_of::<CellSlot>() == 8);
+};
+
+/// How a particle's neighbour list begins (shared/list.hlsl).
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+pub struct ListHead {
+    /// neighbours, and gaps too wide for one
+    pub entries: u32,
+    /// sorted index that the first neighbour's gap is counted from, plus 1
+    pub first: u32,
+}
+const _: () = {
+    assert!(offset_of!(ListHead, entries) == 0);
+    assert!(offset_of!(ListHead, first) == 4);
+    assert!(size_of::<ListHead>() == 8);
 };
 
 /// One substep.

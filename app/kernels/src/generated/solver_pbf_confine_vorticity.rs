@@ -2,7 +2,7 @@
 // makes it anew from solver/pbf/confine_vorticity.compute.
 //! Kernels of `solver/pbf/confine_vorticity.compute`.
 
-use super::{PbfParams, PrecisionKeyword, StepParams, Velocity, Vorticity};
+use super::{ListHead, PbfParams, PrecisionKeyword, StepParams, Velocity, Vorticity};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
@@ -26,10 +26,10 @@ pub struct ConfineVorticity<'a> {
     pub places: Buf<'a, [u32; 2]>,
     /// `StructuredBuffer<Vorticity> vorticities`.
     pub vorticities: Buf<'a, Vorticity>,
-    /// `StructuredBuffer<uint4> neighbours`.
-    pub neighbours: Buf<'a, [u32; 4]>,
-    /// `StructuredBuffer<uint> neighbour_counts`.
-    pub neighbour_counts: Buf<'a, u32>,
+    /// `StructuredBuffer<uint2> neighbours`.
+    pub neighbours: Buf<'a, [u32; 2]>,
+    /// `StructuredBuffer<ListHead> list_heads`.
+    pub list_heads: Buf<'a, ListHead>,
     /// `RWStructuredBuffer<Velocity> velocities`.
     pub velocities: BufMut<'a, Velocity>,
     /// `ConstantBuffer<StepParams> step_params`.
@@ -59,7 +59,7 @@ impl Kernel for ConfineVorticity<'_> {
                 ("places", Some(self.places.id)),
                 ("vorticities", Some(self.vorticities.id)),
                 ("neighbours", Some(self.neighbours.id)),
-                ("neighbour_counts", Some(self.neighbour_counts.id)),
+                ("list_heads", Some(self.list_heads.id)),
                 ("velocities", Some(self.velocities.id)),
                 ("step_params", Some(self.step_params.id)),
                 ("pbf", Some(self.pbf.id)),
@@ -81,12 +81,8 @@ pub(super) static MODULES: &[&Module] = &[
 static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "places", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
     BindingInfo { name: "vorticities", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
-    BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
-    BindingInfo {
-        name: "neighbour_counts",
-        slot: 3,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 },
-    },
+    BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo { name: "list_heads", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
     BindingInfo {
         name: "velocities",
         slot: 4,
@@ -106,7 +102,7 @@ static CONFINE_VORTICITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "760821c2d88d864b4227896bf999965869201dc059b8cd9275249513e2abd367",
+    hash: "50172e891808389f992a24c245585aec2efec96aafc8e5968624a31cde5b537d",
 };
 
 static CONFINE_VORTICITY_WITH_PACKED: Module = Module {
@@ -119,7 +115,7 @@ static CONFINE_VORTICITY_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "0da7c16d04521238c286fc49f20723550c2e780eebc6b3a9380dad51e1ed95b2",
+    hash: "ecde5e7a2fa6c0451515f675bcd73ed8db824bcfebf6dd05885bf29880a08342",
 };
 
 static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -132,7 +128,7 @@ static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "2e9cf2a5b962639cacbd0fff1bc704a43b50c627916ca610f4c3ec19c6b218b0",
+    hash: "2f4d7ad64033c91e52542b9e910e8268754cc78db190a4e61b11e3dc3f9d582c",
 };
 
 static CONFINE_VORTICITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -145,7 +141,7 @@ static CONFINE_VORTICITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "f9077bbed84705f56ea810229165e192f0bde871350e64f344592a771f856d41",
+    hash: "181d9c52d9fb3c32ecde29c1ec7ab4ffaa33cf4fd84725740647c449e2dce29b",
 };
 
 static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
@@ -158,7 +154,7 @@ static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "4a534e9c5160ab7641b97158841bf318585ba61807dc85c52dd2ebb4922bc12e",
+    hash: "361423f84dcf73f747bb90673414b2ba45afebf9ba0c66af6dac16079e420fe0",
 };
 
 static CONFINE_VORTICITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -171,5 +167,5 @@ static CONFINE_VORTICITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "15b7380d33f2fbc4cd599b4c22db19da237e67de79a98888649a7bd3f078e3c7",
+    hash: "a7c23a98e0bf9234d264632bcd7908e9d4ff985215caed9c92c8e6719132ab55",
 };

@@ -2,7 +2,7 @@
 // makes it anew from solver/pbf/constrain_density.compute.
 //! Kernels of `solver/pbf/constrain_density.compute`.
 
-use super::{Constrained, KernelParams, PbfParams, Position, PrecisionKeyword, StepParams};
+use super::{Constrained, KernelParams, ListHead, PbfParams, Position, PrecisionKeyword, StepParams};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
@@ -18,19 +18,17 @@ pub struct ConstrainDensityVariant {
     pub packed: bool,
 }
 
-/// The density constraint's multiplier lambda of each particle (Macklin & Muller 2013, eq. 8-11),
-/// with lengths in units of h and the density as its ratio to the rest density. Only compression
-/// is a violation: a free surface does not pull.
+/// The density constraint's multiplier lambda of each particle (Macklin & Muller 2013, eq. 8-11).
 #[derive(Debug)]
 pub struct ConstrainDensity<'a> {
     /// Its variant.
     pub variant: ConstrainDensityVariant,
     /// `StructuredBuffer<uint2> places`.
     pub places: Buf<'a, [u32; 2]>,
-    /// `StructuredBuffer<uint4> neighbours`.
-    pub neighbours: Buf<'a, [u32; 4]>,
-    /// `StructuredBuffer<uint> neighbour_counts`.
-    pub neighbour_counts: Buf<'a, u32>,
+    /// `StructuredBuffer<uint2> neighbours`.
+    pub neighbours: Buf<'a, [u32; 2]>,
+    /// `StructuredBuffer<ListHead> list_heads`.
+    pub list_heads: Buf<'a, ListHead>,
     /// `RWStructuredBuffer<Constrained> constrained`.
     pub constrained: Option<BufMut<'a, Constrained>>,
     /// `ConstantBuffer<StepParams> step_params`.
@@ -75,7 +73,7 @@ impl Kernel for ConstrainDensity<'_> {
             &[
                 ("places", Some(self.places.id)),
                 ("neighbours", Some(self.neighbours.id)),
-                ("neighbour_counts", Some(self.neighbour_counts.id)),
+                ("list_heads", Some(self.list_heads.id)),
                 ("constrained", self.constrained.as_ref().map(|bound| bound.id)),
                 ("step_params", Some(self.step_params.id)),
                 ("kernel", Some(self.kernel.id)),
@@ -105,12 +103,8 @@ pub(super) static MODULES: &[&Module] = &[
 
 static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "places", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
-    BindingInfo { name: "neighbours", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
-    BindingInfo {
-        name: "neighbour_counts",
-        slot: 2,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 },
-    },
+    BindingInfo { name: "neighbours", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo { name: "list_heads", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
     BindingInfo {
         name: "constrained",
         slot: 3,
@@ -123,12 +117,8 @@ static BINDINGS_0: &[BindingInfo] = &[
 
 static BINDINGS_1: &[BindingInfo] = &[
     BindingInfo { name: "places", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
-    BindingInfo { name: "neighbours", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
-    BindingInfo {
-        name: "neighbour_counts",
-        slot: 2,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 },
-    },
+    BindingInfo { name: "neighbours", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo { name: "list_heads", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
     BindingInfo {
         name: "packed_constrained",
         slot: 3,
@@ -146,12 +136,8 @@ static BINDINGS_2: &[BindingInfo] = &[
         slot: 1,
         kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
     },
-    BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
-    BindingInfo {
-        name: "neighbour_counts",
-        slot: 3,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 },
-    },
+    BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo { name: "list_heads", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
     BindingInfo {
         name: "constrained",
         slot: 4,
@@ -169,12 +155,8 @@ static BINDINGS_3: &[BindingInfo] = &[
         slot: 1,
         kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
     },
-    BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
-    BindingInfo {
-        name: "neighbour_counts",
-        slot: 3,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 },
-    },
+    BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo { name: "list_heads", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
     BindingInfo {
         name: "packed_constrained",
         slot: 4,
@@ -195,7 +177,7 @@ static CONSTRAIN_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "174d75d24968c9fc6c6bda0cb899d294c3c7290996333ad6a2df4396a0de33cc",
+    hash: "9903adca6040bf6566607166df03f6e5b7922ca688f27b9dca5631e5a8d7c1a6",
 };
 
 static CONSTRAIN_DENSITY_WITH_PACKED: Module = Module {
@@ -208,7 +190,7 @@ static CONSTRAIN_DENSITY_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "50f5c114f6a2818cbc15ca9591074f5bf97bc2b9a481ca3616218698a1e7ec8f",
+    hash: "af315d53d499a014013b82948e1ce3bd9f76b2b00e64fb9f35bf15e87779150e",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -221,7 +203,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "a4e0947ef1793242c940587548058be71572b258a2f3884b30b299954022a159",
+    hash: "33cc759b7b094990254f19c786db03c689415d1015c2ce73b81394f35d896bfa",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -234,7 +216,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "5b1404dd616aa38141e4ae99d7cc7d1214977b36cd199ef05744ad5457ebdaad",
+    hash: "6bca63b69a9cd5263b2ae4c8e914ec19cd8a291dc590d57ef5c9cecd6df48559",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -247,7 +229,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "2abb59f28d13e92ad6d295c80e0d072c6f63770b8cb4fee66b13089ae76431cd",
+    hash: "7c466030e1b5579d19d3071766eb9f893911a4f073dae850971c23b037909d6a",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -260,7 +242,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "d9563fd24c04d9f98b99a0053ec2baf08a08a375d425988c57f888293f90c677",
+    hash: "fdc16acca5223f0ec259277df180fbc73cc0eb650a8e259787dd88a0ada22b12",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
@@ -273,7 +255,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "999eb313342750043d46e3e420380c5c5dcaf325365fee1c1272281899f0b6ae",
+    hash: "5b70578590d989e2b93941ff358ae3bb6a7c35dbcbe1fdabbd6f98ae0d323616",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_PACKED: Module = Module {
@@ -286,7 +268,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "7b88da816908a56b6ca19ffec192cdaa631df9f0c451bdb81e118fce170dc973",
+    hash: "9f7a3c580fa3db98ceac4078884db9c87b7ec824889f43540064b908155b0c71",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -299,7 +281,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "cde0f92114a03d63aa70a851345c78ed393d82bfeb1d4ec0c23956d3fc526ce5",
+    hash: "d70cf49e201c2209483c966d1d8ccf9f4fd4d01a718ede56d75affd5f4c74975",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -312,7 +294,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "0cde0d460ac341843d9be71053d8c502995b707175e06ed8b2282e5a10be747f",
+    hash: "e337c6a299c2cd7aac4232508054bc6582c01d65c465c019985995c01ea43c7f",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -325,7 +307,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "af6b210fbac535d3e0590e3de1f377fa0c0b4c5e4823f43708452e9fa58cc875",
+    hash: "55ece5d650d3119b54781a9a3223836da79e7fbff1a380bba0d0bed3e758de47",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -338,5 +320,5 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "df1d64ab3ab90f2a29816fa9327165fc825c45f52a6bcb1c40bf2b1b6941c856",
+    hash: "6c72561f852d495d517e0f88ac3d6f7854c4a9ba3d14fac54840cd345f70bed4",
 };

@@ -2,7 +2,7 @@
 // makes it anew from solver/pbf/correct_positions.compute.
 //! Kernels of `solver/pbf/correct_positions.compute`.
 
-use super::{Constrained, Counters, KernelParams, PbfParams, Position, PrecisionKeyword, StepParams};
+use super::{Constrained, Counters, KernelParams, ListHead, PbfParams, Position, PrecisionKeyword, StepParams};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
@@ -29,10 +29,10 @@ pub struct CorrectPositions<'a> {
     pub variant: CorrectPositionsVariant,
     /// `StructuredBuffer<Constrained> constrained`.
     pub constrained: Option<Buf<'a, Constrained>>,
-    /// `StructuredBuffer<uint4> neighbours`.
-    pub neighbours: Buf<'a, [u32; 4]>,
-    /// `StructuredBuffer<uint> neighbour_counts`.
-    pub neighbour_counts: Buf<'a, u32>,
+    /// `StructuredBuffer<uint2> neighbours`.
+    pub neighbours: Buf<'a, [u32; 2]>,
+    /// `StructuredBuffer<ListHead> list_heads`.
+    pub list_heads: Buf<'a, ListHead>,
     /// `RWStructuredBuffer<uint2> places`.
     pub places: BufMut<'a, [u32; 2]>,
     /// `RWStructuredBuffer<Counters> counters`.
@@ -109,7 +109,7 @@ impl Kernel for CorrectPositions<'_> {
             &[
                 ("constrained", self.constrained.as_ref().map(|bound| bound.id)),
                 ("neighbours", Some(self.neighbours.id)),
-                ("neighbour_counts", Some(self.neighbour_counts.id)),
+                ("list_heads", Some(self.list_heads.id)),
                 ("places", Some(self.places.id)),
                 ("counters", Some(self.counters.id)),
                 ("step_params", Some(self.step_params.id)),
@@ -152,12 +152,8 @@ pub(super) static MODULES: &[&Module] = &[
 
 static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "constrained", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
-    BindingInfo { name: "neighbours", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
-    BindingInfo {
-        name: "neighbour_counts",
-        slot: 2,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 },
-    },
+    BindingInfo { name: "neighbours", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo { name: "list_heads", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
     BindingInfo { name: "places", slot: 3, kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 } },
     BindingInfo {
         name: "counters",
@@ -175,12 +171,8 @@ static BINDINGS_1: &[BindingInfo] = &[
         slot: 0,
         kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 },
     },
-    BindingInfo { name: "neighbours", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
-    BindingInfo {
-        name: "neighbour_counts",
-        slot: 2,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 },
-    },
+    BindingInfo { name: "neighbours", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo { name: "list_heads", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
     BindingInfo { name: "places", slot: 3, kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 } },
     BindingInfo {
         name: "counters",
@@ -199,12 +191,8 @@ static BINDINGS_2: &[BindingInfo] = &[
         slot: 1,
         kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
     },
-    BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
-    BindingInfo {
-        name: "neighbour_counts",
-        slot: 3,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 },
-    },
+    BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo { name: "list_heads", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
     BindingInfo { name: "places", slot: 4, kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 } },
     BindingInfo {
         name: "counters",
@@ -227,12 +215,8 @@ static BINDINGS_3: &[BindingInfo] = &[
         slot: 1,
         kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
     },
-    BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
-    BindingInfo {
-        name: "neighbour_counts",
-        slot: 3,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 },
-    },
+    BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo { name: "list_heads", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
     BindingInfo { name: "places", slot: 4, kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 } },
     BindingInfo {
         name: "counters",
@@ -254,7 +238,7 @@ static CORRECT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "c484ce382f92c337b8e46865845200fce1bcf6896693a40119cfcdcc55b3d6ef",
+    hash: "18916a722bd79c4ec16246c4b73dcb4b274bf7769c204e0fd4ddb01fdd79695f",
 };
 
 static CORRECT_POSITIONS_WITH_PACKED: Module = Module {
@@ -267,7 +251,7 @@ static CORRECT_POSITIONS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "a0b41367e8b69feaec1ee4773de4afaf6dbf232532e8f8191ccda795c57ab51d",
+    hash: "eff82f183d6246a4053773cf7ae5f49066b5875966887b3fd37c26731c029448",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
@@ -280,7 +264,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "0c61ffda9b23e554f828cc307bd69cad8c618872cece4175ee337a27a293a4af",
+    hash: "23c8fefefd564757f1085405cc06712736db53b9af6ef74a9056150eadcd9437",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -293,7 +277,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "6e7bbb87e6cb18f1b9f98ec7b66238f7a25a0b4f3c02619402315789f000cdd5",
+    hash: "ae3be1587532068228e2c640761f558ae50306bb736981882105483f325fcae7",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
@@ -306,7 +290,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "c2f685583eeb04b80bbec057aad83fc4fbed2addd158e0380cb3e54f9ae08e83",
+    hash: "042ef6b6b0f2759c4efe80e90c1260fc730fac86c2fbfb6a580206dea617cd8c",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -319,7 +303,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "9f5ce1d2b0cb468412f5dc25cddd8650a0b863462fcaf322c9d13a801156df72",
+    hash: "17300e80fcdf47dc429d3268f03ff43d07c4f2b54dc73da940b1381abcd7786a",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
@@ -332,7 +316,7 @@ static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "3b06252aa06facd87851181134259f934ad7268afb08e4bbd192329c24aceea6",
+    hash: "bb5955cbdd01c8540efcebfffd191da867bbc1f77d5ea1d4c54c898d4cc6e246",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_PACKED: Module = Module {
@@ -345,7 +329,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "679448eb7a30e22807f5c0d56059514080599dc26ef369a2300c711196b5972e",
+    hash: "012c85bb536d0aa769e4d51b1adacc5a02368d66cdaedc5bb961809bebd3599d",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -358,7 +342,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "56ff3b12cf48432c1100532f430ac0be862606f552493750d7a60a0dfaa1e0de",
+    hash: "a0bc2aaacf85cf1fd779cff2ff96ffae25de1f38c4dd7396b775a538a6c674b7",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -371,7 +355,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "e755a0dd4d2b81ee1dc170a64e53baa57602e7bfb3f21a4e228e3b7f67cb8aca",
+    hash: "13c677c3e4ec457a8ccc3964b3b57e150a7245d22559db9f26d7f7711da70737",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -384,7 +368,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "d7902f7e9ccf20eaa59aec75eca4da8dc670645ba2024660f355c39a481359ba",
+    hash: "5ca9f9507065e6974ba36f1306f9824ba06075cc10498bbeea0dfaaf7789bceb",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -397,7 +381,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = M
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "5471e95c52451a473ecc2a979197c0e9f685700b2f803966cc0d0afbd12fa5b3",
+    hash: "8636b2320fd6abeae6dbae022324b75ebed0c5e3cd2eed4a656a2b7f74191dbf",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
@@ -410,7 +394,7 @@ static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "551a0bfd5a701bd0ad35bde02cfd15139834f5768d3a80562ca4ac5b7a4468de",
+    hash: "28eeeba876f5a2a1af291b700f818b51c9593fc94a022e013c27e04dc01003c5",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_PACKED: Module = Module {
@@ -423,7 +407,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "bc1cd9220ac62a4bb8e50c17f5542af66d5758b5d1bfdbd54441fbbcb4114a21",
+    hash: "b8e6e6984f18c4b6a573b0ac0918eb2cfa3f4542021ea139cae336b820a1bfd9",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -436,7 +420,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "8623e06fda152b0233a57bb204f11f1c1761af592884d42003d6663716364f3e",
+    hash: "a7615c55f0586445f03034df53934eeb69b84adbe8852891959eacf09e005b88",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -449,7 +433,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "1ee57ed4f9c8539474f17425b6b50da2394648f1a2268291ddf10d9584224289",
+    hash: "7f3656f83a9ce711c43074041a5b2393107da320c478ce3aea9e6990e2180db6",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -462,7 +446,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "0f6ccdcaf4e16090a6058fabe44e0dbd1e0f827e12265c89a02279319f37390e",
+    hash: "194ad75259a98d4b16d611aad8c734316e59d9f3629bdb5a9c6f98cb196e7bb6",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -475,7 +459,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "88b8343120936b899e7f1337f7b637a879cb8130fb808c563b15caa95979123e",
+    hash: "38c0e5be929f3c5f9d126b196c935287d62162e9fcbc2a18a255c88b88097035",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
@@ -488,7 +472,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "e57dabddb6f2a072cb0c070da0ba60538e30acfc8d1bd5a9c95fa8d8b746d35e",
+    hash: "0a3d0a60a4bd4830fec3d0db1d4948036c9fea7c47000a56d7b2efc5395d871e",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_PACKED: Module = Module {
@@ -501,7 +485,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "940a301852f586bcb1c12718933a1327ede882c26c6aca4c10a700a28f681c5c",
+    hash: "cfcbd3fd4f7e58bb7641a86f14ef577d7881f6e0f9af265f2f2bdba2c73f6a2f",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -514,7 +498,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "4a2a4ad5c2908cbaa70ab4966e12c1c71f4ab856ab63ef3f0356d00a65e8069a",
+    hash: "29ba8b38a8ed563af7da945366c44e1ddf5c10607988c879504cdc064a938539",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -527,7 +511,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACK
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "3bc930d12b486f4b3c7c2e60502e6f228dac26c07434950102fe71feab7a8236",
+    hash: "89fec72a39583ebb52583e5e621e50c372f7787683cd992659fadef7d0ec72a8",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -540,7 +524,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "1ba62e19c1580ebf62c11cb8e1f5af6461f9284df7c0db4c7bb96da5d9cbf153",
+    hash: "616e2e9a6d6f75e6565e425ccb1efcfc0bbdbc2971cb33a5bb98626d2aa99cf2",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -553,5 +537,5 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED:
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "a669a24c9a6cd12ee60002169edb6bd9afb9648216d51fd73d4fabfb861a0a7d",
+    hash: "6e3a467da7c813cd6330a06bdf9e42247ec00438f834b6e08cf85335805dd15f",
 };

@@ -2,7 +2,7 @@
 // makes it anew from solver/pbf/curl.compute.
 //! Kernels of `solver/pbf/curl.compute`.
 
-use super::{KernelParams, PrecisionKeyword, StepParams, Velocity, Vorticity};
+use super::{KernelParams, ListHead, PrecisionKeyword, StepParams, Velocity, Vorticity};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
@@ -25,10 +25,10 @@ pub struct Curl<'a> {
     pub places: Buf<'a, [u32; 2]>,
     /// `StructuredBuffer<Velocity> velocities`.
     pub velocities: Buf<'a, Velocity>,
-    /// `StructuredBuffer<uint4> neighbours`.
-    pub neighbours: Buf<'a, [u32; 4]>,
-    /// `StructuredBuffer<uint> neighbour_counts`.
-    pub neighbour_counts: Buf<'a, u32>,
+    /// `StructuredBuffer<uint2> neighbours`.
+    pub neighbours: Buf<'a, [u32; 2]>,
+    /// `StructuredBuffer<ListHead> list_heads`.
+    pub list_heads: Buf<'a, ListHead>,
     /// `RWStructuredBuffer<Vorticity> vorticities`.
     pub vorticities: BufMut<'a, Vorticity>,
     /// `ConstantBuffer<StepParams> step_params`.
@@ -58,7 +58,7 @@ impl Kernel for Curl<'_> {
                 ("places", Some(self.places.id)),
                 ("velocities", Some(self.velocities.id)),
                 ("neighbours", Some(self.neighbours.id)),
-                ("neighbour_counts", Some(self.neighbour_counts.id)),
+                ("list_heads", Some(self.list_heads.id)),
                 ("vorticities", Some(self.vorticities.id)),
                 ("step_params", Some(self.step_params.id)),
                 ("kernel", Some(self.kernel.id)),
@@ -80,12 +80,8 @@ pub(super) static MODULES: &[&Module] = &[
 static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "places", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
     BindingInfo { name: "velocities", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
-    BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
-    BindingInfo {
-        name: "neighbour_counts",
-        slot: 3,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 },
-    },
+    BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo { name: "list_heads", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
     BindingInfo {
         name: "vorticities",
         slot: 4,
@@ -105,7 +101,7 @@ static CURL: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/curl.compute",
-    hash: "9fac20e652fde076ff1c8ae23a35ff945891b2083156f7d8e77a64a904d0693a",
+    hash: "a53baa370c6ed67c730a553ae62c85b0e0ff038cf7286e1bb261e95eb07f4884",
 };
 
 static CURL_WITH_PACKED: Module = Module {
@@ -118,7 +114,7 @@ static CURL_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/curl.compute",
-    hash: "198fdb161b28d662cd0e0bb5d057a6510b4e4f56065af2596c6b46adc3d5856b",
+    hash: "ef7a446c820a319f2f362e1c66be3e46160fb46a6504692a05709cd46dd9bc11",
 };
 
 static CURL_WITH_RELAXED_PRECISION: Module = Module {
@@ -131,7 +127,7 @@ static CURL_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/curl.compute",
-    hash: "9846bb94cd92ae06e4165a832d9c868b4eab4f2a774bac408f1855b808c6fd39",
+    hash: "001c4f7d26aa4a34e6e2b1d4bbd43935228d84c6cb2233ca8687807e6b141b69",
 };
 
 static CURL_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -144,7 +140,7 @@ static CURL_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/curl.compute",
-    hash: "43374b43c96d67ff3fd36c2451f93e2c13762544585cded4a48022ce04612b32",
+    hash: "baade86ec39e1e59ae4b234c4e214197b24dac92a25f8f1acc8f4721ef2abbfe",
 };
 
 static CURL_WITH_HALF_PRECISION: Module = Module {
@@ -157,7 +153,7 @@ static CURL_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/curl.compute",
-    hash: "07d3840f24ab5317eeead2452d0be45dfe88c4b3a97d57636f753022acce421f",
+    hash: "4510f38ef5cedf6fd7b1ef178618bddaa57e7a2621a12518e9072f6e10c435ef",
 };
 
 static CURL_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -170,5 +166,5 @@ static CURL_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/curl.compute",
-    hash: "44d7944ab9e3715f78b606ba1ab82de41a7892e830c75b1874e0a078e126ed9b",
+    hash: "3f2ca6df13bfd95ab7a31977fe297913ef4b13ffc80e55f885c6701f9e15e971",
 };

@@ -107,7 +107,7 @@ static UPDATE_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "15888fb750cf75cb7a2d526930ccde7d1d1af21d684ace95863db09c2a182910",
+    hash: "dc68862c102c14171425e8510e44eee1607131604b0a67a71889d9be3f476b25",
 };
 
 static UPDATE_VELOCITY_WITH_PACKED: Module = Module {
@@ -120,5 +120,5 @@ static UPDATE_VELOCITY_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "7b2983dfe0d0f661894b6defa565e7e3e2f179ea96375292f3fabcadb010056c",
+    hash: "387f73c0b1688a260f0dcc8cf41da443007897a00af0247c599ca228732644cb",
 };

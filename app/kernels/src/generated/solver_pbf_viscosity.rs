@@ -2,7 +2,7 @@
 // makes it anew from solver/pbf/viscosity.compute.
 //! Kernels of `solver/pbf/viscosity.compute`.
 
-use super::{KernelParams, PbfParams, PrecisionKeyword, StepParams, Velocity};
+use super::{KernelParams, ListHead, PbfParams, PrecisionKeyword, StepParams, Velocity};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
@@ -26,10 +26,10 @@ pub struct Viscosity<'a> {
     pub places: Buf<'a, [u32; 2]>,
     /// `StructuredBuffer<Velocity> velocities`.
     pub velocities: Buf<'a, Velocity>,
-    /// `StructuredBuffer<uint4> neighbours`.
-    pub neighbours: Buf<'a, [u32; 4]>,
-    /// `StructuredBuffer<uint> neighbour_counts`.
-    pub neighbour_counts: Buf<'a, u32>,
+    /// `StructuredBuffer<uint2> neighbours`.
+    pub neighbours: Buf<'a, [u32; 2]>,
+    /// `StructuredBuffer<ListHead> list_heads`.
+    pub list_heads: Buf<'a, ListHead>,
     /// `RWStructuredBuffer<Velocity> smoothed_velocities`.
     pub smoothed_velocities: BufMut<'a, Velocity>,
     /// `ConstantBuffer<StepParams> step_params`.
@@ -61,7 +61,7 @@ impl Kernel for Viscosity<'_> {
                 ("places", Some(self.places.id)),
                 ("velocities", Some(self.velocities.id)),
                 ("neighbours", Some(self.neighbours.id)),
-                ("neighbour_counts", Some(self.neighbour_counts.id)),
+                ("list_heads", Some(self.list_heads.id)),
                 ("smoothed_velocities", Some(self.smoothed_velocities.id)),
                 ("step_params", Some(self.step_params.id)),
                 ("kernel", Some(self.kernel.id)),
@@ -84,12 +84,8 @@ pub(super) static MODULES: &[&Module] = &[
 static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "places", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
     BindingInfo { name: "velocities", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
-    BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
-    BindingInfo {
-        name: "neighbour_counts",
-        slot: 3,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 },
-    },
+    BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo { name: "list_heads", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
     BindingInfo {
         name: "smoothed_velocities",
         slot: 4,
@@ -110,7 +106,7 @@ static VISCOSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/viscosity.compute",
-    hash: "008bfba9899f83e7b2a970b3727938098e2a1d60c0ef9f762c3ada6081f82809",
+    hash: "4a2b9c97e67ad49d779c1dd7804907a8ca8f20eb75cc50d3dbd38d441dcd7641",
 };
 
 static VISCOSITY_WITH_PACKED: Module = Module {
@@ -123,7 +119,7 @@ static VISCOSITY_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/viscosity.compute",
-    hash: "988d82b0ef3880abd25b9879821fe2ae2a6c67e91b977dbbf479f0a803586a1b",
+    hash: "7e0e934feac6aca1dd6b9a60f7b40da6f773b2671407128f8e14d0560a5fef5b",
 };
 
 static VISCOSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -136,7 +132,7 @@ static VISCOSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/viscosity.compute",
-    hash: "5903a240e52cd23998fc5cc264df10df734e40571cbabc99d84cda0948c5125f",
+    hash: "d32ae7b03adb0e27569e439ff5bdcec40f96ae8cb409fc466a9851b3bb181b64",
 };
 
 static VISCOSITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -149,7 +145,7 @@ static VISCOSITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/viscosity.compute",
-    hash: "8cb58116c3166266741fbcfe36e6b337871d62a1dae22e763251ffe01963093f",
+    hash: "7e1b75e7ac1891dc30d13680ee9ffee7fa7a8efee7759a1c53ab2a727f99d304",
 };
 
 static VISCOSITY_WITH_HALF_PRECISION: Module = Module {
@@ -162,7 +158,7 @@ static VISCOSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/viscosity.compute",
-    hash: "7757a3495132b09bff15a09101674115743fb67a9bfd07477aa7ac1d65f87838",
+    hash: "0916d1efdaa30a687d37168faafa30d55e49b3ab214290933e4a08e597ffcd1f",
 };
 
 static VISCOSITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -175,5 +171,5 @@ static VISCOSITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/viscosity.compute",
-    hash: "2158c1cfaa906eb482bcc4cfe6b8e1ad6985babcb951190ce197f0660607049c",
+    hash: "93e8b778f016d6e114be45b63e74f3d6ff3232f41b5e6288202d8f052da14c5e",
 };

@@ -2,6 +2,7 @@
 
 pub mod cells;
 pub mod lattice;
+pub mod list;
 pub mod place;
 pub mod quadrature;
 pub mod wendland;

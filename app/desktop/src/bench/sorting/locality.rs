@@ -2,28 +2,34 @@
 
 use brooklet_fluid::{
     Scene,
-    grid::{Grid, Neighbours, Scan, Sorted, params},
+    grid::{Grid, Neighbours, Scan, Sorted, list_length, listed, params},
     kernel,
-    solver::pbf::{self, Pbf, Shared},
+    solver::pbf,
     step_params,
 };
 use brooklet_gpu::{Engine, Recording, Resources};
 use brooklet_kernels::{
-    Buffer, CountCells, GridParams, ListNeighboursByIndex, Position, PrecisionKeyword, ReorderIndex, Velocity,
+    Buffer, ConstrainDensity, ConstrainDensityByIndex, ConstrainDensityVariant, Constrained, CountCells, Counters,
+    GridParams, KernelParams, ListNeighboursByIndex, PbfParams, Position, ReorderIndex, StepParams, Velocity,
 };
 
 use super::contest::{ALTERNATIVE, BASELINE, INIT, Names, Outcome, Ring};
 use crate::failure::Failure;
 
-/// One way: from particles to their neighbours and through the solver.
+/// What both ways are given.
+struct Settings {
+    step: Buffer<StepParams>,
+    kernel: Buffer<KernelParams>,
+    pbf: Buffer<PbfParams>,
+    iterations: u32,
+}
+
+/// One way: from particles to their neighbours and their multipliers.
 struct Way {
     positions: Buffer<Position>,
     velocities: Buffer<Velocity>,
     grid: Grid,
-    neighbours: Neighbours,
-    pbf: Pbf,
-    solved_positions: Buffer<Position>,
-    solved_velocities: Buffer<Velocity>,
+    constrained: Buffer<Constrained>,
 }
 
 impl Way {
@@ -33,48 +39,19 @@ impl Way {
             positions: resources.state("positions", count),
             velocities: resources.state("velocities", count),
             grid: Grid::declare(resources, scene, params),
-            neighbours: Neighbours::declare(resources, params),
-            pbf: Pbf::declare(resources, scene, count),
-            solved_positions: resources.state("solved_positions", count),
-            solved_velocities: resources.state("solved_velocities", count),
+            constrained: resources.state("constrained", count),
         }
     }
 
-    fn upload(&mut self, init: &mut Recording, scene: &Scene, params: &GridParams, positions: &[Position]) {
+    fn upload(&mut self, init: &mut Recording, params: &GridParams, positions: &[Position]) {
         init.upload(&mut self.positions, positions);
         init.upload(&mut self.grid.params, &[*params]);
-        init.upload(&mut self.pbf.params, &[pbf::params(scene)]);
-    }
-
-    fn solve(&mut self, recording: &mut Recording, shared: &mut Shared, sorted: &mut Sorted) {
-        let (positions, velocities) = (&mut self.solved_positions, &mut self.solved_velocities);
-        self.pbf.record(recording, shared, &self.neighbours, sorted, positions, velocities);
-    }
-
-    /// How many neighbours each particle has, by its id.
-    fn neighbours_by_id(&self, engine: &mut Engine) -> Result<Vec<u32>, Failure> {
-        let positions = engine.read(&self.solved_positions).map_err(Failure::stopped)?;
-        let counts = engine.read(&self.neighbours.counts).map_err(Failure::stopped)?;
-        let mut by_id = vec![0; counts.len()];
-        for (position, count) in positions.iter().zip(counts) {
-            by_id[position.tag as usize] = count;
-        }
-        Ok(by_id)
     }
 }
 
-fn shared(resources: &mut Resources) -> Shared {
-    Shared {
-        step: resources.state("step_params", 1),
-        kernel: resources.state("kernel_params", 1),
-        walls: true,
-        precision: PrecisionKeyword::Off,
-        counters: resources.state("counters", 1),
-    }
-}
-
-/// Sorts, lists and solves a step. The product's way begins with the particles in the order in
-/// which its last step leaves them, `in_order`; the other never moves them from where they `lie`.
+/// Sorts, lists and finds the multipliers of a step's iterations, without walls. The product's way
+/// begins with the particles in the order in which its last step leaves them, `in_order`; the other
+/// never moves them from where they `lie`, so that its lists hold 32 bits a neighbour.
 pub fn locality(
     ring: &Ring<'_>,
     case: String,
@@ -85,51 +62,136 @@ pub fn locality(
     let count = lie.len() as u32;
     let params = params(scene, count);
     let mut resources = Resources::new();
-    let mut shared = shared(&mut resources);
+    let mut settings = Settings {
+        step: resources.state("step_params", 1),
+        kernel: resources.state("kernel_params", 1),
+        pbf: resources.state("pbf_params", 1),
+        iterations: scene.solver.iterations,
+    };
     let mut product = Way::declare(&mut resources, scene, &params);
     let mut by_index = Way::declare(&mut resources, scene, &params);
     let mut init = Recording::new(INIT);
-    init.upload(&mut shared.step, &[step_params(scene, count)]);
-    init.upload(&mut shared.kernel, &[kernel::params(scene)]);
-    product.upload(&mut init, scene, &params, in_order);
-    by_index.upload(&mut init, scene, &params, lie);
+    init.upload(&mut settings.step, &[step_params(scene, count)]);
+    init.upload(&mut settings.kernel, &[kernel::params(scene)]);
+    init.upload(&mut settings.pbf, &[pbf::params(scene)]);
+    product.upload(&mut init, &params, in_order);
+    by_index.upload(&mut init, &params, lie);
 
     let mut baseline = Recording::new(BASELINE);
-    let mut sorted = Sorted::declare(&mut resources, scene, count);
-    product.grid.record_sort(&mut baseline, &product.positions, &product.velocities, &mut sorted);
-    product.neighbours.record(&mut baseline, &product.grid, &sorted, &mut shared.counters);
-    product.solve(&mut baseline, &mut shared, &mut sorted);
-
-    let mut alternative = Recording::new(ALTERNATIVE);
-    let mut sorted_indices = resources.buffer("sorted_indices", count);
-    let mut unsorted = Sorted {
-        positions: by_index.positions.alias(),
-        velocities: by_index.velocities.alias(),
-        places: resources.buffer("unsorted_places", count),
+    let mut neighbours = Neighbours::declare(&mut resources, &params);
+    let mut sorted = Sorted {
+        positions: resources.state("sorted_positions", count),
+        velocities: resources.state("sorted_velocities", count),
+        places: resources.buffer("places", count),
         packed: false,
     };
-    sort_index(&mut alternative, &mut resources, &mut by_index, &mut sorted_indices, &mut unsorted);
-    alternative.dispatch(
-        &ListNeighboursByIndex {
-            positions: by_index.positions.read(),
-            places: unsorted.places.read(),
-            cell_starts: by_index.grid.cell_starts.read(),
-            sorted_indices: sorted_indices.read(),
-            neighbours: by_index.neighbours.indices.write(),
-            neighbour_counts: by_index.neighbours.counts.write(),
-            counters: shared.counters.write(),
-            grid: by_index.grid.params.uniform(),
-        },
-        count,
-    );
-    by_index.solve(&mut alternative, &mut shared, &mut unsorted);
+    reorder_everything(&mut baseline, &mut resources, &settings, &mut product, &mut sorted, &mut neighbours);
+
+    let mut alternative = Recording::new(ALTERNATIVE);
+    let mut listed_counts = resources.state("listed_counts", count);
+    reorder_index(&mut alternative, &mut resources, &settings, &mut by_index, &params, &mut listed_counts);
+
     let names =
         Names { optimisation: "locality", case, baseline: "reorder everything", alternative: "reorder an index" };
     ring.compare(names, resources, [init, baseline, alternative], |engine| {
-        let found = [product.neighbours_by_id(engine)?, by_index.neighbours_by_id(engine)?];
-        let [a, b] = found;
-        super::equal("neighbours", a, b)
+        let sorted = engine.read(&sorted.positions).map_err(Failure::stopped)?;
+        let product = neighbours_by_id(engine, &neighbours, &sorted, params.list_chunks)?;
+        let counts = engine.read(&listed_counts).map_err(Failure::stopped)?;
+        super::equal("neighbours", product, by_id(lie.iter().zip(counts), lie.len()))
     })
+}
+
+/// How many neighbours each particle has, by its id.
+fn neighbours_by_id(
+    engine: &mut Engine,
+    neighbours: &Neighbours,
+    sorted: &[Position],
+    list_chunks: u32,
+) -> Result<Vec<u32>, Failure> {
+    let heads = engine.read(&neighbours.heads).map_err(Failure::stopped)?;
+    let gaps = engine.read(&neighbours.gaps).map_err(Failure::stopped)?;
+    let counts = heads.iter().enumerate().map(|(i, &head)| listed(i as u32, head, &gaps, list_chunks).count() as u32);
+    Ok(by_id(sorted.iter().zip(counts), sorted.len()))
+}
+
+fn by_id<'a>(counts: impl Iterator<Item = (&'a Position, u32)>, particles: usize) -> Vec<u32> {
+    let mut by_id = vec![0; particles];
+    for (position, count) in counts {
+        by_id[position.tag as usize] = count;
+    }
+    by_id
+}
+
+fn reorder_everything(
+    recording: &mut Recording,
+    resources: &mut Resources,
+    settings: &Settings,
+    way: &mut Way,
+    sorted: &mut Sorted,
+    neighbours: &mut Neighbours,
+) {
+    let mut counters: Buffer<Counters> = resources.state("counters", 1);
+    way.grid.record_sort(recording, &way.positions, &way.velocities, sorted);
+    neighbours.record(recording, &way.grid, sorted, &mut counters);
+    for _ in 0..settings.iterations {
+        recording.dispatch(
+            &ConstrainDensity {
+                variant: ConstrainDensityVariant::default(),
+                places: sorted.places.read(),
+                sorted_positions: None,
+                neighbours: neighbours.gaps.read(),
+                list_heads: neighbours.heads.read(),
+                constrained: Some(way.constrained.write()),
+                packed_constrained: None,
+                step_params: settings.step.uniform(),
+                kernel: settings.kernel.uniform(),
+                pbf: settings.pbf.uniform(),
+            },
+            way.positions.len,
+        );
+    }
+}
+
+fn reorder_index(
+    recording: &mut Recording,
+    resources: &mut Resources,
+    settings: &Settings,
+    way: &mut Way,
+    params: &GridParams,
+    listed_counts: &mut Buffer<u32>,
+) {
+    let count = params.particle_count;
+    let mut sorted_indices = resources.buffer("sorted_indices", count);
+    let mut places = resources.buffer("unsorted_places", count);
+    let mut listed_indices: Buffer<[u32; 4]> =
+        resources.buffer("listed_indices", list_length(count, params.list_chunks));
+    sort_index(recording, resources, way, &mut sorted_indices, &mut places);
+    recording.dispatch(
+        &ListNeighboursByIndex {
+            positions: way.positions.read(),
+            places: places.read(),
+            cell_starts: way.grid.cell_starts.read(),
+            sorted_indices: sorted_indices.read(),
+            listed_indices: listed_indices.write(),
+            listed_counts: listed_counts.write(),
+            grid: way.grid.params.uniform(),
+        },
+        count,
+    );
+    for _ in 0..settings.iterations {
+        recording.dispatch(
+            &ConstrainDensityByIndex {
+                places: places.read(),
+                listed_indices: listed_indices.read(),
+                listed_counts: listed_counts.read(),
+                constrained: way.constrained.write(),
+                step_params: settings.step.uniform(),
+                kernel: settings.kernel.uniform(),
+                pbf: settings.pbf.uniform(),
+            },
+            count,
+        );
+    }
 }
 
 fn sort_index(
@@ -137,7 +199,7 @@ fn sort_index(
     resources: &mut Resources,
     way: &mut Way,
     sorted_indices: &mut Buffer<u32>,
-    unsorted: &mut Sorted,
+    places: &mut Buffer<[u32; 2]>,
 ) {
     let Way { positions, grid, .. } = way;
     let mut scan = Scan::declare(resources, "index", grid.cell_counts.len);
@@ -158,7 +220,7 @@ fn sort_index(
             cell_slots: grid.cell_slots.read(),
             cell_starts: grid.cell_starts.read(),
             sorted_indices: sorted_indices.write(),
-            places: unsorted.places.write(),
+            places: places.write(),
             grid: grid.params.uniform(),
         },
         positions.len,

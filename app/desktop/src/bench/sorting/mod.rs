@@ -33,7 +33,7 @@ pub fn bench(options: &SortingOptions) -> Result<(), Failure> {
     let sorted = in_cell_order(&shuffled, &fine);
     let mut outcomes = Vec::new();
     for (lie, positions) in [("where they began", &emitted), ("shuffled", &shuffled)] {
-        let case = format!("a whole step, particles without locality lie {lie}");
+        let case = format!("sort, list, 4 multipliers; particles without locality lie {lie}");
         outcomes.push(locality::locality(&ring, case, &scene, &sorted, positions)?);
     }
     for (width, params) in [("h/2", fine), ("h", coarser(&fine))] {

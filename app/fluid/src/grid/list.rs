@@ -1,0 +1,70 @@
+//! Each particle's neighbours: sorted indices in ascending order, 16 bits each, in slices of
+//! particles. (Shader: `shared/list.hlsl`, `grid/list_neighbours.compute`.)
+
+use brooklet_gpu::{Recording, Resources};
+use brooklet_kernels::{
+    Buffer, Counters, GridParams, LIST_CHUNK, LIST_NOBODY, LIST_SLICE, LIST_WIDEST_GAP, ListHead, ListNeighbours,
+    ListNeighboursVariant,
+};
+
+use super::{Grid, Sorted};
+use crate::scene::Scene;
+
+/// Room for neighbours a particle, in runs of `LIST_CHUNK`.
+pub fn list_chunks(scene: &Scene) -> u32 {
+    scene.solver.neighbour_slots.div_ceil(LIST_CHUNK)
+}
+
+/// Runs of four neighbours in the lists of `particle_count` particles, whole slices.
+pub fn list_length(particle_count: u32, list_chunks: u32) -> u32 {
+    particle_count.next_multiple_of(LIST_SLICE).saturating_mul(list_chunks)
+}
+
+/// The neighbours of particle `i` in lists of `list_chunks` runs that were read back.
+pub fn listed(i: u32, head: ListHead, lists: &[[u32; 2]], list_chunks: u32) -> impl Iterator<Item = u32> {
+    let first_chunk = i / LIST_SLICE * LIST_SLICE * list_chunks + i % LIST_SLICE;
+    let mut last = head.first.wrapping_sub(1);
+    (0..head.entries).filter_map(move |entry| {
+        let chunk = lists[(first_chunk + entry / LIST_CHUNK * LIST_SLICE) as usize];
+        let gap = chunk[(entry / 2 % 2) as usize] >> (entry % 2 * 16) & 0xffff;
+        last = last.wrapping_add(if gap == LIST_NOBODY { LIST_WIDEST_GAP } else { gap });
+        (gap != LIST_NOBODY).then_some(last)
+    })
+}
+
+/// The lists, made once a substep.
+pub struct Neighbours {
+    /// Gaps between sorted indices, four of a particle side by side, interleaved over slices of
+    /// `LIST_SLICE` particles.
+    pub gaps: Buffer<[u32; 2]>,
+    /// Where each list begins, and its length.
+    pub heads: Buffer<ListHead>,
+}
+
+impl Neighbours {
+    /// Declares the lists of a grid with `params`. They persist from the step that made them to
+    /// the measurement that reads them.
+    pub fn declare(resources: &mut Resources, params: &GridParams) -> Self {
+        Self {
+            gaps: resources.state("neighbours", list_length(params.particle_count, params.list_chunks)),
+            heads: resources.state("list_heads", params.particle_count),
+        }
+    }
+
+    /// Lists the neighbours of the sorted particles.
+    pub fn record(&mut self, recording: &mut Recording, grid: &Grid, sorted: &Sorted, counters: &mut Buffer<Counters>) {
+        recording.dispatch(
+            &ListNeighbours {
+                variant: ListNeighboursVariant { packed: sorted.packed },
+                sorted_positions: sorted.positions.read(),
+                places: sorted.places.read(),
+                cell_starts: grid.cell_starts.read(),
+                neighbours: self.gaps.write(),
+                list_heads: self.heads.write(),
+                counters: counters.write(),
+                grid: grid.params.uniform(),
+            },
+            sorted.positions.len,
+        );
+    }
+}

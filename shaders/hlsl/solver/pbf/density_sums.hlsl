@@ -1,0 +1,54 @@
+// What a particle's neighbours add up to in its density constraint, and the multiplier that follows
+// (Macklin & Muller 2013, eq. 8-11), with lengths in units of h and the density as its ratio to the
+// rest density. Only compression is a violation: a free surface does not pull.
+#ifndef BROOKLET_DENSITY_SUMS
+#define BROOKLET_DENSITY_SUMS
+
+#include "../../shared/place.hlsl"
+#include "../../shared/wendland.hlsl"
+
+struct DensitySums
+{
+    float density;
+    float3 gradient;            // of the constraint, over the particle's own position
+    float gradient_squares;     // over its neighbours' positions
+};
+
+// Of a particle alone: W(0) = 1.
+DensitySums NoNeighbours()
+{
+    DensitySums sums;
+    sums.density = 1.0;
+    sums.gradient = 0.0;
+    sums.gradient_squares = 0.0;
+    return sums;
+}
+
+// `is_other`: not the particle itself, whose distance of 0 has no gradient but a density.
+void AddNeighbour(inout DensitySums sums, uint3 here, uint3 there, bool is_other)
+{
+    real3 apart = real3(Apart(here, there));
+    real q_squared = dot(apart, apart);
+    real q = sqrt(q_squared);
+    real factor = WendlandGradientFactor(q);
+    sums.density += is_other ? float(WendlandW(q)) : 0.0;
+    sums.gradient += float3(factor * apart);
+    sums.gradient_squares += float(factor * factor * q_squared);
+}
+
+DensitySums Weighted(DensitySums sums, float weight)
+{
+    sums.density *= weight;
+    sums.gradient *= weight;
+    sums.gradient_squares *= weight * weight;
+    return sums;
+}
+
+float MultiplierOf(DensitySums sums, float cfm)
+{
+    float constraint = max(sums.density - 1.0, 0.0);
+    float stiffness = dot(sums.gradient, sums.gradient) + sums.gradient_squares + cfm;
+    return constraint > 0.0 ? -constraint / max(stiffness, 1.0e-6) : 0.0;
+}
+
+#endif
