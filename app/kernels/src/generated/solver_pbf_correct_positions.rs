@@ -238,7 +238,7 @@ static CORRECT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "18916a722bd79c4ec16246c4b73dcb4b274bf7769c204e0fd4ddb01fdd79695f",
+    hash: "74267462795967c7f900743dfbb0c2046c27330134f478ac3dd1a582e0a8060e",
 };
 
 static CORRECT_POSITIONS_WITH_PACKED: Module = Module {
@@ -251,7 +251,7 @@ static CORRECT_POSITIONS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "eff82f183d6246a4053773cf7ae5f49066b5875966887b3fd37c26731c029448",
+    hash: "47b9907bf9effc8851c01052cf53a2430d39d2da5a9e583baa54c2d82a715cf7",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
@@ -264,7 +264,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "23c8fefefd564757f1085405cc06712736db53b9af6ef74a9056150eadcd9437",
+    hash: "fd7e746f936317eecb791ebfea6668f61d1e0d4949dfd35b3ee30a819485871b",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -277,7 +277,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "ae3be1587532068228e2c640761f558ae50306bb736981882105483f325fcae7",
+    hash: "36a265ec31edd14a3b3cbee0bfb16e559c344f6acc8f5e1d2f6f216eac5fedba",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
@@ -290,7 +290,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "042ef6b6b0f2759c4efe80e90c1260fc730fac86c2fbfb6a580206dea617cd8c",
+    hash: "29dfc6db77a07a4be8f366196105ed6f34aa7548e11db2ee992aa74a155bd9f2",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -303,7 +303,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "17300e80fcdf47dc429d3268f03ff43d07c4f2b54dc73da940b1381abcd7786a",
+    hash: "efea5e2eec64dc44988c8fc5014fe95f3fffbf290d148c9d35ead4609b22ae79",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
@@ -316,7 +316,7 @@ static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "bb5955cbdd01c8540efcebfffd191da867bbc1f77d5ea1d4c54c898d4cc6e246",
+    hash: "84885632dacff4a7fe396cc102a5116f58567d60ddfa2193419a3375be9bcf39",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_PACKED: Module = Module {
@@ -329,7 +329,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "012c85bb536d0aa769e4d51b1adacc5a02368d66cdaedc5bb961809bebd3599d",
+    hash: "5109affd021a7ee1cd58bcaece302b5ee50efbd3d17e77456c598d3fbb68fe3c",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -342,7 +342,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "a0bc2aaacf85cf1fd779cff2ff96ffae25de1f38c4dd7396b775a538a6c674b7",
+    hash: "2b0f8dded7ed0e251c3f36564ddb8fcb781dfe5e34ca4e4056b4c4ee20ccad25",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -355,7 +355,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "13c677c3e4ec457a8ccc3964b3b57e150a7245d22559db9f26d7f7711da70737",
+    hash: "eda048735b6d716167b1b2a761209b81611b86c4ae6b735696d7586098944425",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -368,7 +368,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "5ca9f9507065e6974ba36f1306f9824ba06075cc10498bbeea0dfaaf7789bceb",
+    hash: "b346b2aa5e12181a0612b08843bdeee0f5e41d3766f5d52ee5d21e4f6dd83693",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -381,7 +381,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = M
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "8636b2320fd6abeae6dbae022324b75ebed0c5e3cd2eed4a656a2b7f74191dbf",
+    hash: "baa3f4dd1537abe595c00c7b6f1d400194446e9049283736ca9c6f06948a4130",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
@@ -394,7 +394,7 @@ static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "28eeeba876f5a2a1af291b700f818b51c9593fc94a022e013c27e04dc01003c5",
+    hash: "026176fc32dc8fe9e72fd5b46c5e389f850832d8fc40f5449b9c7770e4188c36",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_PACKED: Module = Module {
@@ -407,7 +407,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "b8e6e6984f18c4b6a573b0ac0918eb2cfa3f4542021ea139cae336b820a1bfd9",
+    hash: "3dbebbb538685ef2ae01ca8210d9c2f2045d27231cdc0cc28678076e709a87f9",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -420,7 +420,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "a7615c55f0586445f03034df53934eeb69b84adbe8852891959eacf09e005b88",
+    hash: "8df5a4e60a8d0a1ce4160ae51a2570d34e64151ffb028a3c36c0b75c7b777f12",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -433,7 +433,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "7f3656f83a9ce711c43074041a5b2393107da320c478ce3aea9e6990e2180db6",
+    hash: "47866e57d69f64046652eea638420334fbb11713fae93de7125353432ef42f29",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -446,7 +446,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "194ad75259a98d4b16d611aad8c734316e59d9f3629bdb5a9c6f98cb196e7bb6",
+    hash: "9d0d78fcb6b7241d15827fa074a08ce09c83ae1304cac8ccd86fa8e8089f56f4",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -459,7 +459,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "38c0e5be929f3c5f9d126b196c935287d62162e9fcbc2a18a255c88b88097035",
+    hash: "1f9b9364fb61847343f2d45818008106aefbe328858b48ce357bf6691d3a49d8",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
@@ -472,7 +472,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "0a3d0a60a4bd4830fec3d0db1d4948036c9fea7c47000a56d7b2efc5395d871e",
+    hash: "194e1f3cff128771a22ca220f19fa0c2a8ca5ffd25be7ea52674f3193cb5f418",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_PACKED: Module = Module {
@@ -485,7 +485,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "cfcbd3fd4f7e58bb7641a86f14ef577d7881f6e0f9af265f2f2bdba2c73f6a2f",
+    hash: "6edca995894e684b9aa1cd4f13ce23d571deaa417da99e3f5b9196d5d4bfe929",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -498,7 +498,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "29ba8b38a8ed563af7da945366c44e1ddf5c10607988c879504cdc064a938539",
+    hash: "144a9ac3239ac871c767dd8f6961dbf8f339d45c4266e7420414384227c86089",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -511,7 +511,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACK
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "89fec72a39583ebb52583e5e621e50c372f7787683cd992659fadef7d0ec72a8",
+    hash: "79316e99a57aa5e80991c5a606c40b9853d6f5c653b5f9e7b53a331bbe10407d",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -524,7 +524,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "616e2e9a6d6f75e6565e425ccb1efcfc0bbdbc2971cb33a5bb98626d2aa99cf2",
+    hash: "0bb2e11d2aef939464f4f90ce6899250842b8cc5bd9f9b5da9c278230f2e3938",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -537,5 +537,5 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED:
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "6e3a467da7c813cd6330a06bdf9e42247ec00438f834b6e08cf85335805dd15f",
+    hash: "27d2c29635b40521c70bfb17ffad437d59e4fad00413ce5f71a78d1f411a3206",
 };
