@@ -6,8 +6,7 @@ use crate::gpu;
 use crate::harness::{Bench, small};
 use brooklet_gpu::Tier;
 use brooklet_kernels::{
-    Buffer, GridParams, KernelParams, LIST_CHUNK, ListHead, PbfParams, Position, PrecisionKeyword, StepParams,
-    Velocity,
+    Buffer, GridParams, KernelParams, LIST_CHUNK, ListHead, PbfParams, Position, PrecisionKeyword, StepParams, Velocity,
 };
 use brooklet_reference::boundary::walls::{DomainWalls, WallScales};
 use brooklet_reference::grid::list_neighbours::{Neighbours, list_neighbours};
@@ -180,6 +179,7 @@ pub fn grid_params(size_m: DVec3, cell_m: f64, count: usize) -> GridParams {
         particle_count: count as u32,
         list_chunks: LIST_CHUNKS,
         inverse_support_per_m: (1.0 / SUPPORT_M) as f32,
+        domain_cells: cells,
         ..GridParams::default()
     }
 }

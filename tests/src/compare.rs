@@ -2,7 +2,8 @@
 //! `tests/comparators.rs`.
 
 use brooklet_kernels::{CellSlot, GridParams, Position, QUARANTINED};
-use brooklet_reference::grid::count_cells::{check_ranks, count_cells};
+use brooklet_reference::grid::count_cells::{cell_of, check_ranks, count_cells};
+use brooklet_reference::params::Grid;
 use glam::DVec3;
 
 /// Half the distance of 1 to the next f32: the largest relative error of one rounding.
@@ -102,15 +103,10 @@ pub fn check_exact(got: &[u32], expected: &[u32]) -> Result<(), String> {
 ///
 /// # Errors
 /// Names the cell that was expected.
-pub fn check_cell(cell: u32, place: DVec3, cells: [u32; 3], doubt: f64) -> Result<(), String> {
-    let outside: u32 = cells.iter().product();
-    let index = |place: DVec3| {
-        let cell = place.floor();
-        let inside = (0..3).all(|a| cell[a] >= 0.0 && cell[a] < f64::from(cells[a]));
-        match inside {
-            true => (cell.z as u32 * cells[1] + cell.y as u32) * cells[0] + cell.x as u32,
-            false => outside,
-        }
+pub fn check_cell(cell: u32, place: DVec3, grid: &Grid, doubt: f64) -> Result<(), String> {
+    let index = |place: DVec3| match place.is_nan() {
+        true => grid.cell_count(),
+        false => cell_of(place * grid.cell_size_m, grid),
     };
     let nudges = [-doubt, 0.0, doubt];
     let allowed = nudges
@@ -136,12 +132,18 @@ pub fn check_counted(
 ) -> Result<(), String> {
     let cells: Vec<u32> = slots.iter().map(|slot| slot.cell).collect();
     let ranks: Vec<u32> = slots.iter().map(|slot| slot.rank).collect();
+    let geometry = Grid {
+        cells: grid.cells,
+        domain_cells: grid.domain_cells,
+        cell_size_m: f64::from(grid.cell_size_m),
+        support_m: f64::from(grid.support_m),
+    };
     for (position, &cell) in positions.iter().zip(&cells) {
         if position.tag & QUARANTINED != 0 {
             check_exact(&[cell], &[grid.cell_count])?;
         } else {
             let place = vector(position.position_m) * f64::from(grid.inverse_cell_size_per_m);
-            check_cell(cell, place, grid.cells, doubt)?;
+            check_cell(cell, place, &geometry, doubt)?;
         }
     }
     check_exact(counts, &count_cells(&cells, grid.cell_count))?;

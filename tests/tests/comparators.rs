@@ -6,6 +6,7 @@ use brooklet_reference::dam_break;
 use brooklet_reference::grid::count_cells::check_ranks;
 use brooklet_reference::grid::list_neighbours::check_list;
 use brooklet_reference::norms::{cloud_distance, norms};
+use brooklet_reference::params::Grid;
 use brooklet_reference::shared::lattice;
 use brooklet_tests::compare::{Worst, check_cell, check_exact, report_exact};
 use glam::DVec3;
@@ -55,15 +56,15 @@ fn unequal_integers_fail() {
 
 #[test]
 fn wrong_cells_fail() {
-    let cells = [4, 3, 2];
-    assert!(check_cell(5, DVec3::new(1.5, 1.5, 0.5), cells, 1e-6).is_ok());
-    assert!(check_cell(6, DVec3::new(1.5, 1.5, 0.5), cells, 1e-6).is_err());
-    assert!(check_cell(24, DVec3::new(-0.5, 1.5, 0.5), cells, 1e-6).is_ok());
-    assert!(check_cell(0, DVec3::new(-0.5, 0.5, 0.5), cells, 1e-6).is_err());
-    assert!(check_cell(24, DVec3::new(f64::NAN, 0.5, 0.5), cells, 1e-6).is_ok(), "NaN is outside");
+    let grid = Grid { cells: [4, 3, 2], domain_cells: [4, 3, 2], cell_size_m: 1.0, support_m: 2.0 };
+    assert!(check_cell(5, DVec3::new(1.5, 1.5, 0.5), &grid, 1e-6).is_ok());
+    assert!(check_cell(6, DVec3::new(1.5, 1.5, 0.5), &grid, 1e-6).is_err());
+    assert!(check_cell(24, DVec3::new(-0.5, 1.5, 0.5), &grid, 1e-6).is_ok());
+    assert!(check_cell(0, DVec3::new(-0.5, 0.5, 0.5), &grid, 1e-6).is_err());
+    assert!(check_cell(24, DVec3::new(f64::NAN, 0.5, 0.5), &grid, 1e-6).is_ok(), "NaN is outside");
     // Only at a face may both sides be right.
-    assert!(check_cell(1, DVec3::new(0.999_999_9, 0.5, 0.5), cells, 1e-6).is_ok());
-    assert!(check_cell(1, DVec3::new(0.999_9, 0.5, 0.5), cells, 1e-6).is_err());
+    assert!(check_cell(1, DVec3::new(0.999_999_9, 0.5, 0.5), &grid, 1e-6).is_ok());
+    assert!(check_cell(1, DVec3::new(0.999_9, 0.5, 0.5), &grid, 1e-6).is_err());
 }
 
 #[test]

@@ -154,7 +154,8 @@ fn reorder_index_matches_the_twin_of_reorder() {
 fn check_list_by_index(positions: &[Position], size_m: DVec3) -> Result<usize, String> {
     let count = positions.len();
     let grid = GridParams { list_chunks: 32, ..grid_params(size_m, SUPPORT_M / 2.0, count) };
-    let geometry = Grid { cells: grid.cells, cell_size_m: SUPPORT_M / 2.0, support_m: SUPPORT_M };
+    let geometry =
+        Grid { cells: grid.cells, domain_cells: grid.domain_cells, cell_size_m: SUPPORT_M / 2.0, support_m: SUPPORT_M };
     let cells: Vec<u32> = positions
         .iter()
         .map(|position| match position.tag & QUARANTINED {

@@ -2,8 +2,9 @@
 
 use brooklet_fluid::grid::listed;
 use brooklet_kernels::{
-    CellSlot, CountCells, Counters, GROUPS_A_ROW, GridParams, Kernel, LIST_CHUNK, LIST_NOBODY, ListHead, ListMembers,
-    ListNeighbours, ListNeighboursVariant, Position, RankMembers, Reorder, ReorderVariant, Velocity,
+    CellSlot, CountCells, CountCellsVariant, Counters, GROUPS_A_ROW, GridParams, Kernel, LIST_CHUNK, LIST_NOBODY,
+    ListHead, ListMembers, ListNeighbours, ListNeighboursVariant, Position, RankMembers, Reorder, ReorderVariant,
+    Velocity,
 };
 use brooklet_reference::grid::list_neighbours::{Neighbours, check_list, list_neighbours};
 use brooklet_reference::grid::rank_members::rank_members;
@@ -33,6 +34,15 @@ fn scattered(rng: &mut impl Rng, count: usize, size_m: DVec3) -> Vec<Position> {
         .collect()
 }
 
+fn is_wrapped(grid: &GridParams) -> bool {
+    grid.cells != grid.domain_cells
+}
+
+/// The same domain, its cells wrapped onto `cells`.
+fn wrapped(grid: GridParams, cells: [u32; 3]) -> GridParams {
+    GridParams { cells, cell_count: cells.iter().product(), ..grid }
+}
+
 fn run_count(positions: &[Position], grid: GridParams) -> (Vec<u32>, Vec<CellSlot>) {
     let mut bench = Bench::new();
     let at = bench.input("positions", positions);
@@ -41,6 +51,7 @@ fn run_count(positions: &[Position], grid: GridParams) -> (Vec<u32>, Vec<CellSlo
     let params = bench.uniform("grid", grid);
     bench.dispatch(
         &CountCells {
+            variant: CountCellsVariant { wrapped: is_wrapped(&grid) },
             positions: at.read(),
             cell_counts: counts.write(),
             cell_slots: slots.write(),
@@ -265,6 +276,7 @@ fn sort_is_a_permutation_in_order_of_cells() {
                         vector(position.position_m),
                         &brooklet_reference::params::Grid {
                             cells: grid.cells,
+                            domain_cells: grid.domain_cells,
                             cell_size_m: 1.0 / 64.0,
                             support_m: SUPPORT_M,
                         },
@@ -314,7 +326,7 @@ fn check_lists(
     let params = bench.uniform("grid", grid);
     bench.dispatch(
         &ListNeighbours {
-            variant: ListNeighboursVariant { packed },
+            variant: ListNeighboursVariant { wrapped: is_wrapped(&grid), packed },
             places: places.read(),
             sorted_positions: positions.read(),
             cell_starts: starts_buffer.read(),
@@ -390,6 +402,44 @@ fn list_neighbours_matches_brute_force() {
 }
 
 #[test]
+fn a_wrapped_grid_lists_what_a_dense_one_does() {
+    // Case 15 of the extreme ones: blobs as many cells apart as the grid has, along one axis and
+    // along all, share their cells, and places, which repeat every 8 cells, take them for near.
+    let mut rng = rng(28);
+    let mut compared = 0;
+    for cells in [[64; 3], [8, 16, 32]] {
+        let cell_m = SUPPORT_M / 2.0;
+        let blob = fluid(&mut rng, 200);
+        let across_m = DVec3::from_array(cells.map(f64::from)) * cell_m;
+        let size_m = 2.6 * across_m;
+        let mut positions = Vec::new();
+        for shift in
+            [[0.3, 0.3, 0.3], [1.3, 0.3, 0.3], [0.3, 1.3, 0.3], [0.3, 0.3, 1.3], [1.3, 1.3, 1.3], [2.3, 0.3, 1.3]]
+        {
+            let shift_m = DVec3::from_array(shift) * across_m;
+            let moved = |position: &Position| vector(position.position_m) + shift_m;
+            positions.extend(blob.positions.iter().map(moved));
+        }
+        // And some anywhere, where the grid wraps.
+        positions.extend((0..600).map(|_| DVec3::new(rng.random(), rng.random(), rng.random()) * size_m));
+        let positions: Vec<Position> = positions
+            .iter()
+            .enumerate()
+            .map(|(i, at)| Position { position_m: at.to_array().map(|x| x as f32), tag: i as u32 })
+            .collect();
+        let velocities = vec![Velocity::default(); positions.len()];
+        let grid = wrapped(grid_params(size_m, cell_m, positions.len()), cells);
+        check_count(&positions, grid, 1e-5).unwrap();
+        for packed in [false, true] {
+            let (sorted, starts) = sort(&positions, &velocities, grid, packed);
+            compared += check_neighbours(&sorted, &starts, grid, packed).unwrap().neighbours;
+        }
+    }
+    assert!(compared > 10_000, "{compared}");
+    report_exact("list_neighbours in a wrapped grid", compared);
+}
+
+#[test]
 fn neighbours_without_a_slot_are_counted() {
     let case = fluid(&mut rng(26), 300);
     let grid = GridParams { list_chunks: 5, ..grid_params(case.size_m, SUPPORT_M / 2.0, 300) };
@@ -452,7 +502,7 @@ fn lists_reach_over_wide_gaps() {
 
 #[test]
 fn list_equals_brute_force_anywhere() {
-    let cases = (0..200_usize, any::<u64>(), [1..9_u32, 1..9_u32, 1..9_u32]);
+    let cases = (0..200_usize, any::<u64>(), [1..24_u32, 1..24_u32, 1..9_u32]);
     few_cases()
         .run(&cases, |(count, seed, cells)| {
             let mut rng = rng(seed);
@@ -460,6 +510,7 @@ fn list_equals_brute_force_anywhere() {
             let positions = scattered(&mut rng, count, size_m);
             let velocities = vec![Velocity::default(); count];
             let grid = GridParams { list_chunks: 64, ..grid_params(size_m, SUPPORT_M / 2.0, count) };
+            let grid = if seed % 2 == 0 { grid } else { wrapped(grid, [8, 8, 8]) };
             let (sorted, starts) = sort(&positions, &velocities, grid, false);
             check_neighbours(&sorted, &starts, grid, false).map(drop).map_err(TestCaseError::fail)
         })

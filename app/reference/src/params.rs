@@ -41,6 +41,8 @@ impl Step {
 pub struct Grid {
     /// Cells along each axis.
     pub cells: [u32; 3],
+    /// Cells of the domain along each axis; those beyond `cells` are wrapped onto them.
+    pub domain_cells: [u32; 3],
     /// Edge of a cell, m.
     pub cell_size_m: f64,
     /// Support radius, m.

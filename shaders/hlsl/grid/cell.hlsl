@@ -10,9 +10,12 @@ uint CellOf(float3 position_m, GridParams grid)
 {
     float3 place = floor(position_m * grid.inverse_cell_size_per_m);
     // Compared before the conversion: beyond the integers' range its result is anything.
-    if (any(place < 0.0) || any(place >= float3(grid.cells)))
+    if (any(place < 0.0) || any(place >= float3(grid.domain_cells)))
         return grid.cell_count;
     uint3 cell = uint3(place);
+#if defined(WRAPPED)
+    cell &= grid.cells - 1;
+#endif
     return (cell.z * grid.cells.y + cell.y) * grid.cells.x + cell.x;
 }
 

@@ -6,40 +6,24 @@
 #ifndef BROOKLET_SEARCH
 #define BROOKLET_SEARCH
 
-// Distance from x to the cell [cell, cell + 1) along one axis, in metres; 0 inside it.
-float DistanceToCell(float x_m, int cell)
-{
-    float low_m = cell * grid.cell_size_m;
-    return max(max(low_m - x_m, x_m - (low_m + grid.cell_size_m)), 0.0);
-}
+#include "rows.hlsl"
 
 // Visits everything near particle i, which is at here_m, in some cell, in sorted order.
 void Search(uint i, float3 here_m, inout Found found)
 {
-    // The search reaches a hair beyond h, so that rounding of a cell's edge loses nobody; the
-    // distance itself decides.
-    float reach_m = grid.support_m * 1.0001;
-    float reach_squared_m2 = reach_m * reach_m;
-    int3 last_cell = int3(grid.cells) - 1;
-    int3 low = clamp(int3(floor((here_m - reach_m) * grid.inverse_cell_size_per_m)), 0, last_cell);
-    int3 high = clamp(int3(floor((here_m + reach_m) * grid.inverse_cell_size_per_m)), 0, last_cell);
-
+    Rows rows = RowsNear(here_m);
     uint3 here = Coordinates(places[i]);
-    for (int z = low.z; z <= high.z; ++z)
+    for (int z = rows.low.z; z <= rows.high.z; ++z)
     {
         float dz_m = DistanceToCell(here_m.z, z);
-        for (int y = low.y; y <= high.y; ++y)
+        for (int y = rows.low.y; y <= rows.high.y; ++y)
         {
-            float dy_m = DistanceToCell(here_m.y, y);
-            float chord_squared_m2 = reach_squared_m2 - dz_m * dz_m - dy_m * dy_m;
-            if (chord_squared_m2 <= 0.0)
+            int2 ends = EndsOfRow(here_m, rows, dz_m, y);
+            if (ends.x > ends.y)
                 continue;
-            float chord_m = sqrt(chord_squared_m2);
-            int first_x = max(int(floor((here_m.x - chord_m) * grid.inverse_cell_size_per_m)), 0);
-            int last_x = min(int(floor((here_m.x + chord_m) * grid.inverse_cell_size_per_m)), last_cell.x);
             uint row = (uint(z) * grid.cells.y + uint(y)) * grid.cells.x;
-            uint start = cell_starts[row + uint(first_x)];
-            uint end = cell_starts[row + uint(last_x) + 1];
+            uint start = cell_starts[row + uint(ends.x)];
+            uint end = cell_starts[row + uint(ends.y) + 1];
             BeginRow(found, start);
             for (uint sorted = start; sorted < end; ++sorted)
             {

@@ -77,8 +77,9 @@ struct StepParams
     uint reserved;
 };
 
-// The neighbour grid: dense cells over the domain, x fastest. Cell `cell_count` holds what is
-// outside or quarantined; it is nobody's neighbour.
+// The neighbour grid, x fastest: a cell for each of the domain's, or, in a domain far larger than its
+// fluid (WRAPPED), powers of two that the domain's cells are wrapped onto. Cell `cell_count` holds
+// what is outside or quarantined; it is nobody's neighbour.
 struct GridParams
 {
     uint3 cells;
@@ -89,7 +90,9 @@ struct GridParams
     uint particle_count;
     uint list_chunks;       // room for neighbours a particle, in LIST_CHUNKs
     float inverse_support_per_m;
+    uint reserved0;
     uint reserved1;
+    uint3 domain_cells;
     uint reserved2;
 };
 

@@ -42,7 +42,6 @@ pub fn verdicts(rows: &[Row]) -> Vec<Verdict> {
     }
     let shares: Vec<f64> = large().map(|row| row.grid_share).collect();
     hold(format!("share of the grid in a step, from {SMALLEST}"), largest(&shares), GRID_SHARE, false);
-    // The walls' table has one size: a small scene has few particles to share it.
     let bytes: Vec<f64> = large().map(|row| row.bytes_per_particle).collect();
     hold(format!("bytes a particle, from {SMALLEST}"), largest(&bytes), BYTES_PER_PARTICLE, false);
     all

@@ -1,4 +1,5 @@
-//! The neighbour grid: counting sort into cells of h/2 with full reorder, and neighbour lists.
+//! The neighbour grid: counting sort into cells of h/2 with full reorder, and neighbour lists. Where
+//! the domain has far more cells than the fluid fills, they are wrapped onto fewer.
 
 mod list;
 mod scan;
@@ -8,21 +9,51 @@ pub use scan::{SCAN_GROUP, Scan};
 
 use brooklet_gpu::{Recording, Resources};
 use brooklet_kernels::{
-    Buffer, CellSlot, CountCells, GridParams, ListMembers, Position, RankMembers, Reorder, ReorderVariant, Velocity,
+    Buffer, CellSlot, CountCells, CountCellsVariant, GridParams, ListMembers, Position, RankMembers, Reorder,
+    ReorderVariant, Velocity,
 };
 
 use crate::scene::Scene;
 
-/// Cells along each axis. Half the support wide: rows of cells then fit the support sphere so
+/// Cells of the domain along each axis. Half the support wide: rows of cells then fit the support sphere so
 /// closely that about half as many candidates are looked at as with cells of h.
 pub fn cells(scene: &Scene) -> [u64; 3] {
     let cell_m = 0.5 * scene.support_m();
     scene.domain.size_m().map(|size_m| (size_m / cell_m).ceil().max(1.0) as u64)
 }
 
+/// Cells of the grid for each particle, beyond which it is wrapped: a dense fluid fills a cell with
+/// each particle, so that few cells are shared by chance.
+const CELLS_A_PARTICLE: u64 = 16;
+/// A grid of so many cells is small however few particles there are.
+const FEW_CELLS: u64 = 1 << 16;
+/// Fewest cells an axis of a wrapped grid: no search meets a cell twice, and places, which repeat
+/// every 4 h, repeat with it.
+const LEAST_WRAPPED: u64 = 8;
+
+/// The grid's cells in a domain of `domain_cells`, powers of two onto which they are wrapped, if a
+/// cell for each would be far more than `particle_count` particles fill.
+pub fn wrapped(domain_cells: [u64; 3], particle_count: u32) -> Option<[u32; 3]> {
+    let most = (u64::from(particle_count) * CELLS_A_PARTICLE).max(FEW_CELLS);
+    let count = |cells: [u64; 3]| cells.iter().map(|&n| u128::from(n)).product::<u128>();
+    if count(domain_cells) <= u128::from(most) {
+        return None;
+    }
+    let mut cells = domain_cells.map(|n| n.next_power_of_two().max(LEAST_WRAPPED));
+    while count(cells) > u128::from(most) {
+        let longest = (0..3).max_by_key(|&axis| cells[axis]).unwrap_or(0);
+        if cells[longest] == LEAST_WRAPPED {
+            break;
+        }
+        cells[longest] /= 2;
+    }
+    Some(cells.map(|n| n as u32))
+}
+
 /// What the shaders are given.
 pub fn params(scene: &Scene, particle_count: u32) -> GridParams {
-    let cells = cells(scene).map(|n| n as u32);
+    let domain_cells = cells(scene);
+    let cells = wrapped(domain_cells, particle_count).unwrap_or(domain_cells.map(|n| n as u32));
     let cell_m = 0.5 * scene.support_m();
     GridParams {
         cells,
@@ -33,7 +64,9 @@ pub fn params(scene: &Scene, particle_count: u32) -> GridParams {
         particle_count,
         list_chunks: list_chunks(scene),
         inverse_support_per_m: (1.0 / scene.support_m()) as f32,
+        reserved0: 0,
         reserved1: 0,
+        domain_cells: domain_cells.map(|n| n as u32),
         reserved2: 0,
     }
 }
@@ -52,6 +85,8 @@ pub struct Grid {
     /// The unsorted particles of each cell, if their order is to be that of their ids.
     members: Option<Buffer<u32>>,
     scan: Scan,
+    /// Whether the domain's cells are wrapped onto fewer.
+    pub wrapped: bool,
 }
 
 impl Grid {
@@ -65,6 +100,7 @@ impl Grid {
             cell_slots: resources.buffer("cell_slots", params.particle_count),
             members: scene.solver.deterministic.then(|| resources.buffer("cell_members", params.particle_count)),
             scan: Scan::declare(resources, "cell_starts", starts),
+            wrapped: params.cells != params.domain_cells,
         }
     }
 
@@ -79,6 +115,7 @@ impl Grid {
         recording.clear(&mut self.cell_counts);
         recording.dispatch(
             &CountCells {
+                variant: CountCellsVariant { wrapped: self.wrapped },
                 positions: positions.read(),
                 cell_counts: self.cell_counts.write(),
                 cell_slots: self.cell_slots.write(),

@@ -9,8 +9,6 @@ use super::fields::{Kind, Short, kind_of};
 use super::{Fluid, Scene, SceneError};
 use crate::particles::{self, MAX_FLUIDS, MAX_PARTICLES};
 
-/// Cells a grid may have: their counts and starts stay inside one 128 MiB binding.
-pub(crate) const MAX_CELLS: f64 = (1 << 25) as f64;
 /// Spacings a side of the domain may have: f32 positions then still tell 1/256 of a spacing apart.
 const MAX_SPACINGS_A_SIDE: f64 = 65_536.0;
 /// Solver iterations a step may have. Each is two dispatches of the step's recording, which is
@@ -145,18 +143,6 @@ impl Scene {
             format_args!(
                 "a side of it may have {MAX_SPACINGS_A_SIDE} spacings: make it smaller, or spacing_m {} or more",
                 rounded_up(longest_m / MAX_SPACINGS_A_SIDE)
-            ),
-        )?;
-        let cells: f64 = crate::grid::cells(self).iter().map(|&n| n as f64).product();
-        check.require(
-            cells <= MAX_CELLS,
-            "domain",
-            format_args!("{sides} m in size"),
-            format_args!(
-                "needs {cells:.3e} grid cells of half the kernel's support, at most {MAX_CELLS:.3e} fit: \
-                 make it smaller, or spacing_m {} or more",
-                // A hundredth more: cells at the far sides count as whole ones.
-                rounded_up(1.01 * spacing_m * (cells / MAX_CELLS).cbrt())
             ),
         )
     }

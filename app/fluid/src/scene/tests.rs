@@ -171,7 +171,6 @@ fn messages_name_file_field_value_and_what_is_allowed() {
         (message(SMALL, &["domain.max_m=[0,1,1]"]), &["domain.max_m", "above min_m"]),
         (message(SMALL, &["domain.max_m=[0.01,1,1]"]), &["domain = [0.01, 1, 1] m", "at least spacing_m = 0.1"]),
         (message(SMALL, &["domain.max_m=[1e5,1,1]"]), &["domain", "65536 spacings", "spacing_m 1.53 or more"]),
-        (message(SMALL, &["domain.max_m=[1e3,1e3,1e3]"]), &["domain", "grid cells", "spacing_m 3.14 or more"]),
         (
             message(SMALL, &["solver.substeps=1000", "solver.iterations=11"]),
             &["solver.iterations = 11", "at most 10000"],

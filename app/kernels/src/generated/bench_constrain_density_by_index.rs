@@ -85,5 +85,5 @@ static CONSTRAIN_DENSITY_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/constrain_density_by_index.compute",
-    hash: "c11cadfc50acfd72b3f5a9d7a25d1b742e55c97abace74aa322bc0248409628c",
+    hash: "38016e1fbc9765f063d2b2f98ec3f277e98aae2cf9c24eba0cddf175e107d581",
 };

@@ -57,5 +57,5 @@ static COPY_ELEMENTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/copy.compute",
-    hash: "973d7dc423fcdb4c45a7c0201078ff7d0f86ab558c6e3c41ec9a906ca10a3d6a",
+    hash: "b74aa453ae329eb4bb6834214f1333b3db610681a74c1fe1f4eb0757b4e61ae0",
 };

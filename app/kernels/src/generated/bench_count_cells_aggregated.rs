@@ -57,7 +57,7 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 2,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
     },
-    BindingInfo { name: "grid", slot: 3, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "grid", slot: 3, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
 static COUNT_CELLS_AGGREGATED: Module = Module {
@@ -70,5 +70,5 @@ static COUNT_CELLS_AGGREGATED: Module = Module {
     shared_bytes: 512,
     tier: Tier::Floor,
     source: "bench/count_cells_aggregated.compute",
-    hash: "220094b2d5acf5e687f6a8254c61bcf116352f3158e8cc92a4c317e65e16f6a4",
+    hash: "061978e6528ca1ad31daa39fb95e18def2bf9b03ec8a7b3468dd980cb83e8f75",
 };

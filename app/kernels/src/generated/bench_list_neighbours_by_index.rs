@@ -73,7 +73,7 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 5,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 },
     },
-    BindingInfo { name: "grid", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "grid", slot: 6, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
 static LIST_NEIGHBOURS_BY_INDEX: Module = Module {
@@ -86,5 +86,5 @@ static LIST_NEIGHBOURS_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/list_neighbours_by_index.compute",
-    hash: "c99eacdea21322f3d1b25fe70d3ecf9452b6e07efb198b518605506ebaf5e7b7",
+    hash: "a0bd93e13cf3790d3caf37eb43bacc713a14190cffbbf2b4e1bdf50ae5a93eb1",
 };

@@ -88,7 +88,7 @@ static SCAN_GROUPS_TREE: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "e61bb8385c1a9b52b82a232e5905a7b8ce50c2db3bde586b4d3bdfe9ee5d6d98",
+    hash: "c38dafc58c2c000ec87b9019c84d22105cb9ca5ff6e67beeda1c95f20a977cde",
 };
 
 static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
@@ -101,7 +101,7 @@ static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "6125b66b2d103bf79b19c21fb57f51a5868d5c6f8106e1c9f4a531343cd6c294",
+    hash: "4f2fe2d4c60a5b808aaf6d0bbbb3f0b87b78a479d0337006e5d5cf0b0c355e69",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
@@ -114,7 +114,7 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "f35753e23d2855c794a439b7973cdd50a1e16c66c81636886e3a9a9ae5c405fd",
+    hash: "60b6127941f774a40d421e7f78d6a088c27d2843f5d1ed06961373d0dbfe92e7",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
@@ -127,5 +127,5 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "f4f7c396d9a7a64743fe900f17ee331e51687980c0baf1d2b5de6bc859427984",
+    hash: "b06e23e1566396f6b4cc3185bab324c57177b7d249931df5fd9eef8c3cdfa532",
 };

@@ -54,5 +54,5 @@ static SCAN_STEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/scan_step.compute",
-    hash: "0b222f5103aa9c5e8d624d04e62308de1a2f948194c29f7a92aff5e8f313fa27",
+    hash: "c22b4070175343c408acb54a6b91bd2ee443f84ac48a4a55fa6f735015696492",
 };

@@ -62,7 +62,7 @@ static DRAW_PARTICLES_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "13cf77169213d144e06debef250b0fe2a708e803933648429282ccd89c7f1852",
+    hash: "eafd860bb74c6e13c745a3ed9f81be0f88e7b8ba8b3c2a1b2b238f396a56b8ae",
 };
 
 static DRAW_PARTICLES_FRAGMENT: Module = Module {
@@ -75,5 +75,5 @@ static DRAW_PARTICLES_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "2108776c507294ce35c5b74021f4eb3354bb6f0682c5da33e63587a10b4a75fa",
+    hash: "e6c1c22f255c5b38d613ca195d2e763c2045614965b16f57f4bba5117ac3cfed",
 };

@@ -104,7 +104,7 @@ static DRAW_SHADE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "c412fc45004a6df19afcc7b61779986154f2c2b4bc98df077addce5960f2d748",
+    hash: "38f9adf62157ee93cebf8e3d317d79b59f6b9b169e3f204a4470b340478c3a8a",
 };
 
 static DRAW_SHADE_FRAGMENT: Module = Module {
@@ -117,7 +117,7 @@ static DRAW_SHADE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "d650c0ce98f6d522b839ff707f309f411f0336eb1c19d23cbef5257832104e41",
+    hash: "bc14b63dcb22dd4eaf4ce96f918e77106c0e424e019e3053f34bc585af37f88c",
 };
 
 static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
@@ -130,7 +130,7 @@ static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "4e499965ad8272865cfad83eb582bf0d53ae4321de0db360b1824d6bf840a802",
+    hash: "f1b0e16c13c65544f8bfa62f5206e0e3b22c2c26a36ab168cd6236b633405190",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
@@ -143,5 +143,5 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "cd4dce2debb9b9b16b8670f61a05e488a6317bc3efd26d2da0a4cd08dd8cb6e0",
+    hash: "1200547306d6696d1178e0c07b54469492b865c2196b11b1586a6aa4a2c5c9bb",
 };

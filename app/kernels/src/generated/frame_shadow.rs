@@ -55,7 +55,7 @@ static DRAW_SHADOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "4ab7c78dbfc23251cff2649a82ac98eba1e70c13f6ca250a3848447d46395089",
+    hash: "31f14c5ce513ddfc5d2f6c40a4d08f4d17c47c3ee5abca7026d21bac1a49aa05",
 };
 
 static DRAW_SHADOW_FRAGMENT: Module = Module {
@@ -68,5 +68,5 @@ static DRAW_SHADOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "4353c4a8187b11ef3c09b0ccb86a3f48db241f6e1e4e3d1453d30d2f85638571",
+    hash: "ddc99ed6d15d658dec8b44a462ec7d5dad88b75c7f6c22870bdb02ad508a9f2e",
 };

@@ -7,10 +7,19 @@ use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
 
+/// Which variant of [`CountCells`] runs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct CountCellsVariant {
+    /// Keyword `WRAPPED`.
+    pub wrapped: bool,
+}
+
 /// First pass of the counting sort: how many particles each cell holds, and how many of its cell
 /// came before each particle. The atomic gives both at once, so the sort needs no second one.
 #[derive(Debug)]
 pub struct CountCells<'a> {
+    /// Its variant.
+    pub variant: CountCellsVariant,
     /// `StructuredBuffer<Position> positions`.
     pub positions: Buf<'a, Position>,
     /// `RWStructuredBuffer<uint> cell_counts`.
@@ -26,7 +35,7 @@ impl Kernel for CountCells<'_> {
     const GROUP_SIZE: [u32; 3] = [64, 1, 1];
 
     fn module(&self) -> &'static Module {
-        &COUNT_CELLS
+        if self.variant.wrapped { &COUNT_CELLS_WITH_WRAPPED } else { &COUNT_CELLS }
     }
     fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
         bind(
@@ -42,7 +51,7 @@ impl Kernel for CountCells<'_> {
 }
 
 /// The modules of this file.
-pub(super) static MODULES: &[&Module] = &[&COUNT_CELLS];
+pub(super) static MODULES: &[&Module] = &[&COUNT_CELLS, &COUNT_CELLS_WITH_WRAPPED];
 
 static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "positions", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
@@ -56,7 +65,7 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 2,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
     },
-    BindingInfo { name: "grid", slot: 3, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "grid", slot: 3, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
 static COUNT_CELLS: Module = Module {
@@ -69,5 +78,18 @@ static COUNT_CELLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "af59214ba3cf429cde439c2ac5f74beb02a1b456a2095d08b843320d4130c146",
+    hash: "c1f07722016cc78809cc7eac023f4b3e23f426c300c90c325fbd29afc8a68e43",
+};
+
+static COUNT_CELLS_WITH_WRAPPED: Module = Module {
+    name: "CountCells+WRAPPED",
+    entry: "CountCells",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/count_cells+wrapped.spv"),
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "grid/count_cells.compute",
+    hash: "7065a6ff84fbf4e820e7c68048bb5f4a3204a69ce95a486e46a109b59fddc165",
 };

@@ -10,6 +10,8 @@ use crate::{
 /// Which variant of [`ListNeighbours`] runs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct ListNeighboursVariant {
+    /// Keyword `WRAPPED`.
+    pub wrapped: bool,
     /// Keyword `PACKED`.
     pub packed: bool,
 }
@@ -40,7 +42,12 @@ impl Kernel for ListNeighbours<'_> {
     const GROUP_SIZE: [u32; 3] = [64, 1, 1];
 
     fn module(&self) -> &'static Module {
-        if self.variant.packed { &LIST_NEIGHBOURS_WITH_PACKED } else { &LIST_NEIGHBOURS }
+        match (self.variant.wrapped, self.variant.packed) {
+            (false, false) => &LIST_NEIGHBOURS,
+            (false, true) => &LIST_NEIGHBOURS_WITH_PACKED,
+            (true, false) => &LIST_NEIGHBOURS_WITH_WRAPPED,
+            (true, true) => &LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PACKED,
+        }
     }
     fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
         bind(
@@ -59,7 +66,12 @@ impl Kernel for ListNeighbours<'_> {
 }
 
 /// The modules of this file.
-pub(super) static MODULES: &[&Module] = &[&LIST_NEIGHBOURS, &LIST_NEIGHBOURS_WITH_PACKED];
+pub(super) static MODULES: &[&Module] = &[
+    &LIST_NEIGHBOURS,
+    &LIST_NEIGHBOURS_WITH_PACKED,
+    &LIST_NEIGHBOURS_WITH_WRAPPED,
+    &LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PACKED,
+];
 
 static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo {
@@ -84,7 +96,7 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 5,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
-    BindingInfo { name: "grid", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "grid", slot: 6, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
 static LIST_NEIGHBOURS: Module = Module {
@@ -97,7 +109,7 @@ static LIST_NEIGHBOURS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "0787e8b36791e7f5da9963c8e6401efa040654c96df6733206912cfc0c0dd4f8",
+    hash: "1a1ae17811018c9e095989c8db91102439b99bf2fd91641c2f84cf00768186c8",
 };
 
 static LIST_NEIGHBOURS_WITH_PACKED: Module = Module {
@@ -110,5 +122,31 @@ static LIST_NEIGHBOURS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "ce51df2f3d4203dc67b0cdf54216adc07039c9711d8e2084c38b8d7e9794dd37",
+    hash: "c4b45916eecfdffb659b291fbf2459f29c862cfad2ccbc78878672d9ef7dfb2f",
+};
+
+static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
+    name: "ListNeighbours+WRAPPED",
+    entry: "ListNeighbours",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/list_neighbours+wrapped.spv"),
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "grid/list_neighbours.compute",
+    hash: "e5211ddb1b01e4b5e1d9b1f312effdbaa95d6fa82942f4b7e5d1bb2c33eca89a",
+};
+
+static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PACKED: Module = Module {
+    name: "ListNeighbours+WRAPPED+PACKED",
+    entry: "ListNeighbours",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/list_neighbours+wrapped+packed.spv"),
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "grid/list_neighbours.compute",
+    hash: "e1f9cc3159c146052cd55e270cbb64624995d7c3d40195435f3f356234771102",
 };

@@ -58,7 +58,7 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 3,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
     },
-    BindingInfo { name: "grid", slot: 4, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "grid", slot: 4, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
 static RANK_MEMBERS: Module = Module {
@@ -71,5 +71,5 @@ static RANK_MEMBERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/rank_members.compute",
-    hash: "8db090afce0ef208383d84cb4717002cf8c818202b784fa9f87077636082eba9",
+    hash: "1e43a17e6175a00f00a818ea2753e4744e1ffa2fc6c4deec9719829f653e0937",
 };

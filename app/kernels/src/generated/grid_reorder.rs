@@ -81,7 +81,7 @@ static BINDINGS_0: &[BindingInfo] = &[
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
     BindingInfo { name: "places", slot: 6, kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 } },
-    BindingInfo { name: "grid", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "grid", slot: 7, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
 static REORDER: Module = Module {
@@ -94,7 +94,7 @@ static REORDER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "1c0ff11d63bb62e09ccdf90a1b9ace11a92f1e74b0b119361a573fbb76e08326",
+    hash: "76eb63f782034bec0dd1d9c5965d557f0710f43f03f14a5234132e829fe3b484",
 };
 
 static REORDER_WITH_PACKED: Module = Module {
@@ -107,5 +107,5 @@ static REORDER_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "cd3fec412d4a42890b5e05ebc3c2db4d94404b5ab22ed2e487085acc35ac3332",
+    hash: "2533567caf8de834ebd886b9c067fc122aa83a2a1bbbed955cc236f979dd1ca7",
 };

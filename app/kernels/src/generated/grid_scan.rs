@@ -109,7 +109,7 @@ static REDUCE_GROUPS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "1107d8c10a91d6ca8997ef93d34f793a5bab2d27fc236ecd46df48f911ccbe3c",
+    hash: "877eeaa3a6405d312f0b8d92ddbd8a8338becddb47c1cef99fbfa79efb49b247",
 };
 
 static SCAN_GROUPS: Module = Module {
@@ -122,7 +122,7 @@ static SCAN_GROUPS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "2da13e3eb39cfff8fb25c3d2868a93f36ce7d68056056f660151ab460960257f",
+    hash: "ab7318dd04e085486392f2b62887fa9e2b996bda8db4331b2b4b48838b2abbc1",
 };
 
 static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
@@ -135,5 +135,5 @@ static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "8c06e2bac2f94e6fc932f15cb6c41122576b2013b6a0b7239bb8c6d709f000fc",
+    hash: "63bcc5589d07695dce5b96ad947aa411dff6499900f3ff6c7c7ec77f31ea57fc",
 };

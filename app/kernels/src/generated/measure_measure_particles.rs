@@ -95,7 +95,7 @@ static MEASURE_PARTICLES: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "a1f3715d6f6c26cede1a0837cbc05645c6232361d768f25ef86014d064fdeb30",
+    hash: "199383a42b0056cff2ebcfe2bb3eda7086328d9a4092657a541a4b5ff7101f83",
 };
 
 static MEASURE_PARTICLES_WITH_WALLS: Module = Module {
@@ -108,5 +108,5 @@ static MEASURE_PARTICLES_WITH_WALLS: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "c8194d6a31bf8b8653eec551ef2be209b155925a01cb94e5f9412fa309d7c173",
+    hash: "b7d86a69f381d46177759d3417f372ae3d8fb2f939166581d0313aff2d64aead",
 };

@@ -73,5 +73,5 @@ static MEASURE_TOTALS: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_totals.compute",
-    hash: "86f00e55081fbae1041c15e3d5e6e032b714cebd3214bd3595f03f50d2c8a2aa",
+    hash: "8a93008f227a6c13a751f8c5bc44405840e3a35df13c0c9ac2545d3e3e11785d",
 };

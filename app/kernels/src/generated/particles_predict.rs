@@ -82,7 +82,7 @@ static PREDICT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "492b0666d7459ed1c887f73a056656a7d1b462dd80c7370492bea598f7cab297",
+    hash: "33bd158f48a65cdb23b4959f3da8a772b425523c594f1609e0c92cae451c99f5",
 };
 
 static PREDICT_WITH_WALLS: Module = Module {
@@ -95,5 +95,5 @@ static PREDICT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "4215f03988ad26ea8cbe26a235117ab2da3951a7370b9f6f7c9e51d174ab2056",
+    hash: "7df39e162c0dd92d04cef161fe1074a976ce6d8089f9152716120c0fbc8ff3ae",
 };

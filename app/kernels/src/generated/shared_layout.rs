@@ -159,8 +159,9 @@ const _: () = {
     assert!(size_of::<StepParams>() == 48);
 };
 
-/// The neighbour grid: dense cells over the domain, x fastest. Cell `cell_count` holds what is
-/// outside or quarantined; it is nobody's neighbour.
+/// The neighbour grid, x fastest: a cell for each of the domain's, or, in a domain far larger than its
+/// fluid (WRAPPED), powers of two that the domain's cells are wrapped onto. Cell `cell_count` holds
+/// what is outside or quarantined; it is nobody's neighbour.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct GridParams {
@@ -181,7 +182,11 @@ pub struct GridParams {
     /// `float`.
     pub inverse_support_per_m: f32,
     /// `uint`.
+    pub reserved0: u32,
+    /// `uint`.
     pub reserved1: u32,
+    /// `uint3`.
+    pub domain_cells: [u32; 3],
     /// `uint`.
     pub reserved2: u32,
 }
@@ -194,9 +199,11 @@ const _: () = {
     assert!(offset_of!(GridParams, particle_count) == 28);
     assert!(offset_of!(GridParams, list_chunks) == 32);
     assert!(offset_of!(GridParams, inverse_support_per_m) == 36);
-    assert!(offset_of!(GridParams, reserved1) == 40);
-    assert!(offset_of!(GridParams, reserved2) == 44);
-    assert!(size_of::<GridParams>() == 48);
+    assert!(offset_of!(GridParams, reserved0) == 40);
+    assert!(offset_of!(GridParams, reserved1) == 44);
+    assert!(offset_of!(GridParams, domain_cells) == 48);
+    assert!(offset_of!(GridParams, reserved2) == 60);
+    assert!(size_of::<GridParams>() == 64);
 };
 
 /// The smoothing kernel, Wendland C2, scaled so that the initial lattice has density ratio 1, and

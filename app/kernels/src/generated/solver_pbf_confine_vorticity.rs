@@ -102,7 +102,7 @@ static CONFINE_VORTICITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "50172e891808389f992a24c245585aec2efec96aafc8e5968624a31cde5b537d",
+    hash: "646bd8661f107ef95d573e7b5f94c7aa765cac3a01271c41f3dbee808df2f1f5",
 };
 
 static CONFINE_VORTICITY_WITH_PACKED: Module = Module {
@@ -115,7 +115,7 @@ static CONFINE_VORTICITY_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "ecde5e7a2fa6c0451515f675bcd73ed8db824bcfebf6dd05885bf29880a08342",
+    hash: "051c0bcc1008cf2d3bb076a1b6c4221028c20453020908d799b2fca87e77a2ba",
 };
 
 static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -128,7 +128,7 @@ static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "2f4d7ad64033c91e52542b9e910e8268754cc78db190a4e61b11e3dc3f9d582c",
+    hash: "c695aadadedeef7420774e6e7abb0dca69a84b140cf4b20511aad0e0db620b92",
 };
 
 static CONFINE_VORTICITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -141,7 +141,7 @@ static CONFINE_VORTICITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "181d9c52d9fb3c32ecde29c1ec7ab4ffaa33cf4fd84725740647c449e2dce29b",
+    hash: "c5da85b2faaf87a5a3922447c31bb1d92771e3e13f442146f4a5efebc2eac74e",
 };
 
 static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
@@ -154,7 +154,7 @@ static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "361423f84dcf73f747bb90673414b2ba45afebf9ba0c66af6dac16079e420fe0",
+    hash: "6a43142080a1f764a93ece0619d507ead53d67c09ac0b844ded59b5bd5ce82d1",
 };
 
 static CONFINE_VORTICITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -167,5 +167,5 @@ static CONFINE_VORTICITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "a7c23a98e0bf9234d264632bcd7908e9d4ff985215caed9c92c8e6719132ab55",
+    hash: "e5c227906a4b6a33de8646d4ee53383b14710266413f60d4f2725c1fc2da45dd",
 };

@@ -177,7 +177,7 @@ static CONSTRAIN_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "9903adca6040bf6566607166df03f6e5b7922ca688f27b9dca5631e5a8d7c1a6",
+    hash: "a6607638676a6aa91dcd8bf00a8c33f392b1b356448cf47f0e15ce821fcf944d",
 };
 
 static CONSTRAIN_DENSITY_WITH_PACKED: Module = Module {
@@ -190,7 +190,7 @@ static CONSTRAIN_DENSITY_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "af315d53d499a014013b82948e1ce3bd9f76b2b00e64fb9f35bf15e87779150e",
+    hash: "6d1fb649c694372f1b3eb085206b7ca9c50538231dc10a24ef9fad7499177541",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -203,7 +203,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "33cc759b7b094990254f19c786db03c689415d1015c2ce73b81394f35d896bfa",
+    hash: "4e74688ccf20ee7b2e49a815ffc84757bc597d78ea9049d7560d8243c8202ef7",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -216,7 +216,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "6bca63b69a9cd5263b2ae4c8e914ec19cd8a291dc590d57ef5c9cecd6df48559",
+    hash: "fa775a4580ba65d003a32064d06346c71db2364e8dd7919759d0899c239c9385",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -229,7 +229,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "7c466030e1b5579d19d3071766eb9f893911a4f073dae850971c23b037909d6a",
+    hash: "cbe6ba66b8287622e0b5ed4f6db655df4d57c9b6a9d8a618ab2834ee50db9ca5",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -242,7 +242,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "fdc16acca5223f0ec259277df180fbc73cc0eb650a8e259787dd88a0ada22b12",
+    hash: "b2feacd358d080b2ae559117117ee88794bd9b321aefa82fe1d273f40a326205",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
@@ -255,7 +255,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "5b70578590d989e2b93941ff358ae3bb6a7c35dbcbe1fdabbd6f98ae0d323616",
+    hash: "66a1b7b56d63ecbf198f6849802f25b0fbdaee1d583a390ece2b51c99e8c933d",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_PACKED: Module = Module {
@@ -268,7 +268,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "9f7a3c580fa3db98ceac4078884db9c87b7ec824889f43540064b908155b0c71",
+    hash: "0b46ebdc740582305662eb41faf5a8d4a1d68d0d01c69922cafec068d863ef40",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -281,7 +281,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "d70cf49e201c2209483c966d1d8ccf9f4fd4d01a718ede56d75affd5f4c74975",
+    hash: "3673138aa2da6685eba0f19180d73180768556ddf41fd9331e400689b6217cf4",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -294,7 +294,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "e337c6a299c2cd7aac4232508054bc6582c01d65c465c019985995c01ea43c7f",
+    hash: "297afae71d06847d5b1cf06ab8d18c4f0d1b8656c79bcb879141cfc49bb080fa",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -307,7 +307,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "55ece5d650d3119b54781a9a3223836da79e7fbff1a380bba0d0bed3e758de47",
+    hash: "8a8c6a893a6e60c8ac5ca6368f2c400aaf7462458b52875ed34836df4cdcb79d",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -320,5 +320,5 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "6c72561f852d495d517e0f88ac3d6f7854c4a9ba3d14fac54840cd345f70bed4",
+    hash: "00dc6fbe4ffa161ded8568ef219eb095fc27a5ac7b6fcf1eb9292ba5a6e91af6",
 };

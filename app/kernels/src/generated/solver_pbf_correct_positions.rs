@@ -238,7 +238,7 @@ static CORRECT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "74267462795967c7f900743dfbb0c2046c27330134f478ac3dd1a582e0a8060e",
+    hash: "ccdb96784c12ddb1f9d163e7e945fdf20c0b434dfe7aa793af1a4ce3e9e4bd54",
 };
 
 static CORRECT_POSITIONS_WITH_PACKED: Module = Module {
@@ -251,7 +251,7 @@ static CORRECT_POSITIONS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "47b9907bf9effc8851c01052cf53a2430d39d2da5a9e583baa54c2d82a715cf7",
+    hash: "70cbcf9a39d29a7b62459f8425357e2fbc861411f5b11d78f969e0aa070d2340",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
@@ -264,7 +264,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "fd7e746f936317eecb791ebfea6668f61d1e0d4949dfd35b3ee30a819485871b",
+    hash: "aed0438012cf51679667c48059dc76cb19af8396d80aff99ab98d312685f2e1c",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -277,7 +277,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "36a265ec31edd14a3b3cbee0bfb16e559c344f6acc8f5e1d2f6f216eac5fedba",
+    hash: "004ffabd1c0e9fd6f89372998027da575ba7d43270ce1bd47b127b2ca664d41d",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
@@ -290,7 +290,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "29dfc6db77a07a4be8f366196105ed6f34aa7548e11db2ee992aa74a155bd9f2",
+    hash: "b5fdd1dba10fd149d0cff10d5a8db93a26627a4110ef8fb9b2535578c155d264",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -303,7 +303,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "efea5e2eec64dc44988c8fc5014fe95f3fffbf290d148c9d35ead4609b22ae79",
+    hash: "30f5c4c2fa607ee3acbbfca062938c726e700a7cb67fef39e2948eb4e36ae3ad",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
@@ -316,7 +316,7 @@ static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "84885632dacff4a7fe396cc102a5116f58567d60ddfa2193419a3375be9bcf39",
+    hash: "e30abb3dbabb35f98d05d746f78150e90c88c70e5bd509945db46048aa695b2a",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_PACKED: Module = Module {
@@ -329,7 +329,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "5109affd021a7ee1cd58bcaece302b5ee50efbd3d17e77456c598d3fbb68fe3c",
+    hash: "ed627d68ee33c68266cbaf0166d29119b5247bf1ccb0c35d65e899c9c80a7824",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -342,7 +342,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "2b0f8dded7ed0e251c3f36564ddb8fcb781dfe5e34ca4e4056b4c4ee20ccad25",
+    hash: "6544260a266f496a8dbf9c684d2f3d1ca0d443be7cbcf7f25f689ba5b05987e2",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -355,7 +355,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "eda048735b6d716167b1b2a761209b81611b86c4ae6b735696d7586098944425",
+    hash: "5ada9eb9b4c1e7889ba01f382ce57cc5903ed8a868869a2c0e81659a2c2c6219",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -368,7 +368,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "b346b2aa5e12181a0612b08843bdeee0f5e41d3766f5d52ee5d21e4f6dd83693",
+    hash: "735028d91a0bd5837a357826d451a956fcaebaa489a8893b298e81d5d163a30a",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -381,7 +381,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = M
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "baa3f4dd1537abe595c00c7b6f1d400194446e9049283736ca9c6f06948a4130",
+    hash: "c9e0070692a1cbc9bebf57fc63299853d96751dc90b74a658964ade9869ccc4c",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
@@ -394,7 +394,7 @@ static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "026176fc32dc8fe9e72fd5b46c5e389f850832d8fc40f5449b9c7770e4188c36",
+    hash: "d5578ab3446ad57c02b07bedc8598b232a3b3965b95c3edcd03dde83d825fab8",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_PACKED: Module = Module {
@@ -407,7 +407,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "3dbebbb538685ef2ae01ca8210d9c2f2045d27231cdc0cc28678076e709a87f9",
+    hash: "0c6d36d6a51afd18e13a8a706741e21edb615cab5e36b45286ef1ac3269fc36a",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -420,7 +420,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "8df5a4e60a8d0a1ce4160ae51a2570d34e64151ffb028a3c36c0b75c7b777f12",
+    hash: "529a2cddf2f3f2bc51a5d3dc62a12a1aa7704cff8935d3e53e0de3b5774cb047",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -433,7 +433,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "47866e57d69f64046652eea638420334fbb11713fae93de7125353432ef42f29",
+    hash: "1876e9e7bae0976f9772c68c77c65bd51166bd7ae92a97ba03b159dd53958094",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -446,7 +446,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "9d0d78fcb6b7241d15827fa074a08ce09c83ae1304cac8ccd86fa8e8089f56f4",
+    hash: "8db188a506964b137ab6651039906aab7688e8a6520f140fa2e72ca069b31d44",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -459,7 +459,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "1f9b9364fb61847343f2d45818008106aefbe328858b48ce357bf6691d3a49d8",
+    hash: "d507ad89f0c65047da873fd6f4107332b179a30e0bd2ab99b26b761962324ed3",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
@@ -472,7 +472,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "194e1f3cff128771a22ca220f19fa0c2a8ca5ffd25be7ea52674f3193cb5f418",
+    hash: "353f5abbbb32a31dc3c73ab97c008ecc651d722122efd677c5918bcd30696b22",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_PACKED: Module = Module {
@@ -485,7 +485,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "6edca995894e684b9aa1cd4f13ce23d571deaa417da99e3f5b9196d5d4bfe929",
+    hash: "1b9e5e0a78471be565274b2a22f56490c44460bfdd5251061aad1f21b99fc001",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -498,7 +498,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "144a9ac3239ac871c767dd8f6961dbf8f339d45c4266e7420414384227c86089",
+    hash: "c918bcb0dc08cf32450a78cbe76ae96b0522135cfdcfeb67d9cc82be9ff1caa1",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -511,7 +511,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACK
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "79316e99a57aa5e80991c5a606c40b9853d6f5c653b5f9e7b53a331bbe10407d",
+    hash: "a9f43641b33b2e85683934f2dda6a8de5674390815025e3c42715454f5ad2805",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -524,7 +524,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "0bb2e11d2aef939464f4f90ce6899250842b8cc5bd9f9b5da9c278230f2e3938",
+    hash: "d9e2f8ba633ce332cb7a7cbff88410bdc9d2de557341ddb60d3e5ed1b495df6c",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -537,5 +537,5 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED:
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "27d2c29635b40521c70bfb17ffad437d59e4fad00413ce5f71a78d1f411a3206",
+    hash: "c456e3d5190353f252a6f71c38343565ba4594191c17297ad08c6eeeecf085b8",
 };

@@ -101,7 +101,7 @@ static CURL: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/curl.compute",
-    hash: "a53baa370c6ed67c730a553ae62c85b0e0ff038cf7286e1bb261e95eb07f4884",
+    hash: "74d67173aa9e0bf7f80e6aa61a8212a9916629733250f2207378b0f2b0cb5dae",
 };
 
 static CURL_WITH_PACKED: Module = Module {
@@ -114,7 +114,7 @@ static CURL_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/curl.compute",
-    hash: "ef7a446c820a319f2f362e1c66be3e46160fb46a6504692a05709cd46dd9bc11",
+    hash: "9ce68b1eee20c1a0b2e166818eb22454e6af249a790db6074436372b5be208a8",
 };
 
 static CURL_WITH_RELAXED_PRECISION: Module = Module {
@@ -127,7 +127,7 @@ static CURL_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/curl.compute",
-    hash: "001c4f7d26aa4a34e6e2b1d4bbd43935228d84c6cb2233ca8687807e6b141b69",
+    hash: "2b98289f0e63c7dcb5761a391f5dd17ccf412421d2873e7dc85dc42e0d27adfb",
 };
 
 static CURL_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -140,7 +140,7 @@ static CURL_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/curl.compute",
-    hash: "baade86ec39e1e59ae4b234c4e214197b24dac92a25f8f1acc8f4721ef2abbfe",
+    hash: "070a1b5633c84b67e6076caa2d609d13a6ea2efdd9b6034309c3eebb83316688",
 };
 
 static CURL_WITH_HALF_PRECISION: Module = Module {
@@ -153,7 +153,7 @@ static CURL_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/curl.compute",
-    hash: "4510f38ef5cedf6fd7b1ef178618bddaa57e7a2621a12518e9072f6e10c435ef",
+    hash: "9cdc5cd8a427c3e3649ac25b2adfae253fc3600c489b439d4a140cb3264ede80",
 };
 
 static CURL_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -166,5 +166,5 @@ static CURL_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/curl.compute",
-    hash: "3f2ca6df13bfd95ab7a31977fe297913ef4b13ffc80e55f885c6701f9e15e971",
+    hash: "cd522e308019001555184a027ce3eb38dba2b9897e3a17dc984cfd048c2417da",
 };

@@ -107,7 +107,7 @@ static UPDATE_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "dc68862c102c14171425e8510e44eee1607131604b0a67a71889d9be3f476b25",
+    hash: "62c4e595c78b1f5acbd90b2819b4121e6e3027edea547c6f3e650d2a9e982b31",
 };
 
 static UPDATE_VELOCITY_WITH_PACKED: Module = Module {
@@ -120,5 +120,5 @@ static UPDATE_VELOCITY_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "387f73c0b1688a260f0dcc8cf41da443007897a00af0247c599ca228732644cb",
+    hash: "4c01334af9f44a75f864293dbb2049610292420a9b6351836997f5d92df1ec36",
 };

@@ -106,7 +106,7 @@ static VISCOSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/viscosity.compute",
-    hash: "4a2b9c97e67ad49d779c1dd7804907a8ca8f20eb75cc50d3dbd38d441dcd7641",
+    hash: "625f7ca8cee1932dc744def5af6939197843d7e5c0a02b454db751d1f458c269",
 };
 
 static VISCOSITY_WITH_PACKED: Module = Module {
@@ -119,7 +119,7 @@ static VISCOSITY_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/viscosity.compute",
-    hash: "7e0e934feac6aca1dd6b9a60f7b40da6f773b2671407128f8e14d0560a5fef5b",
+    hash: "4cd1310cf5bdcc1acdcb49ae9c3102cbc99797fc2a4ea474ecf7d54b39269e55",
 };
 
 static VISCOSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -132,7 +132,7 @@ static VISCOSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/viscosity.compute",
-    hash: "d32ae7b03adb0e27569e439ff5bdcec40f96ae8cb409fc466a9851b3bb181b64",
+    hash: "a05bdf35bbc62ff44f89a334a1aebc7ad7379f98ccbb2e97c2b89e253c5d2fd9",
 };
 
 static VISCOSITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -145,7 +145,7 @@ static VISCOSITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/viscosity.compute",
-    hash: "7e1b75e7ac1891dc30d13680ee9ffee7fa7a8efee7759a1c53ab2a727f99d304",
+    hash: "b77f4387793b6e4e43fa4afb353bd0f77eaff01443c009a1b92a4f05e0e57126",
 };
 
 static VISCOSITY_WITH_HALF_PRECISION: Module = Module {
@@ -158,7 +158,7 @@ static VISCOSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/viscosity.compute",
-    hash: "0916d1efdaa30a687d37168faafa30d55e49b3ab214290933e4a08e597ffcd1f",
+    hash: "378e4b2816ee52c19995baf01fbae6fe44c6dcc3745f75a92f589f8c7d7e0427",
 };
 
 static VISCOSITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -171,5 +171,5 @@ static VISCOSITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/viscosity.compute",
-    hash: "93e8b778f016d6e114be45b63e74f3d6ff3232f41b5e6288202d8f052da14c5e",
+    hash: "61063deafb47f2f6f9c3f012acc39a2b0d1d409687ee8048ac10fa61785715b9",
 };

@@ -8,10 +8,10 @@ pub fn cell_of(position_m: DVec3, grid: &Grid) -> u32 {
     let cell = (position_m / grid.cell_size_m).floor();
     let mut index = 0;
     for axis in [2, 1, 0] {
-        if cell[axis] < 0.0 || cell[axis] >= f64::from(grid.cells[axis]) {
+        if cell[axis] < 0.0 || cell[axis] >= f64::from(grid.domain_cells[axis]) {
             return grid.cell_count();
         }
-        index = index * grid.cells[axis] + cell[axis] as u32;
+        index = index * grid.cells[axis] + cell[axis] as u32 % grid.cells[axis];
     }
     index
 }
@@ -49,7 +49,7 @@ pub fn check_ranks(cells: &[u32], ranks: &[u32], cell_count: u32) -> Result<(), 
 mod tests {
     use super::*;
 
-    const GRID: Grid = Grid { cells: [4, 3, 2], cell_size_m: 0.5, support_m: 1.0 };
+    const GRID: Grid = Grid { cells: [4, 3, 2], domain_cells: [4, 3, 2], cell_size_m: 0.5, support_m: 1.0 };
 
     #[test]
     fn x_is_fastest_and_outside_is_last() {

@@ -1,7 +1,7 @@
 //! Aggregated atomics: one for each run of particles of a cell, or one for each particle.
 
 use brooklet_gpu::{Recording, Resources};
-use brooklet_kernels::{CountCells, CountCellsAggregated, GridParams, Position};
+use brooklet_kernels::{CountCells, CountCellsAggregated, CountCellsVariant, GridParams, Position};
 
 use super::contest::{ALTERNATIVE, BASELINE, INIT, Names, Outcome, Ring};
 use crate::failure::Failure;
@@ -28,6 +28,7 @@ pub fn aggregated_atomics(
     baseline.clear(&mut counts[0]);
     baseline.dispatch(
         &CountCells {
+            variant: CountCellsVariant::default(),
             positions: at.read(),
             cell_counts: counts[0].write(),
             cell_slots: slots[0].write(),

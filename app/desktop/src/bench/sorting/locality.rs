@@ -9,8 +9,9 @@ use brooklet_fluid::{
 };
 use brooklet_gpu::{Engine, Recording, Resources};
 use brooklet_kernels::{
-    Buffer, ConstrainDensity, ConstrainDensityByIndex, ConstrainDensityVariant, Constrained, CountCells, Counters,
-    GridParams, KernelParams, ListNeighboursByIndex, PbfParams, Position, ReorderIndex, StepParams, Velocity,
+    Buffer, ConstrainDensity, ConstrainDensityByIndex, ConstrainDensityVariant, Constrained, CountCells,
+    CountCellsVariant, Counters, GridParams, KernelParams, ListNeighboursByIndex, PbfParams, Position, ReorderIndex,
+    StepParams, Velocity,
 };
 
 use super::contest::{ALTERNATIVE, BASELINE, INIT, Names, Outcome, Ring};
@@ -206,6 +207,7 @@ fn sort_index(
     recording.clear(&mut grid.cell_counts);
     recording.dispatch(
         &CountCells {
+            variant: CountCellsVariant::default(),
             positions: positions.read(),
             cell_counts: grid.cell_counts.write(),
             cell_slots: grid.cell_slots.write(),

@@ -106,6 +106,7 @@ fn coarser(fine: &GridParams) -> GridParams {
     let cells = fine.cells.map(|count| count.div_ceil(2));
     GridParams {
         cells,
+        domain_cells: cells,
         cell_count: cells.iter().product(),
         cell_size_m: 2.0 * fine.cell_size_m,
         inverse_cell_size_per_m: 0.5 * fine.inverse_cell_size_per_m,
