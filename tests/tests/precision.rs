@@ -1,0 +1,82 @@
+//! What lower precision does to the density, beside VALIDATION's table: relative to the density, rms
+//! and largest over a squeezed, jittered lattice at d = 2 cm, h = 2 d. (`app/fluid/PRECISION.md`.)
+
+use brooklet_kernels::{ConstrainDensity, ConstrainDensityVariant, Constrained, PbfParams, PrecisionKeyword};
+use brooklet_reference::shared::place::Places;
+use brooklet_reference::solver::pbf::density_ratio;
+use brooklet_tests::cases::{Case, fluid, kernel_params, pbf_params, precisions, smoothing_of};
+use brooklet_tests::harness::{Bench, small};
+use brooklet_tests::rng;
+use glam::DVec3;
+
+/// With so much constraint force mixing a multiplier is the constraint alone, divided by this.
+const MIXING: f32 = 1.0e6;
+
+/// Density ratios of compressed particles as the kernel sums them, from their multipliers.
+fn summed(case: &Case, precision: PrecisionKeyword) -> Vec<f64> {
+    let mut bench = Bench::new();
+    let places = bench.input("places", &case.places(Places::Full));
+    let (neighbours, list_heads) = case.upload_neighbours(&mut bench);
+    let mut constrained = bench.output::<Constrained>("constrained", case.count());
+    let step_params = bench.uniform("step_params", case.step_params());
+    let kernel = bench.uniform("kernel", kernel_params());
+    let pbf = bench.uniform("pbf", PbfParams { cfm: MIXING, ..pbf_params() });
+    bench.dispatch(
+        &ConstrainDensity {
+            variant: ConstrainDensityVariant { precision, ..ConstrainDensityVariant::default() },
+            places: places.read(),
+            sorted_positions: None,
+            neighbours: neighbours.read(),
+            list_heads: list_heads.read(),
+            constrained: Some(constrained.write()),
+            packed_constrained: None,
+            step_params: step_params.uniform(),
+            kernel: kernel.uniform(),
+            pbf: pbf.uniform(),
+        },
+        case.count(),
+    );
+    // What the gradients add to the mixing is below 1e-5 of it.
+    bench.run().read(&constrained, case.count()).iter().map(|c| 1.0 - f64::from(c.lambda) * f64::from(MIXING)).collect()
+}
+
+/// Relative to the expected density: rms and largest.
+fn errors(got: impl Iterator<Item = f64>, expected: &[f64]) -> [f64; 2] {
+    let errors: Vec<f64> = got
+        .zip(expected)
+        .filter(|(_, expected)| **expected > 1.0)
+        .map(|(got, expected)| (got / expected - 1.0).abs())
+        .collect();
+    assert!(errors.len() > 100, "only {} particles are compressed", errors.len());
+    let mean_square = errors.iter().map(|e| e * e).sum::<f64>() / errors.len() as f64;
+    [mean_square.sqrt(), errors.iter().copied().fold(0.0, f64::max)]
+}
+
+fn densities(case: &Case, positions_m: &[DVec3]) -> Vec<f64> {
+    let smoothing = smoothing_of(&kernel_params());
+    (0..case.count()).map(|i| density_ratio(i, positions_m, &case.neighbours[i], &smoothing, None)).collect()
+}
+
+#[test]
+fn densities_lose_no_more_than_stated() {
+    let case = fluid(&mut rng(71), if small() { 1000 } else { 8000 });
+    let exact = densities(&case, &case.positions_m());
+    for (precision, _) in precisions() {
+        // Sums of f32: some 30 roundings. A pair in f16 is off by up to 8e-4, and the sum by the
+        // random walk of 30; relaxed may be either.
+        let [rms_allowed, max_allowed] = match precision {
+            PrecisionKeyword::Off => [2.0e-6, 1.0e-5],
+            PrecisionKeyword::RelaxedPrecision | PrecisionKeyword::HalfPrecision => [5.0e-4, 2.0e-3],
+        };
+        let [rms, max] = errors(summed(&case, precision).into_iter(), &exact);
+        println!("density, {precision:?}: rms {rms:.1e}, max {max:.1e}");
+        assert!(rms < rms_allowed && max < max_allowed, "{precision:?}: rms {rms:e}, max {max:e}");
+    }
+    for (places, [rms_allowed, max_allowed]) in [(Places::Full, [1.0e-6, 1.0e-5]), (Places::Packed, [3.0e-5, 1.5e-4])] {
+        // In f64, so that the rounding of places is all.
+        let [rms, max] = errors(densities(&case, &case.placed_m(places)).into_iter(), &exact);
+        println!("density from places of {places:?}: rms {rms:.1e}, max {max:.1e}");
+        assert!(rms < rms_allowed && max < max_allowed, "{places:?}: rms {rms:e}, max {max:e}");
+        assert!(rms > 0.0, "rounding cannot leave no trace");
+    }
+}
