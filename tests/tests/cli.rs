@@ -99,7 +99,7 @@ fn the_capture_shows_every_pass_of_the_plan() {
     let plan = workshop.succeed(&["plan", "scene.toml", "--images", "2", "--json"]).json();
     let stages: BTreeSet<String> =
         plan["passes"].as_array().unwrap().iter().map(|pass| pass["stage"].as_str().unwrap().into()).collect();
-    assert!(stages.contains("constrain_density") && stages.contains("draw_particles"), "{stages:?}");
+    assert!(stages.contains("constrain_density") && stages.contains("draw_water"), "{stages:?}");
 
     let path = workshop.path("result/capture.mcap");
     let capture = Capture::open(&path).unwrap();

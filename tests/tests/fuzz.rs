@@ -15,7 +15,7 @@ use std::path::Path;
 use brooklet_capture::Capture;
 use brooklet_fluid::{Scene, particles, record_count, scene::schema};
 use brooklet_gpu::{Plan, Resources, Tier};
-use brooklet_render::{FrameOptions, View};
+use brooklet_render::{FrameOptions, Particles, View};
 use cli_support::Workshop;
 use fuzz_support::{Budget, Fuzz, damage, scenes};
 use jsonschema::Validator;
@@ -66,9 +66,8 @@ fn check_scene(case: &SceneCase, validator: &Validator) -> Result<bool, String> 
     let mut recordings = std::mem::take(&mut recorded.recordings);
     if scene.outputs.images > 0 {
         let options = FrameOptions::for_scene(&scene, Tier::Floor);
-        let (positions, velocities) = (&recorded.positions, &recorded.velocities);
         let view = View::of_scene(&scene);
-        let drawn = brooklet_render::record(&mut resources, &view, positions, velocities, count as u32, &options);
+        let drawn = brooklet_render::record(&mut resources, &view, &Particles::of(&recorded), &options);
         let drawn = drawn.map_err(|error| format!("a picture that the scene's check let through: {error}"))?;
         recordings.extend([drawn.init, drawn.recording]);
         wanted.push(drawn.color.id);

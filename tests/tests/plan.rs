@@ -4,10 +4,10 @@ use std::collections::BTreeSet;
 
 use brooklet_fluid::{Scene, Simulation, record, record_count};
 use brooklet_gpu::{Engine, Gpu, GpuOptions, Plan, Resources, TimingStatus};
-use brooklet_render::{FrameOptions, View};
+use brooklet_render::{FrameOptions, Particles, View};
 use brooklet_tests::gpu;
 
-const SMALL: &[&str] = &["spacing_m=0.1", "outputs.width_px=32", "outputs.height_px=32"];
+const SMALL: &[&str] = &["spacing_m=0.1", "outputs.width_px=32", "outputs.height_px=32", "surface.method=none"];
 
 fn scene(settings: &[&str]) -> Scene {
     let settings: Vec<String> = SMALL.iter().chain(settings).map(|&s| s.into()).collect();
@@ -23,10 +23,8 @@ fn plan(settings: &[&str]) -> Plan {
     let mut recordings = std::mem::take(&mut recorded.recordings);
     if scene.outputs.images > 0 {
         let options = FrameOptions::for_scene(&scene, gpu().tier());
-        let (positions, velocities) = (&recorded.positions, &recorded.velocities);
-        let count = recorded.particle_count;
         let view = View::of_scene(&scene);
-        let passes = brooklet_render::record(&mut resources, &view, positions, velocities, count, &options).unwrap();
+        let passes = brooklet_render::record(&mut resources, &view, &Particles::of(&recorded), &options).unwrap();
         recordings.extend([passes.init, passes.recording]);
         wanted.push(passes.color.id);
     }
@@ -131,16 +129,39 @@ const TERMS: &[Term] = &[
     Term {
         without: "outputs.images=0",
         with: "outputs.images=1",
-        stages: &[
-            "draw_shadow",
-            "draw_particles",
-            "draw_shade",
-            "draw_floor",
-            "draw_sky",
-            "draw_edges",
-            "draw_resolve",
+        stages: &["draw_floor", "draw_sky", "draw_edges", "draw_resolve"],
+        buffers: &["picture", "radiance", "depth", "frame_view", "frame_light", "frame_style"],
+        variant: None,
+    },
+    Term {
+        without: "surface.method=none",
+        with: "surface.method=points",
+        stages: &["draw_shadow", "draw_particles", "draw_shade"],
+        buffers: &["seen", "shadow_map"],
+        variant: Some("POINTS_SHADOW"),
+    },
+    Term {
+        without: "surface.method=none",
+        with: "surface.method=screen-space",
+        stages: &["draw_fluid_depth", "draw_smooth_narrow_range", "draw_thickness", "draw_sun_thickness", "draw_water"],
+        buffers: &[
+            "surface_params",
+            "water_style",
+            "fluid_nearness",
+            "smoothed_nearness",
+            "half_smoothed_nearness",
+            "fluid_depth",
+            "thickness",
+            "sun_thickness",
+            "water",
         ],
-        buffers: &["picture", "seen", "radiance", "depth", "shadow_map", "frame_view", "frame_light", "frame_style"],
+        variant: Some("WATER"),
+    },
+    Term {
+        without: "surface={ method = 'screen-space', smoothing = 'none' }",
+        with: "surface={ method = 'screen-space', smoothing = 'curvature-flow' }",
+        stages: &["draw_smooth_curvature_flow"],
+        buffers: &["smoothed_nearness", "half_smoothed_nearness"],
         variant: None,
     },
     Term {

@@ -56,7 +56,12 @@ fn full() -> Value {
     let text = "summary = \"all\"\nspacing_m = 0.5\ngravity_m_s2 = [0, -9.81, 0]\n[domain]\nmin_m = [0, 0, 0]\nmax_m = [9, 9, 9]\n\
         walls = true\n[[fluid]]\nblock = { min_m = [0, 0, 0], max_m = [4, 4, 4] }\n[[fluid]]\nsphere = { centre_m = [6, 6, 6], radius_m = 1 }\n\
         [camera]\neye_m = [20, 20, 20]\ntarget_m = [0, 0, 0]\n";
-    let scene = Scene::from_toml(text, "full", &["solver.max_speed_m_s=9".into()]).unwrap();
+    let scene = Scene::from_toml(
+        text,
+        "full",
+        &["solver.max_speed_m_s=9", "surface.iterations=3", "surface.absorption_per_m=[3, 1, 0.5]"].map(String::from),
+    )
+    .unwrap();
     json_of(&scene.to_toml())
 }
 

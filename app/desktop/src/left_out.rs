@@ -7,6 +7,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use brooklet_fluid::scene::{Smoothing, SurfaceMethod};
 use brooklet_fluid::{MEASURE, STEP, Scene};
 use brooklet_gpu::{FRAMES_IN_FLIGHT, LeftOutKind, Plan, Tier, timestamp_bytes};
 use brooklet_render::frame::DRAW;
@@ -64,6 +65,19 @@ const TERMS: &[Term] = &[
         reason: "outputs.measure_every_steps = 0",
         is_off: |scene| scene.outputs.measure_every_steps == 0,
         turn_on: |scene| scene.outputs.measure_every_steps = 1,
+    },
+    Term {
+        reason: "surface.method = none",
+        is_off: |scene| scene.surface.method == SurfaceMethod::None,
+        turn_on: |scene| scene.surface.method = SurfaceMethod::ScreenSpace,
+    },
+    Term {
+        reason: "surface.smoothing = none",
+        is_off: |scene| scene.surface.method == SurfaceMethod::ScreenSpace && scene.surface.iterations() == 0,
+        turn_on: |scene| {
+            scene.surface.smoothing = Smoothing::NarrowRange;
+            scene.surface.iterations = None;
+        },
     },
     Term {
         reason: "no pictures (outputs.images = 0)",

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use brooklet_fluid::{Recorded, Scene};
 use brooklet_gpu::{Engine, Recording, ResourceId, Resources, Texture, Tier};
-use brooklet_render::{FrameOptions, View, png};
+use brooklet_render::{FrameOptions, Particles, View, png};
 
 use crate::failure::Failure;
 
@@ -25,9 +25,7 @@ impl Picture {
         let passes = brooklet_render::record(
             resources,
             &View::of_scene(scene),
-            &recorded.positions,
-            &recorded.velocities,
-            recorded.particle_count,
+            &Particles::of(recorded),
             &FrameOptions::for_scene(scene, tier),
         )
         .map_err(|error| Failure::Input(format!("scene {}: {error}", scene.name)))?;

@@ -28,6 +28,8 @@ pub struct Recorded {
     pub positions: Buffer<Position>,
     /// Their velocities, in the same order.
     pub velocities: Buffer<Velocity>,
+    /// Their neighbours, as the last step listed them.
+    pub neighbours: Neighbours,
     /// The last measurement, if the scene measures.
     pub measure: Option<Buffer<Measure>>,
 }
@@ -93,7 +95,7 @@ pub fn record_count(resources: &mut Resources, scene: &Scene, particle_count: u3
         recordings.push(recording);
         measuring.measure
     });
-    Recorded { particle_count, recordings, positions, velocities, measure }
+    Recorded { particle_count, recordings, positions, velocities, neighbours, measure }
 }
 
 /// (Shader: `particles/predict.compute`.)

@@ -124,7 +124,9 @@ impl Command {
                     touches.push((*id, target_touch(*load == Load::Keep)));
                 }
                 if let Some((id, load)) = draw.targets.depth {
-                    touches.push((id, target_touch(load == Load::Keep)));
+                    // A test alone changes nothing: it must not keep a draw that nobody wants.
+                    let tested = load == Load::Keep && !draw.state.depth_write;
+                    touches.push((id, if tested { Touch::Read } else { target_touch(load == Load::Keep) }));
                 }
                 touches
             }

@@ -15,3 +15,4 @@ pub mod particles;
 pub mod shared;
 pub mod solver;
 pub mod step;
+pub mod surface;

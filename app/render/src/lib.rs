@@ -8,7 +8,9 @@ pub mod camera;
 pub mod error;
 pub mod frame;
 pub mod png;
+pub mod surface;
 
 pub use camera::{Camera, View};
 pub use error::RenderError;
 pub use frame::{Coloring, FrameOptions, FramePasses, FrameUniforms, record};
+pub use surface::{Particles, ScreenSpaceOptions, SmoothedSurface, SurfaceOptions};

@@ -1,9 +1,16 @@
 // The domain's twelve edges as thin lines, as wide on the screen far as near, smooth at their sides.
+// With water they are drawn twice: what lies behind it before it, to be refracted, and what lies
+// in front over it.
 #pragma vertex EdgesVertex
 #pragma fragment EdgesFragment
+#pragma multi_compile _ BEHIND_WATER BEFORE_WATER
 
 #include "camera.hlsl"
 
+#if defined(BEHIND_WATER) || defined(BEFORE_WATER)
+#define WATER
+Texture2D<float> nearness;
+#endif
 ConstantBuffer<FrameView> view;
 ConstantBuffer<FrameStyle> style;
 
@@ -63,6 +70,18 @@ Varyings EdgesVertex(uint vertex : SV_VertexID, uint edge : SV_InstanceID)
 
 float4 EdgesFragment(Varyings input) : SV_Target0
 {
+#if defined(WATER)
+    float water = nearness.Load(int3(int2(input.position.xy), 0));
+    // Reversed depth is near / distance. Edges lie in the glass: a hair in favour of being seen.
+    bool before = water > 0.0 && input.position.z >= 0.998 * view.near_m * water;
+#if defined(BEFORE_WATER)
+    if (!before)
+        discard;
+#else
+    if (before)
+        discard;
+#endif
+#endif
     float half_px = 0.5 * style.edge_width_px * view.supersample;
     float coverage = saturate(half_px + 0.5 - abs(input.across_px));
     float alpha = coverage * input.opacity;

@@ -1,12 +1,21 @@
 // The floor under the domain: satin tiles with the fluid's soft shadow, melting into the horizon.
 #pragma vertex FloorVertex
 #pragma fragment FloorFragment
+#pragma multi_compile _ POINTS_SHADOW WATER_SHADOW
 
 #include "camera.hlsl"
 #include "environment.hlsl"
 #include "sampling.hlsl"
 
+#if defined(POINTS_SHADOW)
 Texture2D<float> shadow_map;
+#elif defined(WATER_SHADOW)
+#include "../surface/layout.hlsl"
+Texture2D<float> sun_thickness;
+SamplerState sampler_linear_clamp;
+ConstantBuffer<SurfaceParams> surface;
+ConstantBuffer<WaterStyle> water;
+#endif
 ConstantBuffer<FrameView> view;
 ConstantBuffer<FrameLight> light;
 ConstantBuffer<FrameStyle> style;
@@ -47,10 +56,11 @@ float tile_tone(float2 tile)
     return frac((h.x + h.y) * h.x * 7.13);
 }
 
+#if defined(POINTS_SHADOW)
 // Share of the sun that arrives: a disc of taps that widens with the blocker's distance, for a
 // shadow that is crisp where the fluid stands on the floor and soft far from it. The disc is
 // turned from pixel to pixel, which breaks the taps' pattern up.
-float sun_arriving(float3 world_m, float2 pixel)
+float sun_past_points(float3 world_m, float2 pixel)
 {
     float3 at = shadow_position(light, world_m);
     if (any(abs(at.xy - 0.5) > 0.5))
@@ -83,6 +93,26 @@ float sun_arriving(float3 world_m, float2 pixel)
         shaded += step(own, shadow_load(shadow_map, light, at.xy + soft * mul(turned, disc_tap(k, taps))));
     return 1.0 - shaded / taps;
 }
+#elif defined(WATER_SHADOW)
+// Sunlight after the water it went through: absorbed, and a part of it led elsewhere. The map has
+// an empty margin, which clamping repeats: beyond it there is no water.
+float3 sun_through_water(float3 world_m, float2 pixel)
+{
+    float3 at = shadow_position(light, world_m);
+    float turn = 6.2831853 * pixel_noise(pixel);
+    float2x2 turned = float2x2(cos(turn), -sin(turn), sin(turn), cos(turn));
+    // As wide as a particle's disc: the particles' own pattern is not to be seen.
+    float soft = surface.spread_m / (light.shadow_texel_m * light.shadow_texels);
+    const uint taps = 8;
+    float spacings = 0.0;
+    [unroll]
+    for (uint i = 0; i < taps; i++)
+        spacings += sun_thickness.SampleLevel(sampler_linear_clamp, at.xy + soft * mul(turned, disc_tap(i, taps)), 0.0);
+    spacings /= taps;
+    float3 passed = exp(-water.absorption_per_m * spacings * surface.spacing_m);
+    return passed * lerp(0.55, 1.0, exp(-0.6 * spacings));
+}
+#endif
 
 float4 FloorFragment(Varyings input) : SV_Target0
 {
@@ -92,14 +122,22 @@ float4 FloorFragment(Varyings input) : SV_Target0
     float2 at = input.world_m.xz / style.tile_m;
     float2 width = max(fwidth(at), 1e-4);
     float near = saturate(1.0 - max(width.x, width.y) * 1.5);
-    float3 albedo = style.floor_color * (1.0 + 0.06 * near * (tile_tone(floor(at)) - 0.5));
-    albedo *= 1.0 - 0.22 * joints(at, width, 0.018);
+    float3 albedo = style.floor_color * (1.0 + 0.16 * near * (tile_tone(floor(at)) - 0.5));
+    albedo *= 1.0 - 0.40 * joints(at, width, 0.022);
 
-    float sun = sun_arriving(input.world_m, input.position.xy);
-    float3 up = float3(0.0, 1.0, 0.0);
-    float3 ambient = 1.5 * lerp(light.sky_horizon, light.sky_zenith, 0.4);
+#if defined(POINTS_SHADOW)
+    float sun = sun_past_points(input.world_m, input.position.xy);
     // Sunlight that went through the fluid is not gone: it arrives blue.
     float3 arriving = lerp(float3(0.05, 0.16, 0.24), float3(1.0, 1.0, 1.0), sun);
+#elif defined(WATER_SHADOW)
+    float3 arriving = sun_through_water(input.world_m, input.position.xy);
+    float sun = dot(arriving, float3(0.2126, 0.7152, 0.0722));
+#else
+    float3 arriving = 1.0;
+    float sun = 1.0;
+#endif
+    float3 up = float3(0.0, 1.0, 0.0);
+    float3 ambient = 1.5 * lerp(light.sky_horizon, light.sky_zenith, 0.4);
     float3 color = albedo * (light.to_sun.y * arriving * light.sun_color * 0.75 + ambient * (0.55 + 0.2 * sun));
 
     color = lerp(color, sky_gradient(light, reflect(direction, up)), fresnel(0.04, -direction.y));

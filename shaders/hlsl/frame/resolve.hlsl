@@ -1,13 +1,18 @@
-// From linear light to the picture: ambient occlusion from the depth, tone mapping of every drawn
-// pixel, their mean, sRGB, and a dither of one step against banding.
+// From linear light to the picture: ambient occlusion from the depth (of points), tone mapping of
+// every drawn pixel, their mean, sRGB, and a dither of one step against banding.
 #pragma vertex ResolveVertex
 #pragma fragment ResolveFragment
+#pragma multi_compile _ WATER
 
 #include "camera.hlsl"
 #include "sampling.hlsl"
 
 Texture2D<float4> radiance;
+#if defined(WATER)
+Texture2D<float4> water;    // alpha is 1 where water is seen
+#else
 Texture2D<float> depth_map;
+#endif
 ConstantBuffer<FrameView> view;
 ConstantBuffer<FrameLight> light;
 ConstantBuffer<FrameStyle> style;
@@ -24,6 +29,7 @@ Varyings ResolveVertex(uint vertex : SV_VertexID)
     return output;
 }
 
+#if !defined(WATER)
 float distance_at(float2 drawn_px)
 {
     int2 at = int2(clamp(drawn_px, 0.0, view.size_px - 1.0));
@@ -61,6 +67,7 @@ float occlusion(float2 drawn_px, float distance_m)
     }
     return sum / all;
 }
+#endif
 
 // A film's curve: Narkowicz 2016, a fit to the ACES reference.
 float3 film(float3 x)
@@ -80,21 +87,32 @@ float4 ResolveFragment(Varyings input) : SV_Target0
     uint side = uint(view.supersample + 0.5);
     int2 corner = int2(input.position.xy) * int(side);
     float3 sum = 0.0;
+#if !defined(WATER)
     float nearest = 0.0;
+#endif
     [loop]
     for (uint i = 0; i < side * side; i++)
     {
         int3 at = int3(corner + int2(i % side, i / side), 0);
-        // Each drawn pixel by itself: a highlight must not outshine its pixel's other parts.
-        sum += film(radiance.Load(at).rgb * light.exposure);
+#if defined(WATER)
+        float4 seen = water.Load(at);
+        if (seen.a <= 0.0)
+            seen = radiance.Load(at);
+#else
+        float4 seen = radiance.Load(at);
         nearest = max(nearest, depth_map.Load(at));
+#endif
+        // Each drawn pixel by itself: a highlight must not outshine its pixel's other parts.
+        sum += film(seen.rgb * light.exposure);
     }
     float3 color = sum / float(side * side);
+#if !defined(WATER)
     if (nearest > 0.0)
     {
         float occluded = occlusion(float2(corner) + 0.5 * view.supersample, view.near_m / nearest);
         color *= 1.0 - style.occlusion_strength * occluded;
     }
+#endif
     float2 ndc = input.position.xy * view.supersample / view.size_px * 2.0 - 1.0;
     color *= 1.0 - 0.10 * dot(ndc, ndc) * 0.5;
     float3 encoded = srgb_encode(color) + (pixel_noise(input.position.xy) - 0.5) / 255.0;

@@ -2,7 +2,7 @@
 
 use brooklet_gpu::{Engine, Plan, Resources, Tier};
 use brooklet_kernels::{Position, Velocity};
-use brooklet_render::{Camera, Coloring, FrameOptions, View, frame};
+use brooklet_render::{Camera, Coloring, FrameOptions, Particles, View, frame};
 use brooklet_tests::gpu;
 use glam::{DVec2, DVec3};
 
@@ -34,6 +34,7 @@ pub fn view(size_px: [u32; 2]) -> View {
 pub fn options() -> FrameOptions {
     FrameOptions {
         tier: Tier::Desktop,
+        surface: brooklet_render::SurfaceOptions::Points,
         radius_m: 0.11,
         coloring: Coloring::Fluid,
         supersample: 1,
@@ -73,7 +74,8 @@ pub fn draw_moving(view: &View, options: &FrameOptions, spheres: &[Sphere], velo
     let mut resources = Resources::new();
     let positions = resources.state::<Position>("positions", count);
     let velocities = resources.state::<Velocity>("velocities", count);
-    let passes = frame::record(&mut resources, view, &positions, &velocities, count, options).expect("a frame");
+    let particles = Particles { positions: &positions, velocities: &velocities, count, list_heads: None };
+    let passes = frame::record(&mut resources, view, &particles, options).expect("a frame");
     let (color, depth) = (passes.color.alias(), passes.depth.alias());
     let plan = Plan::sweep(resources, vec![passes.init, passes.recording], &[color.id]).expect("a plan");
     let mut engine = Engine::new(&gpu(), plan).expect("an engine");

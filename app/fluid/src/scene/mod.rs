@@ -11,6 +11,7 @@ mod nearest;
 mod schema;
 mod settings;
 mod shipped;
+mod surface;
 #[cfg(test)]
 mod tests;
 
@@ -18,6 +19,7 @@ pub use error::SceneError;
 #[cfg(feature = "schema")]
 pub use schema::schema;
 pub use shipped::shipped_scenes;
+pub use surface::{PointColor, Smoothing, Surface, SurfaceMethod};
 
 use serde::{Deserialize, Serialize};
 
@@ -45,6 +47,9 @@ pub struct Scene {
     /// Solver settings.
     #[serde(default)]
     pub solver: Solver,
+    /// How the fluid is drawn.
+    #[serde(default)]
+    pub surface: Surface,
     /// Where the pictures are taken from; framed on the domain when left out.
     #[serde(default)]
     pub camera: Option<Camera>,

@@ -112,7 +112,11 @@ fn limits_are_within_what_is_allowed() {
 fn the_table_has_every_field() {
     let camera = "[camera]\neye_m = [3, 1, 4]\ntarget_m = [0, 0, 0]\n";
     let sphere = "[[fluid]]\nsphere = { centre_m = [0.5, 0.5, 0.5], radius_m = 0.2 }\n";
-    let scene = load(&format!("{SMALL}{sphere}{camera}"), &["solver.max_speed_m_s=5"]).unwrap();
+    let scene = load(
+        &format!("{SMALL}{sphere}{camera}"),
+        &["solver.max_speed_m_s=5", "surface.iterations=3", "surface.absorption_per_m=[3, 1, 0.5]"],
+    )
+    .unwrap();
     let mut seen = std::collections::BTreeSet::new();
     fn visit(path: &str, value: &toml::Value, seen: &mut std::collections::BTreeSet<String>) {
         let kind = kind_of(path).unwrap_or_else(|| panic!("`{path}` is not in FIELDS (scene/fields.rs): add it"));

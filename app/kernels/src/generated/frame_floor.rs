@@ -2,30 +2,53 @@
 // makes it anew from frame/floor.hlsl.
 //! Kernels of `frame/floor.hlsl`.
 
-use super::{FrameLight, FrameStyle, FrameView};
+use super::{FrameLight, FrameStyle, FrameView, ShadowKeyword, SurfaceParams, WaterStyle};
 use crate::{BindingError, BindingInfo, BindingKind, Bound, Draw, Module, StageKind, Tex, Tier, Uniform, bind_draw};
+
+/// Which variant of [`DrawFloor`] runs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct DrawFloorVariant {
+    /// Keyword `POINTS_SHADOW` or `WATER_SHADOW`.
+    pub shadow: ShadowKeyword,
+}
 
 /// The floor under the domain: satin tiles with the fluid's soft shadow, melting into the horizon.
 #[derive(Debug)]
 pub struct DrawFloor<'a> {
+    /// Its variant.
+    pub variant: DrawFloorVariant,
     /// `ConstantBuffer<FrameView> view`.
     pub view: Uniform<'a, FrameView>,
     /// `ConstantBuffer<FrameStyle> style`.
     pub style: Uniform<'a, FrameStyle>,
-    /// `Texture2D<float> shadow_map`.
-    pub shadow_map: Tex<'a>,
     /// `ConstantBuffer<FrameLight> light`.
     pub light: Uniform<'a, FrameLight>,
+    /// `Texture2D<float> shadow_map`.
+    pub shadow_map: Option<Tex<'a>>,
+    /// `Texture2D<float> sun_thickness`.
+    pub sun_thickness: Option<Tex<'a>>,
+    /// `ConstantBuffer<SurfaceParams> surface`.
+    pub surface: Option<Uniform<'a, SurfaceParams>>,
+    /// `ConstantBuffer<WaterStyle> water`.
+    pub water: Option<Uniform<'a, WaterStyle>>,
 }
 
 impl Draw for DrawFloor<'_> {
     const STAGE: &'static str = "draw_floor";
 
     fn vertex(&self) -> &'static Module {
-        &DRAW_FLOOR_VERTEX
+        match self.variant.shadow {
+            ShadowKeyword::Off => &DRAW_FLOOR_VERTEX,
+            ShadowKeyword::PointsShadow => &DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW,
+            ShadowKeyword::WaterShadow => &DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW,
+        }
     }
     fn fragment(&self) -> Option<&'static Module> {
-        Some(&DRAW_FLOOR_FRAGMENT)
+        match self.variant.shadow {
+            ShadowKeyword::Off => Some(&DRAW_FLOOR_FRAGMENT),
+            ShadowKeyword::PointsShadow => Some(&DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW),
+            ShadowKeyword::WaterShadow => Some(&DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW),
+        }
     }
     fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
         bind_draw(
@@ -34,26 +57,62 @@ impl Draw for DrawFloor<'_> {
             &[
                 ("view", Some(self.view.id)),
                 ("style", Some(self.style.id)),
-                ("shadow_map", Some(self.shadow_map.id)),
                 ("light", Some(self.light.id)),
+                ("shadow_map", self.shadow_map.as_ref().map(|bound| bound.id)),
+                ("sun_thickness", self.sun_thickness.as_ref().map(|bound| bound.id)),
+                ("surface", self.surface.as_ref().map(|bound| bound.id)),
+                ("water", self.water.as_ref().map(|bound| bound.id)),
             ],
         )
     }
 }
 
 /// The modules of this file.
-pub(super) static MODULES: &[&Module] = &[&DRAW_FLOOR_VERTEX, &DRAW_FLOOR_FRAGMENT];
+pub(super) static MODULES: &[&Module] = &[
+    &DRAW_FLOOR_VERTEX,
+    &DRAW_FLOOR_FRAGMENT,
+    &DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW,
+    &DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW,
+    &DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW,
+    &DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW,
+];
 
 static BINDINGS_0: &[BindingInfo] = &[
+    BindingInfo { name: "view", slot: 0, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "style", slot: 2, kind: BindingKind::Uniform { bytes: 80 } },
+];
+
+static BINDINGS_1: &[BindingInfo] = &[
+    BindingInfo { name: "view", slot: 0, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "light", slot: 1, kind: BindingKind::Uniform { bytes: 112 } },
+    BindingInfo { name: "style", slot: 2, kind: BindingKind::Uniform { bytes: 80 } },
+];
+
+static BINDINGS_2: &[BindingInfo] = &[
     BindingInfo { name: "view", slot: 1, kind: BindingKind::Uniform { bytes: 80 } },
     BindingInfo { name: "style", slot: 3, kind: BindingKind::Uniform { bytes: 80 } },
 ];
 
-static BINDINGS_1: &[BindingInfo] = &[
+static BINDINGS_3: &[BindingInfo] = &[
     BindingInfo { name: "shadow_map", slot: 0, kind: BindingKind::Texture { filterable: false } },
     BindingInfo { name: "view", slot: 1, kind: BindingKind::Uniform { bytes: 80 } },
     BindingInfo { name: "light", slot: 2, kind: BindingKind::Uniform { bytes: 112 } },
     BindingInfo { name: "style", slot: 3, kind: BindingKind::Uniform { bytes: 80 } },
+];
+
+static BINDINGS_4: &[BindingInfo] = &[
+    BindingInfo { name: "view", slot: 4, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "style", slot: 6, kind: BindingKind::Uniform { bytes: 80 } },
+];
+
+static BINDINGS_5: &[BindingInfo] = &[
+    BindingInfo { name: "sun_thickness", slot: 0, kind: BindingKind::Texture { filterable: true } },
+    BindingInfo { name: "sampler_linear_clamp", slot: 1, kind: BindingKind::Sampler },
+    BindingInfo { name: "surface", slot: 2, kind: BindingKind::Uniform { bytes: 64 } },
+    BindingInfo { name: "water", slot: 3, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "view", slot: 4, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "light", slot: 5, kind: BindingKind::Uniform { bytes: 112 } },
+    BindingInfo { name: "style", slot: 6, kind: BindingKind::Uniform { bytes: 80 } },
 ];
 
 static DRAW_FLOOR_VERTEX: Module = Module {
@@ -66,7 +125,7 @@ static DRAW_FLOOR_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "2afb9d5d9eadbbf61b03bfcf2a4ed02eecf24fc34dfda9536d2287e4cd16c18c",
+    hash: "d3c9d0348dc1c111f6f2ec67b1cf861df8c1e7749288fb463ee232eb7c61a983",
 };
 
 static DRAW_FLOOR_FRAGMENT: Module = Module {
@@ -79,5 +138,57 @@ static DRAW_FLOOR_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "cd30d4272a95d240ef1c10d0e445ee21877f84be95a38e54ac6231cede85f82a",
+    hash: "6b87e16db755901209ad539fabd7c3320f08b1a2125bbbe6bfa918bb0af1c2c9",
+};
+
+static DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW: Module = Module {
+    name: "DrawFloor.vertex+POINTS_SHADOW",
+    entry: "FloorVertex",
+    stage: StageKind::Vertex,
+    spirv: include_bytes!("../../spirv/draw_floor.vertex+points_shadow.spv"),
+    bindings: BINDINGS_2,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "frame/floor.hlsl",
+    hash: "d71cc32cf4e0cb6dc0a40faa3c794f51d3fdbca65b87441fccd4d2d289ae9c1d",
+};
+
+static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW: Module = Module {
+    name: "DrawFloor.fragment+POINTS_SHADOW",
+    entry: "FloorFragment",
+    stage: StageKind::Fragment,
+    spirv: include_bytes!("../../spirv/draw_floor.fragment+points_shadow.spv"),
+    bindings: BINDINGS_3,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "frame/floor.hlsl",
+    hash: "ec21ad90f7628c61ad2a223eeabefa69289db7c12026780dcc7aac3e0a534809",
+};
+
+static DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW: Module = Module {
+    name: "DrawFloor.vertex+WATER_SHADOW",
+    entry: "FloorVertex",
+    stage: StageKind::Vertex,
+    spirv: include_bytes!("../../spirv/draw_floor.vertex+water_shadow.spv"),
+    bindings: BINDINGS_4,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "frame/floor.hlsl",
+    hash: "64efcc79c106418cdbdc456acababbc784fad519f4f4b1910aa20badc7516d87",
+};
+
+static DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW: Module = Module {
+    name: "DrawFloor.fragment+WATER_SHADOW",
+    entry: "FloorFragment",
+    stage: StageKind::Fragment,
+    spirv: include_bytes!("../../spirv/draw_floor.fragment+water_shadow.spv"),
+    bindings: BINDINGS_5,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "frame/floor.hlsl",
+    hash: "5aad49d211a6c86fbb1318aa635366f52c10fe131ab2bb557feaa218535a541a",
 };

@@ -5,20 +5,33 @@
 use super::{FrameLight, FrameStyle, FrameView};
 use crate::{BindingError, BindingInfo, BindingKind, Bound, Draw, Module, StageKind, Tex, Tier, Uniform, bind_draw};
 
-/// From linear light to the picture: ambient occlusion from the depth, tone mapping of every drawn
-/// pixel, their mean, sRGB, and a dither of one step against banding.
+/// Which variant of [`DrawResolve`] runs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct DrawResolveVariant {
+    /// Keyword `WATER`.
+    pub water: bool,
+}
+
+/// From linear light to the picture: ambient occlusion from the depth (of points), tone mapping of
+/// every drawn pixel, their mean, sRGB, and a dither of one step against banding.
 #[derive(Debug)]
 pub struct DrawResolve<'a> {
+    /// Its variant.
+    pub variant: DrawResolveVariant,
     /// `Texture2D<float4> radiance`.
     pub radiance: Tex<'a>,
     /// `Texture2D<float> depth_map`.
-    pub depth_map: Tex<'a>,
+    pub depth_map: Option<Tex<'a>>,
     /// `ConstantBuffer<FrameView> view`.
     pub view: Uniform<'a, FrameView>,
     /// `ConstantBuffer<FrameLight> light`.
     pub light: Uniform<'a, FrameLight>,
     /// `ConstantBuffer<FrameStyle> style`.
-    pub style: Uniform<'a, FrameStyle>,
+    pub style: Option<Uniform<'a, FrameStyle>>,
+    /// alpha is 1 where water is seen
+    ///
+    /// `Texture2D<float4> water`.
+    pub water: Option<Tex<'a>>,
 }
 
 impl Draw for DrawResolve<'_> {
@@ -28,7 +41,7 @@ impl Draw for DrawResolve<'_> {
         &DRAW_RESOLVE_VERTEX
     }
     fn fragment(&self) -> Option<&'static Module> {
-        Some(&DRAW_RESOLVE_FRAGMENT)
+        if self.variant.water { Some(&DRAW_RESOLVE_FRAGMENT_WITH_WATER) } else { Some(&DRAW_RESOLVE_FRAGMENT) }
     }
     fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
         bind_draw(
@@ -36,17 +49,19 @@ impl Draw for DrawResolve<'_> {
             self.fragment(),
             &[
                 ("radiance", Some(self.radiance.id)),
-                ("depth_map", Some(self.depth_map.id)),
+                ("depth_map", self.depth_map.as_ref().map(|bound| bound.id)),
                 ("view", Some(self.view.id)),
                 ("light", Some(self.light.id)),
-                ("style", Some(self.style.id)),
+                ("style", self.style.as_ref().map(|bound| bound.id)),
+                ("water", self.water.as_ref().map(|bound| bound.id)),
             ],
         )
     }
 }
 
 /// The modules of this file.
-pub(super) static MODULES: &[&Module] = &[&DRAW_RESOLVE_VERTEX, &DRAW_RESOLVE_FRAGMENT];
+pub(super) static MODULES: &[&Module] =
+    &[&DRAW_RESOLVE_VERTEX, &DRAW_RESOLVE_FRAGMENT, &DRAW_RESOLVE_FRAGMENT_WITH_WATER];
 
 static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "radiance", slot: 0, kind: BindingKind::Texture { filterable: false } },
@@ -54,6 +69,13 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "view", slot: 2, kind: BindingKind::Uniform { bytes: 80 } },
     BindingInfo { name: "light", slot: 3, kind: BindingKind::Uniform { bytes: 112 } },
     BindingInfo { name: "style", slot: 4, kind: BindingKind::Uniform { bytes: 80 } },
+];
+
+static BINDINGS_1: &[BindingInfo] = &[
+    BindingInfo { name: "radiance", slot: 0, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "water", slot: 1, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "view", slot: 2, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "light", slot: 3, kind: BindingKind::Uniform { bytes: 112 } },
 ];
 
 static DRAW_RESOLVE_VERTEX: Module = Module {
@@ -66,7 +88,7 @@ static DRAW_RESOLVE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/resolve.hlsl",
-    hash: "675a49588ef5d492c5cd2c5319b814bdafe609c0d553c7f18b8978dc4b0a308f",
+    hash: "45ec8cb4020480b1bdef67cfd191da077e32ad183e13434386c8d4e11c7e9004",
 };
 
 static DRAW_RESOLVE_FRAGMENT: Module = Module {
@@ -79,5 +101,18 @@ static DRAW_RESOLVE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/resolve.hlsl",
-    hash: "cfccab23fc6b96c95509e54dae14c4485b5978c6ceb518b704dd30c699b763be",
+    hash: "24216c496b0d38d63c678848c4b5b71354da89ac57a8134b05a0d9dd077a80aa",
+};
+
+static DRAW_RESOLVE_FRAGMENT_WITH_WATER: Module = Module {
+    name: "DrawResolve.fragment+WATER",
+    entry: "ResolveFragment",
+    stage: StageKind::Fragment,
+    spirv: include_bytes!("../../spirv/draw_resolve.fragment+water.spv"),
+    bindings: BINDINGS_1,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "frame/resolve.hlsl",
+    hash: "68c2e2ffb4ae78604dea96fa2bc92a6a91d1e4b0a85c57d1841950f4acfb66fb",
 };

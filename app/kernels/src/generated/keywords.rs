@@ -2,6 +2,28 @@
 // makes it anew from all shaders.
 //! Choices among keywords, of which one is on.
 
+/// `#pragma multi_compile ALONG_X ALONG_Y`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum AlongKeyword {
+    /// `ALONG_X` is on.
+    #[default]
+    AlongX,
+    /// `ALONG_Y` is on.
+    AlongY,
+}
+
+/// `#pragma multi_compile FILTER_X FILTER_Y FILTER_PLANE`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum FilterKeyword {
+    /// `FILTER_X` is on.
+    #[default]
+    FilterX,
+    /// `FILTER_Y` is on.
+    FilterY,
+    /// `FILTER_PLANE` is on.
+    FilterPlane,
+}
+
 /// `#pragma multi_compile _ RELAXED_PRECISION HALF_PRECISION`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum PrecisionKeyword {
@@ -12,4 +34,28 @@ pub enum PrecisionKeyword {
     RelaxedPrecision,
     /// `HALF_PRECISION` is on.
     HalfPrecision,
+}
+
+/// `#pragma multi_compile _ POINTS_SHADOW WATER_SHADOW`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum ShadowKeyword {
+    /// None of them is on.
+    #[default]
+    Off,
+    /// `POINTS_SHADOW` is on.
+    PointsShadow,
+    /// `WATER_SHADOW` is on.
+    WaterShadow,
+}
+
+/// `#pragma multi_compile _ BEHIND_WATER BEFORE_WATER`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum WaterKeyword {
+    /// None of them is on.
+    #[default]
+    Off,
+    /// `BEHIND_WATER` is on.
+    BehindWater,
+    /// `BEFORE_WATER` is on.
+    BeforeWater,
 }

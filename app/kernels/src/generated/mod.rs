@@ -34,6 +34,16 @@ mod solver_pbf_correct_positions;
 mod solver_pbf_curl;
 mod solver_pbf_update_velocity;
 mod solver_pbf_viscosity;
+mod surface_fluid_depth;
+mod surface_layout;
+mod surface_smooth_bilateral;
+mod surface_smooth_curvature_flow;
+mod surface_smooth_gaussian;
+mod surface_smooth_narrow_range;
+mod surface_sun_thickness;
+mod surface_surface_normals;
+mod surface_thickness;
+mod surface_water;
 
 pub use bench_constrain_density_by_index::*;
 pub use bench_copy::*;
@@ -67,6 +77,16 @@ pub use solver_pbf_correct_positions::*;
 pub use solver_pbf_curl::*;
 pub use solver_pbf_update_velocity::*;
 pub use solver_pbf_viscosity::*;
+pub use surface_fluid_depth::*;
+pub use surface_layout::*;
+pub use surface_smooth_bilateral::*;
+pub use surface_smooth_curvature_flow::*;
+pub use surface_smooth_gaussian::*;
+pub use surface_smooth_narrow_range::*;
+pub use surface_sun_thickness::*;
+pub use surface_surface_normals::*;
+pub use surface_thickness::*;
+pub use surface_water::*;
 
 /// Every module there is, for building all pipelines at start.
 pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
@@ -100,6 +120,15 @@ pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
         solver_pbf_curl::MODULES,
         solver_pbf_update_velocity::MODULES,
         solver_pbf_viscosity::MODULES,
+        surface_fluid_depth::MODULES,
+        surface_smooth_bilateral::MODULES,
+        surface_smooth_curvature_flow::MODULES,
+        surface_smooth_gaussian::MODULES,
+        surface_smooth_narrow_range::MODULES,
+        surface_sun_thickness::MODULES,
+        surface_surface_normals::MODULES,
+        surface_thickness::MODULES,
+        surface_water::MODULES,
     ]
     .into_iter()
     .flatten()

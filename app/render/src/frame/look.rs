@@ -133,6 +133,7 @@ mod tests {
             View { camera: Camera::framing(domain_min_m, domain_max_m, size_px), domain_min_m, domain_max_m, size_px };
         let options = FrameOptions {
             tier: Tier::Desktop,
+            surface: crate::SurfaceOptions::Points,
             radius_m: 0.01,
             coloring: Coloring::Fluid,
             supersample: 2,

@@ -1,15 +1,18 @@
-//! A picture of the particles: shadow map, spheres, floor, sky, the domain's edges, and the
-//! resolve to display colours.
+//! A picture: floor, sky, the domain's edges, the fluid as its surface options say, and the resolve
+//! to display colours.
 
 mod look;
 
 use brooklet_fluid::Scene;
+use brooklet_fluid::scene::PointColor;
 use brooklet_gpu::{Blend, DepthTest, DrawState, Load, Recording, Resources, Targets};
 use brooklet_kernels::{
-    Buffer, DrawEdges, DrawFloor, DrawParticles, DrawResolve, DrawShade, DrawShadeVariant, DrawShadow, DrawSky, Format,
-    FrameLight, FrameStyle, FrameView, Position, Texture, Tier, Velocity,
+    Buffer, DrawEdges, DrawEdgesVariant, DrawFloor, DrawFloorVariant, DrawResolve, DrawResolveVariant, DrawSky, Format,
+    FrameLight, FrameStyle, FrameView, ShadowKeyword, SurfaceParams, Texture, Tier, WaterKeyword, WaterStyle,
 };
 
+use crate::surface::screen_space::{self, Water};
+use crate::surface::{Particles, ScreenSpaceOptions, SmoothedSurface, SurfaceOptions, points};
 use crate::{RenderError, View};
 
 /// Name of the recording that uploads camera, light and style; run it once before [`DRAW`].
@@ -34,6 +37,8 @@ pub enum Coloring {
 pub struct FrameOptions {
     /// The device's tier: `floor` draws to a 24-bit depth buffer.
     pub tier: Tier,
+    /// What is drawn of the fluid.
+    pub surface: SurfaceOptions,
     /// Radius of a drawn particle, m.
     pub radius_m: f64,
     /// What colours tell.
@@ -53,8 +58,12 @@ impl FrameOptions {
     pub fn for_scene(scene: &Scene, tier: Tier) -> Self {
         Self {
             tier,
+            surface: SurfaceOptions::for_scene(scene),
             radius_m: 0.55 * scene.spacing_m,
-            coloring: Coloring::Speed { foam_m_s: foam_m_s(scene) },
+            coloring: match scene.surface.color_by {
+                PointColor::Speed => Coloring::Speed { foam_m_s: foam_m_s(scene) },
+                PointColor::Fluid => Coloring::Fluid,
+            },
             supersample: if scene.outputs.width_px.max(scene.outputs.height_px) > 2048 { 1 } else { 2 },
             shadow_texels: 512,
             edges: true,
@@ -76,7 +85,14 @@ impl FrameOptions {
         if !(16..=4096).contains(&self.shadow_texels) {
             return Err(RenderError::not_allowed("shadow_texels", self.shadow_texels, "16 to 4096 are allowed"));
         }
-        Ok(())
+        match &self.surface {
+            SurfaceOptions::ScreenSpace(options) => options.check(),
+            SurfaceOptions::Points | SurfaceOptions::None => Ok(()),
+        }
+    }
+
+    pub(crate) fn depth_format(&self) -> Format {
+        if self.tier == Tier::Floor { Format::Depth24Plus } else { Format::Depth32Float }
     }
 }
 
@@ -145,23 +161,23 @@ pub struct FramePasses {
     /// The picture: `Rgba8Unorm`, already sRGB-encoded, of the view's size. This is what to want
     /// of a plan, and to read back.
     pub color: Texture,
-    /// Depth of the drawn pixels, supersampled and reversed: near / distance, 0 where the sky is.
+    /// Depth of what is opaque in the drawn pixels, supersampled and reversed: near / distance, 0
+    /// where the sky is.
     pub depth: Texture,
+    /// The fluid's surface, where it is smoothed in screen space.
+    pub surface: Option<SmoothedSurface>,
     /// Camera, light and style, to be written when they change.
     pub uniforms: FrameUniforms,
 }
 
-/// Records how `particle_count` particles are drawn. Positions are relative to the view's
-/// `domain_min_m`.
+/// Records how particles are drawn.
 ///
 /// # Errors
 /// When the view or an option is not allowed; the error names it.
 pub fn record(
     resources: &mut Resources,
     view: &View,
-    positions: &Buffer<Position>,
-    velocities: &Buffer<Velocity>,
-    particle_count: u32,
+    particles: &Particles<'_>,
     options: &FrameOptions,
 ) -> Result<FramePasses, RenderError> {
     let values = FrameValues::new(view, options)?;
@@ -175,87 +191,179 @@ pub fn record(
     init.upload(&mut uniforms.light, &[values.light]);
     init.upload(&mut uniforms.style, &[values.style]);
 
-    let depth_format = if options.tier == Tier::Floor { Format::Depth24Plus } else { Format::Depth32Float };
     let drawn_px = view.size_px.map(|side| side * options.supersample);
-    let shadow_map = resources.texture("shadow_map", depth_format, [options.shadow_texels; 2]);
-    // R32Float holds every index below 2^24 exactly, and every tier can draw to it.
-    let seen = resources.texture("seen", Format::R32Float, drawn_px);
     let radiance = resources.texture("radiance", Format::Rgba16Float, drawn_px);
-    let depth = resources.texture("depth", depth_format, drawn_px);
+    let depth = resources.texture("depth", options.depth_format(), drawn_px);
     let color = resources.texture("picture", Format::Rgba8Unorm, view.size_px);
-    let (frame_view, frame_light, frame_style) =
-        (uniforms.view.uniform(), uniforms.light.uniform(), uniforms.style.uniform());
-
     let mut recording = Recording::new(DRAW);
-    let nearer = DrawState { depth_test: DepthTest::Greater, depth_write: true, ..DrawState::default() };
-    recording.draw(
-        &DrawShadow { positions: positions.read(), light: frame_light, style: frame_style },
-        &Targets { color: vec![], depth: Some((&shadow_map, Load::Clear(0.0))) },
-        nearer,
-        3,
-        particle_count,
-    );
-    recording.draw(
-        &DrawParticles { positions: positions.read(), view: frame_view, style: frame_style },
-        &Targets { color: vec![(&seen, Load::Clear([0.0; 4]))], depth: Some((&depth, Load::Clear(0.0))) },
-        nearer,
-        3,
-        particle_count,
-    );
-    let color_fluid = options.coloring == Coloring::Fluid;
-    recording.draw(
-        &DrawShade {
-            variant: DrawShadeVariant { color_fluid },
-            seen: seen.read(),
-            positions: positions.read(),
-            velocities: (!color_fluid).then(|| velocities.read()),
-            shadow_map: shadow_map.read(),
-            view: frame_view,
-            light: frame_light,
-            style: frame_style,
-        },
-        &Targets { color: vec![(&radiance, Load::Clear([0.0; 4]))], depth: None },
-        DrawState::default(),
-        3,
-        1,
-    );
-    // What hides little is drawn after what hides much, so that hidden pixels are not shaded.
-    let onto = Targets { color: vec![(&radiance, Load::Keep)], depth: Some((&depth, Load::Keep)) };
-    recording.draw(
-        &DrawFloor { shadow_map: shadow_map.read(), view: frame_view, light: frame_light, style: frame_style },
-        &onto,
-        nearer,
-        6,
-        1,
-    );
-    recording.draw(
-        &DrawSky { view: frame_view, light: frame_light },
-        &onto,
-        DrawState { depth_test: DepthTest::GreaterEqual, ..DrawState::default() },
-        3,
-        1,
-    );
-    if options.edges {
-        recording.draw(
-            &DrawEdges { view: frame_view, style: frame_style },
-            &onto,
-            DrawState { depth_test: DepthTest::Greater, blend: Blend::Alpha, ..DrawState::default() },
+    let mut frame = Frame { resources, recording: &mut recording, uniforms: &uniforms, options };
+    let onto = (&radiance, &depth);
+    let surface = match &options.surface {
+        SurfaceOptions::None => {
+            frame.surroundings(onto, ShadowOf::Nothing, false);
+            frame.edges(&radiance, Some(&depth), None);
+            frame.resolve(&radiance, Some(&depth), None, &color);
+            None
+        }
+        SurfaceOptions::Points => {
+            let shadow_map = points::record(frame.resources, frame.recording, frame.uniforms, particles, options, onto);
+            frame.surroundings(onto, ShadowOf::Points(&shadow_map), true);
+            frame.edges(&radiance, Some(&depth), None);
+            frame.resolve(&radiance, Some(&depth), None, &color);
+            None
+        }
+        SurfaceOptions::ScreenSpace(water) => {
+            Some(frame.screen_space(&mut init, (view, water), particles, onto, &color))
+        }
+    };
+    Ok(FramePasses { init, recording, color, depth, surface, uniforms })
+}
+
+/// What shades the floor.
+enum ShadowOf<'a> {
+    Nothing,
+    Points(&'a Texture),
+    Water { sun_thickness: &'a Texture, surface: &'a Buffer<SurfaceParams>, water: &'a Buffer<WaterStyle> },
+}
+
+/// A picture's recording in the making.
+struct Frame<'a> {
+    resources: &'a mut Resources,
+    recording: &'a mut Recording,
+    uniforms: &'a FrameUniforms,
+    options: &'a FrameOptions,
+}
+
+impl Frame<'_> {
+    /// Floor and sky. What hides little is drawn after what hides much (`drawn` says whether
+    /// anything was), so that hidden pixels are not shaded.
+    fn surroundings(&mut self, (radiance, depth): (&Texture, &Texture), shadow: ShadowOf<'_>, drawn: bool) {
+        let (view, light, style) =
+            (self.uniforms.view.uniform(), self.uniforms.light.uniform(), self.uniforms.style.uniform());
+        let floor = match shadow {
+            ShadowOf::Nothing => DrawFloor {
+                variant: variant(ShadowKeyword::Off),
+                shadow_map: None,
+                sun_thickness: None,
+                surface: None,
+                water: None,
+                view,
+                light,
+                style,
+            },
+            ShadowOf::Points(map) => DrawFloor {
+                variant: variant(ShadowKeyword::PointsShadow),
+                shadow_map: Some(map.read()),
+                sun_thickness: None,
+                surface: None,
+                water: None,
+                view,
+                light,
+                style,
+            },
+            ShadowOf::Water { sun_thickness, surface, water } => DrawFloor {
+                variant: variant(ShadowKeyword::WaterShadow),
+                shadow_map: None,
+                sun_thickness: Some(sun_thickness.read()),
+                surface: Some(surface.uniform()),
+                water: Some(water.uniform()),
+                view,
+                light,
+                style,
+            },
+        };
+        let first = match drawn {
+            true => Targets { color: vec![(radiance, Load::Keep)], depth: Some((depth, Load::Keep)) },
+            false => Targets { color: vec![(radiance, Load::Clear([0.0; 4]))], depth: Some((depth, Load::Clear(0.0))) },
+        };
+        let nearer = DrawState { depth_test: DepthTest::Greater, depth_write: true, ..DrawState::default() };
+        self.recording.draw(&floor, &first, nearer, 6, 1);
+        let onto = Targets { color: vec![(radiance, Load::Keep)], depth: Some((depth, Load::Keep)) };
+        let behind = DrawState { depth_test: DepthTest::GreaterEqual, ..DrawState::default() };
+        self.recording.draw(&DrawSky { view, light }, &onto, behind, 3, 1);
+    }
+
+    /// The domain's edges: all that no opaque thing hides, or with water those behind it or those
+    /// before it.
+    fn edges(&mut self, onto: &Texture, depth: Option<&Texture>, water: Option<(WaterKeyword, &Texture)>) {
+        if !self.options.edges {
+            return;
+        }
+        let draw = DrawEdges {
+            variant: DrawEdgesVariant { water: water.map_or(WaterKeyword::Off, |(keyword, _)| keyword) },
+            nearness: water.map(|(_, nearness)| nearness.read()),
+            view: self.uniforms.view.uniform(),
+            style: self.uniforms.style.uniform(),
+        };
+        let targets = Targets { color: vec![(onto, Load::Keep)], depth: depth.map(|depth| (depth, Load::Keep)) };
+        let depth_test = if depth.is_some() { DepthTest::Greater } else { DepthTest::Off };
+        self.recording.draw(
+            &draw,
+            &targets,
+            DrawState { depth_test, blend: Blend::Alpha, ..DrawState::default() },
             6,
             12,
         );
     }
-    recording.draw(
-        &DrawResolve {
-            radiance: radiance.read(),
-            depth_map: depth.read(),
-            view: frame_view,
-            light: frame_light,
-            style: frame_style,
-        },
-        &Targets { color: vec![(&color, Load::Clear([0.0; 4]))], depth: None },
-        DrawState::default(),
-        3,
-        1,
-    );
-    Ok(FramePasses { init, recording, color, depth, uniforms })
+
+    fn resolve(&mut self, radiance: &Texture, depth: Option<&Texture>, water: Option<&Texture>, color: &Texture) {
+        self.recording.draw(
+            &DrawResolve {
+                variant: DrawResolveVariant { water: water.is_some() },
+                radiance: radiance.read(),
+                depth_map: depth.map(Texture::read),
+                water: water.map(Texture::read),
+                view: self.uniforms.view.uniform(),
+                light: self.uniforms.light.uniform(),
+                style: depth.map(|_| self.uniforms.style.uniform()),
+            },
+            &Targets { color: vec![(color, Load::Clear([0.0; 4]))], depth: None },
+            DrawState::default(),
+            3,
+            1,
+        );
+    }
+
+    /// The smoothed surface, the opaque scene behind it, and the water over that.
+    fn screen_space(
+        &mut self,
+        init: &mut Recording,
+        (view, options): (&View, &ScreenSpaceOptions),
+        particles: &Particles<'_>,
+        (radiance, depth): (&Texture, &Texture),
+        color: &Texture,
+    ) -> SmoothedSurface {
+        let uniforms = self.uniforms;
+        let surface = screen_space::record(
+            self.resources,
+            (init, self.recording),
+            &uniforms.view,
+            particles,
+            radiance.size_px,
+            self.options.tier,
+            options,
+        );
+        let mut water_style = self.resources.state("water_style", 1);
+        init.upload(&mut water_style, &[options.water()]);
+        let (thickness, sun_thickness) = screen_space::record_thickness(
+            self.resources,
+            self.recording,
+            (&uniforms.view, &uniforms.light),
+            particles,
+            &surface.params,
+            (view.size_px.map(|side| side.div_ceil(options.thickness_divisor)), self.options.shadow_texels),
+        );
+        let shadow = ShadowOf::Water { sun_thickness: &sun_thickness, surface: &surface.params, water: &water_style };
+        self.surroundings((radiance, depth), shadow, false);
+        self.edges(radiance, Some(depth), Some((WaterKeyword::BehindWater, &surface.nearness)));
+        let water = Water { surface: &surface, thickness: &thickness, style: &water_style };
+        let seen = screen_space::record_water(self.resources, self.recording, uniforms, &water, (radiance, depth));
+        self.edges(&seen, None, Some((WaterKeyword::BeforeWater, &surface.nearness)));
+        self.resolve(radiance, None, Some(&seen), color);
+        surface
+    }
+}
+
+fn variant(shadow: ShadowKeyword) -> DrawFloorVariant {
+    DrawFloorVariant { shadow }
 }

@@ -1,0 +1,109 @@
+//! How a scene's fluid is drawn.
+
+use serde::{Deserialize, Serialize};
+
+/// What pictures show of the fluid.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "kebab-case")]
+pub enum SurfaceMethod {
+    /// Water: the particles' surface, smoothed in screen space (van der Laan, Green & Sainz 2009).
+    #[default]
+    ScreenSpace,
+    /// The particles themselves, as balls.
+    Points,
+    /// Nothing. Safe to choose wherever nobody looks at the fluid.
+    None,
+}
+
+/// What smooths the surface in screen space.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "kebab-case")]
+pub enum Smoothing {
+    /// The narrow-range filter (Truong & Yuksel 2018), one direction after the other.
+    #[default]
+    NarrowRange,
+    /// Curvature flow (van der Laan, Green & Sainz 2009); its reach is bounded by its iterations.
+    CurvatureFlow,
+    /// A bilateral filter, one direction after the other.
+    Bilateral,
+    /// The bilateral filter itself: its price grows with the square of its reach.
+    #[serde(rename = "bilateral-2d")]
+    Bilateral2d,
+    /// A Gaussian, which runs near surfaces into far ones: the baseline.
+    Gaussian,
+    /// The particles' spheres as they are.
+    None,
+}
+
+impl Smoothing {
+    /// How often it is applied where the scene does not say.
+    pub fn default_iterations(self) -> u32 {
+        match self {
+            Self::CurvatureFlow => 60,
+            Self::Bilateral | Self::Bilateral2d | Self::Gaussian | Self::NarrowRange => 1,
+            Self::None => 0,
+        }
+    }
+}
+
+/// What a particle's colour tells.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "kebab-case")]
+pub enum PointColor {
+    /// Its speed, from deep blue at rest to white foam.
+    #[default]
+    Speed,
+    /// Its fluid.
+    Fluid,
+}
+
+/// How the fluid is drawn. What is off has no pass, no buffer and no code.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields, default)]
+pub struct Surface {
+    /// What pictures show of the fluid.
+    pub method: SurfaceMethod,
+    /// What smooths the surface.
+    pub smoothing: Smoothing,
+    /// How often it is applied; default: 60 times for `curvature-flow`, else once.
+    pub iterations: Option<u32>,
+    /// How far smoothing reaches, over the spacing: the same in the world at any distance and
+    /// resolution, up to 64 drawn pixels.
+    pub smoothing_ratio: f64,
+    /// Radius of the spheres that the surface is made of, over the spacing. More closes holes and
+    /// thickens spray.
+    pub radius_ratio: f64,
+    /// What the water takes of red, green and blue light, 1/m (Beer-Lambert). Default: clear blue
+    /// water at the domain's size.
+    pub absorption_per_m: Option<[f64; 3]>,
+    /// How much of water's refraction bends what is seen through it: 0 none, 1 all.
+    pub refraction: f64,
+    /// What the colours of `points` tell.
+    pub color_by: PointColor,
+}
+
+impl Default for Surface {
+    fn default() -> Self {
+        Self {
+            method: SurfaceMethod::default(),
+            smoothing: Smoothing::default(),
+            iterations: None,
+            smoothing_ratio: 2.0,
+            radius_ratio: 0.75,
+            absorption_per_m: None,
+            refraction: 1.0,
+            color_by: PointColor::default(),
+        }
+    }
+}
+
+impl Surface {
+    /// How often smoothing is applied.
+    pub fn iterations(&self) -> u32 {
+        self.iterations.unwrap_or(self.smoothing.default_iterations())
+    }
+}

@@ -1,0 +1,74 @@
+// Written by the shader compiler; do not edit. `cargo run -p brooklet-compiler -- build`
+// makes it anew from surface/smooth_curvature_flow.hlsl.
+//! Kernels of `surface/smooth_curvature_flow.hlsl`.
+
+use super::{FrameView, SurfaceParams};
+use crate::{BindingError, BindingInfo, BindingKind, Bound, Draw, Module, StageKind, Tex, Tier, Uniform, bind_draw};
+
+/// One step of screen-space curvature flow (van der Laan, Green & Sainz 2009): the surface moves
+/// along the line of sight by its mean curvature, dz/dt = 2H, as surface tension would have it.
+/// With pixels p = z a wide in the world, D = z\_x^2 + z\_y^2 + p^2 (eq. 5 with square pixels) and
+/// 2H = (E\_x + E\_y) / (D^1.5 p), E\_x = z\_xx D - z\_x D\_x / 2 (eq. 6-8, here in metres so that a time
+/// is an area, the same near and far).
+#[derive(Debug)]
+pub struct DrawSmoothCurvatureFlow<'a> {
+    /// `Texture2D<float> nearness`.
+    pub nearness: Tex<'a>,
+    /// `ConstantBuffer<FrameView> view`.
+    pub view: Uniform<'a, FrameView>,
+    /// `ConstantBuffer<SurfaceParams> surface`.
+    pub surface: Uniform<'a, SurfaceParams>,
+}
+
+impl Draw for DrawSmoothCurvatureFlow<'_> {
+    const STAGE: &'static str = "draw_smooth_curvature_flow";
+
+    fn vertex(&self) -> &'static Module {
+        &DRAW_SMOOTH_CURVATURE_FLOW_VERTEX
+    }
+    fn fragment(&self) -> Option<&'static Module> {
+        Some(&DRAW_SMOOTH_CURVATURE_FLOW_FRAGMENT)
+    }
+    fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
+        bind_draw(
+            self.vertex(),
+            self.fragment(),
+            &[("nearness", Some(self.nearness.id)), ("view", Some(self.view.id)), ("surface", Some(self.surface.id))],
+        )
+    }
+}
+
+/// The modules of this file.
+pub(super) static MODULES: &[&Module] = &[&DRAW_SMOOTH_CURVATURE_FLOW_VERTEX, &DRAW_SMOOTH_CURVATURE_FLOW_FRAGMENT];
+
+static BINDINGS_0: &[BindingInfo] = &[
+    BindingInfo { name: "nearness", slot: 0, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "view", slot: 1, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "surface", slot: 2, kind: BindingKind::Uniform { bytes: 64 } },
+];
+
+static DRAW_SMOOTH_CURVATURE_FLOW_VERTEX: Module = Module {
+    name: "DrawSmoothCurvatureFlow.vertex",
+    entry: "SmoothCurvatureFlowVertex",
+    stage: StageKind::Vertex,
+    spirv: include_bytes!("../../spirv/draw_smooth_curvature_flow.vertex.spv"),
+    bindings: &[],
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "surface/smooth_curvature_flow.hlsl",
+    hash: "d957c6342a5ebc5488965cc60a60639845c854b0878be4f4529e60f0c844a655",
+};
+
+static DRAW_SMOOTH_CURVATURE_FLOW_FRAGMENT: Module = Module {
+    name: "DrawSmoothCurvatureFlow.fragment",
+    entry: "SmoothCurvatureFlowFragment",
+    stage: StageKind::Fragment,
+    spirv: include_bytes!("../../spirv/draw_smooth_curvature_flow.fragment.spv"),
+    bindings: BINDINGS_0,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "surface/smooth_curvature_flow.hlsl",
+    hash: "0679fe41c98aa5539e617a012f2cf561f60e0ae0cdb81621717406924b6d8b5d",
+};

@@ -1,0 +1,100 @@
+// Written by the shader compiler; do not edit. `cargo run -p brooklet-compiler -- build`
+// makes it anew from surface/smooth_gaussian.hlsl.
+//! Kernels of `surface/smooth_gaussian.hlsl`.
+
+use super::{AlongKeyword, FrameView, SurfaceParams};
+use crate::{BindingError, BindingInfo, BindingKind, Bound, Draw, Module, StageKind, Tex, Tier, Uniform, bind_draw};
+
+/// Which variant of [`DrawSmoothGaussian`] runs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct DrawSmoothGaussianVariant {
+    /// Keyword `ALONG_X` or `ALONG_Y`.
+    pub along: AlongKeyword,
+}
+
+/// A plain Gaussian over the fluid's pixels, one direction a pass: the baseline. It runs near
+/// surfaces into far ones.
+#[derive(Debug)]
+pub struct DrawSmoothGaussian<'a> {
+    /// Its variant.
+    pub variant: DrawSmoothGaussianVariant,
+    /// `Texture2D<float> nearness`.
+    pub nearness: Tex<'a>,
+    /// `ConstantBuffer<FrameView> view`.
+    pub view: Uniform<'a, FrameView>,
+    /// `ConstantBuffer<SurfaceParams> surface`.
+    pub surface: Uniform<'a, SurfaceParams>,
+}
+
+impl Draw for DrawSmoothGaussian<'_> {
+    const STAGE: &'static str = "draw_smooth_gaussian";
+
+    fn vertex(&self) -> &'static Module {
+        &DRAW_SMOOTH_GAUSSIAN_VERTEX_WITH_ALONG_X
+    }
+    fn fragment(&self) -> Option<&'static Module> {
+        match self.variant.along {
+            AlongKeyword::AlongX => Some(&DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_X),
+            AlongKeyword::AlongY => Some(&DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_Y),
+        }
+    }
+    fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
+        bind_draw(
+            self.vertex(),
+            self.fragment(),
+            &[("nearness", Some(self.nearness.id)), ("view", Some(self.view.id)), ("surface", Some(self.surface.id))],
+        )
+    }
+}
+
+/// The modules of this file.
+pub(super) static MODULES: &[&Module] = &[
+    &DRAW_SMOOTH_GAUSSIAN_VERTEX_WITH_ALONG_X,
+    &DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_X,
+    &DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_Y,
+];
+
+static BINDINGS_0: &[BindingInfo] = &[
+    BindingInfo { name: "nearness", slot: 0, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "view", slot: 1, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "surface", slot: 2, kind: BindingKind::Uniform { bytes: 64 } },
+];
+
+static DRAW_SMOOTH_GAUSSIAN_VERTEX_WITH_ALONG_X: Module = Module {
+    name: "DrawSmoothGaussian.vertex+ALONG_X",
+    entry: "SmoothGaussianVertex",
+    stage: StageKind::Vertex,
+    spirv: include_bytes!("../../spirv/draw_smooth_gaussian.vertex+along_x.spv"),
+    bindings: &[],
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "surface/smooth_gaussian.hlsl",
+    hash: "66a201731d69655b694760d942bbb5fbf507e554eb727119c2240d2ca4915f81",
+};
+
+static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_X: Module = Module {
+    name: "DrawSmoothGaussian.fragment+ALONG_X",
+    entry: "SmoothGaussianFragment",
+    stage: StageKind::Fragment,
+    spirv: include_bytes!("../../spirv/draw_smooth_gaussian.fragment+along_x.spv"),
+    bindings: BINDINGS_0,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "surface/smooth_gaussian.hlsl",
+    hash: "859d164eb0c92216a42891fb60f7b7b5e9dd1d6beecf1258934401ad21eae62e",
+};
+
+static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_Y: Module = Module {
+    name: "DrawSmoothGaussian.fragment+ALONG_Y",
+    entry: "SmoothGaussianFragment",
+    stage: StageKind::Fragment,
+    spirv: include_bytes!("../../spirv/draw_smooth_gaussian.fragment+along_y.spv"),
+    bindings: BINDINGS_0,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "surface/smooth_gaussian.hlsl",
+    hash: "14f3e049bade31dd00a7a7d80da5c7f63166763e40b63c6e98c90e8b36ef2410",
+};

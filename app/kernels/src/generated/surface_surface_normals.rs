@@ -1,0 +1,71 @@
+// Written by the shader compiler; do not edit. `cargo run -p brooklet-compiler -- build`
+// makes it anew from surface/surface_normals.hlsl.
+//! Kernels of `surface/surface_normals.hlsl`.
+
+use super::{FrameView, SurfaceParams};
+use crate::{BindingError, BindingInfo, BindingKind, Bound, Draw, Module, StageKind, Tex, Tier, Uniform, bind_draw};
+
+/// The surface's normals as a texture, for who wants them (measuring a filter's error); the water
+/// itself restores them where it shades. w is 1 on the fluid.
+#[derive(Debug)]
+pub struct DrawSurfaceNormals<'a> {
+    /// `Texture2D<float> nearness`.
+    pub nearness: Tex<'a>,
+    /// `ConstantBuffer<FrameView> view`.
+    pub view: Uniform<'a, FrameView>,
+    /// `ConstantBuffer<SurfaceParams> surface`.
+    pub surface: Uniform<'a, SurfaceParams>,
+}
+
+impl Draw for DrawSurfaceNormals<'_> {
+    const STAGE: &'static str = "draw_surface_normals";
+
+    fn vertex(&self) -> &'static Module {
+        &DRAW_SURFACE_NORMALS_VERTEX
+    }
+    fn fragment(&self) -> Option<&'static Module> {
+        Some(&DRAW_SURFACE_NORMALS_FRAGMENT)
+    }
+    fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
+        bind_draw(
+            self.vertex(),
+            self.fragment(),
+            &[("nearness", Some(self.nearness.id)), ("view", Some(self.view.id)), ("surface", Some(self.surface.id))],
+        )
+    }
+}
+
+/// The modules of this file.
+pub(super) static MODULES: &[&Module] = &[&DRAW_SURFACE_NORMALS_VERTEX, &DRAW_SURFACE_NORMALS_FRAGMENT];
+
+static BINDINGS_0: &[BindingInfo] = &[
+    BindingInfo { name: "nearness", slot: 0, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "view", slot: 1, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "surface", slot: 2, kind: BindingKind::Uniform { bytes: 64 } },
+];
+
+static DRAW_SURFACE_NORMALS_VERTEX: Module = Module {
+    name: "DrawSurfaceNormals.vertex",
+    entry: "SurfaceNormalsVertex",
+    stage: StageKind::Vertex,
+    spirv: include_bytes!("../../spirv/draw_surface_normals.vertex.spv"),
+    bindings: &[],
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "surface/surface_normals.hlsl",
+    hash: "42cccad303a36f5a68ae74fcf70c78b33494cf8e4f90060661096ad3e59ef761",
+};
+
+static DRAW_SURFACE_NORMALS_FRAGMENT: Module = Module {
+    name: "DrawSurfaceNormals.fragment",
+    entry: "SurfaceNormalsFragment",
+    stage: StageKind::Fragment,
+    spirv: include_bytes!("../../spirv/draw_surface_normals.fragment.spv"),
+    bindings: BINDINGS_0,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "surface/surface_normals.hlsl",
+    hash: "77abfd1f31bff13926426012fd331259a19889eacc351afdbee48dd22a031e6e",
+};

@@ -1,0 +1,102 @@
+// Written by the shader compiler; do not edit. `cargo run -p brooklet-compiler -- build`
+// makes it anew from surface/water.hlsl.
+//! Kernels of `surface/water.hlsl`.
+
+use super::{FrameLight, FrameStyle, FrameView, SurfaceParams, WaterStyle};
+use crate::{BindingError, BindingInfo, BindingKind, Bound, Draw, Module, StageKind, Tex, Tier, Uniform, bind_draw};
+
+/// The water as it is seen: every pixel that the smoothed surface covers, shaded once, over the scene
+/// behind it. Alpha is 1 there. What is opaque and in front stays in front.
+#[derive(Debug)]
+pub struct DrawWater<'a> {
+    /// `ConstantBuffer<FrameView> view`.
+    pub view: Uniform<'a, FrameView>,
+    /// `Texture2D<float> nearness`.
+    pub nearness: Tex<'a>,
+    /// `Texture2D<float> thickness`.
+    pub thickness: Tex<'a>,
+    /// `Texture2D<float4> scene`.
+    pub scene: Tex<'a>,
+    /// `Texture2D<float> scene_depth`.
+    pub scene_depth: Tex<'a>,
+    /// `ConstantBuffer<FrameLight> light`.
+    pub light: Uniform<'a, FrameLight>,
+    /// `ConstantBuffer<FrameStyle> style`.
+    pub style: Uniform<'a, FrameStyle>,
+    /// `ConstantBuffer<SurfaceParams> surface`.
+    pub surface: Uniform<'a, SurfaceParams>,
+    /// `ConstantBuffer<WaterStyle> water`.
+    pub water: Uniform<'a, WaterStyle>,
+}
+
+impl Draw for DrawWater<'_> {
+    const STAGE: &'static str = "draw_water";
+
+    fn vertex(&self) -> &'static Module {
+        &DRAW_WATER_VERTEX
+    }
+    fn fragment(&self) -> Option<&'static Module> {
+        Some(&DRAW_WATER_FRAGMENT)
+    }
+    fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
+        bind_draw(
+            self.vertex(),
+            self.fragment(),
+            &[
+                ("view", Some(self.view.id)),
+                ("nearness", Some(self.nearness.id)),
+                ("thickness", Some(self.thickness.id)),
+                ("scene", Some(self.scene.id)),
+                ("scene_depth", Some(self.scene_depth.id)),
+                ("light", Some(self.light.id)),
+                ("style", Some(self.style.id)),
+                ("surface", Some(self.surface.id)),
+                ("water", Some(self.water.id)),
+            ],
+        )
+    }
+}
+
+/// The modules of this file.
+pub(super) static MODULES: &[&Module] = &[&DRAW_WATER_VERTEX, &DRAW_WATER_FRAGMENT];
+
+static BINDINGS_0: &[BindingInfo] = &[BindingInfo { name: "view", slot: 5, kind: BindingKind::Uniform { bytes: 80 } }];
+
+static BINDINGS_1: &[BindingInfo] = &[
+    BindingInfo { name: "nearness", slot: 0, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "thickness", slot: 1, kind: BindingKind::Texture { filterable: true } },
+    BindingInfo { name: "scene", slot: 2, kind: BindingKind::Texture { filterable: true } },
+    BindingInfo { name: "scene_depth", slot: 3, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "sampler_linear_clamp", slot: 4, kind: BindingKind::Sampler },
+    BindingInfo { name: "view", slot: 5, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "light", slot: 6, kind: BindingKind::Uniform { bytes: 112 } },
+    BindingInfo { name: "style", slot: 7, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "surface", slot: 8, kind: BindingKind::Uniform { bytes: 64 } },
+    BindingInfo { name: "water", slot: 9, kind: BindingKind::Uniform { bytes: 48 } },
+];
+
+static DRAW_WATER_VERTEX: Module = Module {
+    name: "DrawWater.vertex",
+    entry: "WaterVertex",
+    stage: StageKind::Vertex,
+    spirv: include_bytes!("../../spirv/draw_water.vertex.spv"),
+    bindings: BINDINGS_0,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "surface/water.hlsl",
+    hash: "bfcdfdac84f36cbdabaa1b7e03491f829980142e5993b4a39ce22910e623851e",
+};
+
+static DRAW_WATER_FRAGMENT: Module = Module {
+    name: "DrawWater.fragment",
+    entry: "WaterFragment",
+    stage: StageKind::Fragment,
+    spirv: include_bytes!("../../spirv/draw_water.fragment.spv"),
+    bindings: BINDINGS_1,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "surface/water.hlsl",
+    hash: "4d4ef633502931ad95f4b34eaf032a2d57691ce6febdc4f4e00403f644c175c3",
+};

@@ -1,0 +1,32 @@
+//! The bilateral filter (Tomasi & Manduchi 1998) over the fluid's pixels.
+
+use super::{Along, Nearness, middle_weight, nearness_difference, reach_px, spatial_weight};
+use brooklet_kernels::{FrameView, SurfaceParams};
+
+/// One pass. (Shader: `surface/smooth_bilateral.hlsl`.)
+pub fn smooth_bilateral(from: &Nearness, params: &SurfaceParams, view: &FrameView, along: Along) -> Nearness {
+    from.map(|x, y, here| {
+        let reach = reach_px(params, view, here);
+        let range = nearness_difference(params.range_m, here);
+        let most = reach as i64;
+        let (across, down) = match along {
+            Along::X => (most, 0),
+            Along::Y => (0, most),
+            Along::Plane => (most, most),
+        };
+        let (mut sum, mut weights) = (middle_weight() * here, middle_weight());
+        for dy in -down..=down {
+            for dx in -across..=across {
+                let squared = (dx * dx + dy * dy) as f64;
+                let there = from.at(x + dx, y + dy);
+                if (dx, dy) != (0, 0) && squared <= reach * reach && there > 0.0 {
+                    let apart = (there - here) / range;
+                    let weight = spatial_weight(squared, reach) * (-0.5 * apart * apart).exp();
+                    sum += weight * there;
+                    weights += weight;
+                }
+            }
+        }
+        sum / weights
+    })
+}

@@ -1,0 +1,58 @@
+//! What is drawn of the fluid: its particles as balls, or its surface as water.
+
+pub(crate) mod points;
+pub mod screen_space;
+
+use brooklet_fluid::scene::SurfaceMethod;
+use brooklet_fluid::{Recorded, Scene};
+use brooklet_kernels::{Buffer, ListHead, Position, Velocity};
+
+pub use screen_space::{ScreenSpaceOptions, SmoothedSurface};
+
+/// The particles that are drawn. Positions are relative to the view's `domain_min_m`.
+#[derive(Clone, Copy, Debug)]
+pub struct Particles<'a> {
+    /// Where they are.
+    pub positions: &'a Buffer<Position>,
+    /// How fast they are; read where colours tell speeds.
+    pub velocities: &'a Buffer<Velocity>,
+    /// How many.
+    pub count: u32,
+    /// How many neighbours each has, in the same order: few make it a drop of spray, drawn small.
+    /// Without, all are drawn alike.
+    pub list_heads: Option<&'a Buffer<ListHead>>,
+}
+
+impl<'a> Particles<'a> {
+    /// Those of a recorded simulation.
+    pub fn of(recorded: &'a Recorded) -> Self {
+        Self {
+            positions: &recorded.positions,
+            velocities: &recorded.velocities,
+            count: recorded.particle_count,
+            list_heads: Some(&recorded.neighbours.heads),
+        }
+    }
+}
+
+/// What is drawn of the fluid.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum SurfaceOptions {
+    /// Nothing: floor and sky. Particles are then not read.
+    None,
+    /// The particles, as balls.
+    Points,
+    /// Water, smoothed in screen space.
+    ScreenSpace(ScreenSpaceOptions),
+}
+
+impl SurfaceOptions {
+    /// What a scene asks for.
+    pub fn for_scene(scene: &Scene) -> Self {
+        match scene.surface.method {
+            SurfaceMethod::None => Self::None,
+            SurfaceMethod::Points => Self::Points,
+            SurfaceMethod::ScreenSpace => Self::ScreenSpace(ScreenSpaceOptions::for_scene(scene)),
+        }
+    }
+}

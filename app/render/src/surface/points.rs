@@ -1,0 +1,56 @@
+//! The particles as balls: which one each pixel sees, then its colour, once a pixel.
+
+use brooklet_gpu::{DepthTest, DrawState, Load, Recording, Resources, Targets};
+use brooklet_kernels::{DrawParticles, DrawShade, DrawShadeVariant, DrawShadow, Format, Texture};
+
+use super::Particles;
+use crate::frame::{Coloring, FrameOptions, FrameUniforms};
+
+/// Draws the particles' shadow map, then the particles to `radiance` and `depth`, both cleared.
+pub(crate) fn record(
+    resources: &mut Resources,
+    recording: &mut Recording,
+    uniforms: &FrameUniforms,
+    particles: &Particles<'_>,
+    options: &FrameOptions,
+    (radiance, depth): (&Texture, &Texture),
+) -> Texture {
+    let Particles { positions, velocities, count: particle_count, .. } = *particles;
+    let (view, light, style) = (uniforms.view.uniform(), uniforms.light.uniform(), uniforms.style.uniform());
+    let shadow_map = resources.texture("shadow_map", options.depth_format(), [options.shadow_texels; 2]);
+    // R32Float holds every index below 2^24 exactly, and every tier can draw to it.
+    let seen = resources.texture("seen", Format::R32Float, radiance.size_px);
+    let nearer = DrawState { depth_test: DepthTest::Greater, depth_write: true, ..DrawState::default() };
+    recording.draw(
+        &DrawShadow { positions: positions.read(), light, style },
+        &Targets { color: vec![], depth: Some((&shadow_map, Load::Clear(0.0))) },
+        nearer,
+        3,
+        particle_count,
+    );
+    recording.draw(
+        &DrawParticles { positions: positions.read(), view, style },
+        &Targets { color: vec![(&seen, Load::Clear([0.0; 4]))], depth: Some((depth, Load::Clear(0.0))) },
+        nearer,
+        3,
+        particle_count,
+    );
+    let color_fluid = options.coloring == Coloring::Fluid;
+    recording.draw(
+        &DrawShade {
+            variant: DrawShadeVariant { color_fluid },
+            seen: seen.read(),
+            positions: positions.read(),
+            velocities: (!color_fluid).then(|| velocities.read()),
+            shadow_map: shadow_map.read(),
+            view,
+            light,
+            style,
+        },
+        &Targets { color: vec![(radiance, Load::Clear([0.0; 4]))], depth: None },
+        DrawState::default(),
+        3,
+        1,
+    );
+    shadow_map
+}

@@ -1,0 +1,145 @@
+//! What makes the surface, as plain numbers.
+
+use brooklet_fluid::Scene;
+use brooklet_fluid::scene::Smoothing;
+use brooklet_kernels::{SurfaceParams, WaterStyle};
+use glam::DVec3;
+
+use crate::RenderError;
+
+/// How a surface is made of particles and shaded as water. Lengths are metres in the world.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ScreenSpaceOptions {
+    /// Particle spacing: a particle's volume is its cube.
+    pub spacing_m: f64,
+    /// Radius of a particle's sphere.
+    pub radius_m: f64,
+    /// The fluid is cut off outside this box, relative to the domain's lowest corner: a tank's
+    /// glass. Infinite where there is none.
+    pub box_m: [DVec3; 2],
+    /// What smooths the surface.
+    pub smoothing: Smoothing,
+    /// How often.
+    pub iterations: u32,
+    /// How far smoothing reaches (two standard deviations), the same at any distance and resolution.
+    pub smoothing_m: f64,
+    /// The reach in drawn pixels is clamped to this.
+    pub most_reach_px: u32,
+    /// Depths further apart are of different surfaces (narrow range's delta, bilateral's sigma).
+    pub range_m: f64,
+    /// What lies behind counts as so far behind (narrow range's mu).
+    pub clamp_m: f64,
+    /// Pixels of the picture a side of a texel of the thickness, 1 to 8.
+    pub thickness_divisor: u32,
+    /// Absorption of red, green and blue light, 1/m.
+    pub absorption_per_m: DVec3,
+    /// How much of water's refraction bends what is seen through it: 0 none, 1 all.
+    pub refraction: f64,
+}
+
+/// A particle's volume is spread as thickness over a disc of so many spacings.
+const SPREAD_RATIO: f64 = 1.3;
+/// Narrow range and bilateral: depths more than so many spheres' radii apart are two surfaces.
+const RANGE_RADII: f64 = 3.0;
+const CLAMP_RADII: f64 = 1.0;
+/// Twice standard deviations of a filter of 64 drawn pixels: more costs much and shows little.
+const MOST_REACH_PX: u32 = 64;
+/// Clear water in a small tank, for a domain whose diagonal is 1 m; what is taken grows with size.
+const ABSORPTION: DVec3 = DVec3::new(7.0, 1.7, 0.75);
+/// What thick water shows of its own, and how soon.
+const SCATTER_COLOR: [f32; 3] = [0.006, 0.065, 0.130];
+const SCATTER: f64 = 1.8;
+const ROUGHNESS: f32 = 0.18;
+
+impl ScreenSpaceOptions {
+    /// What a scene asks for.
+    pub fn for_scene(scene: &Scene) -> Self {
+        let (surface, spacing_m) = (&scene.surface, scene.spacing_m);
+        let size_m = DVec3::from(scene.domain.size_m());
+        let radius_m = surface.radius_ratio * spacing_m;
+        let glass = scene.domain.walls;
+        Self {
+            spacing_m,
+            radius_m,
+            box_m: if glass { [DVec3::ZERO, size_m] } else { [DVec3::NEG_INFINITY, DVec3::INFINITY] },
+            smoothing: surface.smoothing,
+            iterations: surface.iterations(),
+            smoothing_m: surface.smoothing_ratio * spacing_m,
+            most_reach_px: MOST_REACH_PX,
+            range_m: RANGE_RADII * radius_m,
+            clamp_m: CLAMP_RADII * radius_m,
+            thickness_divisor: 2,
+            absorption_per_m: surface.absorption_per_m.map_or(ABSORPTION / size_m.length(), DVec3::from),
+            refraction: surface.refraction,
+        }
+    }
+
+    /// Checks every number.
+    ///
+    /// # Errors
+    /// When an option is not allowed; the error names it.
+    pub fn check(&self) -> Result<(), RenderError> {
+        let positive = |field, value: f64| {
+            let allowed = "must be above 0 and finite";
+            (value.is_finite() && value > 0.0).then_some(()).ok_or(RenderError::not_allowed(field, value, allowed))
+        };
+        positive("spacing_m", self.spacing_m)?;
+        positive("radius_m", self.radius_m)?;
+        positive("range_m", self.range_m)?;
+        positive("clamp_m", self.clamp_m)?;
+        if !(self.smoothing_m.is_finite() && self.smoothing_m >= 0.0) {
+            return Err(RenderError::not_allowed("smoothing_m", self.smoothing_m, "must be 0 or more, and finite"));
+        }
+        if !(1..=256).contains(&self.most_reach_px) {
+            return Err(RenderError::not_allowed("most_reach_px", self.most_reach_px, "1 to 256 are allowed"));
+        }
+        if !(1..=8).contains(&self.thickness_divisor) {
+            return Err(RenderError::not_allowed("thickness_divisor", self.thickness_divisor, "1 to 8 are allowed"));
+        }
+        if !(self.absorption_per_m.is_finite() && self.absorption_per_m.min_element() >= 0.0) {
+            let value = self.absorption_per_m.to_array();
+            return Err(RenderError::not_allowed("absorption_per_m", value, "must be 0 or more, and finite"));
+        }
+        if !(0.0..=2.0).contains(&self.refraction) {
+            return Err(RenderError::not_allowed("refraction", self.refraction, "0 to 2 are allowed"));
+        }
+        let [min, max] = self.box_m;
+        if min.is_nan() || max.is_nan() || !min.cmplt(max).all() {
+            let value = [min.to_array(), max.to_array()];
+            return Err(RenderError::not_allowed("box_m", value, "must be a lowest and a highest corner"));
+        }
+        Ok(())
+    }
+
+    /// What the shaders are given.
+    pub fn params(&self) -> SurfaceParams {
+        // Infinities would make NaNs of rays along an axis: what is far enough is as good.
+        let corner = |corner: DVec3| corner.clamp(DVec3::splat(-1e18), DVec3::splat(1e18)).as_vec3().into();
+        SurfaceParams {
+            box_min_m: corner(self.box_m[0]),
+            radius_m: self.radius_m as f32,
+            box_max_m: corner(self.box_m[1]),
+            spread_m: (SPREAD_RATIO * self.spacing_m) as f32,
+            spacing_m: self.spacing_m as f32,
+            smoothing_m: self.smoothing_m as f32,
+            most_reach_px: self.most_reach_px as f32,
+            range_m: self.range_m as f32,
+            clamp_m: self.clamp_m as f32,
+            flow_m2: (self.smoothing_m * self.smoothing_m / (8.0 * f64::from(self.iterations.max(1)))) as f32,
+            reserved: [0.0; 2],
+        }
+    }
+
+    pub(crate) fn water(&self) -> WaterStyle {
+        WaterStyle {
+            absorption_per_m: self.absorption_per_m.as_vec3().into(),
+            refraction: self.refraction as f32,
+            scatter_color: SCATTER_COLOR,
+            scatter_per_m: (SCATTER / ABSORPTION.x * self.absorption_per_m.x) as f32,
+            roughness: ROUGHNESS,
+            ripple: 0.0,
+            caustic_texels: 0.0,
+            caustic_margin_m: 0.0,
+        }
+    }
+}

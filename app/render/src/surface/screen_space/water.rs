@@ -1,0 +1,44 @@
+//! The water over the scene behind it.
+
+use brooklet_gpu::{Load, Recording, Resources, Targets};
+use brooklet_kernels::{Buffer, DrawWater, Format, Texture, WaterStyle};
+
+use super::{ON_FLUID, SmoothedSurface};
+use crate::frame::FrameUniforms;
+
+/// What the water is drawn from.
+pub(crate) struct Water<'a> {
+    pub surface: &'a SmoothedSurface,
+    pub thickness: &'a Texture,
+    pub style: &'a Buffer<WaterStyle>,
+}
+
+/// Records the water over `scene`, whose depth is `scene_depth`: a texture whose alpha is 1 where
+/// water is seen. The scene stays as it is, since it is what the water refracts.
+pub(crate) fn record(
+    resources: &mut Resources,
+    recording: &mut Recording,
+    uniforms: &FrameUniforms,
+    water: &Water<'_>,
+    (scene, scene_depth): (&Texture, &Texture),
+) -> Texture {
+    let seen = resources.texture("water", Format::Rgba16Float, scene.size_px);
+    recording.draw(
+        &DrawWater {
+            view: uniforms.view.uniform(),
+            nearness: water.surface.nearness.read(),
+            thickness: water.thickness.read(),
+            scene: scene.read(),
+            scene_depth: scene_depth.read(),
+            light: uniforms.light.uniform(),
+            style: uniforms.style.uniform(),
+            surface: water.surface.params.uniform(),
+            water: water.style.uniform(),
+        },
+        &Targets { color: vec![(&seen, Load::Clear([0.0; 4]))], depth: Some((&water.surface.covered, Load::Keep)) },
+        ON_FLUID,
+        3,
+        1,
+    );
+    seen
+}

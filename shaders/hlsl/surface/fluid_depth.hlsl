@@ -1,0 +1,83 @@
+// The nearest of all particles' spheres in each pixel, as nearness. At the tank's glass the spheres
+// are cut off: there the water is as flat as the glass.
+#pragma vertex FluidDepthVertex
+#pragma fragment FluidDepthFragment
+#pragma multi_compile _ SPRAY
+
+#include "../shared/layout.hlsl"
+#include "layout.hlsl"
+#include "impostor.hlsl"
+
+StructuredBuffer<Position> positions;
+#if defined(SPRAY)
+// A particle far from all others is a drop of spray: drawn as large as one that has to meet its
+// neighbours it would be a ball of glass.
+StructuredBuffer<ListHead> list_heads;
+static const float SPRAY_RADIUS = 0.42;     // of a drop alone, over that of a particle among others
+static const float SPRAY_NEIGHBOURS = 14.0; // about those of a flat surface at h = 2 d
+#endif
+ConstantBuffer<FrameView> view;
+ConstantBuffer<SurfaceParams> surface;
+
+struct Varyings
+{
+    float4 position : SV_Position;
+    [[vk::location(0)]] float2 disc : TEXCOORD0;
+    [[vk::location(1)]] float3 ray : TEXCOORD1;
+    // Distance of the middle, tan^2 of the half angle it is seen under, and radius.
+    [[vk::location(2)]] nointerpolation float3 shape : TEXCOORD2;
+};
+
+Varyings FluidDepthVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID)
+{
+    Position particle = positions[instance];
+    float2 corner = disc_corner(vertex);
+    float radius_m = surface.radius_m;
+#if defined(SPRAY)
+    radius_m *= lerp(SPRAY_RADIUS, 1.0, smoothstep(1.0, SPRAY_NEIGHBOURS, float(list_heads[instance].entries)));
+#endif
+    Impostor impostor = impostor_of(view, particle.position_m, particle.tag, radius_m, corner);
+    Varyings output;
+    // The triangle stands at the sphere's nearest point, so the depth written is never nearer
+    // than its own: hidden spheres can be rejected early (SV_DepthLessEqual).
+    output.position = clip_from_offset(view, impostor.ray * (impostor.distance_m - radius_m));
+    output.disc = corner;
+    output.ray = impostor.ray;
+    output.shape = float3(impostor.distance_m, impostor.tan2, radius_m);
+    if (!impostor.drawn)
+        output.position = float4(0.0, 0.0, 0.0, 1.0);   // every corner in one point: nothing is drawn
+    return output;
+}
+
+struct Surface
+{
+    float nearness_per_m : SV_Target0;
+    float depth : SV_DepthLessEqual;
+};
+
+Surface FluidDepthFragment(Varyings input)
+{
+    float s = dot(input.disc, input.disc);
+    if (s > 1.0)
+        discard;
+    // Ray against sphere with the outline at |disc| = 1: the discriminant is r^2 (1 - s) / (1 + s tan^2),
+    // free of the cancellation that D^2 - r^2 would bring far away.
+    float distance_m = input.shape.x;
+    float half_chord_m = input.shape.z * sqrt(1.0 - s);
+    float scale = 1.0 / (1.0 + s * input.shape.y);
+    float enter = (distance_m - half_chord_m) * scale;
+    float leave = (distance_m + half_chord_m) * scale;
+    // The box's slabs (Kay & Kajiya 1986). A ray along a slab has an infinite inverse, which works out.
+    float3 inverse = 1.0 / input.ray;
+    float3 a = (surface.box_min_m - view.eye_m) * inverse;
+    float3 b = (surface.box_max_m - view.eye_m) * inverse;
+    float3 near3 = min(a, b);
+    float3 far3 = max(a, b);
+    float along = max(enter, max(near3.x, max(near3.y, near3.z)));
+    if (along > min(leave, min(far3.x, min(far3.y, far3.z))))
+        discard;
+    Surface output;
+    output.nearness_per_m = 1.0 / (along * dot(input.ray, view.forward));
+    output.depth = view.near_m * output.nearness_per_m;
+    return output;
+}

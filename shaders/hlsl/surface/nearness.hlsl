@@ -1,0 +1,41 @@
+// A surface seen from the eye as one number a pixel: its nearness, 1 / distance along `forward`,
+// in 1/m; 0 where nothing is, which is infinitely far. Planes are linear in it however tilted, so
+// a symmetric filter leaves calm water exactly as it is, where one of the distance would bend it
+// toward the eye; and f32 keeps 24 bits of it at any distance.
+#ifndef BROOKLET_NEARNESS
+#define BROOKLET_NEARNESS
+
+#include "../frame/layout.hlsl"
+
+// The nearness at a pixel, 0 outside the picture.
+float nearness_at(Texture2D<float> nearness, float2 size_px, int2 pixel)
+{
+    bool inside = pixel.x >= 0 && pixel.y >= 0 && pixel.x < int(size_px.x) && pixel.y < int(size_px.y);
+    return inside ? nearness.Load(int3(pixel, 0)) : 0.0;
+}
+
+// A small difference of distance as one of nearness: d(1/z) = dz / z^2. Never more than half the
+// nearness itself, so that what is near the eye keeps apart from nothing at all.
+float nearness_difference(float distance_m, float nearness)
+{
+    return min(distance_m * nearness * nearness, 0.5 * nearness);
+}
+
+// Reach of a filter in pixels: `reach_m` in the world, whatever the distance and the resolution.
+float reach_px(float reach_m, float nearness, float pixel_angle, float most_px)
+{
+    return min(reach_m * nearness / pixel_angle, most_px);
+}
+
+// Weight at a distance from the filter's middle: a Gaussian of which the reach is two standard
+// deviations, lowered to be zero there. So a tap comes in at nothing as the reach grows from pixel
+// to pixel and frame to frame, and nothing pops.
+float spatial_weight(float squared_px, float reach)
+{
+    return max(exp(-2.0 * squared_px / (reach * reach)) - 0.13533528, 0.0);
+}
+
+// The same of the pixel in the middle.
+static const float MIDDLE_WEIGHT = 0.86466472;
+
+#endif

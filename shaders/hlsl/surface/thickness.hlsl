@@ -1,0 +1,39 @@
+// How much fluid each pixel looks through, in spacings: every particle spreads its volume d^3 over a
+// disc, and the discs add up. What overlapping spheres count twice a volume does not.
+#pragma vertex ThicknessVertex
+#pragma fragment ThicknessFragment
+
+#include "../shared/layout.hlsl"
+#include "layout.hlsl"
+#include "impostor.hlsl"
+
+StructuredBuffer<Position> positions;
+ConstantBuffer<FrameView> view;
+ConstantBuffer<SurfaceParams> surface;
+
+struct Varyings
+{
+    float4 position : SV_Position;
+    [[vk::location(0)]] float2 disc : TEXCOORD0;
+};
+
+Varyings ThicknessVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID)
+{
+    Position particle = positions[instance];
+    float2 corner = disc_corner(vertex);
+    Impostor impostor = impostor_of(view, particle.position_m, particle.tag, surface.spread_m, corner);
+    Varyings output;
+    output.position = clip_from_offset(view, impostor.ray * impostor.distance_m);
+    output.disc = corner;
+    if (!impostor.drawn)
+        output.position = float4(0.0, 0.0, 0.0, 1.0);
+    return output;
+}
+
+float4 ThicknessFragment(Varyings input) : SV_Target0
+{
+    float inside = saturate(1.0 - dot(input.disc, input.disc));
+    // (1 - s)^2 is smooth at the disc's rim; its integral over the disc is pi r^2 / 3.
+    float ratio = surface.spacing_m / surface.spread_m;
+    return 0.95492966 * ratio * ratio * inside * inside;
+}

@@ -1,0 +1,64 @@
+// The water as it is seen: every pixel that the smoothed surface covers, shaded once, over the scene
+// behind it. Alpha is 1 there. What is opaque and in front stays in front.
+#pragma vertex WaterVertex
+#pragma fragment WaterFragment
+
+#include "nearness.hlsl"
+#include "normal.hlsl"
+#include "water_shading.hlsl"
+
+Texture2D<float> nearness;
+Texture2D<float> thickness;
+Texture2D<float4> scene;
+Texture2D<float> scene_depth;
+SamplerState sampler_linear_clamp;
+ConstantBuffer<FrameView> view;
+ConstantBuffer<FrameLight> light;
+ConstantBuffer<FrameStyle> style;
+ConstantBuffer<SurfaceParams> surface;
+ConstantBuffer<WaterStyle> water;
+
+struct Varyings
+{
+    float4 position : SV_Position;
+    [[vk::location(0)]] float3 ray : TEXCOORD0;
+};
+
+Varyings WaterVertex(uint vertex : SV_VertexID)
+{
+    float2 corner = covering_corner(vertex);
+    Varyings output;
+    output.position = float4(corner, 0.0, 1.0);
+    output.ray = ray_through(view, corner);
+    return output;
+}
+
+// The scene where a point is seen: what is opaque and in front of the water is not behind it.
+float3 scene_behind(float3 end_m, int2 own_px, float here)
+{
+    float4 clip = clip_from_offset(view, end_m - view.eye_m);
+    float2 at = clip.w > view.near_m ? float2(0.5, -0.5) * clip.xy / clip.w + 0.5 : -1.0;
+    int2 texel = int2(at * view.size_px);
+    bool seen = all(at > 0.0) && all(at < 1.0);
+    float depth = scene_depth.Load(int3(seen ? texel : own_px, 0));
+    if (!seen || depth > view.near_m * here)
+        return scene.Load(int3(own_px, 0)).rgb;
+    return scene.SampleLevel(sampler_linear_clamp, at, 0.0).rgb;
+}
+
+float4 WaterFragment(Varyings input) : SV_Target0
+{
+    int2 pixel = int2(input.position.xy);
+    float here = nearness_at(nearness, view.size_px, pixel);
+    // Reversed depth is near / distance: what is opaque there may be nearer.
+    if (here <= 0.0 || scene_depth.Load(int3(pixel, 0)) > 1.0005 * view.near_m * here)
+        discard;
+    WaterPoint point_;
+    point_.position_m = view.eye_m + input.ray / here;
+    point_.to_eye = -normalize(input.ray);
+    point_.normal = normal_at(nearness, view, pixel, here, surface.range_m);
+    float2 uv = input.position.xy / view.size_px;
+    point_.thickness_m = thickness.SampleLevel(sampler_linear_clamp, uv, 0.0) * surface.spacing_m;
+    float3 behind = scene_behind(refracted_end(water, point_), pixel, here);
+    return float4(water_radiance(light, style, water, point_, behind), 1.0);
+}
