@@ -248,3 +248,27 @@ pub fn walls_of(kernel: &KernelParams, domain_size_m: DVec3) -> DomainWalls {
         support_m: f64::from(kernel.support_m),
     }
 }
+
+/// Particles all over the domain and some outside it or quarantined.
+pub fn scattered(rng: &mut impl Rng, count: usize, size_m: DVec3) -> Vec<Position> {
+    (0..count)
+        .map(|i| {
+            let beyond = if i % 11 == 3 { 0.2 } else { 0.0 };
+            let mut at = |axis: usize| (rng.random::<f64>() * (size_m[axis] + 2.0 * beyond) - beyond) as f32;
+            Position {
+                position_m: [at(0), at(1), at(2)],
+                tag: i as u32 | if i % 13 == 5 { brooklet_kernels::QUARANTINED } else { 0 },
+            }
+        })
+        .collect()
+}
+
+/// Whether the domain is larger than its cells: they are wrapped onto it.
+pub fn is_wrapped(grid: &GridParams) -> bool {
+    grid.cells != grid.domain_cells
+}
+
+/// The same domain, its cells wrapped onto `cells`.
+pub fn wrapped(grid: GridParams, cells: [u32; 3]) -> GridParams {
+    GridParams { cells, cell_count: cells.iter().product(), ..grid }
+}

@@ -12,36 +12,18 @@ use brooklet_reference::grid::reorder::{places, reorder};
 use brooklet_reference::grid::scan;
 use brooklet_reference::shared::list;
 use brooklet_reference::shared::place::Places;
-use brooklet_tests::cases::{SLOTS, SUPPORT_M, fluid, grid_params, list_length, sizes, vectors};
+use brooklet_tests::cases::{
+    SLOTS, SUPPORT_M, fluid, grid_params, is_wrapped, list_length, scattered, sizes, vectors, wrapped,
+};
 use brooklet_tests::compare::{check_counted, check_exact, report_exact, vector};
 use brooklet_tests::harness::{Bench, few_cases, small};
 use brooklet_tests::rng;
 use brooklet_tests::scan::run_scan;
 use glam::DVec3;
 use proptest::prelude::*;
-use rand::{Rng, RngExt};
+use rand::RngExt;
 
 const QUARANTINED: u32 = brooklet_kernels::QUARANTINED;
-
-/// Particles all over the domain and some outside it or quarantined.
-fn scattered(rng: &mut impl Rng, count: usize, size_m: DVec3) -> Vec<Position> {
-    (0..count)
-        .map(|i| {
-            let beyond = if i % 11 == 3 { 0.2 } else { 0.0 };
-            let mut at = |axis: usize| (rng.random::<f64>() * (size_m[axis] + 2.0 * beyond) - beyond) as f32;
-            Position { position_m: [at(0), at(1), at(2)], tag: i as u32 | if i % 13 == 5 { QUARANTINED } else { 0 } }
-        })
-        .collect()
-}
-
-fn is_wrapped(grid: &GridParams) -> bool {
-    grid.cells != grid.domain_cells
-}
-
-/// The same domain, its cells wrapped onto `cells`.
-fn wrapped(grid: GridParams, cells: [u32; 3]) -> GridParams {
-    GridParams { cells, cell_count: cells.iter().product(), ..grid }
-}
 
 fn run_count(positions: &[Position], grid: GridParams) -> (Vec<u32>, Vec<CellSlot>) {
     let mut bench = Bench::new();
