@@ -9,7 +9,7 @@
 
 Texture2D<float4> radiance;
 #if defined(WATER)
-Texture2D<float4> water;    // alpha is 1 where water is seen
+Texture2D<float4> water;    // premultiplied; alpha is 1 where water is seen
 #else
 Texture2D<float> depth_map;
 #endif
@@ -96,8 +96,9 @@ float4 ResolveFragment(Varyings input) : SV_Target0
         int3 at = int3(corner + int2(i % side, i / side), 0);
 #if defined(WATER)
         float4 seen = water.Load(at);
-        if (seen.a <= 0.0)
-            seen = radiance.Load(at);
+        // An edge before water that something opaque hides is all there is: it lies over the scene.
+        if (seen.a < 1.0)
+            seen.rgb += (1.0 - seen.a) * radiance.Load(at).rgb;
 #else
         float4 seen = radiance.Load(at);
         nearest = max(nearest, depth_map.Load(at));

@@ -9,7 +9,7 @@
 #include "filter.hlsl"
 
 // Pixels that FILTER_PLANE reaches.
-static const int PLANE_PX = 2;
+static const int PLANE_PX = 4;
 
 Varyings SmoothNarrowRangeVertex(uint vertex : SV_VertexID)
 {

@@ -1,5 +1,7 @@
 //! The f64 twin of what the frame draws to its depth buffer, and the comparators of pictures.
 
+#![allow(dead_code)] // Each test file uses a part of it.
+
 use brooklet_gpu::{Engine, Plan, Resources, Tier};
 use brooklet_kernels::{Position, Velocity};
 use brooklet_render::{Camera, Coloring, FrameOptions, Particles, View, frame};

@@ -28,7 +28,7 @@ pub struct DrawResolve<'a> {
     pub light: Uniform<'a, FrameLight>,
     /// `ConstantBuffer<FrameStyle> style`.
     pub style: Option<Uniform<'a, FrameStyle>>,
-    /// alpha is 1 where water is seen
+    /// premultiplied; alpha is 1 where water is seen
     ///
     /// `Texture2D<float4> water`.
     pub water: Option<Tex<'a>>,
@@ -88,7 +88,7 @@ static DRAW_RESOLVE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/resolve.hlsl",
-    hash: "45ec8cb4020480b1bdef67cfd191da077e32ad183e13434386c8d4e11c7e9004",
+    hash: "c8467c8dc04dbe744dd84311d182b1e4593465abb0223f28cb768ab2318f040f",
 };
 
 static DRAW_RESOLVE_FRAGMENT: Module = Module {
@@ -101,7 +101,7 @@ static DRAW_RESOLVE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/resolve.hlsl",
-    hash: "24216c496b0d38d63c678848c4b5b71354da89ac57a8134b05a0d9dd077a80aa",
+    hash: "195545f78e391c895b6960b0fec8faa8c451d6fe8235e44a151b04243d6e846e",
 };
 
 static DRAW_RESOLVE_FRAGMENT_WITH_WATER: Module = Module {
@@ -114,5 +114,5 @@ static DRAW_RESOLVE_FRAGMENT_WITH_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/resolve.hlsl",
-    hash: "68c2e2ffb4ae78604dea96fa2bc92a6a91d1e4b0a85c57d1841950f4acfb66fb",
+    hash: "fd74afd2552b5ce326a41eff0a005c5b35d5ca247452ad6a3604016bfebe8e33",
 };

@@ -74,7 +74,7 @@ static DRAW_SMOOTH_NARROW_RANGE_VERTEX_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "2725c0dae746333becbf8e58da5bd5049dd7618759a5a506b9ae2049f7cfa012",
+    hash: "4a72678d9b784ebbbd49c0f1608fb10607942df48793bca3261ce656277f00ff",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_X: Module = Module {
@@ -87,7 +87,7 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "1539c5095804bceec24c5e8542587c223fef371225ac889a04a63ed1deb7206a",
+    hash: "e6faffb70097224e5692197fd6c51fbc0ab057b05d6ac5b70ef810aff628e8b0",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_Y: Module = Module {
@@ -100,7 +100,7 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "2f2e0e4733c89e9e7af4d01b31d978ab30783040f5c7ec2754bc853500d47fcb",
+    hash: "152b4a475a1ece3acda53c3a9bce1a7f1bf5e4f96e61118ecf0fa24ff3198d05",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
@@ -113,5 +113,5 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "c4860fef56774308eaffb371c8a853b5a49aae14e5ede8746b7763b10c7cbdf6",
+    hash: "2ebef7aca1d7906d6577f321c168bd934d2d138c864d0096f55c72f16573bac2",
 };

@@ -4,7 +4,7 @@ use super::{Along, Nearness, middle_weight, nearness_difference, reach_px, spati
 use brooklet_kernels::{FrameView, SurfaceParams};
 
 /// Pixels that the filter of two dimensions reaches.
-const PLANE_PX: i64 = 2;
+const PLANE_PX: i64 = 4;
 
 /// One pass. (Shader: `surface/smooth_narrow_range.hlsl`.)
 pub fn smooth_narrow_range(from: &Nearness, params: &SurfaceParams, view: &FrameView, along: Along) -> Nearness {

@@ -12,13 +12,13 @@ use crate::camera::corners;
 const TO_SUN: DVec3 = DVec3::new(-0.55, 0.75, -0.25);
 /// Colours in linear light.
 const SUN_COLOR: [f32; 3] = [3.0, 2.75, 2.4];
-const SKY_ZENITH: [f32; 3] = [0.08, 0.16, 0.30];
-const SKY_HORIZON: [f32; 3] = [0.30, 0.345, 0.385];
-const FLOOR_COLOR: [f32; 3] = [0.25, 0.235, 0.21];
+const SKY_ZENITH: [f32; 3] = [0.075, 0.165, 0.34];
+const SKY_HORIZON: [f32; 3] = [0.33, 0.40, 0.47];
+const FLOOR_COLOR: [f32; 3] = [0.27, 0.243, 0.205];
 const EDGE_COLOR: [f32; 3] = [0.05, 0.09, 0.13];
 const EDGE_OPACITY: f32 = 0.45;
 const EDGE_WIDTH_PX: f32 = 1.3;
-const EXPOSURE: f32 = 0.80;
+const EXPOSURE: f32 = 0.88;
 /// How deep the sun reaches into the fluid, in radii of a particle.
 const LIGHT_DEPTH_RADII: f64 = 9.0;
 /// Reach of the ambient occlusion, in radii of a particle.
