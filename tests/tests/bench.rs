@@ -68,9 +68,46 @@ fn ways_to_sort_are_compared_in_pairs() {
 }
 
 #[test]
+fn surfaces_are_held_against_known_bodies() {
+    let workshop = Workshop::new();
+    let size = ["--width", "192", "--height", "108", "--repeats", "1"];
+    let files = ["--csv", "s.csv", "--plot", "s.svg", "--picture", "s.png", "--json"];
+    let study = workshop.succeed(&[&["bench", "surfaces"], &size[..], &files].concat()).json();
+    let rows = study["rows"].as_array().unwrap();
+    // Four bodies, three distances, seven filters and the marched density field.
+    assert_eq!(rows.len(), 4 * 3 * 8);
+    let mean_deg = |filter: &str, shape: &str| -> f64 {
+        let of = |row: &&Value| row["filter"] == filter && row["shape"] == shape;
+        rows.iter().filter(of).map(|row| number(&row["normal_mean_deg"])).sum::<f64>() / 3.0
+    };
+    for shape in ["sphere", "box", "torus", "calm pool"] {
+        let bare = mean_deg("none", shape);
+        for filter in ["gaussian", "bilateral", "bilateral-2d", "narrow-range", "curvature-flow 60", "density field"] {
+            assert!(mean_deg(filter, shape) < bare, "{filter} leaves the {shape} rougher than it found it");
+        }
+    }
+    // The filter that scenes have by default follows a round body closely.
+    assert!(mean_deg("narrow-range", "sphere") < 8.0, "{}", mean_deg("narrow-range", "sphere"));
+    for row in rows {
+        let drawn = row["filter"] != "density field";
+        assert_eq!(row["surface_ms"].as_f64().is_some_and(|ms| ms > 0.0), drawn, "{row}");
+        let smooths = drawn && row["filter"] != "none";
+        assert_eq!(row["smoothing_ms"].as_f64().is_some_and(|ms| ms > 0.0), smooths, "{row}");
+        assert!(number(&row["outline_spacings"]) < 1.0, "{row}");
+    }
+    let csv = std::fs::read_to_string(workshop.path("s.csv")).unwrap();
+    assert_eq!(csv.lines().count(), 1 + rows.len());
+    let plot = std::fs::read_to_string(workshop.path("s.svg")).unwrap();
+    assert!(plot.contains("<svg") && plot.contains("narrow-range") && plot.contains("torus"));
+    assert!(std::fs::metadata(workshop.path("s.png")).unwrap().len() > 10_000);
+}
+
+#[test]
 fn a_wrong_wish_is_told_before_anything_is_timed() {
     let workshop = Workshop::new();
-    let cases: [(&[&str], &str); 6] = [
+    let cases: [(&[&str], &str); 8] = [
+        (&["bench", "surfaces", "--width", "3"], "--width"),
+        (&["bench", "surfaces", "--csv", "no/such/folder.csv"], "no/such/folder.csv"),
         (&["bench", "sorting", "--pairs", "0"], "--pairs"),
         (&["bench", "--plot", "no/such/folder.svg"], "no/such/folder.svg"),
         (&["bench", "--set", "solver.xsph=7"], "solver.xsph"),

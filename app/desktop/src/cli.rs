@@ -164,6 +164,38 @@ pub struct BenchOptions {
 pub enum BenchStudy {
     /// Ways to sort the particles: the product's against others, in pairs
     Sorting(SortingOptions),
+    /// Ways to smooth the surface in screen space: their errors against known bodies, and their cost
+    Surfaces(SurfacesOptions),
+}
+
+/// `brooklet bench surfaces`.
+#[derive(Clone, Debug, Args)]
+pub struct SurfacesOptions {
+    /// The device.
+    #[command(flatten)]
+    pub device: DeviceOptions,
+    /// Width of the pictures, pixels
+    #[arg(long, value_name = "PX", default_value_t = 640, value_parser = clap::value_parser!(u32).range(64..=4096))]
+    pub width: u32,
+    /// Height of the pictures, pixels
+    #[arg(long, value_name = "PX", default_value_t = 360, value_parser = clap::value_parser!(u32).range(64..=4096))]
+    pub height: u32,
+    /// Pictures that are timed of each
+    #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    pub repeats: u32,
+    /// Also write the table as CSV
+    #[arg(long, value_name = "FILE")]
+    pub csv: Option<PathBuf>,
+    /// Also draw it, as an SVG picture
+    #[arg(long, value_name = "FILE")]
+    pub plot: Option<PathBuf>,
+    /// Also write what was seen as a PNG: normals as colours, a row for each body, a column for each
+    /// filter, then the marched density field and the known surface
+    #[arg(long, value_name = "FILE")]
+    pub picture: Option<PathBuf>,
+    /// Print the result as JSON
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// `brooklet bench sorting`.

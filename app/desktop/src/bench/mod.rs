@@ -8,9 +8,12 @@ mod scaling;
 mod single;
 mod sorting;
 mod stepping;
+mod surfaces;
 mod targets;
 mod traffic;
 mod workload;
+
+use std::path::Path;
 
 use brooklet_gpu::Gpu;
 
@@ -24,8 +27,18 @@ use crate::{
 pub fn bench(options: &BenchOptions) -> Result<(), Failure> {
     match (&options.study, &options.scene) {
         (Some(BenchStudy::Sorting(options)), _) => sorting::bench(options),
+        (Some(BenchStudy::Surfaces(options)), _) => surfaces::bench(options),
         (None, Some(scene)) => single::bench(scene, options),
         (None, None) => scaling::bench(options),
+    }
+}
+
+/// Minutes of measuring would be lost on a folder that cannot be written to.
+fn check_folder(option: &str, file: &Path) -> Result<(), Failure> {
+    let folder = file.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    match tempfile::tempfile_in(folder) {
+        Ok(_) => Ok(()),
+        Err(error) => Err(Failure::Input(format!("{option} {}: cannot be written: {error}", file.display()))),
     }
 }
 

@@ -1,12 +1,12 @@
 //! The same workload at rising numbers of particles: how time, rate and memory scale.
 
-use std::{path::Path, time::Instant};
+use std::time::Instant;
 
 use brooklet_fluid::{INIT, MEASURE, STEP, Scene};
 use brooklet_gpu::{Engine, Gpu, ResourceId, tier_name};
 
 use super::{
-    bandwidth,
+    bandwidth, check_folder,
     figures::{LeftOut, Pass, Row, Scaling},
     open, plot, report,
     stepping::Stepping,
@@ -30,7 +30,7 @@ pub fn bench(options: &BenchOptions) -> Result<(), Failure> {
     // A setting that no scene takes is told before anything runs.
     LOADS[0].scene(EDGES[0], &options.settings)?;
     if let Some(path) = &options.plot {
-        check_folder(path)?;
+        check_folder("--plot", path)?;
     }
     let gpu = open(&options.device)?;
     let interrupt = Interrupt::listen()?;
@@ -58,15 +58,6 @@ pub fn bench(options: &BenchOptions) -> Result<(), Failure> {
         report::print(&scaling);
     }
     Ok(())
-}
-
-/// Minutes of measuring would be lost on a folder that cannot be written to.
-fn check_folder(file: &Path) -> Result<(), Failure> {
-    let folder = file.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    match tempfile::tempfile_in(folder) {
-        Ok(_) => Ok(()),
-        Err(error) => Err(Failure::Input(format!("--plot {}: cannot be written: {error}", file.display()))),
-    }
 }
 
 struct Bencher<'a> {

@@ -1,0 +1,138 @@
+//! Bodies of particles drawn by the product's own passes, and what that cost.
+
+use brooklet_fluid::{Scene, scene::Smoothing};
+use brooklet_gpu::{Engine, Gpu, Plan, Recording, Resources, Shape as Kind};
+use brooklet_kernels::{Position, Tier};
+use brooklet_render::{
+    Coloring, FrameOptions, Particles, SurfaceOptions, View,
+    frame::FrameValues,
+    surface::screen_space::{self, ScreenSpaceOptions},
+};
+use glam::DVec3;
+
+use super::{
+    seen::Seen,
+    shapes::{DOMAIN_M, SPACING_M, Shape},
+};
+use crate::{failure::Failure, interrupt::Interrupt, timings::Spread};
+
+const INIT: &str = "init";
+const DRAW: &str = "draw";
+/// Pictures drawn before those that are timed.
+const WARM_UP: usize = 2;
+
+/// A way to smooth, as a scene names it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Filter {
+    pub name: &'static str,
+    smoothing: Smoothing,
+    iterations: u32,
+}
+
+const fn filter(name: &'static str, smoothing: Smoothing, iterations: u32) -> Filter {
+    Filter { name, smoothing, iterations }
+}
+
+/// What is compared; curvature flow as often as the mobile deck's figure has it.
+pub const FILTERS: [Filter; 7] = [
+    filter("none", Smoothing::None, 0),
+    filter("gaussian", Smoothing::Gaussian, 1),
+    filter("bilateral", Smoothing::Bilateral, 1),
+    filter("bilateral-2d", Smoothing::Bilateral2d, 1),
+    filter("narrow-range", Smoothing::NarrowRange, 1),
+    filter("curvature-flow 40", Smoothing::CurvatureFlow, 40),
+    filter("curvature-flow 60", Smoothing::CurvatureFlow, 60),
+];
+
+/// A drawn surface.
+pub struct Drawn {
+    pub seen: Seen,
+    /// Of the smoothing's passes and of all, ms of a picture.
+    pub smoothing_ms: f64,
+    pub all_ms: f64,
+    /// Of the textures it needs.
+    pub texture_bytes: u64,
+}
+
+/// The options that a scene with these settings has.
+fn options(shape: Shape, filter: Filter) -> Result<ScreenSpaceOptions, Failure> {
+    let text = format!(
+        "spacing_m = {SPACING_M}\n[domain]\nmin_m = [0, 0, 0]\nmax_m = [{DOMAIN_M}, {DOMAIN_M}, {DOMAIN_M}]\nwalls = {}\n",
+        shape.in_glass()
+    );
+    let mut scene = Scene::from_toml(&text, "bench surfaces", &[]).map_err(Failure::stopped)?;
+    scene.surface.smoothing = filter.smoothing;
+    scene.surface.iterations = Some(filter.iterations);
+    Ok(ScreenSpaceOptions::for_scene(&scene))
+}
+
+/// Draws `particles_m` `repeats` times and more.
+pub fn draw(
+    gpu: &Gpu,
+    (shape, particles_m): (Shape, &[DVec3]),
+    filter: Filter,
+    view: &View,
+    repeats: usize,
+    interrupt: &Interrupt,
+) -> Result<Drawn, Failure> {
+    let tier: Tier = gpu.tier();
+    let options = options(shape, filter)?;
+    let frame = FrameOptions {
+        tier,
+        surface: SurfaceOptions::ScreenSpace(options),
+        radius_m: options.radius_m,
+        coloring: Coloring::Fluid,
+        supersample: 1,
+        shadow_texels: 64,
+        edges: false,
+    };
+    let values = FrameValues::new(view, &frame).map_err(Failure::stopped)?;
+    let positions: Vec<Position> = particles_m
+        .iter()
+        .enumerate()
+        .map(|(i, at)| Position { position_m: at.as_vec3().to_array(), tag: i as u32 })
+        .collect();
+    let count = positions.len() as u32;
+    let mut resources = Resources::new();
+    let mut buffer = resources.state::<Position>("positions", count);
+    let velocities = resources.state("velocities", count);
+    let mut frame_view = resources.state("frame_view", 1);
+    let (mut init, mut recording) = (Recording::new(INIT), Recording::new(DRAW));
+    init.upload(&mut frame_view, &[values.view]);
+    init.upload(&mut buffer, &positions);
+    let particles = Particles { positions: &buffer, velocities: &velocities, count, list_heads: None };
+    let into = (&mut init, &mut recording);
+    let surface = screen_space::record(&mut resources, into, &frame_view, &particles, view.size_px, tier, &options);
+    let plan = Plan::sweep(resources, vec![init, recording], &[surface.normals.id]).map_err(Failure::stopped)?;
+    let is_texture = |id| plan.resources().get(id).is_some_and(|entry| !matches!(entry.shape, Kind::Buffer { .. }));
+    let texture_bytes = plan.buffers().iter().filter(|kept| is_texture(kept.id)).map(|kept| kept.bytes).sum();
+    let mut engine = Engine::new(gpu, plan).map_err(Failure::input)?;
+    engine.run(&[INIT], &[]).map_err(Failure::stopped)?;
+    engine.finish().map_err(Failure::stopped)?;
+
+    let mut times = Vec::new();
+    for _ in 0..WARM_UP + repeats {
+        if interrupt.is_pressed() {
+            return Err(Failure::Interrupted("nothing was written".into()));
+        }
+        engine.run(&[DRAW], &[]).map_err(Failure::stopped)?;
+        times.extend(engine.reports());
+    }
+    times.extend(engine.finish().map_err(Failure::stopped)?);
+    let ms_of = |wanted: &dyn Fn(&str) -> bool| {
+        let stages = |report: &brooklet_gpu::FrameReport| -> f64 {
+            report.stage_ms().iter().filter(|(stage, ..)| wanted(stage)).map(|(_, ms, _)| ms).sum()
+        };
+        Spread::of(times.iter().skip(WARM_UP).map(stages).collect()).map_or(0.0, |spread| spread.median)
+    };
+    // The normals' own pass is the study's: the water restores them where it shades.
+    let smoothing_ms = ms_of(&|stage| stage.contains("smooth_"));
+    let all_ms = ms_of(&|stage| stage != "draw_surface_normals");
+    let bytes = engine.read_texture(&surface.normals).map_err(Failure::stopped)?;
+    let texels: Vec<f32> = bytes.chunks_exact(4).map(|b| f32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect();
+    let normals = texels
+        .chunks_exact(4)
+        .map(|t| (t[3] > 0.5).then(|| DVec3::new(t[0].into(), t[1].into(), t[2].into()).normalize_or_zero()))
+        .collect();
+    Ok(Drawn { seen: Seen { size_px: view.size_px, normals }, smoothing_ms, all_ms, texture_bytes })
+}
