@@ -121,7 +121,7 @@ pub fn draw(
     times.extend(engine.finish().map_err(Failure::stopped)?);
     let ms_of = |wanted: &dyn Fn(&str) -> bool| {
         let stages = |report: &brooklet_gpu::FrameReport| -> f64 {
-            report.stage_ms().iter().filter(|(stage, ..)| wanted(stage)).map(|(_, ms, _)| ms).sum()
+            report.stage_ms().iter().filter(|(stage, ..)| wanted(stage)).fold(0.0, |sum, (_, ms, _)| sum + ms)
         };
         Spread::of(times.iter().skip(WARM_UP).map(stages).collect()).map_or(0.0, |spread| spread.median)
     };
