@@ -24,6 +24,8 @@ fn water(smoothing: Smoothing) -> FrameOptions {
         spacing_m: 0.1,
         radius_m: 0.08,
         box_m: [DVec3::ZERO, DVec3::new(2.0, 1.0, 1.0)],
+        anisotropic: false,
+        support_m: 0.2,
         smoothing,
         iterations: smoothing.default_iterations(),
         smoothing_m: 0.2,
@@ -215,6 +217,7 @@ fn water_settings_that_cannot_be_drawn_are_refused_by_name() {
     let cases = [
         (ScreenSpaceOptions { radius_m: 0.0, ..good }, "radius_m"),
         (ScreenSpaceOptions { spacing_m: f64::NAN, ..good }, "spacing_m"),
+        (ScreenSpaceOptions { support_m: f64::INFINITY, ..good }, "support_m"),
         (ScreenSpaceOptions { smoothing_m: -1.0, ..good }, "smoothing_m"),
         (ScreenSpaceOptions { most_reach_px: 0, ..good }, "most_reach_px"),
         (ScreenSpaceOptions { thickness_divisor: 0, ..good }, "thickness_divisor"),

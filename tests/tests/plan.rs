@@ -143,8 +143,17 @@ const TERMS: &[Term] = &[
     Term {
         without: "surface.method=none",
         with: "surface.method=screen-space",
-        stages: &["draw_fluid_depth", "draw_smooth_narrow_range", "draw_thickness", "draw_sun_thickness", "draw_water"],
+        stages: &[
+            "anisotropy",
+            "draw_fluid_depth",
+            "draw_smooth_narrow_range",
+            "draw_thickness",
+            "draw_sun_thickness",
+            "draw_water",
+        ],
         buffers: &[
+            "anisotropy_params",
+            "ellipsoids",
             "surface_params",
             "water_style",
             "fluid_nearness",
@@ -156,6 +165,13 @@ const TERMS: &[Term] = &[
             "water",
         ],
         variant: Some("WATER"),
+    },
+    Term {
+        without: "surface={ method = 'screen-space', anisotropic = false }",
+        with: "surface={ method = 'screen-space', anisotropic = true }",
+        stages: &["anisotropy"],
+        buffers: &["anisotropy_params", "ellipsoids"],
+        variant: Some("ELLIPSOIDS"),
     },
     Term {
         without: "surface={ method = 'screen-space', smoothing = 'none' }",

@@ -80,6 +80,11 @@ const TERMS: &[Term] = &[
         },
     },
     Term {
+        reason: "surface.anisotropic = false",
+        is_off: |scene| scene.surface.method == SurfaceMethod::ScreenSpace && !scene.surface.anisotropic,
+        turn_on: |scene| scene.surface.anisotropic = true,
+    },
+    Term {
         reason: "no pictures (outputs.images = 0)",
         is_off: |scene| scene.outputs.images == 0,
         turn_on: |scene| scene.outputs.images = 1,

@@ -3,6 +3,40 @@
 #ifndef BROOKLET_SURFACE_LAYOUT
 #define BROOKLET_SURFACE_LAYOUT
 
+// Radius of a drop of spray alone, over that of a particle among others.
+static const float SPRAY_RADIUS = 0.42;
+// How far a particle's ellipsoid moves to its neighbours' mean (Yu & Turk 2013, lambda of eq. 6).
+static const float SMOOTHED_CENTER = 0.9;
+// How far the neighbours' mean lies below a particle of a flat surface, over h (at h = 2 d). Moved by
+// that too the water would stand half a spacing lower than the particles are.
+static const float FLAT_MEAN = 0.2;
+// Its longest axis over its shortest (their k_r of eq. 15).
+static const float MOST_STRETCH = 4.0;
+// Variances of neighbours count as at least this, over h^2: those of particles in one point.
+static const float LEAST_VARIANCE = 1.0e-4;
+
+// What the ellipsoids are made from: the neighbours within `support_m`, and the glass they end at.
+struct AnisotropyParams
+{
+    float3 box_min_m;
+    float support_m;
+    float3 box_max_m;
+    uint particle_count;
+    uint list_chunks;       // room for neighbours a particle, in LIST_CHUNKs
+    uint reserved0;
+    uint reserved1;
+    uint reserved2;
+};
+
+// A particle's ellipsoid (surface/ellipsoid.hlsl).
+struct Ellipsoid
+{
+    float3 center_m;
+    uint tag;           // of its particle: quarantined ones are not drawn
+    uint3 stretch;      // symmetric 3 x 3, over the sphere: six f16
+    uint reserved;
+};
+
 // A fluid's surface in screen space.
 struct SurfaceParams
 {
@@ -27,9 +61,9 @@ struct WaterStyle
     float3 scatter_color;       // what thick water shows of its own
     float scatter_per_m;
     float roughness;            // of the highlight, GGX
-    float ripple;               // share of the floor's brightness that the caustics move
-    float caustic_texels;       // side of the caustics' map
-    float caustic_margin_m;     // the map reaches so far beyond the domain
+    float reserved0;
+    float reserved1;
+    float reserved2;
 };
 
 #endif

@@ -77,6 +77,9 @@ pub struct Surface {
     /// Radius of the spheres that the surface is made of, over the spacing. More closes holes and
     /// thickens spray.
     pub radius_ratio: f64,
+    /// Whether a particle is drawn as an ellipsoid that its neighbours stretch (Yu & Turk 2013), which
+    /// closes flat surfaces and straightens silhouettes; a sphere otherwise.
+    pub anisotropic: bool,
     /// What the water takes of red, green and blue light, 1/m (Beer-Lambert). Default: clear blue
     /// water at the domain's size.
     pub absorption_per_m: Option<[f64; 3]>,
@@ -94,6 +97,7 @@ impl Default for Surface {
             iterations: None,
             smoothing_ratio: 2.0,
             radius_ratio: 0.75,
+            anisotropic: true,
             absorption_per_m: None,
             refraction: 1.0,
             color_by: PointColor::default(),

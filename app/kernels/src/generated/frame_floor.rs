@@ -125,7 +125,7 @@ static DRAW_FLOOR_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "d3c9d0348dc1c111f6f2ec67b1cf861df8c1e7749288fb463ee232eb7c61a983",
+    hash: "dbb5fff0127b6cc6749e4afc137e1ce74c3664cc3b9b41581f7a9f7c7f9146d7",
 };
 
 static DRAW_FLOOR_FRAGMENT: Module = Module {
@@ -138,7 +138,7 @@ static DRAW_FLOOR_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "6b87e16db755901209ad539fabd7c3320f08b1a2125bbbe6bfa918bb0af1c2c9",
+    hash: "5a10546a9d8e0150da1dbd1939cf8e3f483f9d19b2e4f21bd05e8c40dcd94a1d",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW: Module = Module {
@@ -151,7 +151,7 @@ static DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "d71cc32cf4e0cb6dc0a40faa3c794f51d3fdbca65b87441fccd4d2d289ae9c1d",
+    hash: "d983e12b5ab5181b94f5151798defde80252b70720d63a7bdbf006ac8a97a51f",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW: Module = Module {
@@ -164,7 +164,7 @@ static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "ec21ad90f7628c61ad2a223eeabefa69289db7c12026780dcc7aac3e0a534809",
+    hash: "7243f81395eb6a304b5a1ecfb7f7cc062a542d25708cbee0af0e61d8788e4469",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW: Module = Module {
@@ -177,7 +177,7 @@ static DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "64efcc79c106418cdbdc456acababbc784fad519f4f4b1910aa20badc7516d87",
+    hash: "818b3f6be47ae8d09f6680b0985d27361bce0ded20ce001f537f55a550623c9d",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW: Module = Module {
@@ -190,5 +190,5 @@ static DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "5aad49d211a6c86fbb1318aa635366f52c10fe131ab2bb557feaa218535a541a",
+    hash: "a9d821d7df3109848cd6060b58a0951ab5eb5fb4c3a9e15d6083ab49fc5c37af",
 };

@@ -48,6 +48,18 @@ pub enum ShadowKeyword {
     WaterShadow,
 }
 
+/// `#pragma multi_compile _ SPRAY ELLIPSOIDS`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum SprayOrEllipsoidsKeyword {
+    /// None of them is on.
+    #[default]
+    Off,
+    /// `SPRAY` is on.
+    Spray,
+    /// `ELLIPSOIDS` is on.
+    Ellipsoids,
+}
+
 /// `#pragma multi_compile _ BEHIND_WATER BEFORE_WATER`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum WaterKeyword {

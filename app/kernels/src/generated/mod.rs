@@ -34,6 +34,7 @@ mod solver_pbf_correct_positions;
 mod solver_pbf_curl;
 mod solver_pbf_update_velocity;
 mod solver_pbf_viscosity;
+mod surface_anisotropy;
 mod surface_fluid_depth;
 mod surface_layout;
 mod surface_smooth_bilateral;
@@ -77,6 +78,7 @@ pub use solver_pbf_correct_positions::*;
 pub use solver_pbf_curl::*;
 pub use solver_pbf_update_velocity::*;
 pub use solver_pbf_viscosity::*;
+pub use surface_anisotropy::*;
 pub use surface_fluid_depth::*;
 pub use surface_layout::*;
 pub use surface_smooth_bilateral::*;
@@ -120,6 +122,7 @@ pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
         solver_pbf_curl::MODULES,
         solver_pbf_update_velocity::MODULES,
         solver_pbf_viscosity::MODULES,
+        surface_anisotropy::MODULES,
         surface_fluid_depth::MODULES,
         surface_smooth_bilateral::MODULES,
         surface_smooth_curvature_flow::MODULES,

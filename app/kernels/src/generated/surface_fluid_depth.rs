@@ -2,7 +2,7 @@
 // makes it anew from surface/fluid_depth.hlsl.
 //! Kernels of `surface/fluid_depth.hlsl`.
 
-use super::{FrameView, ListHead, Position, SurfaceParams};
+use super::{Ellipsoid, FrameView, ListHead, Position, SprayOrEllipsoidsKeyword, SurfaceParams};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, Draw, Module, StageKind, Tier, Uniform, bind_draw,
 };
@@ -10,18 +10,18 @@ use crate::{
 /// Which variant of [`DrawFluidDepth`] runs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct DrawFluidDepthVariant {
-    /// Keyword `SPRAY`.
-    pub spray: bool,
+    /// Keyword `SPRAY` or `ELLIPSOIDS`.
+    pub spray_or_ellipsoids: SprayOrEllipsoidsKeyword,
 }
 
-/// The nearest of all particles' spheres in each pixel, as nearness. At the tank's glass the spheres
-/// are cut off: there the water is as flat as the glass.
+/// The nearest of all particles' spheres, or ellipsoids (surface/anisotropy.compute), in each pixel, as
+/// nearness. At the tank's glass they are cut off: there the water is as flat as the glass.
 #[derive(Debug)]
 pub struct DrawFluidDepth<'a> {
     /// Its variant.
     pub variant: DrawFluidDepthVariant,
     /// `StructuredBuffer<Position> positions`.
-    pub positions: Buf<'a, Position>,
+    pub positions: Option<Buf<'a, Position>>,
     /// `ConstantBuffer<FrameView> view`.
     pub view: Uniform<'a, FrameView>,
     /// `ConstantBuffer<SurfaceParams> surface`.
@@ -31,26 +31,37 @@ pub struct DrawFluidDepth<'a> {
     ///
     /// `StructuredBuffer<ListHead> list_heads`.
     pub list_heads: Option<Buf<'a, ListHead>>,
+    /// `StructuredBuffer<Ellipsoid> ellipsoids`.
+    pub ellipsoids: Option<Buf<'a, Ellipsoid>>,
 }
 
 impl Draw for DrawFluidDepth<'_> {
     const STAGE: &'static str = "draw_fluid_depth";
 
     fn vertex(&self) -> &'static Module {
-        if self.variant.spray { &DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY } else { &DRAW_FLUID_DEPTH_VERTEX }
+        match self.variant.spray_or_ellipsoids {
+            SprayOrEllipsoidsKeyword::Off => &DRAW_FLUID_DEPTH_VERTEX,
+            SprayOrEllipsoidsKeyword::Spray => &DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY,
+            SprayOrEllipsoidsKeyword::Ellipsoids => &DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOIDS,
+        }
     }
     fn fragment(&self) -> Option<&'static Module> {
-        if self.variant.spray { Some(&DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY) } else { Some(&DRAW_FLUID_DEPTH_FRAGMENT) }
+        match self.variant.spray_or_ellipsoids {
+            SprayOrEllipsoidsKeyword::Off => Some(&DRAW_FLUID_DEPTH_FRAGMENT),
+            SprayOrEllipsoidsKeyword::Spray => Some(&DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY),
+            SprayOrEllipsoidsKeyword::Ellipsoids => Some(&DRAW_FLUID_DEPTH_FRAGMENT),
+        }
     }
     fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
         bind_draw(
             self.vertex(),
             self.fragment(),
             &[
-                ("positions", Some(self.positions.id)),
+                ("positions", self.positions.as_ref().map(|bound| bound.id)),
                 ("view", Some(self.view.id)),
                 ("surface", Some(self.surface.id)),
                 ("list_heads", self.list_heads.as_ref().map(|bound| bound.id)),
+                ("ellipsoids", self.ellipsoids.as_ref().map(|bound| bound.id)),
             ],
         )
     }
@@ -62,6 +73,7 @@ pub(super) static MODULES: &[&Module] = &[
     &DRAW_FLUID_DEPTH_FRAGMENT,
     &DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY,
     &DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY,
+    &DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOIDS,
 ];
 
 static BINDINGS_0: &[BindingInfo] = &[
@@ -87,6 +99,12 @@ static BINDINGS_3: &[BindingInfo] = &[
     BindingInfo { name: "surface", slot: 3, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
+static BINDINGS_4: &[BindingInfo] = &[
+    BindingInfo { name: "ellipsoids", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 32 } },
+    BindingInfo { name: "view", slot: 1, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "surface", slot: 2, kind: BindingKind::Uniform { bytes: 64 } },
+];
+
 static DRAW_FLUID_DEPTH_VERTEX: Module = Module {
     name: "DrawFluidDepth.vertex",
     entry: "FluidDepthVertex",
@@ -97,7 +115,7 @@ static DRAW_FLUID_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "5b1d05ee6db4de31191bb2c76fd91c0f3d1edcd83a8cc56aa566e25b47f5d025",
+    hash: "976197efb96415f8affd2c80d0885bbf9d4ef44e076b84dee1fa9dfa44676f82",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
@@ -110,7 +128,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "f93f27a2479631ce9342cf4df8416345c22e018a4c8f16e10076281646530000",
+    hash: "027259438d214ac6ce3a63b40471884c5e41b965ba4cb0bab9a9ebf93b7cba22",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY: Module = Module {
@@ -123,7 +141,7 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "5910b617cc1a22a853fd311b46bd255d3e33315cc3b97d233e875f7084977c13",
+    hash: "bd59e5f08fbc9148aed63489f4dd53632594c1df5ecf54f31ea485d37b5eea49",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY: Module = Module {
@@ -136,5 +154,18 @@ static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "5be3c63016ab2d1de24b32d4d7133ddb5f53cad6792b087106053b6b4cbd0c98",
+    hash: "17a09c4c61967c00ab8b9c2e42cbc8d46f35443c87e1c4a8fb9214dc2bf61a3b",
+};
+
+static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOIDS: Module = Module {
+    name: "DrawFluidDepth.vertex+ELLIPSOIDS",
+    entry: "FluidDepthVertex",
+    stage: StageKind::Vertex,
+    spirv: include_bytes!("../../spirv/draw_fluid_depth.vertex+ellipsoids.spv"),
+    bindings: BINDINGS_4,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "surface/fluid_depth.hlsl",
+    hash: "dc36da7ef449fe2c2c0e5e0bce935a7df6ed312c3c03c7d4c77617f4904b6407",
 };

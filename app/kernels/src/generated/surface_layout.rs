@@ -6,6 +6,76 @@ use std::mem::{offset_of, size_of};
 
 use bytemuck::{Pod, Zeroable};
 
+/// Radius of a drop of spray alone, over that of a particle among others.
+pub const SPRAY_RADIUS: f32 = 0.42;
+
+/// How far a particle's ellipsoid moves to its neighbours' mean (Yu & Turk 2013, lambda of eq. 6).
+pub const SMOOTHED_CENTER: f32 = 0.9;
+
+/// How far the neighbours' mean lies below a particle of a flat surface, over h (at h = 2 d). Moved by
+/// that too the water would stand half a spacing lower than the particles are.
+pub const FLAT_MEAN: f32 = 0.2;
+
+/// Its longest axis over its shortest (their k\_r of eq. 15).
+pub const MOST_STRETCH: f32 = 4.0;
+
+/// Variances of neighbours count as at least this, over h^2: those of particles in one point.
+pub const LEAST_VARIANCE: f32 = 1.0e-4;
+
+/// What the ellipsoids are made from: the neighbours within `support_m`, and the glass they end at.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+pub struct AnisotropyParams {
+    /// `float3`.
+    pub box_min_m: [f32; 3],
+    /// `float`.
+    pub support_m: f32,
+    /// `float3`.
+    pub box_max_m: [f32; 3],
+    /// `uint`.
+    pub particle_count: u32,
+    /// room for neighbours a particle, in LIST\_CHUNKs
+    pub list_chunks: u32,
+    /// `uint`.
+    pub reserved0: u32,
+    /// `uint`.
+    pub reserved1: u32,
+    /// `uint`.
+    pub reserved2: u32,
+}
+const _: () = {
+    assert!(offset_of!(AnisotropyParams, box_min_m) == 0);
+    assert!(offset_of!(AnisotropyParams, support_m) == 12);
+    assert!(offset_of!(AnisotropyParams, box_max_m) == 16);
+    assert!(offset_of!(AnisotropyParams, particle_count) == 28);
+    assert!(offset_of!(AnisotropyParams, list_chunks) == 32);
+    assert!(offset_of!(AnisotropyParams, reserved0) == 36);
+    assert!(offset_of!(AnisotropyParams, reserved1) == 40);
+    assert!(offset_of!(AnisotropyParams, reserved2) == 44);
+    assert!(size_of::<AnisotropyParams>() == 48);
+};
+
+/// A particle's ellipsoid (surface/ellipsoid.hlsl).
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+pub struct Ellipsoid {
+    /// `float3`.
+    pub center_m: [f32; 3],
+    /// of its particle: quarantined ones are not drawn
+    pub tag: u32,
+    /// symmetric 3 x 3, over the sphere: six f16
+    pub stretch: [u32; 3],
+    /// `uint`.
+    pub reserved: u32,
+}
+const _: () = {
+    assert!(offset_of!(Ellipsoid, center_m) == 0);
+    assert!(offset_of!(Ellipsoid, tag) == 12);
+    assert!(offset_of!(Ellipsoid, stretch) == 16);
+    assert!(offset_of!(Ellipsoid, reserved) == 28);
+    assert!(size_of::<Ellipsoid>() == 32);
+};
+
 /// A fluid's surface in screen space.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
@@ -62,12 +132,12 @@ pub struct WaterStyle {
     pub scatter_per_m: f32,
     /// of the highlight, GGX
     pub roughness: f32,
-    /// share of the floor's brightness that the caustics move
-    pub ripple: f32,
-    /// side of the caustics' map
-    pub caustic_texels: f32,
-    /// the map reaches so far beyond the domain
-    pub caustic_margin_m: f32,
+    /// `float`.
+    pub reserved0: f32,
+    /// `float`.
+    pub reserved1: f32,
+    /// `float`.
+    pub reserved2: f32,
 }
 const _: () = {
     assert!(offset_of!(WaterStyle, absorption_per_m) == 0);
@@ -75,8 +145,8 @@ const _: () = {
     assert!(offset_of!(WaterStyle, scatter_color) == 16);
     assert!(offset_of!(WaterStyle, scatter_per_m) == 28);
     assert!(offset_of!(WaterStyle, roughness) == 32);
-    assert!(offset_of!(WaterStyle, ripple) == 36);
-    assert!(offset_of!(WaterStyle, caustic_texels) == 40);
-    assert!(offset_of!(WaterStyle, caustic_margin_m) == 44);
+    assert!(offset_of!(WaterStyle, reserved0) == 36);
+    assert!(offset_of!(WaterStyle, reserved1) == 40);
+    assert!(offset_of!(WaterStyle, reserved2) == 44);
     assert!(size_of::<WaterStyle>() == 48);
 };

@@ -73,7 +73,7 @@ static DRAW_SMOOTH_BILATERAL_VERTEX_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "35b9cb2e4d2c2c0b11413e68e5ab010c4c414059c892edd91d9913755605931f",
+    hash: "91804cd64414c62b151c7680dd17c5011ee4104a752e9de9fbac507bd32ff5c0",
 };
 
 static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_X: Module = Module {
@@ -86,7 +86,7 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "41ffc04d32fc7b878cefae559b7f388072914d81aff389526dcbf7c4bea3e0c9",
+    hash: "b6e1790cddd31f55da79d77e35c230c3c35f4371c48018eb13c8f2710834ba10",
 };
 
 static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_Y: Module = Module {
@@ -99,7 +99,7 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "a0379d4a02e2565991263b94aac48133872d0635846381e66be1222affa4e56c",
+    hash: "c800b5ecff38442a9e0475443c0f00b00cab2a746e38567cfaa972fdb7d0ec05",
 };
 
 static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
@@ -112,5 +112,5 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "bd9be2e7ae3b9c89608c314b9492a801135a8aa04a5616840c158b0fd0a6cde6",
+    hash: "7dde95f2a5f3a64879e5556e8b5125f9630ae95da49860448fc0a6467b2f452f",
 };

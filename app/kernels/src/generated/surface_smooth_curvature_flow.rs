@@ -57,7 +57,7 @@ static DRAW_SMOOTH_CURVATURE_FLOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_curvature_flow.hlsl",
-    hash: "d957c6342a5ebc5488965cc60a60639845c854b0878be4f4529e60f0c844a655",
+    hash: "a1795a4c5445e24d66c5903286804fe4eae63edb8ff3c33867b03bb56ba0260a",
 };
 
 static DRAW_SMOOTH_CURVATURE_FLOW_FRAGMENT: Module = Module {
@@ -70,5 +70,5 @@ static DRAW_SMOOTH_CURVATURE_FLOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_curvature_flow.hlsl",
-    hash: "0679fe41c98aa5539e617a012f2cf561f60e0ae0cdb81621717406924b6d8b5d",
+    hash: "6a4a2d9045b219e661042d124512007dc386038b2ce10121eb4428e80592524e",
 };

@@ -70,7 +70,7 @@ static DRAW_SMOOTH_GAUSSIAN_VERTEX_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_gaussian.hlsl",
-    hash: "66a201731d69655b694760d942bbb5fbf507e554eb727119c2240d2ca4915f81",
+    hash: "70d11ab4d5be019d841210d471d6720baf76793bdde8855670f6c73442158bb2",
 };
 
 static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_X: Module = Module {
@@ -83,7 +83,7 @@ static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_gaussian.hlsl",
-    hash: "859d164eb0c92216a42891fb60f7b7b5e9dd1d6beecf1258934401ad21eae62e",
+    hash: "f70b35f76d223865080f55685b38ba94df98fda2224d62172835435f7c6b148e",
 };
 
 static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_Y: Module = Module {
@@ -96,5 +96,5 @@ static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_gaussian.hlsl",
-    hash: "14f3e049bade31dd00a7a7d80da5c7f63166763e40b63c6e98c90e8b36ef2410",
+    hash: "c8191cf4194b5847867a70380502b60908b98e2fd5a92e1d98609772c4057e39",
 };

@@ -74,7 +74,7 @@ static DRAW_SMOOTH_NARROW_RANGE_VERTEX_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "4a72678d9b784ebbbd49c0f1608fb10607942df48793bca3261ce656277f00ff",
+    hash: "a2db2404ac102fa43ddc8c3675c9d3a47b61d604669e108dc55cc90fa72dfd3d",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_X: Module = Module {
@@ -87,7 +87,7 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "e6faffb70097224e5692197fd6c51fbc0ab057b05d6ac5b70ef810aff628e8b0",
+    hash: "383a375f1625bf30150b553490224fc4e8401f73c82a53d733f60deb6ab33b11",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_Y: Module = Module {
@@ -100,7 +100,7 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "152b4a475a1ece3acda53c3a9bce1a7f1bf5e4f96e61118ecf0fa24ff3198d05",
+    hash: "7bc95ca5ff3eb296fd4c5805d858282803847c00c8a9554623039ed2f8a88783",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
@@ -113,5 +113,5 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "2ebef7aca1d7906d6577f321c168bd934d2d138c864d0096f55c72f16573bac2",
+    hash: "05944317dde685f09c0b756ab52f087f25d1cd9edef5766fa7c2c0d6bc430080",
 };

@@ -62,7 +62,7 @@ static DRAW_SUN_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "0179643db5d13de6e08c9a7f2e832337705c5251f5e136728a778efa095ac697",
+    hash: "dca98a0228f4c00490f67efb027639bcffc6b329e7b43276b8cae81ccc39b8bd",
 };
 
 static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
@@ -75,5 +75,5 @@ static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "667a6807f100ce280b8bf11f3cf81cb388f9a9baec530bcac62459e616d7785c",
+    hash: "cc7efe0ddad58bed7180b73e5a86c518f2307671f483cfc914a7bf0bf5cdd787",
 };

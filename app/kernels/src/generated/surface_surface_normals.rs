@@ -54,7 +54,7 @@ static DRAW_SURFACE_NORMALS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/surface_normals.hlsl",
-    hash: "42cccad303a36f5a68ae74fcf70c78b33494cf8e4f90060661096ad3e59ef761",
+    hash: "f53672322e033cd3a5e6c1a90b95348c21828c24c2282358e98969a78dab8bfd",
 };
 
 static DRAW_SURFACE_NORMALS_FRAGMENT: Module = Module {
@@ -67,5 +67,5 @@ static DRAW_SURFACE_NORMALS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/surface_normals.hlsl",
-    hash: "77abfd1f31bff13926426012fd331259a19889eacc351afdbee48dd22a031e6e",
+    hash: "9114ea64281f36b58524c1feade91490d31107e37debe1c6f65fd6d2f34a369b",
 };

@@ -59,7 +59,7 @@ static DRAW_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "808982922ec1a2c01be7f8bc437afa894e24a0cf0090ebb5987c40e9634a34fd",
+    hash: "a5892024775cbc76b54539d5d2d74a277e962a7b7bb9c396b6eb95551ce945a1",
 };
 
 static DRAW_THICKNESS_FRAGMENT: Module = Module {
@@ -72,5 +72,5 @@ static DRAW_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "36475aef25b501cab4f075683d196580e37285db20bf566d0fa5be718ef1db79",
+    hash: "74dfa88e33fd8b35064c2399a28933c9072d19a7501003a8a2b375707dc324fe",
 };

@@ -85,7 +85,7 @@ static DRAW_WATER_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "bfcdfdac84f36cbdabaa1b7e03491f829980142e5993b4a39ce22910e623851e",
+    hash: "13e56cb8fbaccb8b1adb76f3ba28defd88d2d21439a236c3b15707ed192500e1",
 };
 
 static DRAW_WATER_FRAGMENT: Module = Module {
@@ -98,5 +98,5 @@ static DRAW_WATER_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "4d4ef633502931ad95f4b34eaf032a2d57691ce6febdc4f4e00403f644c175c3",
+    hash: "7b1e955d7a967161ad544374a772eeac97e3863c7fffc94f39ef18927efac6a5",
 };

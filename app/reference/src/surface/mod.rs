@@ -1,7 +1,8 @@
-//! Twins of the stages that make a surface in screen space: smoothing filters and normals. A
+//! Twins of the stages that make a surface in screen space: ellipsoids, smoothing filters and normals. A
 //! picture is rows from the top of nearness, 1 / distance along the direction of view, in 1/m; 0
 //! where no fluid is.
 
+pub mod anisotropy;
 pub mod smooth_bilateral;
 pub mod smooth_curvature_flow;
 pub mod smooth_gaussian;

@@ -3,14 +3,15 @@
 pub(crate) mod points;
 pub mod screen_space;
 
+use brooklet_fluid::grid::Neighbours;
 use brooklet_fluid::scene::SurfaceMethod;
 use brooklet_fluid::{Recorded, Scene};
-use brooklet_kernels::{Buffer, ListHead, Position, Velocity};
+use brooklet_kernels::{Buffer, Position, Velocity};
 
 pub use screen_space::{ScreenSpaceOptions, SmoothedSurface};
 
 /// The particles that are drawn. Positions are relative to the view's `domain_min_m`.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub struct Particles<'a> {
     /// Where they are.
     pub positions: &'a Buffer<Position>,
@@ -18,9 +19,9 @@ pub struct Particles<'a> {
     pub velocities: &'a Buffer<Velocity>,
     /// How many.
     pub count: u32,
-    /// How many neighbours each has, in the same order: few make it a drop of spray, drawn small.
-    /// Without, all are drawn alike.
-    pub list_heads: Option<&'a Buffer<ListHead>>,
+    /// Their neighbours, in the same order: few make a particle a drop of spray, drawn small, and
+    /// ellipsoids are made from them. Without, all are drawn as spheres of one size.
+    pub neighbours: Option<&'a Neighbours>,
 }
 
 impl<'a> Particles<'a> {
@@ -30,7 +31,7 @@ impl<'a> Particles<'a> {
             positions: &recorded.positions,
             velocities: &recorded.velocities,
             count: recorded.particle_count,
-            list_heads: Some(&recorded.neighbours.heads),
+            neighbours: Some(&recorded.neighbours),
         }
     }
 }

@@ -100,7 +100,7 @@ pub fn draw(
     let (mut init, mut recording) = (Recording::new(INIT), Recording::new(DRAW));
     init.upload(&mut frame_view, &[values.view]);
     init.upload(&mut buffer, &positions);
-    let particles = Particles { positions: &buffer, velocities: &velocities, count, list_heads: None };
+    let particles = Particles { positions: &buffer, velocities: &velocities, count, neighbours: None };
     let into = (&mut init, &mut recording);
     let surface = screen_space::record(&mut resources, into, &frame_view, &particles, view.size_px, tier, &options);
     let plan = Plan::sweep(resources, vec![init, recording], &[surface.normals.id]).map_err(Failure::stopped)?;

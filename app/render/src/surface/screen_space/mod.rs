@@ -1,9 +1,10 @@
-//! Screen-space fluid rendering (van der Laan, Green & Sainz 2009): the particles' spheres as seen
+//! Screen-space fluid rendering (van der Laan, Green & Sainz 2009): the particles' spheres, or ellipsoids, as seen
 //! from the eye, smoothed in the picture, shaded as water over what lies behind.
 //!
 //! [`record`] alone gives a smoothed surface and its normals as textures, of any particles and
 //! camera; a picture records the water on top of it.
 
+pub mod anisotropy;
 mod options;
 mod smoothing;
 mod water;
@@ -11,7 +12,7 @@ mod water;
 use brooklet_gpu::{Blend, DepthTest, DrawState, Load, Recording, Resources, Targets};
 use brooklet_kernels::{
     Buffer, DrawFluidDepth, DrawFluidDepthVariant, DrawSunThickness, DrawSurfaceNormals, DrawThickness, Format,
-    FrameLight, FrameView, SurfaceParams, Texture, Tier,
+    FrameLight, FrameView, SprayOrEllipsoidsKeyword, SurfaceParams, Texture, Tier,
 };
 
 use super::Particles;
@@ -65,11 +66,22 @@ pub fn record(
     let raw = resources.texture("fluid_nearness", Format::R32Float, size_px);
     let covered = resources.texture("fluid_depth", depth_format, size_px);
     let view = view.uniform();
+    let ellipsoids = particles
+        .neighbours
+        .filter(|_| options.anisotropic)
+        .map(|neighbours| anisotropy::record(resources, (init, recording), particles, neighbours, options));
+    let spray = particles.neighbours.filter(|_| ellipsoids.is_none());
+    let spray_or_ellipsoids = match (&ellipsoids, spray) {
+        (Some(_), _) => SprayOrEllipsoidsKeyword::Ellipsoids,
+        (None, Some(_)) => SprayOrEllipsoidsKeyword::Spray,
+        (None, None) => SprayOrEllipsoidsKeyword::Off,
+    };
     recording.draw(
         &DrawFluidDepth {
-            variant: DrawFluidDepthVariant { spray: particles.list_heads.is_some() },
-            positions: particles.positions.read(),
-            list_heads: particles.list_heads.map(Buffer::read),
+            variant: DrawFluidDepthVariant { spray_or_ellipsoids },
+            positions: ellipsoids.is_none().then(|| particles.positions.read()),
+            list_heads: spray.map(|neighbours| neighbours.heads.read()),
+            ellipsoids: ellipsoids.as_ref().map(Buffer::read),
             view,
             surface: params.uniform(),
         },

@@ -17,6 +17,10 @@ pub struct ScreenSpaceOptions {
     /// The fluid is cut off outside this box, relative to the domain's lowest corner: a tank's
     /// glass. Infinite where there is none.
     pub box_m: [DVec3; 2],
+    /// Whether ellipsoids are drawn where the particles' neighbours are known, else spheres.
+    pub anisotropic: bool,
+    /// How far the neighbours that make an ellipsoid reach: h.
+    pub support_m: f64,
     /// What smooths the surface.
     pub smoothing: Smoothing,
     /// How often.
@@ -62,6 +66,8 @@ impl ScreenSpaceOptions {
             spacing_m,
             radius_m,
             box_m: if glass { [DVec3::ZERO, size_m] } else { [DVec3::NEG_INFINITY, DVec3::INFINITY] },
+            anisotropic: surface.anisotropic,
+            support_m: scene.solver.support_ratio * spacing_m,
             smoothing: surface.smoothing,
             iterations: surface.iterations(),
             smoothing_m: surface.smoothing_ratio * spacing_m,
@@ -85,6 +91,7 @@ impl ScreenSpaceOptions {
         };
         positive("spacing_m", self.spacing_m)?;
         positive("radius_m", self.radius_m)?;
+        positive("support_m", self.support_m)?;
         positive("range_m", self.range_m)?;
         positive("clamp_m", self.clamp_m)?;
         if !(self.smoothing_m.is_finite() && self.smoothing_m >= 0.0) {
@@ -137,9 +144,7 @@ impl ScreenSpaceOptions {
             scatter_color: SCATTER_COLOR,
             scatter_per_m: (SCATTER / ABSORPTION.x * self.absorption_per_m.x) as f32,
             roughness: ROUGHNESS,
-            ripple: 0.0,
-            caustic_texels: 0.0,
-            caustic_margin_m: 0.0,
+            ..WaterStyle::default()
         }
     }
 }

@@ -1,0 +1,73 @@
+// Written by the shader compiler; do not edit. `cargo run -p brooklet-compiler -- build`
+// makes it anew from surface/anisotropy.compute.
+//! Kernels of `surface/anisotropy.compute`.
+
+use super::{AnisotropyParams, Ellipsoid, ListHead, Position};
+use crate::{
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+};
+
+/// Each particle's ellipsoid (Yu & Turk 2013): where its neighbours lie around it is wide, along a
+/// surface, it is wide, and where they end it is thin. Lines of spheres then close into planes.
+#[derive(Debug)]
+pub struct Anisotropy<'a> {
+    /// `StructuredBuffer<Position> positions`.
+    pub positions: Buf<'a, Position>,
+    /// `StructuredBuffer<uint2> neighbours`.
+    pub neighbours: Buf<'a, [u32; 2]>,
+    /// `StructuredBuffer<ListHead> list_heads`.
+    pub list_heads: Buf<'a, ListHead>,
+    /// `RWStructuredBuffer<Ellipsoid> ellipsoids`.
+    pub ellipsoids: BufMut<'a, Ellipsoid>,
+    /// `ConstantBuffer<AnisotropyParams> anisotropy`.
+    pub anisotropy: Uniform<'a, AnisotropyParams>,
+}
+
+impl Kernel for Anisotropy<'_> {
+    const STAGE: &'static str = "anisotropy";
+    const GROUP_SIZE: [u32; 3] = [64, 1, 1];
+
+    fn module(&self) -> &'static Module {
+        &ANISOTROPY
+    }
+    fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
+        bind(
+            self.module(),
+            &[
+                ("positions", Some(self.positions.id)),
+                ("neighbours", Some(self.neighbours.id)),
+                ("list_heads", Some(self.list_heads.id)),
+                ("ellipsoids", Some(self.ellipsoids.id)),
+                ("anisotropy", Some(self.anisotropy.id)),
+            ],
+        )
+    }
+}
+
+/// The modules of this file.
+pub(super) static MODULES: &[&Module] = &[&ANISOTROPY];
+
+static BINDINGS_0: &[BindingInfo] = &[
+    BindingInfo { name: "positions", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
+    BindingInfo { name: "neighbours", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo { name: "list_heads", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo {
+        name: "ellipsoids",
+        slot: 3,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 32 },
+    },
+    BindingInfo { name: "anisotropy", slot: 4, kind: BindingKind::Uniform { bytes: 48 } },
+];
+
+static ANISOTROPY: Module = Module {
+    name: "Anisotropy",
+    entry: "Anisotropy",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/anisotropy.spv"),
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "surface/anisotropy.compute",
+    hash: "fd297e2db9cdbccc8f1eb6ce7107dc372b6f2c8070644f22cc0594b986f8c1dc",
+};

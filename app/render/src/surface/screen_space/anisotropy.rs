@@ -1,0 +1,48 @@
+//! The particles' ellipsoids (Yu & Turk 2013), made once before the surface is drawn.
+
+use brooklet_fluid::grid::Neighbours;
+use brooklet_gpu::{Recording, Resources};
+use brooklet_kernels::{Anisotropy, AnisotropyParams, Buffer, Ellipsoid, LIST_SLICE};
+
+use super::ScreenSpaceOptions;
+use crate::surface::Particles;
+
+/// What the shader is given for `particles` with lists of `list_chunks` runs.
+pub fn params(options: &ScreenSpaceOptions, particle_count: u32, list_chunks: u32) -> AnisotropyParams {
+    let surface = options.params();
+    AnisotropyParams {
+        box_min_m: surface.box_min_m,
+        support_m: options.support_m as f32,
+        box_max_m: surface.box_max_m,
+        particle_count,
+        list_chunks,
+        ..AnisotropyParams::default()
+    }
+}
+
+/// Records the ellipsoids of `particles` from their `neighbours`. `init` uploads the settings.
+pub(super) fn record(
+    resources: &mut Resources,
+    (init, recording): (&mut Recording, &mut Recording),
+    particles: &Particles<'_>,
+    neighbours: &Neighbours,
+    options: &ScreenSpaceOptions,
+) -> Buffer<Ellipsoid> {
+    let count = particles.count;
+    // Whole slices of lists, all as long: see `list_length`.
+    let list_chunks = neighbours.gaps.len / count.next_multiple_of(LIST_SLICE).max(1);
+    let mut settings = resources.state("anisotropy_params", 1);
+    init.upload(&mut settings, &[params(options, count, list_chunks)]);
+    let mut ellipsoids = resources.buffer("ellipsoids", count);
+    recording.dispatch(
+        &Anisotropy {
+            positions: particles.positions.read(),
+            neighbours: neighbours.gaps.read(),
+            list_heads: neighbours.heads.read(),
+            ellipsoids: ellipsoids.write(),
+            anisotropy: settings.uniform(),
+        },
+        count,
+    );
+    ellipsoids
+}
