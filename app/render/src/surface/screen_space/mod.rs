@@ -68,7 +68,7 @@ pub fn record(
     let view = view.uniform();
     let ellipsoids = particles
         .neighbours
-        .filter(|_| options.anisotropic)
+        .filter(|_| options.anisotropic && particles.count > 0)
         .map(|neighbours| anisotropy::record(resources, (init, recording), particles, neighbours, options));
     let spray = particles.neighbours.filter(|_| ellipsoids.is_none());
     let spray_or_ellipsoids = match (&ellipsoids, spray) {
