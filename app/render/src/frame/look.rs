@@ -3,7 +3,7 @@
 use brooklet_kernels::{FrameLight, FrameStyle, FrameView};
 use glam::{DMat3, DVec3, DVec4};
 
-use super::{Coloring, FrameOptions};
+use super::options::{Coloring, FrameOptions};
 use crate::View;
 use crate::camera::corners;
 

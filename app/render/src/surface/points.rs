@@ -4,7 +4,8 @@ use brooklet_gpu::{DepthTest, DrawState, Load, Recording, Resources, Targets};
 use brooklet_kernels::{DrawParticles, DrawShade, DrawShadeVariant, DrawShadow, Format, Texture};
 
 use super::Particles;
-use crate::frame::{Coloring, FrameOptions, FrameUniforms};
+use crate::frame::options::{Coloring, FrameOptions};
+use crate::frame::uniforms::FrameUniforms;
 
 /// Draws the particles' shadow map, then the particles to `radiance` and `depth`, both cleared.
 pub(crate) fn record(

@@ -4,7 +4,7 @@ use brooklet_gpu::{Load, Recording, Resources, Targets};
 use brooklet_kernels::{Buffer, DrawWater, Format, Texture, WaterStyle};
 
 use super::{ON_FLUID, SmoothedSurface};
-use crate::frame::FrameUniforms;
+use crate::frame::uniforms::FrameUniforms;
 
 /// What the water is drawn from.
 pub(crate) struct Water<'a> {
