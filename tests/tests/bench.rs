@@ -74,8 +74,8 @@ fn surfaces_are_held_against_known_bodies() {
     let files = ["--csv", "s.csv", "--plot", "s.svg", "--picture", "s.png", "--json"];
     let study = workshop.succeed(&[&["bench", "surfaces"], &size[..], &files].concat()).json();
     let rows = study["rows"].as_array().unwrap();
-    // Four bodies, three distances, seven filters and the marched density field.
-    assert_eq!(rows.len(), 4 * 3 * 8);
+    // Four bodies, three distances, nine ways to draw and the marched density field.
+    assert_eq!(rows.len(), 4 * 3 * 10);
     let mean_deg = |filter: &str, shape: &str| -> f64 {
         let of = |row: &&Value| row["filter"] == filter && row["shape"] == shape;
         rows.iter().filter(of).map(|row| number(&row["normal_mean_deg"])).sum::<f64>() / 3.0
@@ -88,10 +88,17 @@ fn surfaces_are_held_against_known_bodies() {
     }
     // The filter that scenes have by default follows a round body closely.
     assert!(mean_deg("narrow-range", "sphere") < 8.0, "{}", mean_deg("narrow-range", "sphere"));
+    // Ellipsoids take away most of the bumps, and of what spheres stand out by.
+    let outline = |filter: &str| -> f64 {
+        let of = |row: &&Value| row["filter"] == filter && row["shape"] == "sphere";
+        rows.iter().filter(of).map(|row| number(&row["outline_spacings"])).sum::<f64>() / 3.0
+    };
+    assert!(mean_deg("ellipsoids", "sphere") < 0.7 * mean_deg("none", "sphere"));
+    assert!(outline("ellipsoids, narrow-range") < 0.5 * outline("narrow-range"));
     for row in rows {
         let drawn = row["filter"] != "density field";
         assert_eq!(row["surface_ms"].as_f64().is_some_and(|ms| ms > 0.0), drawn, "{row}");
-        let smooths = drawn && row["filter"] != "none";
+        let smooths = drawn && row["filter"] != "none" && row["filter"] != "ellipsoids";
         assert_eq!(row["smoothing_ms"].as_f64().is_some_and(|ms| ms > 0.0), smooths, "{row}");
         assert!(number(&row["outline_spacings"]) < 1.0, "{row}");
     }

@@ -11,6 +11,7 @@ use brooklet_render::{
 use glam::DVec3;
 
 use super::{
+    listed::Listed,
     seen::Seen,
     shapes::{DOMAIN_M, SPACING_M, Shape},
 };
@@ -27,14 +28,19 @@ pub struct Filter {
     pub name: &'static str,
     smoothing: Smoothing,
     iterations: u32,
+    anisotropic: bool,
 }
 
 const fn filter(name: &'static str, smoothing: Smoothing, iterations: u32) -> Filter {
-    Filter { name, smoothing, iterations }
+    Filter { name, smoothing, iterations, anisotropic: false }
+}
+
+const fn ellipsoids(name: &'static str, smoothing: Smoothing, iterations: u32) -> Filter {
+    Filter { name, smoothing, iterations, anisotropic: true }
 }
 
 /// What is compared; curvature flow as often as the mobile deck's figure has it.
-pub const FILTERS: [Filter; 7] = [
+pub const FILTERS: [Filter; 9] = [
     filter("none", Smoothing::None, 0),
     filter("gaussian", Smoothing::Gaussian, 1),
     filter("bilateral", Smoothing::Bilateral, 1),
@@ -42,6 +48,8 @@ pub const FILTERS: [Filter; 7] = [
     filter("narrow-range", Smoothing::NarrowRange, 1),
     filter("curvature-flow 40", Smoothing::CurvatureFlow, 40),
     filter("curvature-flow 60", Smoothing::CurvatureFlow, 60),
+    ellipsoids("ellipsoids", Smoothing::None, 0),
+    ellipsoids("ellipsoids, narrow-range", Smoothing::NarrowRange, 1),
 ];
 
 /// A drawn surface.
@@ -54,8 +62,8 @@ pub struct Drawn {
     pub texture_bytes: u64,
 }
 
-/// The options that a scene with these settings has.
-fn options(shape: Shape, filter: Filter) -> Result<ScreenSpaceOptions, Failure> {
+/// A scene of nothing but these settings.
+fn scene(shape: Shape, filter: Filter) -> Result<Scene, Failure> {
     let text = format!(
         "spacing_m = {SPACING_M}\n[domain]\nmin_m = [0, 0, 0]\nmax_m = [{DOMAIN_M}, {DOMAIN_M}, {DOMAIN_M}]\nwalls = {}\n",
         shape.in_glass()
@@ -63,7 +71,8 @@ fn options(shape: Shape, filter: Filter) -> Result<ScreenSpaceOptions, Failure> 
     let mut scene = Scene::from_toml(&text, "bench surfaces", &[]).map_err(Failure::stopped)?;
     scene.surface.smoothing = filter.smoothing;
     scene.surface.iterations = Some(filter.iterations);
-    Ok(ScreenSpaceOptions::for_scene(&scene))
+    scene.surface.anisotropic = filter.anisotropic;
+    Ok(scene)
 }
 
 /// Draws `particles_m` `repeats` times and more.
@@ -76,7 +85,8 @@ pub fn draw(
     interrupt: &Interrupt,
 ) -> Result<Drawn, Failure> {
     let tier: Tier = gpu.tier();
-    let options = options(shape, filter)?;
+    let scene = scene(shape, filter)?;
+    let options = ScreenSpaceOptions::for_scene(&scene);
     let frame = FrameOptions {
         tier,
         surface: SurfaceOptions::ScreenSpace(options),
@@ -94,13 +104,13 @@ pub fn draw(
         .collect();
     let count = positions.len() as u32;
     let mut resources = Resources::new();
-    let mut buffer = resources.state::<Position>("positions", count);
-    let velocities = resources.state("velocities", count);
     let mut frame_view = resources.state("frame_view", 1);
     let (mut init, mut recording) = (Recording::new(INIT), Recording::new(DRAW));
     init.upload(&mut frame_view, &[values.view]);
-    init.upload(&mut buffer, &positions);
-    let particles = Particles { positions: &buffer, velocities: &velocities, count, neighbours: None };
+    let listed = Listed::record(&mut resources, &mut init, &scene, &positions);
+    // The bodies are no spray: spheres are drawn as they are.
+    let neighbours = filter.anisotropic.then_some(&listed.neighbours);
+    let particles = Particles { positions: &listed.positions, velocities: &listed.velocities, count, neighbours };
     let into = (&mut init, &mut recording);
     let surface = screen_space::record(&mut resources, into, &frame_view, &particles, view.size_px, tier, &options);
     let plan = Plan::sweep(resources, vec![init, recording], &[surface.normals.id]).map_err(Failure::stopped)?;

@@ -3,6 +3,7 @@
 mod density_field;
 mod drawn;
 mod errors;
+mod listed;
 mod picture;
 mod plot;
 mod seen;

@@ -20,6 +20,8 @@ const COLORS: [RGBColor; FILTERS.len() + 1] = [
     RGBColor(0, 114, 178),
     RGBColor(86, 180, 233),
     RGBColor(0, 158, 115),
+    RGBColor(240, 190, 170),
+    RGBColor(150, 30, 30),
     RGBColor(20, 20, 20),
 ];
 
