@@ -1,13 +1,18 @@
 //! `measure/` against its twins.
 
 use brooklet_kernels::{
-    Counters, Kernel, Measure, MeasureParticles, MeasureParticlesVariant, MeasureSums, MeasureTotals, StepParams,
+    Counters, DensityRatios, DensityRatiosVariant, Kernel, ListHead, Measure, MeasureParticles,
+    MeasureParticlesVariant, MeasureSums, MeasureTotals, StepParams,
 };
 use brooklet_reference::boundary::walls::DomainWalls;
+use brooklet_reference::measure::density_ratios::density_ratios as density_ratios_twin;
 use brooklet_reference::measure::measure_particles::{Sample, Sums, measure_particles};
 use brooklet_reference::measure::measure_totals::{measure_totals, percentile_99};
+use brooklet_reference::shared::list;
 use brooklet_reference::solver::pbf::density_ratio;
-use brooklet_tests::cases::{Around, Case, SUPPORT_M, fluid, kernel_params, sizes, smoothing_of, walls_of};
+use brooklet_tests::cases::{
+    Around, Case, LIST_CHUNKS, SUPPORT_M, fluid, kernel_params, sizes, smoothing_of, walls_of,
+};
 use brooklet_tests::compare::{ROUNDING, Worst, check_exact, vector};
 use brooklet_tests::harness::Bench;
 use brooklet_tests::rng;
@@ -118,6 +123,62 @@ fn samples(case: &Case, walls: Option<&DomainWalls>) -> Vec<Sample> {
             quarantined: case.positions[i].tag >> 31 == 1,
         })
         .collect()
+}
+
+#[test]
+fn density_ratios_are_their_twins() {
+    let mut worst = Worst::new(DensityRatios::STAGE, TOLERANCE);
+    let mut rng = rng(53);
+    for walls in Around::ALL {
+        for size in sizes(GROUP) {
+            let case = disturbed(&mut rng, size);
+            let mut bench = Bench::new();
+            let positions = bench.input("positions", &case.positions);
+            let (lists, mut heads) = list::encoded(&case.neighbours, LIST_CHUNKS);
+            // As a step leaves the list of nobody; one that no step has made is all zero.
+            heads.iter_mut().filter(|head| head.entries == 0).for_each(|head| head.first = u32::MAX);
+            if size > GROUP {
+                heads[1] = ListHead::default();
+            }
+            let (neighbours, list_heads) = (bench.input("neighbours", &lists), bench.input("list_heads", &heads));
+            let mut density_ratios = bench.output("density_ratios", size);
+            let step_params = bench.uniform("step_params", case.step_params());
+            let kernel = bench.uniform("kernel", kernel_params());
+            bench.dispatch(
+                &DensityRatios {
+                    variant: DensityRatiosVariant { walls: walls.has_walls() },
+                    positions: positions.read(),
+                    neighbours: neighbours.read(),
+                    list_heads: list_heads.read(),
+                    density_ratios: density_ratios.write(),
+                    step_params: step_params.uniform(),
+                    kernel: kernel.uniform(),
+                },
+                size,
+            );
+            let got: Vec<f32> = bench.run().read(&density_ratios, size);
+            let box_walls = walls_of(&kernel_params(), vector(case.step_params().domain_size_m));
+            let smoothing = smoothing_of(&kernel_params());
+            let twin = |walls: Option<&DomainWalls>| {
+                let quarantined = |i: usize| case.positions[i].tag >> 31 == 1;
+                density_ratios_twin(&case.positions_m(), &case.neighbours, quarantined, &smoothing, walls)
+            };
+            let expected = twin(walls.has_walls().then_some(&box_walls));
+            for (i, (&got, &expected)) in got.iter().zip(&expected).enumerate() {
+                let is_unlisted = size > GROUP && i == 1;
+                worst.check(got, if is_unlisted { 1.0 } else { expected }, 1.0 + expected).expect("the twin's");
+            }
+            // Fed the twin with walls where there are none, and the other way round, it fails.
+            if size > GROUP {
+                let wrong = twin((!walls.has_walls()).then_some(&box_walls));
+                let mut fails = Worst::new(DensityRatios::STAGE, TOLERANCE);
+                let differs =
+                    got.iter().zip(&wrong).any(|(&got, &wrong)| fails.check(got, wrong, 1.0 + wrong).is_err());
+                assert!(differs, "a wrong density must differ");
+            }
+        }
+    }
+    worst.report();
 }
 
 #[test]

@@ -108,7 +108,7 @@ fn draw(view: &View, options: &ScreenSpaceOptions, positions: &[Position]) -> Dr
     let mut frame_view = resources.state("frame_view", 1);
     let (mut init, mut recording) = (Recording::new("init"), Recording::new("draw"));
     init.upload(&mut frame_view, &[values.view]);
-    let particles = Particles { positions: &buffer, velocities: &velocities, count, neighbours: None };
+    let particles = Particles { positions: &buffer, velocities: &velocities, count, neighbours: None, densities: None };
     let into = (&mut init, &mut recording);
     let surface = screen_space::record(&mut resources, into, &frame_view, &particles, view.size_px, tier, options);
     let wanted = [surface.raw.id, surface.nearness.id, surface.normals.id];

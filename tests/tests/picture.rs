@@ -2,8 +2,8 @@
 
 mod picture_support;
 
-use brooklet_gpu::Tier;
-use brooklet_render::{Coloring, FrameOptions, View};
+use brooklet_gpu::{Resources, Tier};
+use brooklet_render::{Coloring, FrameOptions, Particles, View, frame};
 use glam::DVec3;
 use picture_support::{
     Picture, QUARANTINED, Sphere, compare_colors, compare_depth, draw, draw_moving, options, sphere, view,
@@ -203,6 +203,18 @@ fn the_floor_tier_draws_the_same_picture() {
     };
     assert!(differing(&floor, &desktop) < 40, "{} pixels differ", differing(&floor, &desktop));
     assert!(differing(&floor, &draw(&view, &options(), &[])) > 400, "the comparator sees missing spheres");
+}
+
+/// Whoever brings no neighbours is told so, and not shown another colour.
+#[test]
+fn densities_of_particles_without_neighbours_are_refused() {
+    let mut resources = Resources::new();
+    let (positions, velocities) = (resources.state("positions", 1), resources.state("velocities", 1));
+    let particles =
+        Particles { positions: &positions, velocities: &velocities, count: 1, neighbours: None, densities: None };
+    let wanted = FrameOptions { coloring: Coloring::Density, ..options() };
+    let error = frame::record(&mut resources, &view([16, 9]), &particles, &wanted).expect_err("no densities");
+    assert!(error.to_string().contains("coloring"), "{error}");
 }
 
 #[test]

@@ -141,6 +141,13 @@ const TERMS: &[Term] = &[
         variant: Some("POINTS_SHADOW"),
     },
     Term {
+        without: "surface={ method = 'points', color_by = 'fluid' }",
+        with: "surface={ method = 'points', color_by = 'density' }",
+        stages: &["density_ratios"],
+        buffers: &["density_ratios"],
+        variant: None,
+    },
+    Term {
         without: "surface.method=none",
         with: "surface.method=screen-space",
         stages: &[

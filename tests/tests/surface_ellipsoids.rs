@@ -81,7 +81,8 @@ fn draw(view: &View, positions: &[Position]) -> Drawn {
     init.upload(&mut buffer, positions);
     init.upload(&mut listed.gaps, &lists);
     init.upload(&mut listed.heads, &heads);
-    let particles = Particles { positions: &buffer, velocities: &velocities, count, neighbours: Some(&listed) };
+    let particles =
+        Particles { positions: &buffer, velocities: &velocities, count, neighbours: Some(&listed), densities: None };
     let into = (&mut init, &mut recording);
     let drawn =
         screen_space::record(&mut resources, into, &frame_view, &particles, view.size_px, gpu().tier(), &surface);

@@ -2,8 +2,8 @@
 
 use brooklet_gpu::{Recording, Resources};
 use brooklet_kernels::{
-    Buffer, Counters, HISTOGRAM_BINS, Kernel, Measure, MeasureParticles, MeasureParticlesVariant, MeasureSums,
-    MeasureTotals, Position, Velocity,
+    Buffer, Counters, DensityRatios, DensityRatiosVariant, HISTOGRAM_BINS, Kernel, KernelParams, Measure,
+    MeasureParticles, MeasureParticlesVariant, MeasureSums, MeasureTotals, Position, StepParams, Velocity,
 };
 
 use crate::grid::Neighbours;
@@ -67,6 +67,46 @@ impl Measuring {
         );
         // Counted from one measurement to the next.
         recording.clear(&mut shared.counters);
+    }
+}
+
+/// What every particle's density ratio is computed from.
+pub struct Densities {
+    step: Buffer<StepParams>,
+    kernel: Buffer<KernelParams>,
+    walls: bool,
+}
+
+impl Densities {
+    /// Of a simulation with these settings.
+    pub fn of(shared: &Shared) -> Self {
+        Self { step: shared.step.alias(), kernel: shared.kernel.alias(), walls: shared.walls }
+    }
+
+    /// Records the density ratio of every particle, 0 of quarantined ones.
+    pub fn record(
+        &self,
+        resources: &mut Resources,
+        recording: &mut Recording,
+        positions: &Buffer<Position>,
+        neighbours: &Neighbours,
+    ) -> Buffer<f32> {
+        let mut density_ratios = resources.buffer("density_ratios", positions.len);
+        // Without particles nothing else writes it.
+        recording.clear(&mut density_ratios);
+        recording.dispatch(
+            &DensityRatios {
+                variant: DensityRatiosVariant { walls: self.walls },
+                positions: positions.read(),
+                neighbours: neighbours.gaps.read(),
+                list_heads: neighbours.heads.read(),
+                density_ratios: density_ratios.write(),
+                step_params: self.step.uniform(),
+                kernel: self.kernel.uniform(),
+            },
+            positions.len,
+        );
+        density_ratios
     }
 }
 

@@ -5,7 +5,7 @@ use brooklet_kernels::{Buffer, Measure, Position, PrecisionKeyword, Predict, Pre
 
 use crate::grid::{self, Grid, Neighbours, Sorted};
 use crate::kernel;
-use crate::measure::Measuring;
+use crate::measure::{Densities, Measuring};
 use crate::particles::{Emitted, emit};
 use crate::scene::{Precision, Scene};
 use crate::solver::pbf::{self, Pbf, Shared};
@@ -30,6 +30,8 @@ pub struct Recorded {
     pub velocities: Buffer<Velocity>,
     /// Their neighbours, as the last step listed them.
     pub neighbours: Neighbours,
+    /// What their density ratios are computed from.
+    pub densities: Densities,
     /// The last measurement, if the scene measures.
     pub measure: Option<Buffer<Measure>>,
 }
@@ -95,7 +97,15 @@ pub fn record_count(resources: &mut Resources, scene: &Scene, particle_count: u3
         recordings.push(recording);
         measuring.measure
     });
-    Recorded { particle_count, recordings, positions, velocities, neighbours, measure }
+    Recorded {
+        particle_count,
+        recordings,
+        positions,
+        velocities,
+        neighbours,
+        densities: Densities::of(&shared),
+        measure,
+    }
 }
 
 /// (Shader: `particles/predict.compute`.)

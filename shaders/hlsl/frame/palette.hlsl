@@ -17,6 +17,17 @@ float3 speed_color(float t)
     return lerp(color, foam, smoothstep(0.72, 1.0, t));
 }
 
+// From deep blue at half the rest density over white at it to deep red at a tenth above: compression
+// is what a solver is judged by, and a free surface is always below.
+float3 density_color(float ratio)
+{
+    const float3 thin = float3(0.010, 0.070, 0.280);
+    const float3 rest = float3(0.700, 0.700, 0.680);
+    const float3 pressed = float3(0.480, 0.012, 0.010);
+    float3 below = lerp(rest, thin, saturate((1.0 - ratio) / 0.5));
+    return ratio < 1.0 ? below : lerp(rest, pressed, saturate((ratio - 1.0) / 0.1));
+}
+
 // One colour for each fluid, well apart also for colour-blind eyes (after Okabe & Ito 2008).
 float3 fluid_color(uint fluid)
 {

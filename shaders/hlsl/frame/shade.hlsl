@@ -1,7 +1,7 @@
 // The particles' colours: each pixel in which one is seen is shaded once.
 #pragma vertex ShadeVertex
 #pragma fragment ShadeFragment
-#pragma multi_compile _ COLOR_FLUID
+#pragma multi_compile _ COLOR_FLUID COLOR_DENSITY
 
 #include "../shared/layout.hlsl"
 #include "camera.hlsl"
@@ -10,7 +10,9 @@
 
 Texture2D<float> seen;      // index + 1 of the particle seen in a pixel, 0 where there is none
 StructuredBuffer<Position> positions;
-#if !defined(COLOR_FLUID)
+#if defined(COLOR_DENSITY)
+StructuredBuffer<float> density_ratios;
+#elif !defined(COLOR_FLUID)
 StructuredBuffer<Velocity> velocities;
 #endif
 Texture2D<float> shadow_map;
@@ -88,6 +90,8 @@ float4 ShadeFragment(Varyings input) : SV_Target0
     float3 normal = -normalize(aside_m + half_chord_m * direction);
 #if defined(COLOR_FLUID)
     float3 albedo = fluid_color((found.tag >> 24) & 127u);
+#elif defined(COLOR_DENSITY)
+    float3 albedo = density_color(density_ratios[particle]);
 #else
     float3 albedo = speed_color(length(velocities[particle].velocity_m_s) * style.inverse_speed_scale_s_m);
 #endif

@@ -76,7 +76,8 @@ pub fn draw_moving(view: &View, options: &FrameOptions, spheres: &[Sphere], velo
     let mut resources = Resources::new();
     let positions = resources.state::<Position>("positions", count);
     let velocities = resources.state::<Velocity>("velocities", count);
-    let particles = Particles { positions: &positions, velocities: &velocities, count, neighbours: None };
+    let particles =
+        Particles { positions: &positions, velocities: &velocities, count, neighbours: None, densities: None };
     let passes = frame::record(&mut resources, view, &particles, options).expect("a frame");
     let (color, depth) = (passes.color.alias(), passes.depth.alias());
     let plan = Plan::sweep(resources, vec![passes.init, passes.recording], &[color.id]).expect("a plan");

@@ -90,7 +90,7 @@ pub(crate) const FIELDS: &[(&str, Kind)] = &[
     ("surface.anisotropic", Kind::Switch),
     ("surface.absorption_per_m", Kind::Vector(within(0.0, 1.0e6, "1/m"))),
     ("surface.refraction", Kind::Number(within(0.0, 2.0, ""))),
-    ("surface.color_by", Kind::Choice(&["speed", "fluid"])),
+    ("surface.color_by", Kind::Choice(&["speed", "fluid", "density"])),
     ("camera", Kind::Table),
     ("camera.eye_m", PLACE),
     ("camera.target_m", PLACE),

@@ -58,6 +58,8 @@ pub enum PointColor {
     Speed,
     /// Its fluid.
     Fluid,
+    /// Its density: blue below the rest density, white at it, red above.
+    Density,
 }
 
 /// How the fluid is drawn. What is off has no pass, no buffer and no code.

@@ -2,7 +2,7 @@
 // makes it anew from frame/shade.hlsl.
 //! Kernels of `frame/shade.hlsl`.
 
-use super::{FrameLight, FrameStyle, FrameView, Position, Velocity};
+use super::{ColorKeyword, FrameLight, FrameStyle, FrameView, Position, Velocity};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, Draw, Module, StageKind, Tex, Tier, Uniform, bind_draw,
 };
@@ -10,8 +10,8 @@ use crate::{
 /// Which variant of [`DrawShade`] runs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct DrawShadeVariant {
-    /// Keyword `COLOR_FLUID`.
-    pub color_fluid: bool,
+    /// Keyword `COLOR_FLUID` or `COLOR_DENSITY`.
+    pub color: ColorKeyword,
 }
 
 /// The particles' colours: each pixel in which one is seen is shaded once.
@@ -35,16 +35,26 @@ pub struct DrawShade<'a> {
     pub light: Uniform<'a, FrameLight>,
     /// `ConstantBuffer<FrameStyle> style`.
     pub style: Uniform<'a, FrameStyle>,
+    /// `StructuredBuffer<float> density_ratios`.
+    pub density_ratios: Option<Buf<'a, f32>>,
 }
 
 impl Draw for DrawShade<'_> {
     const STAGE: &'static str = "draw_shade";
 
     fn vertex(&self) -> &'static Module {
-        if self.variant.color_fluid { &DRAW_SHADE_VERTEX_WITH_COLOR_FLUID } else { &DRAW_SHADE_VERTEX }
+        match self.variant.color {
+            ColorKeyword::Off => &DRAW_SHADE_VERTEX,
+            ColorKeyword::ColorFluid => &DRAW_SHADE_VERTEX_WITH_COLOR_FLUID,
+            ColorKeyword::ColorDensity => &DRAW_SHADE_VERTEX,
+        }
     }
     fn fragment(&self) -> Option<&'static Module> {
-        if self.variant.color_fluid { Some(&DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID) } else { Some(&DRAW_SHADE_FRAGMENT) }
+        match self.variant.color {
+            ColorKeyword::Off => Some(&DRAW_SHADE_FRAGMENT),
+            ColorKeyword::ColorFluid => Some(&DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID),
+            ColorKeyword::ColorDensity => Some(&DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY),
+        }
     }
     fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
         bind_draw(
@@ -58,6 +68,7 @@ impl Draw for DrawShade<'_> {
                 ("shadow_map", Some(self.shadow_map.id)),
                 ("light", Some(self.light.id)),
                 ("style", Some(self.style.id)),
+                ("density_ratios", self.density_ratios.as_ref().map(|bound| bound.id)),
             ],
         )
     }
@@ -69,6 +80,7 @@ pub(super) static MODULES: &[&Module] = &[
     &DRAW_SHADE_FRAGMENT,
     &DRAW_SHADE_VERTEX_WITH_COLOR_FLUID,
     &DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID,
+    &DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY,
 ];
 
 static BINDINGS_0: &[BindingInfo] = &[BindingInfo { name: "view", slot: 4, kind: BindingKind::Uniform { bytes: 80 } }];
@@ -94,6 +106,20 @@ static BINDINGS_3: &[BindingInfo] = &[
     BindingInfo { name: "style", slot: 5, kind: BindingKind::Uniform { bytes: 80 } },
 ];
 
+static BINDINGS_4: &[BindingInfo] = &[
+    BindingInfo { name: "seen", slot: 0, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "positions", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
+    BindingInfo {
+        name: "density_ratios",
+        slot: 2,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 },
+    },
+    BindingInfo { name: "shadow_map", slot: 3, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "view", slot: 4, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "light", slot: 5, kind: BindingKind::Uniform { bytes: 112 } },
+    BindingInfo { name: "style", slot: 6, kind: BindingKind::Uniform { bytes: 80 } },
+];
+
 static DRAW_SHADE_VERTEX: Module = Module {
     name: "DrawShade.vertex",
     entry: "ShadeVertex",
@@ -104,7 +130,7 @@ static DRAW_SHADE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "38f9adf62157ee93cebf8e3d317d79b59f6b9b169e3f204a4470b340478c3a8a",
+    hash: "7a960f4f60be265f648cccdf431f21ece5d753c53b8cb489505622f9dba68ac1",
 };
 
 static DRAW_SHADE_FRAGMENT: Module = Module {
@@ -117,7 +143,7 @@ static DRAW_SHADE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "bc14b63dcb22dd4eaf4ce96f918e77106c0e424e019e3053f34bc585af37f88c",
+    hash: "7b60bfb2f6160154cf9db69d093f2e330bcc1ca26aadabfcf09437ee7c89643b",
 };
 
 static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
@@ -130,7 +156,7 @@ static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "f1b0e16c13c65544f8bfa62f5206e0e3b22c2c26a36ab168cd6236b633405190",
+    hash: "95bf4d9c2b539f60fc30a9f058bad8d2f86e0f4ab2086a38e21ff899b813c3f0",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
@@ -143,5 +169,18 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "1200547306d6696d1178e0c07b54469492b865c2196b11b1586a6aa4a2c5c9bb",
+    hash: "a7d26ec9cb69073eb9bf556084cc3680c76ea1420664bdb983223e100788aa40",
+};
+
+static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
+    name: "DrawShade.fragment+COLOR_DENSITY",
+    entry: "ShadeFragment",
+    stage: StageKind::Fragment,
+    spirv: include_bytes!("../../spirv/draw_shade.fragment+color_density.spv"),
+    bindings: BINDINGS_4,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "frame/shade.hlsl",
+    hash: "d28cdbb56ec720f3df7dad6dce26fe196619123b1558caf06c97486394fc52f9",
 };

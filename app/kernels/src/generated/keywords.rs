@@ -12,6 +12,18 @@ pub enum AlongKeyword {
     AlongY,
 }
 
+/// `#pragma multi_compile _ COLOR_FLUID COLOR_DENSITY`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum ColorKeyword {
+    /// None of them is on.
+    #[default]
+    Off,
+    /// `COLOR_FLUID` is on.
+    ColorFluid,
+    /// `COLOR_DENSITY` is on.
+    ColorDensity,
+}
+
 /// `#pragma multi_compile FILTER_X FILTER_Y FILTER_PLANE`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum FilterKeyword {

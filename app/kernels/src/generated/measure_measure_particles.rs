@@ -95,7 +95,7 @@ static MEASURE_PARTICLES: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "199383a42b0056cff2ebcfe2bb3eda7086328d9a4092657a541a4b5ff7101f83",
+    hash: "e434fd0e8b0e6febbc5226968e84297f6fd71ad74d083d14d636d8cac54733b7",
 };
 
 static MEASURE_PARTICLES_WITH_WALLS: Module = Module {
@@ -108,5 +108,5 @@ static MEASURE_PARTICLES_WITH_WALLS: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "b7d86a69f381d46177759d3417f372ae3d8fb2f939166581d0313aff2d64aead",
+    hash: "894671c18763468d7363e50bd05e2bb8b132e5d4e4e1b644554b91449e382a85",
 };

@@ -24,6 +24,7 @@ mod grid_rank_members;
 mod grid_reorder;
 mod grid_scan;
 mod keywords;
+mod measure_density_ratios;
 mod measure_measure_particles;
 mod measure_measure_totals;
 mod particles_predict;
@@ -68,6 +69,7 @@ pub use grid_rank_members::*;
 pub use grid_reorder::*;
 pub use grid_scan::*;
 pub use keywords::*;
+pub use measure_density_ratios::*;
 pub use measure_measure_particles::*;
 pub use measure_measure_totals::*;
 pub use particles_predict::*;
@@ -113,6 +115,7 @@ pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
         grid_rank_members::MODULES,
         grid_reorder::MODULES,
         grid_scan::MODULES,
+        measure_density_ratios::MODULES,
         measure_measure_particles::MODULES,
         measure_measure_totals::MODULES,
         particles_predict::MODULES,

@@ -1,4 +1,5 @@
 //! What is measured of the particles.
 
+pub mod density_ratios;
 pub mod measure_particles;
 pub mod measure_totals;

@@ -87,7 +87,7 @@ pub(super) fn frame_style(view: &View, options: &FrameOptions) -> FrameStyle {
     let size_m = view.domain_max_m - view.domain_min_m;
     let foam_m_s = match options.coloring {
         Coloring::Speed { foam_m_s } => foam_m_s,
-        Coloring::Fluid => 1.0,
+        Coloring::Fluid | Coloring::Density => 1.0,
     };
     // Far enough to reach beyond the domain from wherever it is seen.
     let seen_m = (view.camera.eye_m - 0.5 * (view.domain_min_m + view.domain_max_m)).length() + view.diagonal_m();

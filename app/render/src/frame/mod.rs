@@ -53,6 +53,10 @@ pub fn record(
     options: &FrameOptions,
 ) -> Result<FramePasses, RenderError> {
     let values = FrameValues::new(view, options)?;
+    let tells_density = options.surface == SurfaceOptions::Points && options.coloring == Coloring::Density;
+    if tells_density && (particles.densities.is_none() || particles.neighbours.is_none()) {
+        return Err(RenderError::not_allowed("coloring", options.coloring, "densities need the particles' neighbours"));
+    }
     let mut uniforms = FrameUniforms {
         view: resources.state("frame_view", 1),
         light: resources.state("frame_light", 1),

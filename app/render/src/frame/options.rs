@@ -17,6 +17,8 @@ pub enum Coloring {
     },
     /// Its fluid. Velocities are then not read.
     Fluid,
+    /// Its density ratio, from blue below the rest density over white to red above.
+    Density,
 }
 
 /// How a picture is drawn.
@@ -50,6 +52,7 @@ impl FrameOptions {
             coloring: match scene.surface.color_by {
                 PointColor::Speed => Coloring::Speed { foam_m_s: foam_m_s(scene) },
                 PointColor::Fluid => Coloring::Fluid,
+                PointColor::Density => Coloring::Density,
             },
             supersample: if scene.outputs.width_px.max(scene.outputs.height_px) > 2048 { 1 } else { 2 },
             shadow_texels: 512,

@@ -4,6 +4,7 @@ pub(crate) mod points;
 pub mod screen_space;
 
 use brooklet_fluid::grid::Neighbours;
+use brooklet_fluid::measure::Densities;
 use brooklet_fluid::scene::SurfaceMethod;
 use brooklet_fluid::{Recorded, Scene};
 use brooklet_kernels::{Buffer, Position, Velocity};
@@ -22,6 +23,8 @@ pub struct Particles<'a> {
     /// Their neighbours, in the same order: few make a particle a drop of spray, drawn small, and
     /// ellipsoids are made from them. Without, all are drawn as spheres of one size.
     pub neighbours: Option<&'a Neighbours>,
+    /// What their densities are computed from, where colours tell them.
+    pub densities: Option<&'a Densities>,
 }
 
 impl<'a> Particles<'a> {
@@ -32,6 +35,7 @@ impl<'a> Particles<'a> {
             velocities: &recorded.velocities,
             count: recorded.particle_count,
             neighbours: Some(&recorded.neighbours),
+            densities: Some(&recorded.densities),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! The particles as balls: which one each pixel sees, then its colour, once a pixel.
 
 use brooklet_gpu::{DepthTest, DrawState, Load, Recording, Resources, Targets};
-use brooklet_kernels::{DrawParticles, DrawShade, DrawShadeVariant, DrawShadow, Format, Texture};
+use brooklet_kernels::{Buffer, ColorKeyword, DrawParticles, DrawShade, DrawShadeVariant, DrawShadow, Format, Texture};
 
 use super::Particles;
 use crate::frame::options::{Coloring, FrameOptions};
@@ -36,13 +36,24 @@ pub(crate) fn record(
         3,
         particle_count,
     );
-    let color_fluid = options.coloring == Coloring::Fluid;
+    let color = match options.coloring {
+        Coloring::Speed { .. } => ColorKeyword::Off,
+        Coloring::Fluid => ColorKeyword::ColorFluid,
+        Coloring::Density => ColorKeyword::ColorDensity,
+    };
+    let density_ratios = match (color, particles.densities, particles.neighbours) {
+        (ColorKeyword::ColorDensity, Some(densities), Some(neighbours)) => {
+            Some(densities.record(resources, recording, positions, neighbours))
+        }
+        _ => None,
+    };
     recording.draw(
         &DrawShade {
-            variant: DrawShadeVariant { color_fluid },
+            variant: DrawShadeVariant { color },
             seen: seen.read(),
             positions: positions.read(),
-            velocities: (!color_fluid).then(|| velocities.read()),
+            velocities: (color == ColorKeyword::Off).then(|| velocities.read()),
+            density_ratios: density_ratios.as_ref().map(Buffer::read),
             shadow_map: shadow_map.read(),
             view,
             light,

@@ -110,7 +110,8 @@ pub fn draw(
     let listed = Listed::record(&mut resources, &mut init, &scene, &positions);
     // The bodies are no spray: spheres are drawn as they are.
     let neighbours = filter.anisotropic.then_some(&listed.neighbours);
-    let particles = Particles { positions: &listed.positions, velocities: &listed.velocities, count, neighbours };
+    let particles =
+        Particles { positions: &listed.positions, velocities: &listed.velocities, count, neighbours, densities: None };
     let into = (&mut init, &mut recording);
     let surface = screen_space::record(&mut resources, into, &frame_view, &particles, view.size_px, tier, &options);
     let plan = Plan::sweep(resources, vec![init, recording], &[surface.normals.id]).map_err(Failure::stopped)?;

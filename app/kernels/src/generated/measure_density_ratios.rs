@@ -1,0 +1,98 @@
+// Written by the shader compiler; do not edit. `cargo run -p brooklet-compiler -- build`
+// makes it anew from measure/density_ratios.compute.
+//! Kernels of `measure/density_ratios.compute`.
+
+use super::{KernelParams, ListHead, Position, StepParams};
+use crate::{
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+};
+
+/// Which variant of [`DensityRatios`] runs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct DensityRatiosVariant {
+    /// Keyword `WALLS`.
+    pub walls: bool,
+}
+
+/// Every particle's density ratio, for colours that tell it.
+#[derive(Debug)]
+pub struct DensityRatios<'a> {
+    /// Its variant.
+    pub variant: DensityRatiosVariant,
+    /// `StructuredBuffer<Position> positions`.
+    pub positions: Buf<'a, Position>,
+    /// `StructuredBuffer<uint2> neighbours`.
+    pub neighbours: Buf<'a, [u32; 2]>,
+    /// `StructuredBuffer<ListHead> list_heads`.
+    pub list_heads: Buf<'a, ListHead>,
+    /// `RWStructuredBuffer<float> density_ratios`.
+    pub density_ratios: BufMut<'a, f32>,
+    /// `ConstantBuffer<StepParams> step_params`.
+    pub step_params: Uniform<'a, StepParams>,
+    /// `ConstantBuffer<KernelParams> kernel`.
+    pub kernel: Uniform<'a, KernelParams>,
+}
+
+impl Kernel for DensityRatios<'_> {
+    const STAGE: &'static str = "density_ratios";
+    const GROUP_SIZE: [u32; 3] = [64, 1, 1];
+
+    fn module(&self) -> &'static Module {
+        if self.variant.walls { &DENSITY_RATIOS_WITH_WALLS } else { &DENSITY_RATIOS }
+    }
+    fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
+        bind(
+            self.module(),
+            &[
+                ("positions", Some(self.positions.id)),
+                ("neighbours", Some(self.neighbours.id)),
+                ("list_heads", Some(self.list_heads.id)),
+                ("density_ratios", Some(self.density_ratios.id)),
+                ("step_params", Some(self.step_params.id)),
+                ("kernel", Some(self.kernel.id)),
+            ],
+        )
+    }
+}
+
+/// The modules of this file.
+pub(super) static MODULES: &[&Module] = &[&DENSITY_RATIOS, &DENSITY_RATIOS_WITH_WALLS];
+
+static BINDINGS_0: &[BindingInfo] = &[
+    BindingInfo { name: "positions", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
+    BindingInfo { name: "neighbours", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo { name: "list_heads", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo {
+        name: "density_ratios",
+        slot: 3,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 },
+    },
+    BindingInfo { name: "step_params", slot: 4, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "kernel", slot: 5, kind: BindingKind::Uniform { bytes: 32 } },
+];
+
+static DENSITY_RATIOS: Module = Module {
+    name: "DensityRatios",
+    entry: "DensityRatios",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/density_ratios.spv"),
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "measure/density_ratios.compute",
+    hash: "e6d54cd579f912144ede5c2748108bb167edeb8fed3a53ee979183a39f972755",
+};
+
+static DENSITY_RATIOS_WITH_WALLS: Module = Module {
+    name: "DensityRatios+WALLS",
+    entry: "DensityRatios",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/density_ratios+walls.spv"),
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "measure/density_ratios.compute",
+    hash: "0cde5ecf78f579b5c143ca7d8d49cfaaac14f25e1d13ff1d3bdbae17ef01c42c",
+};

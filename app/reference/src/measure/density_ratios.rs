@@ -1,0 +1,22 @@
+//! Density ratios of all particles.
+
+use crate::boundary::walls::DomainWalls;
+use crate::params::Smoothing;
+use crate::solver::pbf::density_ratio;
+use glam::DVec3;
+
+/// The ratio of each particle, 0 where `quarantined` says so. (Shader: `measure/density_ratios.compute`.)
+pub fn density_ratios(
+    positions_m: &[DVec3],
+    neighbours: &[Vec<usize>],
+    quarantined: impl Fn(usize) -> bool,
+    smoothing: &Smoothing,
+    walls: Option<&DomainWalls>,
+) -> Vec<f64> {
+    (0..positions_m.len())
+        .map(|i| match quarantined(i) {
+            true => 0.0,
+            false => density_ratio(i, positions_m, &neighbours[i], smoothing, walls),
+        })
+        .collect()
+}
