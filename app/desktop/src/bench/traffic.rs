@@ -25,6 +25,8 @@ const GATHERS: &[(&str, &[&str])] = &[
     ("confine_vorticity", &["places", "vorticities"]),
     ("viscosity", &["places", "velocities"]),
     ("measure_particles", &["positions"]),
+    ("anisotropy", &["positions"]),
+    ("density_ratios", &["positions"]),
 ];
 
 /// Name of the binding that is the neighbour list.
