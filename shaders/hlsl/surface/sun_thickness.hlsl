@@ -6,6 +6,7 @@
 #include "layout.hlsl"
 #include "../frame/camera.hlsl"
 #include "../frame/environment.hlsl"
+#include "spread.hlsl"
 
 StructuredBuffer<Position> positions;
 ConstantBuffer<FrameLight> light;
@@ -34,7 +35,5 @@ Varyings SunThicknessVertex(uint vertex : SV_VertexID, uint instance : SV_Instan
 
 float4 SunThicknessFragment(Varyings input) : SV_Target0
 {
-    float inside = saturate(1.0 - dot(input.disc, input.disc));
-    float ratio = surface.spacing_m / surface.spread_m;
-    return 0.95492966 * ratio * ratio * inside * inside;
+    return spread_thickness(input.disc, surface);
 }

@@ -6,6 +6,7 @@
 #include "../shared/layout.hlsl"
 #include "layout.hlsl"
 #include "impostor.hlsl"
+#include "spread.hlsl"
 
 StructuredBuffer<Position> positions;
 ConstantBuffer<FrameView> view;
@@ -32,8 +33,5 @@ Varyings ThicknessVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceI
 
 float4 ThicknessFragment(Varyings input) : SV_Target0
 {
-    float inside = saturate(1.0 - dot(input.disc, input.disc));
-    // (1 - s)^2 is smooth at the disc's rim; its integral over the disc is pi r^2 / 3.
-    float ratio = surface.spacing_m / surface.spread_m;
-    return 0.95492966 * ratio * ratio * inside * inside;
+    return spread_thickness(input.disc, surface);
 }

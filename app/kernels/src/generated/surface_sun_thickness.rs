@@ -62,7 +62,7 @@ static DRAW_SUN_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "dca98a0228f4c00490f67efb027639bcffc6b329e7b43276b8cae81ccc39b8bd",
+    hash: "269cea3be326f8b8973d976c6c6fe37b97f7a066ab5f136496706628479afdee",
 };
 
 static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
@@ -75,5 +75,5 @@ static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "cc7efe0ddad58bed7180b73e5a86c518f2307671f483cfc914a7bf0bf5cdd787",
+    hash: "b77f48eef6209ba0a45f0d1bbdbbce74641b020a31925e51c469d36523bd0bc4",
 };

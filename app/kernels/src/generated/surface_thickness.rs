@@ -59,7 +59,7 @@ static DRAW_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "a5892024775cbc76b54539d5d2d74a277e962a7b7bb9c396b6eb95551ce945a1",
+    hash: "6dd92c4832984d925936e8fe05a4208a7ae880f517eaf4e73ee7f9c126ce4243",
 };
 
 static DRAW_THICKNESS_FRAGMENT: Module = Module {
@@ -72,5 +72,5 @@ static DRAW_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "74dfa88e33fd8b35064c2399a28933c9072d19a7501003a8a2b375707dc324fe",
+    hash: "6464552f325eae00a0151390f4243df57f35492ef802cc2ec02614d4c57d804f",
 };

@@ -1,0 +1,16 @@
+// How a particle's volume d^3 is spread over a disc, for those who look through the fluid.
+#ifndef BROOKLET_SPREAD
+#define BROOKLET_SPREAD
+
+#include "layout.hlsl"
+
+// Thickness at a place in the unit disc, in spacings; 0 outside. (1 - s)^2 is smooth at the rim, and
+// its integral over a disc of radius r is pi r^2 / 3.
+float spread_thickness(float2 disc, SurfaceParams surface)
+{
+    float inside = saturate(1.0 - dot(disc, disc));
+    float ratio = surface.spacing_m / surface.spread_m;
+    return 0.95492966 * ratio * ratio * inside * inside;
+}
+
+#endif
