@@ -50,6 +50,31 @@ fn the_table_has_every_load_and_its_figures_belong_together() {
 }
 
 #[test]
+fn a_picture_is_timed_pass_by_pass() {
+    let workshop = Workshop::new();
+    let arguments = ["bench", "scene.toml", "--steps", "2", "--warm-up", "1", "--pictures", "3", "--json"];
+    let picture = workshop.succeed(&arguments).json()["picture"].take();
+    assert_eq!((&picture["pictures"], &picture["size_px"]), (&3.into(), &vec![64, 36].into()));
+    let passes = picture["passes"].as_object().unwrap();
+    let mut shares = 0.0;
+    for (stage, pass) in passes {
+        assert!(number(&pass["bytes"]) > 0.0, "{stage}: {pass}");
+        shares += pass["share"].as_f64().unwrap_or(0.0);
+    }
+    for stage in ["anisotropy", "draw_fluid_depth", "draw_smooth_narrow_range", "draw_thickness", "draw_water"] {
+        assert!(passes.contains_key(stage), "{stage}");
+    }
+    // Radiance and depth of 128 x 72 drawn pixels are drawn to, 12 bytes each, and a uniform or more is bound.
+    let sky = number(&passes["draw_sky"]["bytes"]);
+    assert!((12.0 * 128.0 * 72.0..12.1 * 128.0 * 72.0).contains(&sky), "{sky}");
+    assert!((shares - 1.0).abs() < 1e-9, "{shares}");
+    assert!((0.0..1.0).contains(&number(&picture["smoothing_share"])) && number(&picture["bytes"]) > 0.0);
+    // What is not asked for is not drawn.
+    let none = workshop.succeed(&["bench", "scene.toml", "--steps", "2", "--json"]).json();
+    assert!(none["picture"].is_null());
+}
+
+#[test]
 fn ways_to_sort_are_compared_in_pairs() {
     let workshop = Workshop::new();
     let arguments = ["bench", "sorting", "--particles", "5000", "--pairs", "3", "--json"];

@@ -53,6 +53,7 @@ fn options(smoothing: Smoothing, iterations: u32) -> ScreenSpaceOptions {
         thickness_divisor: 2,
         absorption_per_m: DVec3::ONE,
         refraction: 1.0,
+        photons: 0,
     }
 }
 

@@ -35,6 +35,7 @@ fn water(smoothing: Smoothing) -> FrameOptions {
         thickness_divisor: 2,
         absorption_per_m: DVec3::new(3.0, 0.8, 0.4),
         refraction: 1.0,
+        photons: 128,
     };
     FrameOptions { surface: SurfaceOptions::ScreenSpace(surface), supersample: 2, ..options() }
 }

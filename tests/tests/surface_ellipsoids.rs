@@ -37,7 +37,7 @@ fn options() -> (ScreenSpaceOptions, FrameOptions) {
     let text = format!("spacing_m = {SPACING_M}\n[domain]\nmin_m = [0, 0, 0]\nmax_m = [1, 1, 1]\nwalls = true\n");
     let mut scene = Scene::from_toml(&text, "ellipsoids", &[]).expect("a scene");
     scene.surface.smoothing = Smoothing::None;
-    let surface = ScreenSpaceOptions::for_scene(&scene);
+    let surface = ScreenSpaceOptions::for_scene(&scene, gpu().tier());
     assert!(surface.anisotropic, "ellipsoids are the default");
     let frame = FrameOptions { supersample: 1, ..FrameOptions::for_scene(&scene, gpu().tier()) };
     (surface, FrameOptions { surface: SurfaceOptions::ScreenSpace(surface), ..frame })

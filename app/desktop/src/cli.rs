@@ -145,6 +145,9 @@ pub struct BenchOptions {
     /// Steps of SCENE before them that are not
     #[arg(long, value_name = "N", default_value_t = 20, requires = "scene", value_parser = steps_from(0))]
     pub warm_up: u64,
+    /// Then also time so many pictures of SCENE, pass by pass
+    #[arg(long, value_name = "N", default_value_t = 0, requires = "scene", value_parser = clap::value_parser!(u32).range(0..=10_000))]
+    pub pictures: u32,
     /// The table's largest size; sizes go on to 16777216
     #[arg(long, value_name = "N", default_value_t = 1_000_000, conflicts_with = "scene", value_parser = clap::value_parser!(u32).range(4096..))]
     pub max_particles: u32,

@@ -1,6 +1,7 @@
 //! The engine of a plan, or how much of the scene the device has room for.
 
 use brooklet_fluid::Scene;
+use brooklet_fluid::scene::SurfaceMethod;
 use brooklet_gpu::{Engine, Gpu, GpuError, Plan, tier_name};
 
 use crate::{failure::Failure, job};
@@ -12,6 +13,7 @@ pub fn engine(gpu: &Gpu, scene: &Scene, particles: u32, plan: Plan) -> Result<En
         let advice = match &error {
             GpuError::BufferTooLarge { .. } => within_limits(gpu, scene, particles),
             GpuError::OutOfMemory { allocated, .. } => within_memory(scene, particles, bytes, *allocated),
+            GpuError::MissingFormat { .. } => without_format(gpu, scene, particles),
             GpuError::TextureTooLarge { .. } => "lower outputs.width_px and outputs.height_px".into(),
             _ => return Failure::input(error),
         };
@@ -42,6 +44,21 @@ fn within_limits(gpu: &Gpu, scene: &Scene, particles: u32) -> String {
         slots => format!(", or all {particles} with solver.neighbour_slots = {slots}"),
     };
     format!("{most} of {particles} particles fit, as with {}{fewer_slots}", wider(scene, particles, most))
+}
+
+/// What is drawn without the format that the device lacks, found by planning it.
+fn without_format(gpu: &Gpu, scene: &Scene, particles: u32) -> String {
+    let works = |(name, method): &(&'static str, SurfaceMethod)| {
+        let mut other = scene.clone();
+        other.surface.method = *method;
+        let planned = job::plan_for(&other, particles, gpu.tier());
+        planned.is_ok_and(|other| Engine::check_sizes(gpu, &other.plan).is_ok()).then_some(*name)
+    };
+    let methods = [("points", SurfaceMethod::Points), ("none", SurfaceMethod::None)];
+    match methods.iter().find_map(works) {
+        Some(name) => format!("surface.method = \"{name}\" does without"),
+        None => "outputs.images = 0 does without".into(),
+    }
 }
 
 /// What of the scene the device's memory may hold: as much as it gave before it refused.

@@ -31,49 +31,49 @@ pub struct Absent {
 /// A part of a scene that can be off.
 struct Term {
     reason: &'static str,
-    is_off: fn(&Scene) -> bool,
+    is_off: fn(&Scene, Tier) -> bool,
     turn_on: fn(&mut Scene),
 }
 
 const TERMS: &[Term] = &[
     Term {
         reason: "solver.vorticity_m_s = 0",
-        is_off: |scene| scene.solver.vorticity_m_s == 0.0,
+        is_off: |scene, _| scene.solver.vorticity_m_s == 0.0,
         turn_on: |scene| scene.solver.vorticity_m_s = 0.1,
     },
     Term {
         reason: "solver.xsph = 0",
-        is_off: |scene| scene.solver.xsph == 0.0,
+        is_off: |scene, _| scene.solver.xsph == 0.0,
         turn_on: |scene| scene.solver.xsph = 0.01,
     },
     Term {
         reason: "solver.s_corr_k = 0",
-        is_off: |scene| scene.solver.s_corr_k == 0.0,
+        is_off: |scene, _| scene.solver.s_corr_k == 0.0,
         turn_on: |scene| scene.solver.s_corr_k = 0.1,
     },
     Term {
         reason: "solver.deterministic = false",
-        is_off: |scene| !scene.solver.deterministic,
+        is_off: |scene, _| !scene.solver.deterministic,
         turn_on: |scene| scene.solver.deterministic = true,
     },
     Term {
         reason: "domain.walls = false",
-        is_off: |scene| !scene.domain.walls,
+        is_off: |scene, _| !scene.domain.walls,
         turn_on: |scene| scene.domain.walls = true,
     },
     Term {
         reason: "outputs.measure_every_steps = 0",
-        is_off: |scene| scene.outputs.measure_every_steps == 0,
+        is_off: |scene, _| scene.outputs.measure_every_steps == 0,
         turn_on: |scene| scene.outputs.measure_every_steps = 1,
     },
     Term {
         reason: "surface.method = none",
-        is_off: |scene| scene.surface.method == SurfaceMethod::None,
+        is_off: |scene, _| scene.surface.method == SurfaceMethod::None,
         turn_on: |scene| scene.surface.method = SurfaceMethod::ScreenSpace,
     },
     Term {
         reason: "surface.smoothing = none",
-        is_off: |scene| scene.surface.method == SurfaceMethod::ScreenSpace && scene.surface.iterations() == 0,
+        is_off: |scene, _| scene.surface.method == SurfaceMethod::ScreenSpace && scene.surface.iterations() == 0,
         turn_on: |scene| {
             scene.surface.smoothing = Smoothing::NarrowRange;
             scene.surface.iterations = None;
@@ -81,12 +81,20 @@ const TERMS: &[Term] = &[
     },
     Term {
         reason: "surface.anisotropic = false",
-        is_off: |scene| scene.surface.method == SurfaceMethod::ScreenSpace && !scene.surface.anisotropic,
+        is_off: |scene, _| scene.surface.method == SurfaceMethod::ScreenSpace && !scene.surface.anisotropic,
         turn_on: |scene| scene.surface.anisotropic = true,
     },
     Term {
+        reason: "surface.caustics = false",
+        is_off: |scene, tier| {
+            let is_on = scene.surface.caustics.unwrap_or(tier == Tier::Desktop);
+            scene.surface.method == SurfaceMethod::ScreenSpace && !is_on
+        },
+        turn_on: |scene| scene.surface.caustics = Some(true),
+    },
+    Term {
         reason: "no pictures (outputs.images = 0)",
-        is_off: |scene| scene.outputs.images == 0,
+        is_off: |scene, _| scene.outputs.images == 0,
         turn_on: |scene| scene.outputs.images = 1,
     },
 ];
@@ -123,7 +131,7 @@ pub fn list(
             reason: left_out.reason.clone(),
         })
         .collect();
-    for term in TERMS.iter().filter(|term| (term.is_off)(scene)) {
+    for term in TERMS.iter().filter(|term| (term.is_off)(scene, tier)) {
         let mut other = scene.clone();
         (term.turn_on)(&mut other);
         absent.extend(difference(plan, &job::plan_for(&other, particles, tier)?.plan, term.reason));

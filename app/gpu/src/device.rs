@@ -1,6 +1,7 @@
 //! The device: chosen by name, the best there is, or handed in by the caller.
 
 use crate::error::{GpuError, describe, tier_name};
+use crate::formats::AdapterFormats;
 use crate::guard::{Guard, lock};
 use crate::pipelines::Pipelines;
 use crate::pool::Pool;
@@ -58,6 +59,7 @@ struct Inner {
     tier: Tier,
     info: DeviceInfo,
     timing: TimingStatus,
+    formats: AdapterFormats,
     pool: Mutex<Pool>,
     pipelines: Mutex<Pipelines>,
 }
@@ -88,7 +90,7 @@ impl Gpu {
             .map_err(|error| GpuError::OpenFailed { device: info.name.clone(), reason: describe(&error) })?;
         let guard = Guard::new(device);
         guard.keep_stray_errors(|error| describe(error));
-        Ok(Self::assemble(guard, queue, tier, options, &info))
+        Ok(Self::assemble(guard, queue, tier, options, &adapter))
     }
 
     /// Uses the caller's own device, opened with [`Gpu::required_features`] and
@@ -115,17 +117,12 @@ impl Gpu {
         };
         tier::check(&info.name, tier, &limits)?;
         let options = GpuOptions { timing: true, ..GpuOptions::default() };
-        Ok(Self::assemble(Guard::new(device), queue, tier, &options, &info))
+        Ok(Self::assemble(Guard::new(device), queue, tier, &options, adapter))
     }
 
-    fn assemble(
-        guard: Guard,
-        queue: wgpu::Queue,
-        tier: Tier,
-        options: &GpuOptions,
-        adapter: &wgpu::AdapterInfo,
-    ) -> Gpu {
+    fn assemble(guard: Guard, queue: wgpu::Queue, tier: Tier, options: &GpuOptions, adapter: &wgpu::Adapter) -> Gpu {
         let device = &guard.device;
+        let adapter_info = adapter.get_info();
         let features = device.features();
         let timing = if !options.timing {
             TimingStatus::Off
@@ -136,8 +133,8 @@ impl Gpu {
         } else {
             TimingStatus::Unsupported
         };
-        let info = device_info(adapter, &device.limits(), f64::from(queue.get_timestamp_period()));
-        let pipelines = Pipelines::new(device, adapter, options.pipeline_cache.as_deref());
+        let info = device_info(&adapter_info, &device.limits(), f64::from(queue.get_timestamp_period()));
+        let pipelines = Pipelines::new(device, &adapter_info, options.pipeline_cache.as_deref());
         let pool = Pool::new(device.limits().max_buffer_size);
         Gpu {
             inner: Arc::new(Inner {
@@ -146,6 +143,7 @@ impl Gpu {
                 tier,
                 info,
                 timing,
+                formats: AdapterFormats::of(adapter),
                 pool: Mutex::new(pool),
                 pipelines: Mutex::new(pipelines),
             }),
@@ -205,6 +203,10 @@ impl Gpu {
     /// Gives pooled memory back to the driver.
     pub fn trim(&self) {
         lock(&self.inner.pool).trim();
+    }
+
+    pub(crate) fn formats(&self) -> &AdapterFormats {
+        &self.inner.formats
     }
 
     pub(crate) fn pool(&self) -> MutexGuard<'_, Pool> {

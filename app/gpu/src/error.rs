@@ -55,6 +55,18 @@ pub enum GpuError {
         /// What there is.
         available: u64,
     },
+    /// The device cannot do with a format what a texture is there for.
+    #[error("{device} cannot use {format} as texture {label} is: {used_as}")]
+    MissingFormat {
+        /// The device.
+        device: String,
+        /// The texture.
+        label: String,
+        /// Its format.
+        format: String,
+        /// What the plan does with it.
+        used_as: &'static str,
+    },
     /// The driver refused to open the device.
     #[error("{device} could not be opened: {reason}")]
     OpenFailed {

@@ -3,6 +3,7 @@
 use crate::device::Gpu;
 use crate::draw::texture_format;
 use crate::error::{GpuError, describe};
+use crate::formats::check_formats;
 use crate::plan::Plan;
 use crate::pool::{BufferKind, TextureKind};
 use crate::recording::{Command, Groups};
@@ -177,8 +178,9 @@ impl Drop for Arena {
     }
 }
 
-/// Checks that the device's limits allow each resource that `plan` keeps; returns how each is used.
+/// Checks that the device's limits and formats allow each resource that `plan` keeps; returns how each is used.
 pub(crate) fn check_sizes(gpu: &Gpu, plan: &Plan) -> Result<BTreeMap<ResourceId, Uses>, GpuError> {
+    check_formats(&gpu.info().name, plan, gpu.formats())?;
     let uses = collect_uses(plan);
     let limits = gpu.device().limits();
     for kept in plan.buffers() {

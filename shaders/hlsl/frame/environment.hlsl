@@ -57,6 +57,21 @@ float3 shadow_position(FrameLight light, float3 world_m)
     return float3(dot(light.shadow_u, p), dot(light.shadow_v, p), dot(light.shadow_depth, p));
 }
 
+// The place in the world that a place in the shadow map is. Its rows stand at right angles, each
+// with the length of its inverse scale.
+float3 world_from_shadow(FrameLight light, float3 at)
+{
+    float3 u = light.shadow_u.xyz, v = light.shadow_v.xyz, depth = light.shadow_depth.xyz;
+    return u * ((at.x - light.shadow_u.w) / dot(u, u)) + v * ((at.y - light.shadow_v.w) / dot(v, v))
+        + depth * ((at.z - light.shadow_depth.w) / dot(depth, depth));
+}
+
+// Clip position of a place in the shadow map.
+float4 clip_from_shadow(float3 at)
+{
+    return float4(2.0 * at.x - 1.0, 1.0 - 2.0 * at.y, at.z, 1.0);
+}
+
 // Depth of the map's texel at `uv`; zero (nothing there) outside.
 float shadow_load(Texture2D<float> shadow_map, FrameLight light, float2 uv)
 {

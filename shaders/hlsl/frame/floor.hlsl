@@ -1,7 +1,7 @@
 // The floor under the domain: satin tiles with the fluid's soft shadow, melting into the horizon.
 #pragma vertex FloorVertex
 #pragma fragment FloorFragment
-#pragma multi_compile _ POINTS_SHADOW WATER_SHADOW
+#pragma multi_compile _ POINTS_SHADOW WATER_SHADOW CAUSTICS_SHADOW
 
 #include "camera.hlsl"
 #include "environment.hlsl"
@@ -15,6 +15,12 @@ Texture2D<float> sun_thickness;
 SamplerState sampler_linear_clamp;
 ConstantBuffer<SurfaceParams> surface;
 ConstantBuffer<WaterStyle> water;
+#elif defined(CAUSTICS_SHADOW)
+#include "../surface/sun_map.hlsl"
+Texture2D<float> sun_depth;
+Texture2D<float4> caustics;
+SamplerState sampler_linear_clamp;
+ConstantBuffer<SurfaceParams> surface;
 #endif
 ConstantBuffer<FrameView> view;
 ConstantBuffer<FrameLight> light;
@@ -112,6 +118,25 @@ float3 sun_through_water(float3 world_m, float2 pixel)
     float3 passed = exp(-water.absorption_per_m * spacings * surface.spacing_m);
     return passed * lerp(0.55, 1.0, exp(-0.6 * spacings));
 }
+#elif defined(CAUSTICS_SHADOW)
+// 1 where no water stands before the sun at a place of the photons' grid.
+float dry(int2 at)
+{
+    return sun_depth_at(sun_depth, surface, at) > 0.0 ? 0.0 : 1.0;
+}
+
+// What photons that met no water would have brought, had they been drawn (their tents add up to the
+// bilinear mean), and what the others brought.
+float3 sun_and_caustics(float3 world_m)
+{
+    float2 uv = shadow_position(light, world_m).xy;
+    float2 at = uv * surface.photons - 0.5;
+    int2 low = int2(floor(at));
+    float2 share = at - floor(at);
+    float straight = lerp(lerp(dry(low), dry(low + int2(1, 0)), share.x),
+                          lerp(dry(low + int2(0, 1)), dry(low + int2(1, 1)), share.x), share.y);
+    return straight + caustics.SampleLevel(sampler_linear_clamp, uv, 0.0).rgb;
+}
 #endif
 
 float4 FloorFragment(Varyings input) : SV_Target0
@@ -132,6 +157,10 @@ float4 FloorFragment(Varyings input) : SV_Target0
 #elif defined(WATER_SHADOW)
     float3 arriving = sun_through_water(input.world_m, input.position.xy);
     float sun = dot(arriving, float3(0.2126, 0.7152, 0.0722));
+#elif defined(CAUSTICS_SHADOW)
+    float3 arriving = sun_and_caustics(input.world_m);
+    // What is around does not grow brighter where rays meet.
+    float sun = saturate(dot(arriving, float3(0.2126, 0.7152, 0.0722)));
 #else
     float3 arriving = 1.0;
     float sun = 1.0;

@@ -24,10 +24,9 @@ Varyings ShadowVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID)
     float radius_uv = style.radius_m / (light.shadow_texel_m * light.shadow_texels);
     // The particle's front, so that the half facing the sun does not shade itself.
     float depth = center.z + style.radius_m / light.shadow_range_m;
-    float2 uv = center.xy + corner * radius_uv;
 
     Varyings output;
-    output.position = float4(2.0 * uv.x - 1.0, 1.0 - 2.0 * uv.y, depth, 1.0);
+    output.position = clip_from_shadow(float3(center.xy + corner * radius_uv, depth));
     output.disc = corner;
     if (particle.tag >> 31)
         output.position = float4(0.0, 0.0, 0.0, 1.0);   // quarantined: every corner in one point

@@ -2,30 +2,20 @@
 // nearness. At the tank's glass they are cut off: there the water is as flat as the glass.
 #pragma vertex FluidDepthVertex
 #pragma fragment FluidDepthFragment
-#pragma multi_compile _ SPRAY ELLIPSOIDS
+#pragma multi_compile _ SPRAY_SHAPE ELLIPSOID_SHAPE
 
 #include "../shared/layout.hlsl"
 #include "layout.hlsl"
 #include "impostor.hlsl"
+#include "spray.hlsl"
 
-#if defined(ELLIPSOIDS)
+#if defined(ELLIPSOID_SHAPE)
 StructuredBuffer<Ellipsoid> ellipsoids;
 #else
 StructuredBuffer<Position> positions;
 #endif
-#if defined(SPRAY)
-// A particle far from all others is a drop of spray: drawn as large as one that has to meet its
-// neighbours it would be a ball of glass.
+#if defined(SPRAY_SHAPE)
 StructuredBuffer<ListHead> list_heads;
-static const float SPRAY_NEIGHBOURS = 14.0; // about those of a flat surface at h = 2 d
-
-// Lists that no step has made yet are all zero: what is not known to be spray is drawn in full. (So
-// is a particle alone whose cell is the grid's first: its list begins at 0, too.)
-float SizeOf(ListHead list)
-{
-    float crowd = smoothstep(1.0, SPRAY_NEIGHBOURS, float(list.entries));
-    return (list.entries | list.first) == 0 ? 1.0 : lerp(SPRAY_RADIUS, 1.0, crowd);
-}
 #endif
 ConstantBuffer<FrameView> view;
 ConstantBuffer<SurfaceParams> surface;
@@ -42,13 +32,13 @@ struct Varyings
 Varyings FluidDepthVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID)
 {
     float2 corner = disc_corner(vertex);
-#if defined(ELLIPSOIDS)
+#if defined(ELLIPSOID_SHAPE)
     Impostor impostor = impostor_of_ellipsoid(view, ellipsoids[instance], surface.radius_m, corner);
     const float radius_m = 1.0; // as the impostor's distance: in radii
 #else
     Position particle = positions[instance];
     float radius_m = surface.radius_m;
-#if defined(SPRAY)
+#if defined(SPRAY_SHAPE)
     radius_m *= SizeOf(list_heads[instance]);
 #endif
     Impostor impostor = impostor_of(view, particle.position_m, particle.tag, radius_m, corner);

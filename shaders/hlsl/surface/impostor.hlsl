@@ -30,6 +30,17 @@ Impostor impostor_of(FrameView view, float3 center_m, uint tag, float radius_m, 
     return impostor;
 }
 
+// `corner` in two directions across a unit axis that may point anywhere (Duff et al. 2017).
+float3 across_axis(float3 axis, float2 corner)
+{
+    float side = axis.z < 0.0 ? -1.0 : 1.0;
+    float a = -1.0 / (side + axis.z);
+    float b = axis.x * axis.y * a;
+    float3 across = float3(1.0 + side * axis.x * axis.x * a, side * b, -side * axis.x);
+    float3 upward = float3(b, side + axis.y * axis.y * a, -axis.y);
+    return corner.x * across + corner.y * upward;
+}
+
 // An ellipsoid's, as that of the unit sphere in the space that its matrix stretches from: a linear
 // map takes the tangent cone to the tangent cone, so the triangle is as tight, and lengths along a
 // ray, in units of it, stay. `distance_m` is then in radii.
@@ -39,16 +50,10 @@ Impostor impostor_of_ellipsoid(FrameView view, Ellipsoid ellipsoid, float radius
     float3 center = Unstretched(stretch, ellipsoid.center_m - view.eye_m) / radius_m;
     float distance = length(center);
     float3 axis = center / distance;
-    // Two directions across an axis that may point anywhere (Duff et al. 2017).
-    float side = axis.z < 0.0 ? -1.0 : 1.0;
-    float a = -1.0 / (side + axis.z);
-    float b = axis.x * axis.y * a;
-    float3 across = float3(1.0 + side * axis.x * axis.x * a, side * b, -side * axis.x);
-    float3 upward = float3(b, side + axis.y * axis.y * a, -axis.y);
     Impostor impostor;
     impostor.distance_m = distance;
     impostor.tan2 = 1.0 / (distance * distance - 1.0);
-    impostor.ray = radius_m * mul(stretch, axis + sqrt(impostor.tan2) * (corner.x * across + corner.y * upward));
+    impostor.ray = radius_m * mul(stretch, axis + sqrt(impostor.tan2) * across_axis(axis, corner));
     impostor.drawn = (ellipsoid.tag >> 31) == 0 && distance > 1.0;
     return impostor;
 }

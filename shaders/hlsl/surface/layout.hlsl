@@ -50,7 +50,16 @@ struct SurfaceParams
     float range_m;              // depths further apart than this are of different surfaces
     float clamp_m;              // what lies behind counts as this far behind (narrow range)
     float flow_m2;              // curvature flow of one iteration: time x diffusivity, one
-    float2 reserved;
+    float photons;              // a side of the grid that the sun sends its photons through
+    float sun_smoothing_m;      // reach of what smooths the surface that they meet
+};
+
+// A ray of sunlight that the water bent.
+struct Photon
+{
+    float2 uv;          // where in the sun's map lies what it lights on the floor
+    float path_m;       // how much water it went through
+    float share;        // of it that entered the water; 0 where there is none
 };
 
 // How the water looks: colours in linear light.

@@ -2,7 +2,33 @@
 #ifndef BROOKLET_SPREAD
 #define BROOKLET_SPREAD
 
+#include "../shared/layout.hlsl"
 #include "layout.hlsl"
+
+// Around the center of what is drawn: a particle's ellipsoid, or its sphere.
+struct Center
+{
+    float3 at_m;
+    uint tag;
+};
+
+#if defined(ELLIPSOID_CENTERS)
+StructuredBuffer<Ellipsoid> ellipsoids;
+
+Center center_of(uint particle)
+{
+    Center center = { ellipsoids[particle].center_m, ellipsoids[particle].tag };
+    return center;
+}
+#else
+StructuredBuffer<Position> positions;
+
+Center center_of(uint particle)
+{
+    Center center = { positions[particle].position_m, positions[particle].tag };
+    return center;
+}
+#endif
 
 // Thickness at a place in the unit disc, in spacings; 0 outside. (1 - s)^2 is smooth at the rim, and
 // its integral over a disc of radius r is pi r^2 / 3.

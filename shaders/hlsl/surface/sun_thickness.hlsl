@@ -1,14 +1,12 @@
 // How much fluid the sun looks through, in spacings, in its parallel projection.
 #pragma vertex SunThicknessVertex
 #pragma fragment SunThicknessFragment
+#pragma multi_compile _ ELLIPSOID_CENTERS
 
-#include "../shared/layout.hlsl"
-#include "layout.hlsl"
 #include "../frame/camera.hlsl"
 #include "../frame/environment.hlsl"
 #include "spread.hlsl"
 
-StructuredBuffer<Position> positions;
 ConstantBuffer<FrameLight> light;
 ConstantBuffer<SurfaceParams> surface;
 
@@ -20,15 +18,13 @@ struct Varyings
 
 Varyings SunThicknessVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID)
 {
-    Position particle = positions[instance];
+    Center center = center_of(instance);
     float2 corner = disc_corner(vertex);
-    float3 center = shadow_position(light, particle.position_m);
     float radius_uv = surface.spread_m / (light.shadow_texel_m * light.shadow_texels);
-    float2 uv = center.xy + corner * radius_uv;
     Varyings output;
-    output.position = float4(2.0 * uv.x - 1.0, 1.0 - 2.0 * uv.y, 0.5, 1.0);
+    output.position = clip_from_shadow(float3(shadow_position(light, center.at_m).xy + corner * radius_uv, 0.5));
     output.disc = corner;
-    if (particle.tag >> 31)
+    if (center.tag >> 31)
         output.position = float4(0.0, 0.0, 0.0, 1.0);   // quarantined: every corner in one point
     return output;
 }

@@ -2,13 +2,11 @@
 // disc, and the discs add up. What overlapping spheres count twice a volume does not.
 #pragma vertex ThicknessVertex
 #pragma fragment ThicknessFragment
+#pragma multi_compile _ ELLIPSOID_CENTERS
 
-#include "../shared/layout.hlsl"
-#include "layout.hlsl"
 #include "impostor.hlsl"
 #include "spread.hlsl"
 
-StructuredBuffer<Position> positions;
 ConstantBuffer<FrameView> view;
 ConstantBuffer<SurfaceParams> surface;
 
@@ -20,9 +18,9 @@ struct Varyings
 
 Varyings ThicknessVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID)
 {
-    Position particle = positions[instance];
+    Center center = center_of(instance);
     float2 corner = disc_corner(vertex);
-    Impostor impostor = impostor_of(view, particle.position_m, particle.tag, surface.spread_m, corner);
+    Impostor impostor = impostor_of(view, center.at_m, center.tag, surface.spread_m, corner);
     Varyings output;
     output.position = clip_from_offset(view, impostor.ray * impostor.distance_m);
     output.disc = corner;

@@ -8,12 +8,9 @@
 #define BROOKLET_WATER_SHADING
 
 #include "layout.hlsl"
+#include "water_optics.hlsl"
 #include "../frame/camera.hlsl"
 #include "../frame/environment.hlsl"
-
-// Reflectance of water at normal incidence, ((n - 1) / (n + 1))^2, and 1 / n.
-static const float WATER_F0 = 0.0204;
-static const float AIR_OVER_WATER = 0.7502;
 
 struct WaterPoint
 {

@@ -2,6 +2,7 @@
 
 mod bandwidth;
 mod figures;
+mod pictures;
 mod plot;
 mod report;
 mod scaling;

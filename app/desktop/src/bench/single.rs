@@ -1,10 +1,14 @@
-//! One scene, without pictures and measurements.
+//! One scene, without measurements; and what its pictures cost, if asked.
 
 use brooklet_fluid::{INIT, STEP};
 use brooklet_gpu::{TimingStatus, tier_name};
 use serde_json::json;
 
-use super::{open, stepping::Stepping};
+use super::{
+    open,
+    pictures::{self, picture_cost},
+    stepping::Stepping,
+};
 use crate::{
     cli::BenchOptions,
     commit::COMMIT,
@@ -40,6 +44,7 @@ pub fn bench(name: &str, options: &BenchOptions) -> Result<(), Failure> {
     bar.finish_and_clear();
     outcome?;
 
+    let picture = picture_cost(&gpu, &scene, options, &interrupt)?;
     let iterations = scene.solver.iterations * scene.solver.substeps;
     let work = f64::from(particles) * f64::from(iterations);
     let rate = timings.step_ms().map(|step| work / (step.median * 1e-3));
@@ -54,6 +59,7 @@ pub fn bench(name: &str, options: &BenchOptions) -> Result<(), Failure> {
             "gpu_ms_per_step": timings.step_ms(),
             "particle_iterations_per_s": rate,
             "passes": passes,
+            "picture": picture,
             "bytes": total_bytes,
             "bytes_per_particle": per_particle,
             "timing": timing_name(timings.status()),
@@ -91,5 +97,6 @@ pub fn bench(name: &str, options: &BenchOptions) -> Result<(), Failure> {
         None => say!("no usable times: {} flagged spans", timings.flagged_spans()),
     }
     say!("{}, {:.0} bytes a particle", bytes(total_bytes), per_particle.unwrap_or(0.0));
+    picture.iter().for_each(pictures::print);
     Ok(())
 }

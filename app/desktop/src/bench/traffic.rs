@@ -11,7 +11,7 @@
 //!
 //! A pass's bound is the time that the device's own copy needs for the compulsory bytes.
 
-use brooklet_gpu::{Command, Plan, Shape};
+use brooklet_gpu::{Command, Plan, ResourceId, Shape};
 use brooklet_kernels::BindingKind;
 use serde::Serialize;
 
@@ -69,6 +69,25 @@ pub fn of(plan: &Plan, recording: &str, stage: &str, neighbours: u64) -> Traffic
         }
     }
     traffic
+}
+
+/// Bytes that `stage` moves in one run of `recording` at least, draws included: every buffer and texture that it
+/// binds and every target, once for each time it runs. Of a texture less may be read, where little is covered.
+pub fn drawn_bytes(plan: &Plan, recording: &str, stage: &str) -> u64 {
+    let bytes_of =
+        |ids: &mut dyn Iterator<Item = ResourceId>| -> u64 { ids.map(|id| plan.resources().bytes(id)).sum() };
+    let commands = plan.commands(recording).iter().map(|command| match command {
+        Command::Dispatch(dispatch) if dispatch.stage == stage => {
+            bytes_of(&mut dispatch.bindings.iter().filter_map(|bound| bound.resource))
+        }
+        Command::Draw(draw) if draw.stage == stage => {
+            let bound = draw.bindings.iter().filter_map(|bound| bound.resource);
+            let color = draw.targets.color.iter().map(|(id, _)| *id);
+            bytes_of(&mut bound.chain(color).chain(draw.targets.depth.map(|(id, _)| id)))
+        }
+        _ => 0,
+    });
+    commands.sum()
 }
 
 #[cfg(test)]

@@ -89,6 +89,7 @@ pub(crate) const FIELDS: &[(&str, Kind)] = &[
     ("surface.radius_ratio", Kind::Number(within(0.1, 10.0, ""))),
     ("surface.anisotropic", Kind::Switch),
     ("surface.absorption_per_m", Kind::Vector(within(0.0, 1.0e6, "1/m"))),
+    ("surface.caustics", Kind::Switch),
     ("surface.refraction", Kind::Number(within(0.0, 2.0, ""))),
     ("surface.color_by", Kind::Choice(&["speed", "fluid", "density"])),
     ("camera", Kind::Table),

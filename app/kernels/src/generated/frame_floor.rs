@@ -8,7 +8,7 @@ use crate::{BindingError, BindingInfo, BindingKind, Bound, Draw, Module, StageKi
 /// Which variant of [`DrawFloor`] runs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct DrawFloorVariant {
-    /// Keyword `POINTS_SHADOW` or `WATER_SHADOW`.
+    /// Keyword `POINTS_SHADOW` or `WATER_SHADOW` or `CAUSTICS_SHADOW`.
     pub shadow: ShadowKeyword,
 }
 
@@ -31,6 +31,10 @@ pub struct DrawFloor<'a> {
     pub surface: Option<Uniform<'a, SurfaceParams>>,
     /// `ConstantBuffer<WaterStyle> water`.
     pub water: Option<Uniform<'a, WaterStyle>>,
+    /// `Texture2D<float> sun_depth`.
+    pub sun_depth: Option<Tex<'a>>,
+    /// `Texture2D<float4> caustics`.
+    pub caustics: Option<Tex<'a>>,
 }
 
 impl Draw for DrawFloor<'_> {
@@ -41,6 +45,7 @@ impl Draw for DrawFloor<'_> {
             ShadowKeyword::Off => &DRAW_FLOOR_VERTEX,
             ShadowKeyword::PointsShadow => &DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW,
             ShadowKeyword::WaterShadow => &DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW,
+            ShadowKeyword::CausticsShadow => &DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW,
         }
     }
     fn fragment(&self) -> Option<&'static Module> {
@@ -48,6 +53,7 @@ impl Draw for DrawFloor<'_> {
             ShadowKeyword::Off => Some(&DRAW_FLOOR_FRAGMENT),
             ShadowKeyword::PointsShadow => Some(&DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW),
             ShadowKeyword::WaterShadow => Some(&DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW),
+            ShadowKeyword::CausticsShadow => Some(&DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW),
         }
     }
     fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
@@ -62,6 +68,8 @@ impl Draw for DrawFloor<'_> {
                 ("sun_thickness", self.sun_thickness.as_ref().map(|bound| bound.id)),
                 ("surface", self.surface.as_ref().map(|bound| bound.id)),
                 ("water", self.water.as_ref().map(|bound| bound.id)),
+                ("sun_depth", self.sun_depth.as_ref().map(|bound| bound.id)),
+                ("caustics", self.caustics.as_ref().map(|bound| bound.id)),
             ],
         )
     }
@@ -75,6 +83,7 @@ pub(super) static MODULES: &[&Module] = &[
     &DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW,
     &DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW,
     &DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW,
+    &DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW,
 ];
 
 static BINDINGS_0: &[BindingInfo] = &[
@@ -115,6 +124,16 @@ static BINDINGS_5: &[BindingInfo] = &[
     BindingInfo { name: "style", slot: 6, kind: BindingKind::Uniform { bytes: 80 } },
 ];
 
+static BINDINGS_6: &[BindingInfo] = &[
+    BindingInfo { name: "sun_depth", slot: 0, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "caustics", slot: 1, kind: BindingKind::Texture { filterable: true } },
+    BindingInfo { name: "sampler_linear_clamp", slot: 2, kind: BindingKind::Sampler },
+    BindingInfo { name: "surface", slot: 3, kind: BindingKind::Uniform { bytes: 64 } },
+    BindingInfo { name: "view", slot: 4, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "light", slot: 5, kind: BindingKind::Uniform { bytes: 112 } },
+    BindingInfo { name: "style", slot: 6, kind: BindingKind::Uniform { bytes: 80 } },
+];
+
 static DRAW_FLOOR_VERTEX: Module = Module {
     name: "DrawFloor.vertex",
     entry: "FloorVertex",
@@ -125,7 +144,7 @@ static DRAW_FLOOR_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "dbb5fff0127b6cc6749e4afc137e1ce74c3664cc3b9b41581f7a9f7c7f9146d7",
+    hash: "40f1e1cab3b877f8021d892fa7be9ec02238f5cf25ae72bc9e3503f176fb2c47",
 };
 
 static DRAW_FLOOR_FRAGMENT: Module = Module {
@@ -138,7 +157,7 @@ static DRAW_FLOOR_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "5a10546a9d8e0150da1dbd1939cf8e3f483f9d19b2e4f21bd05e8c40dcd94a1d",
+    hash: "fd4fdf776789dfe4f59720fdbb32d777b4a68da381504be15e7c3fa9982b97a0",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW: Module = Module {
@@ -151,7 +170,7 @@ static DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "d983e12b5ab5181b94f5151798defde80252b70720d63a7bdbf006ac8a97a51f",
+    hash: "bc13b7bc39aea46496f556d4840f70d1193e83cc3b0643ce0c023bf60d23ed1d",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW: Module = Module {
@@ -164,7 +183,7 @@ static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "7243f81395eb6a304b5a1ecfb7f7cc062a542d25708cbee0af0e61d8788e4469",
+    hash: "ca366578eb50ca4bff22178e69b60a9560adcb8ac16d6e3b2e177ed5e70f7b87",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW: Module = Module {
@@ -177,7 +196,7 @@ static DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "818b3f6be47ae8d09f6680b0985d27361bce0ded20ce001f537f55a550623c9d",
+    hash: "54f631765723a50d3fd84991dc0b6d6f7d199f277a71cd441c1e337f87fe1fee",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW: Module = Module {
@@ -190,5 +209,18 @@ static DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "a9d821d7df3109848cd6060b58a0951ab5eb5fb4c3a9e15d6083ab49fc5c37af",
+    hash: "fa27c45aeaf880b942096b5da70d47bde501769feb350a8de39b0b75fb693558",
+};
+
+static DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW: Module = Module {
+    name: "DrawFloor.fragment+CAUSTICS_SHADOW",
+    entry: "FloorFragment",
+    stage: StageKind::Fragment,
+    spirv: include_bytes!("../../spirv/draw_floor.fragment+caustics_shadow.spv"),
+    bindings: BINDINGS_6,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "frame/floor.hlsl",
+    hash: "589be9da7796e560a5d7d30bcbc52a8b1a07a7776706dc83a5b137644eb727d1",
 };

@@ -130,7 +130,7 @@ static DRAW_SHADE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "7a960f4f60be265f648cccdf431f21ece5d753c53b8cb489505622f9dba68ac1",
+    hash: "3c45d031cbbf9510d7753cb5fc8a163e50b1eada3ef1599cc0175f3197abc553",
 };
 
 static DRAW_SHADE_FRAGMENT: Module = Module {
@@ -143,7 +143,7 @@ static DRAW_SHADE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "7b60bfb2f6160154cf9db69d093f2e330bcc1ca26aadabfcf09437ee7c89643b",
+    hash: "e894916c61a4a9f45f0396e6a274cb3eb9a3b15c376e8bef9db51248c6ca79bd",
 };
 
 static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
@@ -156,7 +156,7 @@ static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "95bf4d9c2b539f60fc30a9f058bad8d2f86e0f4ab2086a38e21ff899b813c3f0",
+    hash: "ce32002d0475661c2d52f34d397524bb4ebb664c172f038a750595c757e7e69d",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
@@ -169,7 +169,7 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "a7d26ec9cb69073eb9bf556084cc3680c76ea1420664bdb983223e100788aa40",
+    hash: "4ed6364f9cf8ba336388bbc1d0b76f93119d506aed18e893a410d781d6c3ba04",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
@@ -182,5 +182,5 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "d28cdbb56ec720f3df7dad6dce26fe196619123b1558caf06c97486394fc52f9",
+    hash: "c4263c2eb3c91e611a8724a27737fe5a60101eb440b49ffe9f61f2d9eb0c0155",
 };

@@ -55,7 +55,7 @@ static DRAW_SHADOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "31f14c5ce513ddfc5d2f6c40a4d08f4d17c47c3ee5abca7026d21bac1a49aa05",
+    hash: "691c565c9033e9a30d6830136b882802be7cc30ba4545eb5c06ec06f1a2cf2e9",
 };
 
 static DRAW_SHADOW_FRAGMENT: Module = Module {
@@ -68,5 +68,5 @@ static DRAW_SHADOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "ddc99ed6d15d658dec8b44a462ec7d5dad88b75c7f6c22870bdb02ad508a9f2e",
+    hash: "331d327037d77ceb471640daa9ddcfe58dfba2a4311163c6ca76e67e9b8f4628",
 };

@@ -46,7 +46,7 @@ static DRAW_SKY_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/sky.hlsl",
-    hash: "6625ad26f4fd363a7f0a281bcd493102c1a2d2582fcfb0adb431a07c9ed97b76",
+    hash: "6cb97b0da230317bb15cfc686e9005e2e89ba93a34a68b1e60d4b043aa12c4df",
 };
 
 static DRAW_SKY_FRAGMENT: Module = Module {
@@ -59,5 +59,5 @@ static DRAW_SKY_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/sky.hlsl",
-    hash: "e4f0d8fe022e44b416bf489eb09a893f1a1fb999913564a82d8fa1a6e88643da",
+    hash: "7e2e1892eb259931e79bcb43566f378c8b59585f9a44f327e970b25a29c5bc69",
 };

@@ -48,7 +48,7 @@ pub enum PrecisionKeyword {
     HalfPrecision,
 }
 
-/// `#pragma multi_compile _ POINTS_SHADOW WATER_SHADOW`.
+/// `#pragma multi_compile _ POINTS_SHADOW WATER_SHADOW CAUSTICS_SHADOW`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum ShadowKeyword {
     /// None of them is on.
@@ -58,18 +58,20 @@ pub enum ShadowKeyword {
     PointsShadow,
     /// `WATER_SHADOW` is on.
     WaterShadow,
+    /// `CAUSTICS_SHADOW` is on.
+    CausticsShadow,
 }
 
-/// `#pragma multi_compile _ SPRAY ELLIPSOIDS`.
+/// `#pragma multi_compile _ SPRAY_SHAPE ELLIPSOID_SHAPE`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum SprayOrEllipsoidsKeyword {
+pub enum ShapeKeyword {
     /// None of them is on.
     #[default]
     Off,
-    /// `SPRAY` is on.
-    Spray,
-    /// `ELLIPSOIDS` is on.
-    Ellipsoids,
+    /// `SPRAY_SHAPE` is on.
+    SprayShape,
+    /// `ELLIPSOID_SHAPE` is on.
+    EllipsoidShape,
 }
 
 /// `#pragma multi_compile _ BEHIND_WATER BEFORE_WATER`.

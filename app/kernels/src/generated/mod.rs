@@ -36,12 +36,16 @@ mod solver_pbf_curl;
 mod solver_pbf_update_velocity;
 mod solver_pbf_viscosity;
 mod surface_anisotropy;
+mod surface_caustics;
 mod surface_fluid_depth;
 mod surface_layout;
+mod surface_refract_photons;
 mod surface_smooth_bilateral;
 mod surface_smooth_curvature_flow;
 mod surface_smooth_gaussian;
 mod surface_smooth_narrow_range;
+mod surface_smooth_sun_depth;
+mod surface_sun_depth;
 mod surface_sun_thickness;
 mod surface_surface_normals;
 mod surface_thickness;
@@ -81,12 +85,16 @@ pub use solver_pbf_curl::*;
 pub use solver_pbf_update_velocity::*;
 pub use solver_pbf_viscosity::*;
 pub use surface_anisotropy::*;
+pub use surface_caustics::*;
 pub use surface_fluid_depth::*;
 pub use surface_layout::*;
+pub use surface_refract_photons::*;
 pub use surface_smooth_bilateral::*;
 pub use surface_smooth_curvature_flow::*;
 pub use surface_smooth_gaussian::*;
 pub use surface_smooth_narrow_range::*;
+pub use surface_smooth_sun_depth::*;
+pub use surface_sun_depth::*;
 pub use surface_sun_thickness::*;
 pub use surface_surface_normals::*;
 pub use surface_thickness::*;
@@ -126,11 +134,15 @@ pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
         solver_pbf_update_velocity::MODULES,
         solver_pbf_viscosity::MODULES,
         surface_anisotropy::MODULES,
+        surface_caustics::MODULES,
         surface_fluid_depth::MODULES,
+        surface_refract_photons::MODULES,
         surface_smooth_bilateral::MODULES,
         surface_smooth_curvature_flow::MODULES,
         surface_smooth_gaussian::MODULES,
         surface_smooth_narrow_range::MODULES,
+        surface_smooth_sun_depth::MODULES,
+        surface_sun_depth::MODULES,
         surface_sun_thickness::MODULES,
         surface_surface_normals::MODULES,
         surface_thickness::MODULES,

@@ -69,5 +69,5 @@ static ANISOTROPY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/anisotropy.compute",
-    hash: "fd297e2db9cdbccc8f1eb6ce7107dc372b6f2c8070644f22cc0594b986f8c1dc",
+    hash: "b274793bc2db298c78c9a22e90a5ecd0f6ea3607989a604c22d81da5cd66ea1e",
 };

@@ -2,7 +2,7 @@
 // makes it anew from surface/fluid_depth.hlsl.
 //! Kernels of `surface/fluid_depth.hlsl`.
 
-use super::{Ellipsoid, FrameView, ListHead, Position, SprayOrEllipsoidsKeyword, SurfaceParams};
+use super::{Ellipsoid, FrameView, ListHead, Position, ShapeKeyword, SurfaceParams};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, Draw, Module, StageKind, Tier, Uniform, bind_draw,
 };
@@ -10,8 +10,8 @@ use crate::{
 /// Which variant of [`DrawFluidDepth`] runs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct DrawFluidDepthVariant {
-    /// Keyword `SPRAY` or `ELLIPSOIDS`.
-    pub spray_or_ellipsoids: SprayOrEllipsoidsKeyword,
+    /// Keyword `SPRAY_SHAPE` or `ELLIPSOID_SHAPE`.
+    pub shape: ShapeKeyword,
 }
 
 /// The nearest of all particles' spheres, or ellipsoids (surface/anisotropy.compute), in each pixel, as
@@ -26,9 +26,6 @@ pub struct DrawFluidDepth<'a> {
     pub view: Uniform<'a, FrameView>,
     /// `ConstantBuffer<SurfaceParams> surface`.
     pub surface: Uniform<'a, SurfaceParams>,
-    /// A particle far from all others is a drop of spray: drawn as large as one that has to meet its
-    /// neighbours it would be a ball of glass.
-    ///
     /// `StructuredBuffer<ListHead> list_heads`.
     pub list_heads: Option<Buf<'a, ListHead>>,
     /// `StructuredBuffer<Ellipsoid> ellipsoids`.
@@ -39,17 +36,17 @@ impl Draw for DrawFluidDepth<'_> {
     const STAGE: &'static str = "draw_fluid_depth";
 
     fn vertex(&self) -> &'static Module {
-        match self.variant.spray_or_ellipsoids {
-            SprayOrEllipsoidsKeyword::Off => &DRAW_FLUID_DEPTH_VERTEX,
-            SprayOrEllipsoidsKeyword::Spray => &DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY,
-            SprayOrEllipsoidsKeyword::Ellipsoids => &DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOIDS,
+        match self.variant.shape {
+            ShapeKeyword::Off => &DRAW_FLUID_DEPTH_VERTEX,
+            ShapeKeyword::SprayShape => &DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE,
+            ShapeKeyword::EllipsoidShape => &DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE,
         }
     }
     fn fragment(&self) -> Option<&'static Module> {
-        match self.variant.spray_or_ellipsoids {
-            SprayOrEllipsoidsKeyword::Off => Some(&DRAW_FLUID_DEPTH_FRAGMENT),
-            SprayOrEllipsoidsKeyword::Spray => Some(&DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY),
-            SprayOrEllipsoidsKeyword::Ellipsoids => Some(&DRAW_FLUID_DEPTH_FRAGMENT),
+        match self.variant.shape {
+            ShapeKeyword::Off => Some(&DRAW_FLUID_DEPTH_FRAGMENT),
+            ShapeKeyword::SprayShape => Some(&DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE),
+            ShapeKeyword::EllipsoidShape => Some(&DRAW_FLUID_DEPTH_FRAGMENT),
         }
     }
     fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
@@ -71,9 +68,9 @@ impl Draw for DrawFluidDepth<'_> {
 pub(super) static MODULES: &[&Module] = &[
     &DRAW_FLUID_DEPTH_VERTEX,
     &DRAW_FLUID_DEPTH_FRAGMENT,
-    &DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY,
-    &DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY,
-    &DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOIDS,
+    &DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE,
+    &DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE,
+    &DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE,
 ];
 
 static BINDINGS_0: &[BindingInfo] = &[
@@ -115,7 +112,7 @@ static DRAW_FLUID_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "976197efb96415f8affd2c80d0885bbf9d4ef44e076b84dee1fa9dfa44676f82",
+    hash: "abff2cbfc3642e226ffcf7ddfca46a4a23644f937727ccd033be9458961e6f47",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
@@ -128,44 +125,44 @@ static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "027259438d214ac6ce3a63b40471884c5e41b965ba4cb0bab9a9ebf93b7cba22",
+    hash: "92e3aa52c41c8c0dafedbc7b77a6b54d8995015b251eca02c8db90b213874f1d",
 };
 
-static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY: Module = Module {
-    name: "DrawFluidDepth.vertex+SPRAY",
+static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
+    name: "DrawFluidDepth.vertex+SPRAY_SHAPE",
     entry: "FluidDepthVertex",
     stage: StageKind::Vertex,
-    spirv: include_bytes!("../../spirv/draw_fluid_depth.vertex+spray.spv"),
+    spirv: include_bytes!("../../spirv/draw_fluid_depth.vertex+spray_shape.spv"),
     bindings: BINDINGS_2,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "bd59e5f08fbc9148aed63489f4dd53632594c1df5ecf54f31ea485d37b5eea49",
+    hash: "7b3242aef35932769f19cb3849ddc1d4bc1e261fa700baf0ed46e7645caa6e6a",
 };
 
-static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY: Module = Module {
-    name: "DrawFluidDepth.fragment+SPRAY",
+static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
+    name: "DrawFluidDepth.fragment+SPRAY_SHAPE",
     entry: "FluidDepthFragment",
     stage: StageKind::Fragment,
-    spirv: include_bytes!("../../spirv/draw_fluid_depth.fragment+spray.spv"),
+    spirv: include_bytes!("../../spirv/draw_fluid_depth.fragment+spray_shape.spv"),
     bindings: BINDINGS_3,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "17a09c4c61967c00ab8b9c2e42cbc8d46f35443c87e1c4a8fb9214dc2bf61a3b",
+    hash: "4d4e0afed0add25953f9c2a12e002940f23a2ca9596d89a22f16c096036bf9ac",
 };
 
-static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOIDS: Module = Module {
-    name: "DrawFluidDepth.vertex+ELLIPSOIDS",
+static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
+    name: "DrawFluidDepth.vertex+ELLIPSOID_SHAPE",
     entry: "FluidDepthVertex",
     stage: StageKind::Vertex,
-    spirv: include_bytes!("../../spirv/draw_fluid_depth.vertex+ellipsoids.spv"),
+    spirv: include_bytes!("../../spirv/draw_fluid_depth.vertex+ellipsoid_shape.spv"),
     bindings: BINDINGS_4,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "dc36da7ef449fe2c2c0e5e0bce935a7df6ed312c3c03c7d4c77617f4904b6407",
+    hash: "9cea5f27216b2d8f0167bff2c9bfead7e592fea5d44cd3cecd2931d163e0b912",
 };

@@ -100,8 +100,10 @@ pub struct SurfaceParams {
     pub clamp_m: f32,
     /// curvature flow of one iteration: time x diffusivity, one
     pub flow_m2: f32,
-    /// `float2`.
-    pub reserved: [f32; 2],
+    /// a side of the grid that the sun sends its photons through
+    pub photons: f32,
+    /// reach of what smooths the surface that they meet
+    pub sun_smoothing_m: f32,
 }
 const _: () = {
     assert!(offset_of!(SurfaceParams, box_min_m) == 0);
@@ -114,8 +116,27 @@ const _: () = {
     assert!(offset_of!(SurfaceParams, range_m) == 44);
     assert!(offset_of!(SurfaceParams, clamp_m) == 48);
     assert!(offset_of!(SurfaceParams, flow_m2) == 52);
-    assert!(offset_of!(SurfaceParams, reserved) == 56);
+    assert!(offset_of!(SurfaceParams, photons) == 56);
+    assert!(offset_of!(SurfaceParams, sun_smoothing_m) == 60);
     assert!(size_of::<SurfaceParams>() == 64);
+};
+
+/// A ray of sunlight that the water bent.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+pub struct Photon {
+    /// where in the sun's map lies what it lights on the floor
+    pub uv: [f32; 2],
+    /// how much water it went through
+    pub path_m: f32,
+    /// of it that entered the water; 0 where there is none
+    pub share: f32,
+}
+const _: () = {
+    assert!(offset_of!(Photon, uv) == 0);
+    assert!(offset_of!(Photon, path_m) == 8);
+    assert!(offset_of!(Photon, share) == 12);
+    assert!(size_of::<Photon>() == 16);
 };
 
 /// How the water looks: colours in linear light.

@@ -73,7 +73,7 @@ static DRAW_SMOOTH_BILATERAL_VERTEX_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "91804cd64414c62b151c7680dd17c5011ee4104a752e9de9fbac507bd32ff5c0",
+    hash: "c7d65f6248c1511ed10bbcfbc75c0294c1809e7e948ac572fc5564d3938faeac",
 };
 
 static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_X: Module = Module {
@@ -86,7 +86,7 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "b6e1790cddd31f55da79d77e35c230c3c35f4371c48018eb13c8f2710834ba10",
+    hash: "1201475f6b8e39edf406ebf7824f742b362cf38060629c06c2faa083c6341902",
 };
 
 static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_Y: Module = Module {
@@ -99,7 +99,7 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "c800b5ecff38442a9e0475443c0f00b00cab2a746e38567cfaa972fdb7d0ec05",
+    hash: "48a7182c1aadfbddcbc0ab2eb2da081d7dc524bd866e48c2df61550f9d6ea403",
 };
 
 static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
@@ -112,5 +112,5 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "7dde95f2a5f3a64879e5556e8b5125f9630ae95da49860448fc0a6467b2f452f",
+    hash: "f2518a1dd69dbb93c0fe6fe86993cc7600f12610b8f47302368a8f42fef16360",
 };

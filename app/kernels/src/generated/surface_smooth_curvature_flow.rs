@@ -57,7 +57,7 @@ static DRAW_SMOOTH_CURVATURE_FLOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_curvature_flow.hlsl",
-    hash: "a1795a4c5445e24d66c5903286804fe4eae63edb8ff3c33867b03bb56ba0260a",
+    hash: "768a80052ecca70eb4ca2dfb6a0cb5ab673eefccbab016e57bda43db4296e973",
 };
 
 static DRAW_SMOOTH_CURVATURE_FLOW_FRAGMENT: Module = Module {
@@ -70,5 +70,5 @@ static DRAW_SMOOTH_CURVATURE_FLOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_curvature_flow.hlsl",
-    hash: "6a4a2d9045b219e661042d124512007dc386038b2ce10121eb4428e80592524e",
+    hash: "150d626e993f9e11a8e2fa7402fd7c312a4fbb8d8fe2b82c8109f21da1c0cc28",
 };

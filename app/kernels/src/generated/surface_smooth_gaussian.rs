@@ -70,7 +70,7 @@ static DRAW_SMOOTH_GAUSSIAN_VERTEX_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_gaussian.hlsl",
-    hash: "70d11ab4d5be019d841210d471d6720baf76793bdde8855670f6c73442158bb2",
+    hash: "bac32d8b886ae3982f3de68e372057555346b72ae81a27a37a8467eb06ba975d",
 };
 
 static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_X: Module = Module {
@@ -83,7 +83,7 @@ static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_gaussian.hlsl",
-    hash: "f70b35f76d223865080f55685b38ba94df98fda2224d62172835435f7c6b148e",
+    hash: "8473ab2c9b79e850c328eadd2eb19e14b5afaa31904f9a28b7c34747fc3413aa",
 };
 
 static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_Y: Module = Module {
@@ -96,5 +96,5 @@ static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_gaussian.hlsl",
-    hash: "c8191cf4194b5847867a70380502b60908b98e2fd5a92e1d98609772c4057e39",
+    hash: "364b70566c5a25b55df653d29e69c68de716421da13804208f64fd551f0eb7a0",
 };

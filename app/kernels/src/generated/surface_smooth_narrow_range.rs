@@ -74,7 +74,7 @@ static DRAW_SMOOTH_NARROW_RANGE_VERTEX_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "a2db2404ac102fa43ddc8c3675c9d3a47b61d604669e108dc55cc90fa72dfd3d",
+    hash: "edcff81bc4ecd01ff120f6c1e9aab496f538ee84274fb7c0cddd510bd321eb84",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_X: Module = Module {
@@ -87,7 +87,7 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "383a375f1625bf30150b553490224fc4e8401f73c82a53d733f60deb6ab33b11",
+    hash: "d7fb9b2f866e0607474325805b8c005e43855fa0f2650bb2f9d53419d64d2739",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_Y: Module = Module {
@@ -100,7 +100,7 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "7bc95ca5ff3eb296fd4c5805d858282803847c00c8a9554623039ed2f8a88783",
+    hash: "7c7e24e9483ed95c62b79be67c7f2f27a123c420fc35e7945e3c5d0bd965e5f4",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
@@ -113,5 +113,5 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "05944317dde685f09c0b756ab52f087f25d1cd9edef5766fa7c2c0d6bc430080",
+    hash: "acb45dff77a6f1513c2fc6ab0d080940a782047bfd47565d17bbdf8dc523f6dd",
 };

@@ -54,7 +54,7 @@ static DRAW_SURFACE_NORMALS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/surface_normals.hlsl",
-    hash: "f53672322e033cd3a5e6c1a90b95348c21828c24c2282358e98969a78dab8bfd",
+    hash: "a1478dd55cc1006925f39f090b8e4c142252e170dfa97555f43ea6a7b587ba0d",
 };
 
 static DRAW_SURFACE_NORMALS_FRAGMENT: Module = Module {
@@ -67,5 +67,5 @@ static DRAW_SURFACE_NORMALS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/surface_normals.hlsl",
-    hash: "9114ea64281f36b58524c1feade91490d31107e37debe1c6f65fd6d2f34a369b",
+    hash: "37f233d1c68f9f86c516c1599ce7526eca82865c144bcf0d5a159bf93860b96c",
 };

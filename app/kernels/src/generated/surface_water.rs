@@ -85,7 +85,7 @@ static DRAW_WATER_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "13e56cb8fbaccb8b1adb76f3ba28defd88d2d21439a236c3b15707ed192500e1",
+    hash: "5705a8bd3eaad549f22b23e5a5f6f41556a371796d1bf59aa8d3b54ae65b461c",
 };
 
 static DRAW_WATER_FRAGMENT: Module = Module {
@@ -98,5 +98,5 @@ static DRAW_WATER_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "7b1e955d7a967161ad544374a772eeac97e3863c7fffc94f39ef18927efac6a5",
+    hash: "492a065e6512fb38ad284dc6b3d2bdc100f467a78926aee6f1d5d21fd920ada4",
 };

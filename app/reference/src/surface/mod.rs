@@ -1,15 +1,23 @@
-//! Twins of the stages that make a surface in screen space: ellipsoids, smoothing filters and normals. A
-//! picture is rows from the top of nearness, 1 / distance along the direction of view, in 1/m; 0
+//! Twins of the stages that make a surface in screen space: ellipsoids, depth, smoothing filters, normals and
+//! thickness; and of those that carry sunlight through it (caustics). A picture is rows from the top of nearness, 1 / distance along the direction of view, in 1/m; 0
 //! where no fluid is.
 
 pub mod anisotropy;
+pub mod caustics;
+pub mod fluid_depth;
+pub mod refract_photons;
 pub mod smooth_bilateral;
 pub mod smooth_curvature_flow;
 pub mod smooth_gaussian;
 pub mod smooth_narrow_range;
+pub mod smooth_sun_depth;
+pub mod sun_depth;
+pub mod sun_map;
 pub mod surface_normals;
+pub mod thickness;
 
 use brooklet_kernels::{FrameView, SurfaceParams};
+use glam::DVec3;
 
 /// A picture of nearness, 1/m.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,6 +54,16 @@ impl Nearness {
         });
         Self { size_px: self.size_px, values: values.collect() }
     }
+}
+
+/// The ray through a pixel's middle, 1 along the direction of view, in world axes.
+pub(crate) fn ray_of(view: &FrameView, size_px: [usize; 2], index: usize) -> DVec3 {
+    let vector = |v: [f32; 3]| DVec3::from_array(v.map(f64::from));
+    let x = ((index % size_px[0]) as f64 + 0.5) / size_px[0] as f64 * 2.0 - 1.0;
+    let y = 1.0 - ((index / size_px[0]) as f64 + 0.5) / size_px[1] as f64 * 2.0;
+    vector(view.forward)
+        + vector(view.right) * (x * f64::from(view.tan_half_width))
+        + vector(view.up) * (y * f64::from(view.tan_half_height))
 }
 
 /// A small difference of distance as one of nearness.
@@ -85,7 +103,8 @@ mod tests {
             range_m: 0.3,
             clamp_m: 0.1,
             flow_m2: 1e-5,
-            reserved: [0.0; 2],
+            photons: 0.0,
+            sun_smoothing_m: 0.1,
         };
         let view = FrameView {
             eye_m: [0.0; 3],

@@ -28,7 +28,7 @@ pub fn surface_normals(from: &Nearness, params: &SurfaceParams, view: &FrameView
 }
 
 /// Central where both neighbours are of one surface, else the smaller one-sided difference.
-fn slope(before: f64, here: f64, after: f64, same: f64) -> f64 {
+pub(crate) fn slope(before: f64, here: f64, after: f64, same: f64) -> f64 {
     let backward = (before > 0.0).then_some(here - before);
     let forward = (after > 0.0).then_some(after - here);
     match (backward, forward) {

@@ -14,7 +14,7 @@ use brooklet_kernels::{
     ShadowKeyword, SurfaceParams, Texture, WaterKeyword, WaterStyle,
 };
 
-use crate::surface::screen_space::{self, Water};
+use crate::surface::screen_space::{self, Caustics, SeenBy, Shapes, Sunlit, Thickness, Water};
 use crate::surface::{Particles, ScreenSpaceOptions, SmoothedSurface, SurfaceOptions, points};
 use crate::{RenderError, View};
 
@@ -36,10 +36,21 @@ pub struct FramePasses {
     /// Depth of what is opaque in the drawn pixels, supersampled and reversed: near / distance, 0
     /// where the sky is.
     pub depth: Texture,
-    /// The fluid's surface, where it is smoothed in screen space.
-    pub surface: Option<SmoothedSurface>,
+    /// The water and its light, where it is drawn in screen space.
+    pub water: Option<WaterPasses>,
     /// Camera, light and style, to be written when they change.
     pub uniforms: FrameUniforms,
+}
+
+/// What a picture of water is made from.
+#[derive(Debug)]
+pub struct WaterPasses {
+    /// The fluid's surface.
+    pub surface: SmoothedSurface,
+    /// How much fluid the eye and the sun look through.
+    pub thickness: Thickness,
+    /// Sunlight on the floor, where it is carried there photon by photon.
+    pub caustics: Option<Caustics>,
 }
 
 /// Records how particles are drawn.
@@ -74,7 +85,7 @@ pub fn record(
     let mut recording = Recording::new(DRAW);
     let mut frame = Frame { resources, recording: &mut recording, uniforms: &uniforms, options };
     let onto = (&radiance, &depth);
-    let surface = match &options.surface {
+    let water = match &options.surface {
         SurfaceOptions::None => {
             frame.surroundings(onto, ShadowOf::Nothing, false);
             frame.edges(&radiance, Some(&depth), None);
@@ -92,7 +103,7 @@ pub fn record(
             Some(frame.screen_space(&mut init, (view, water), particles, onto, &color))
         }
     };
-    Ok(FramePasses { init, recording, color, depth, surface, uniforms })
+    Ok(FramePasses { init, recording, color, depth, water, uniforms })
 }
 
 /// What shades the floor.
@@ -100,6 +111,7 @@ enum ShadowOf<'a> {
     Nothing,
     Points(&'a Texture),
     Water { sun_thickness: &'a Texture, surface: &'a Buffer<SurfaceParams>, water: &'a Buffer<WaterStyle> },
+    Caustics { caustics: &'a Caustics, surface: &'a Buffer<SurfaceParams> },
 }
 
 /// A picture's recording in the making.
@@ -116,36 +128,36 @@ impl Frame<'_> {
     fn surroundings(&mut self, (radiance, depth): (&Texture, &Texture), shadow: ShadowOf<'_>, drawn: bool) {
         let (view, light, style) =
             (self.uniforms.view.uniform(), self.uniforms.light.uniform(), self.uniforms.style.uniform());
+        let plain = DrawFloor {
+            variant: variant(ShadowKeyword::Off),
+            shadow_map: None,
+            sun_thickness: None,
+            sun_depth: None,
+            caustics: None,
+            surface: None,
+            water: None,
+            view,
+            light,
+            style,
+        };
         let floor = match shadow {
-            ShadowOf::Nothing => DrawFloor {
-                variant: variant(ShadowKeyword::Off),
-                shadow_map: None,
-                sun_thickness: None,
-                surface: None,
-                water: None,
-                view,
-                light,
-                style,
-            },
-            ShadowOf::Points(map) => DrawFloor {
-                variant: variant(ShadowKeyword::PointsShadow),
-                shadow_map: Some(map.read()),
-                sun_thickness: None,
-                surface: None,
-                water: None,
-                view,
-                light,
-                style,
-            },
+            ShadowOf::Nothing => plain,
+            ShadowOf::Points(map) => {
+                DrawFloor { variant: variant(ShadowKeyword::PointsShadow), shadow_map: Some(map.read()), ..plain }
+            }
             ShadowOf::Water { sun_thickness, surface, water } => DrawFloor {
                 variant: variant(ShadowKeyword::WaterShadow),
-                shadow_map: None,
                 sun_thickness: Some(sun_thickness.read()),
                 surface: Some(surface.uniform()),
                 water: Some(water.uniform()),
-                view,
-                light,
-                style,
+                ..plain
+            },
+            ShadowOf::Caustics { caustics, surface } => DrawFloor {
+                variant: variant(ShadowKeyword::CausticsShadow),
+                sun_depth: Some(caustics.sun_depth.read()),
+                caustics: Some(caustics.light.read()),
+                surface: Some(surface.uniform()),
+                ..plain
             },
         };
         let first = match drawn {
@@ -208,35 +220,39 @@ impl Frame<'_> {
         particles: &Particles<'_>,
         (radiance, depth): (&Texture, &Texture),
         color: &Texture,
-    ) -> SmoothedSurface {
+    ) -> WaterPasses {
         let uniforms = self.uniforms;
-        let surface = screen_space::record(
-            self.resources,
-            (init, self.recording),
-            &uniforms.view,
-            particles,
-            radiance.size_px,
-            self.options.tier,
-            options,
-        );
-        let mut water_style = self.resources.state("water_style", 1);
-        init.upload(&mut water_style, &[options.water()]);
-        let (thickness, sun_thickness) = screen_space::record_thickness(
-            self.resources,
-            self.recording,
-            (&uniforms.view, &uniforms.light),
-            particles,
-            &surface.params,
-            (view.size_px.map(|side| side.div_ceil(options.thickness_divisor)), self.options.shadow_texels),
-        );
-        let shadow = ShadowOf::Water { sun_thickness: &sun_thickness, surface: &surface.params, water: &water_style };
+        let tier = self.options.tier;
+        let into = (&mut *init, &mut *self.recording);
+        let surface =
+            screen_space::record(self.resources, into, &uniforms.view, particles, radiance.size_px, tier, options);
+        let mut style = self.resources.state("water_style", 1);
+        init.upload(&mut style, &[options.water()]);
+        let shapes = Shapes::new(particles, surface.ellipsoids.as_ref());
+        let seen_by = SeenBy {
+            view: &uniforms.view,
+            size_px: view.size_px.map(|side| side.div_ceil(options.thickness_divisor)),
+            light: &uniforms.light,
+            sun_texels: self.options.shadow_texels,
+        };
+        let thickness =
+            screen_space::record_thickness(self.resources, self.recording, &shapes, &surface.params, &seen_by);
+        let sunlit =
+            Sunlit { light: &uniforms.light, params: &surface.params, water: &style, sun_thickness: &thickness.sun };
+        let grid = (options.photons, tier);
+        let caustics = (options.photons > 0)
+            .then(|| screen_space::record_caustics(self.resources, self.recording, &shapes, &sunlit, grid));
+        let shadow = match &caustics {
+            Some(caustics) => ShadowOf::Caustics { caustics, surface: &surface.params },
+            None => ShadowOf::Water { sun_thickness: &thickness.sun, surface: &surface.params, water: &style },
+        };
         self.surroundings((radiance, depth), shadow, false);
         self.edges(radiance, Some(depth), Some((WaterKeyword::BehindWater, &surface.nearness)));
-        let water = Water { surface: &surface, thickness: &thickness, style: &water_style };
+        let water = Water { surface: &surface, thickness: &thickness.eye, style: &style };
         let seen = screen_space::record_water(self.resources, self.recording, uniforms, &water, (radiance, depth));
         self.edges(&seen, None, Some((WaterKeyword::BeforeWater, &surface.nearness)));
         self.resolve(radiance, None, Some(&seen), color);
-        surface
+        WaterPasses { surface, thickness, caustics }
     }
 }
 

@@ -6,6 +6,7 @@ use brooklet_kernels::{Format, Tier};
 
 use crate::RenderError;
 use crate::surface::SurfaceOptions;
+use crate::surface::screen_space::depth_format;
 
 /// What a particle's colour tells.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -47,7 +48,7 @@ impl FrameOptions {
     pub fn for_scene(scene: &Scene, tier: Tier) -> Self {
         Self {
             tier,
-            surface: SurfaceOptions::for_scene(scene),
+            surface: SurfaceOptions::for_scene(scene, tier),
             radius_m: 0.55 * scene.spacing_m,
             coloring: match scene.surface.color_by {
                 PointColor::Speed => Coloring::Speed { foam_m_s: foam_m_s(scene) },
@@ -82,7 +83,7 @@ impl FrameOptions {
     }
 
     pub(crate) fn depth_format(&self) -> Format {
-        if self.tier == Tier::Floor { Format::Depth24Plus } else { Format::Depth32Float }
+        depth_format(self.tier)
     }
 }
 

@@ -7,7 +7,7 @@ use brooklet_fluid::grid::Neighbours;
 use brooklet_fluid::measure::Densities;
 use brooklet_fluid::scene::SurfaceMethod;
 use brooklet_fluid::{Recorded, Scene};
-use brooklet_kernels::{Buffer, Position, Velocity};
+use brooklet_kernels::{Buffer, Position, Tier, Velocity};
 
 pub use screen_space::{ScreenSpaceOptions, SmoothedSurface};
 
@@ -52,12 +52,12 @@ pub enum SurfaceOptions {
 }
 
 impl SurfaceOptions {
-    /// What a scene asks for.
-    pub fn for_scene(scene: &Scene) -> Self {
+    /// What a scene asks for, on a device of `tier`.
+    pub fn for_scene(scene: &Scene, tier: Tier) -> Self {
         match scene.surface.method {
             SurfaceMethod::None => Self::None,
             SurfaceMethod::Points => Self::Points,
-            SurfaceMethod::ScreenSpace => Self::ScreenSpace(ScreenSpaceOptions::for_scene(scene)),
+            SurfaceMethod::ScreenSpace => Self::ScreenSpace(ScreenSpaceOptions::for_scene(scene, tier)),
         }
     }
 }

@@ -86,7 +86,7 @@ pub fn draw(
 ) -> Result<Drawn, Failure> {
     let tier: Tier = gpu.tier();
     let scene = scene(shape, filter)?;
-    let options = ScreenSpaceOptions::for_scene(&scene);
+    let options = ScreenSpaceOptions::for_scene(&scene, tier);
     let frame = FrameOptions {
         tier,
         surface: SurfaceOptions::ScreenSpace(options),

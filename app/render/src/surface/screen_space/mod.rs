@@ -5,18 +5,26 @@
 //! camera; a picture records the water on top of it.
 
 pub mod anisotropy;
+mod caustics;
 mod options;
+mod shapes;
 mod smoothing;
+mod thickness;
 mod water;
 
 use brooklet_gpu::{Blend, DepthTest, DrawState, Load, Recording, Resources, Targets};
 use brooklet_kernels::{
-    Buffer, DrawFluidDepth, DrawFluidDepthVariant, DrawSunThickness, DrawSurfaceNormals, DrawThickness, Format,
-    FrameLight, FrameView, SprayOrEllipsoidsKeyword, SurfaceParams, Texture, Tier,
+    Buffer, DrawFluidDepth, DrawFluidDepthVariant, DrawSurfaceNormals, Ellipsoid, Format, FrameView, SurfaceParams,
+    Texture, Tier,
 };
 
 use super::Particles;
+pub use caustics::Caustics;
+pub(crate) use caustics::{Sunlit, record as record_caustics};
 pub use options::ScreenSpaceOptions;
+pub(crate) use shapes::Shapes;
+pub use thickness::Thickness;
+pub(crate) use thickness::{SeenBy, record as record_thickness};
 pub(crate) use water::{Water, record as record_water};
 
 /// The surface as the eye sees it.
@@ -34,6 +42,8 @@ pub struct SmoothedSurface {
     pub normals: Texture,
     /// The spheres' depth buffer: what later draws over the fluid test against.
     pub(crate) covered: Texture,
+    /// What the particles are drawn as, where they are stretched.
+    pub(crate) ellipsoids: Option<Buffer<Ellipsoid>>,
     /// The settings on the GPU.
     pub params: Buffer<SurfaceParams>,
 }
@@ -61,27 +71,21 @@ pub fn record(
 ) -> SmoothedSurface {
     let mut params = resources.state("surface_params", 1);
     init.upload(&mut params, &[options.params()]);
-    let depth_format = if tier == Tier::Floor { Format::Depth24Plus } else { Format::Depth32Float };
     // R32Float is renderable on every tier; nobody filters or blends it.
     let raw = resources.texture("fluid_nearness", Format::R32Float, size_px);
-    let covered = resources.texture("fluid_depth", depth_format, size_px);
+    let covered = resources.texture("fluid_depth", depth_format(tier), size_px);
     let view = view.uniform();
     let ellipsoids = particles
         .neighbours
         .filter(|_| options.anisotropic && particles.count > 0)
         .map(|neighbours| anisotropy::record(resources, (init, recording), particles, neighbours, options));
-    let spray = particles.neighbours.filter(|_| ellipsoids.is_none());
-    let spray_or_ellipsoids = match (&ellipsoids, spray) {
-        (Some(_), _) => SprayOrEllipsoidsKeyword::Ellipsoids,
-        (None, Some(_)) => SprayOrEllipsoidsKeyword::Spray,
-        (None, None) => SprayOrEllipsoidsKeyword::Off,
-    };
+    let shapes = Shapes::new(particles, ellipsoids.as_ref());
     recording.draw(
         &DrawFluidDepth {
-            variant: DrawFluidDepthVariant { spray_or_ellipsoids },
-            positions: ellipsoids.is_none().then(|| particles.positions.read()),
-            list_heads: spray.map(|neighbours| neighbours.heads.read()),
-            ellipsoids: ellipsoids.as_ref().map(Buffer::read),
+            variant: DrawFluidDepthVariant { shape: shapes.keyword() },
+            positions: shapes.positions(),
+            list_heads: shapes.list_heads(),
+            ellipsoids: shapes.ellipsoids(),
             view,
             surface: params.uniform(),
         },
@@ -99,35 +103,9 @@ pub fn record(
         3,
         1,
     );
-    SmoothedSurface { raw, nearness, normals, covered, params }
+    SmoothedSurface { raw, nearness, normals, covered, ellipsoids, params }
 }
 
-/// Records how much fluid each pixel looks through, in spacings, at `thickness_divisor` drawn
-/// pixels a texel, and how much the sun does. `R16Float` blends and filters on every tier.
-pub(crate) fn record_thickness(
-    resources: &mut Resources,
-    recording: &mut Recording,
-    (view, light): (&Buffer<FrameView>, &Buffer<FrameLight>),
-    particles: &Particles<'_>,
-    params: &Buffer<SurfaceParams>,
-    (size_px, sun_texels): ([u32; 2], u32),
-) -> (Texture, Texture) {
-    let add = DrawState { blend: Blend::Additive, ..DrawState::default() };
-    let thickness = resources.texture("thickness", Format::R16Float, size_px);
-    recording.draw(
-        &DrawThickness { positions: particles.positions.read(), view: view.uniform(), surface: params.uniform() },
-        &Targets { color: vec![(&thickness, Load::Clear([0.0; 4]))], depth: None },
-        add,
-        3,
-        particles.count,
-    );
-    let sun_thickness = resources.texture("sun_thickness", Format::R16Float, [sun_texels; 2]);
-    recording.draw(
-        &DrawSunThickness { positions: particles.positions.read(), light: light.uniform(), surface: params.uniform() },
-        &Targets { color: vec![(&sun_thickness, Load::Clear([0.0; 4]))], depth: None },
-        add,
-        3,
-        particles.count,
-    );
-    (thickness, sun_thickness)
+pub(crate) fn depth_format(tier: Tier) -> Format {
+    if tier == Tier::Floor { Format::Depth24Plus } else { Format::Depth32Float }
 }

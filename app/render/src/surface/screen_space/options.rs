@@ -2,7 +2,7 @@
 
 use brooklet_fluid::Scene;
 use brooklet_fluid::scene::Smoothing;
-use brooklet_kernels::{SurfaceParams, WaterStyle};
+use brooklet_kernels::{SurfaceParams, Tier, WaterStyle};
 use glam::DVec3;
 
 use crate::RenderError;
@@ -39,6 +39,9 @@ pub struct ScreenSpaceOptions {
     pub absorption_per_m: DVec3,
     /// How much of water's refraction bends what is seen through it: 0 none, 1 all.
     pub refraction: f64,
+    /// Photons a side of the grid over the sun's map that make caustics on the floor, up to 1024; 0 casts a
+    /// tinted shadow instead, and no pass, buffer or code of caustics is there.
+    pub photons: u32,
 }
 
 /// A particle's volume is spread as thickness over a disc of so many spacings.
@@ -54,10 +57,14 @@ const ABSORPTION: DVec3 = DVec3::new(7.0, 1.7, 0.75);
 const SCATTER_COLOR: [f32; 3] = [0.006, 0.065, 0.130];
 const SCATTER: f64 = 1.8;
 const ROUGHNESS: f32 = 0.18;
+/// A photon then lights two texels a side of a shadow map of 512.
+const PHOTONS: u32 = 256;
+/// The surface that sunlight meets is smoothed over so many spacings: a bump of a particle is a lens, too.
+const SUN_SMOOTHING_RATIO: f64 = 4.0;
 
 impl ScreenSpaceOptions {
-    /// What a scene asks for.
-    pub fn for_scene(scene: &Scene) -> Self {
+    /// What a scene asks for, on a device of `tier`.
+    pub fn for_scene(scene: &Scene, tier: Tier) -> Self {
         let (surface, spacing_m) = (&scene.surface, scene.spacing_m);
         let size_m = DVec3::from(scene.domain.size_m());
         let radius_m = surface.radius_ratio * spacing_m;
@@ -77,6 +84,7 @@ impl ScreenSpaceOptions {
             thickness_divisor: 2,
             absorption_per_m: surface.absorption_per_m.map_or(ABSORPTION / size_m.length(), DVec3::from),
             refraction: surface.refraction,
+            photons: if surface.caustics.unwrap_or(tier == Tier::Desktop) { PHOTONS } else { 0 },
         }
     }
 
@@ -110,6 +118,9 @@ impl ScreenSpaceOptions {
         if !(0.0..=2.0).contains(&self.refraction) {
             return Err(RenderError::not_allowed("refraction", self.refraction, "0 to 2 are allowed"));
         }
+        if self.photons > 1024 {
+            return Err(RenderError::not_allowed("photons", self.photons, "0 to 1024 are allowed"));
+        }
         let [min, max] = self.box_m;
         if min.is_nan() || max.is_nan() || !min.cmplt(max).all() {
             let value = [min.to_array(), max.to_array()];
@@ -133,7 +144,8 @@ impl ScreenSpaceOptions {
             range_m: self.range_m as f32,
             clamp_m: self.clamp_m as f32,
             flow_m2: (self.smoothing_m * self.smoothing_m / (8.0 * f64::from(self.iterations.max(1)))) as f32,
-            reserved: [0.0; 2],
+            photons: self.photons as f32,
+            sun_smoothing_m: (SUN_SMOOTHING_RATIO * self.spacing_m) as f32,
         }
     }
 

@@ -1,0 +1,80 @@
+// Written by the shader compiler; do not edit. `cargo run -p brooklet-compiler -- build`
+// makes it anew from surface/caustics.hlsl.
+//! Kernels of `surface/caustics.hlsl`.
+
+use super::{FrameLight, Photon, SurfaceParams, WaterStyle};
+use crate::{
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, Draw, Module, StageKind, Tier, Uniform, bind_draw,
+};
+
+/// The light that photons bring to the floor, in the sun's map: 1 where the sun shines on it unhindered.
+#[derive(Debug)]
+pub struct DrawCaustics<'a> {
+    /// `StructuredBuffer<Photon> photons`.
+    pub photons: Buf<'a, Photon>,
+    /// `ConstantBuffer<FrameLight> light`.
+    pub light: Uniform<'a, FrameLight>,
+    /// `ConstantBuffer<SurfaceParams> surface`.
+    pub surface: Uniform<'a, SurfaceParams>,
+    /// `ConstantBuffer<WaterStyle> water`.
+    pub water: Uniform<'a, WaterStyle>,
+}
+
+impl Draw for DrawCaustics<'_> {
+    const STAGE: &'static str = "draw_caustics";
+
+    fn vertex(&self) -> &'static Module {
+        &DRAW_CAUSTICS_VERTEX
+    }
+    fn fragment(&self) -> Option<&'static Module> {
+        Some(&DRAW_CAUSTICS_FRAGMENT)
+    }
+    fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
+        bind_draw(
+            self.vertex(),
+            self.fragment(),
+            &[
+                ("photons", Some(self.photons.id)),
+                ("light", Some(self.light.id)),
+                ("surface", Some(self.surface.id)),
+                ("water", Some(self.water.id)),
+            ],
+        )
+    }
+}
+
+/// The modules of this file.
+pub(super) static MODULES: &[&Module] = &[&DRAW_CAUSTICS_VERTEX, &DRAW_CAUSTICS_FRAGMENT];
+
+static BINDINGS_0: &[BindingInfo] = &[
+    BindingInfo { name: "photons", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
+    BindingInfo { name: "light", slot: 1, kind: BindingKind::Uniform { bytes: 112 } },
+    BindingInfo { name: "surface", slot: 2, kind: BindingKind::Uniform { bytes: 64 } },
+    BindingInfo { name: "water", slot: 3, kind: BindingKind::Uniform { bytes: 48 } },
+];
+
+static DRAW_CAUSTICS_VERTEX: Module = Module {
+    name: "DrawCaustics.vertex",
+    entry: "CausticsVertex",
+    stage: StageKind::Vertex,
+    spirv: include_bytes!("../../spirv/draw_caustics.vertex.spv"),
+    bindings: BINDINGS_0,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "surface/caustics.hlsl",
+    hash: "eeeaef3e8e6fdd1ab1b4dbaead487ebea8f0928a23399bd61a0da973cb63ee89",
+};
+
+static DRAW_CAUSTICS_FRAGMENT: Module = Module {
+    name: "DrawCaustics.fragment",
+    entry: "CausticsFragment",
+    stage: StageKind::Fragment,
+    spirv: include_bytes!("../../spirv/draw_caustics.fragment.spv"),
+    bindings: &[],
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "surface/caustics.hlsl",
+    hash: "3518646aa6c58f38fa60ec937fe20ea59f7a8f2ddc55d91b72f47c9c0835739c",
+};

@@ -1,0 +1,105 @@
+// Written by the shader compiler; do not edit. `cargo run -p brooklet-compiler -- build`
+// makes it anew from surface/smooth_sun_depth.hlsl.
+//! Kernels of `surface/smooth_sun_depth.hlsl`.
+
+use super::{AlongKeyword, FrameLight, SurfaceParams};
+use crate::{BindingError, BindingInfo, BindingKind, Bound, Draw, Module, StageKind, Tex, Tier, Uniform, bind_draw};
+
+/// Which variant of [`DrawSmoothSunDepth`] runs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct DrawSmoothSunDepthVariant {
+    /// Keyword `ALONG_X` or `ALONG_Y`.
+    pub along: AlongKeyword,
+}
+
+/// The surface that sunlight meets without the particles' bumps, which would each be a lens: a Gaussian,
+/// one direction a pass, over pairs of opposite places that lie on one surface. In pairs a plane
+/// stays as it is, however the sun stands to it, up to its edge.
+#[derive(Debug)]
+pub struct DrawSmoothSunDepth<'a> {
+    /// Its variant.
+    pub variant: DrawSmoothSunDepthVariant,
+    /// `Texture2D<float> sun_depth`.
+    pub sun_depth: Tex<'a>,
+    /// `ConstantBuffer<FrameLight> light`.
+    pub light: Uniform<'a, FrameLight>,
+    /// `ConstantBuffer<SurfaceParams> surface`.
+    pub surface: Uniform<'a, SurfaceParams>,
+}
+
+impl Draw for DrawSmoothSunDepth<'_> {
+    const STAGE: &'static str = "draw_smooth_sun_depth";
+
+    fn vertex(&self) -> &'static Module {
+        &DRAW_SMOOTH_SUN_DEPTH_VERTEX_WITH_ALONG_X
+    }
+    fn fragment(&self) -> Option<&'static Module> {
+        match self.variant.along {
+            AlongKeyword::AlongX => Some(&DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_X),
+            AlongKeyword::AlongY => Some(&DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_Y),
+        }
+    }
+    fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
+        bind_draw(
+            self.vertex(),
+            self.fragment(),
+            &[
+                ("sun_depth", Some(self.sun_depth.id)),
+                ("light", Some(self.light.id)),
+                ("surface", Some(self.surface.id)),
+            ],
+        )
+    }
+}
+
+/// The modules of this file.
+pub(super) static MODULES: &[&Module] = &[
+    &DRAW_SMOOTH_SUN_DEPTH_VERTEX_WITH_ALONG_X,
+    &DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_X,
+    &DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_Y,
+];
+
+static BINDINGS_0: &[BindingInfo] = &[
+    BindingInfo { name: "sun_depth", slot: 0, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "light", slot: 1, kind: BindingKind::Uniform { bytes: 112 } },
+    BindingInfo { name: "surface", slot: 2, kind: BindingKind::Uniform { bytes: 64 } },
+];
+
+static DRAW_SMOOTH_SUN_DEPTH_VERTEX_WITH_ALONG_X: Module = Module {
+    name: "DrawSmoothSunDepth.vertex+ALONG_X",
+    entry: "SmoothSunDepthVertex",
+    stage: StageKind::Vertex,
+    spirv: include_bytes!("../../spirv/draw_smooth_sun_depth.vertex+along_x.spv"),
+    bindings: &[],
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "surface/smooth_sun_depth.hlsl",
+    hash: "d2c405f60d6b53cbffb9fccbc3417d72a5ca53d92644bbea5c53300d00656ec4",
+};
+
+static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_X: Module = Module {
+    name: "DrawSmoothSunDepth.fragment+ALONG_X",
+    entry: "SmoothSunDepthFragment",
+    stage: StageKind::Fragment,
+    spirv: include_bytes!("../../spirv/draw_smooth_sun_depth.fragment+along_x.spv"),
+    bindings: BINDINGS_0,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "surface/smooth_sun_depth.hlsl",
+    hash: "23cc90e1d61a65c3e780dd8b635cc4e320065d3aa7ea063245e511d3513c4285",
+};
+
+static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_Y: Module = Module {
+    name: "DrawSmoothSunDepth.fragment+ALONG_Y",
+    entry: "SmoothSunDepthFragment",
+    stage: StageKind::Fragment,
+    spirv: include_bytes!("../../spirv/draw_smooth_sun_depth.fragment+along_y.spv"),
+    bindings: BINDINGS_0,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "surface/smooth_sun_depth.hlsl",
+    hash: "712cf119f4a1c5debe0663357ff12a9ed2f21e993c5698d8bc23d2ff4a695b42",
+};

@@ -1,0 +1,169 @@
+// Written by the shader compiler; do not edit. `cargo run -p brooklet-compiler -- build`
+// makes it anew from surface/sun_depth.hlsl.
+//! Kernels of `surface/sun_depth.hlsl`.
+
+use super::{Ellipsoid, FrameLight, ListHead, Position, ShapeKeyword, SurfaceParams};
+use crate::{
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, Draw, Module, StageKind, Tier, Uniform, bind_draw,
+};
+
+/// Which variant of [`DrawSunDepth`] runs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct DrawSunDepthVariant {
+    /// Keyword `SPRAY_SHAPE` or `ELLIPSOID_SHAPE`.
+    pub shape: ShapeKeyword,
+}
+
+/// The surface that sunlight meets: the nearest of all particles' spheres, or ellipsoids, in the sun's
+/// parallel projection, as shadow depth (1 nearest the sun), in which planes are linear; 0 where no
+/// fluid is. At the tank's glass they are cut off, as the eye sees them (surface/fluid\_depth.hlsl).
+#[derive(Debug)]
+pub struct DrawSunDepth<'a> {
+    /// Its variant.
+    pub variant: DrawSunDepthVariant,
+    /// `StructuredBuffer<Position> positions`.
+    pub positions: Option<Buf<'a, Position>>,
+    /// `ConstantBuffer<FrameLight> light`.
+    pub light: Uniform<'a, FrameLight>,
+    /// `ConstantBuffer<SurfaceParams> surface`.
+    pub surface: Uniform<'a, SurfaceParams>,
+    /// `StructuredBuffer<ListHead> list_heads`.
+    pub list_heads: Option<Buf<'a, ListHead>>,
+    /// `StructuredBuffer<Ellipsoid> ellipsoids`.
+    pub ellipsoids: Option<Buf<'a, Ellipsoid>>,
+}
+
+impl Draw for DrawSunDepth<'_> {
+    const STAGE: &'static str = "draw_sun_depth";
+
+    fn vertex(&self) -> &'static Module {
+        match self.variant.shape {
+            ShapeKeyword::Off => &DRAW_SUN_DEPTH_VERTEX,
+            ShapeKeyword::SprayShape => &DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE,
+            ShapeKeyword::EllipsoidShape => &DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE,
+        }
+    }
+    fn fragment(&self) -> Option<&'static Module> {
+        match self.variant.shape {
+            ShapeKeyword::Off => Some(&DRAW_SUN_DEPTH_FRAGMENT),
+            ShapeKeyword::SprayShape => Some(&DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE),
+            ShapeKeyword::EllipsoidShape => Some(&DRAW_SUN_DEPTH_FRAGMENT),
+        }
+    }
+    fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
+        bind_draw(
+            self.vertex(),
+            self.fragment(),
+            &[
+                ("positions", self.positions.as_ref().map(|bound| bound.id)),
+                ("light", Some(self.light.id)),
+                ("surface", Some(self.surface.id)),
+                ("list_heads", self.list_heads.as_ref().map(|bound| bound.id)),
+                ("ellipsoids", self.ellipsoids.as_ref().map(|bound| bound.id)),
+            ],
+        )
+    }
+}
+
+/// The modules of this file.
+pub(super) static MODULES: &[&Module] = &[
+    &DRAW_SUN_DEPTH_VERTEX,
+    &DRAW_SUN_DEPTH_FRAGMENT,
+    &DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE,
+    &DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE,
+    &DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE,
+];
+
+static BINDINGS_0: &[BindingInfo] = &[
+    BindingInfo { name: "positions", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
+    BindingInfo { name: "light", slot: 1, kind: BindingKind::Uniform { bytes: 112 } },
+    BindingInfo { name: "surface", slot: 2, kind: BindingKind::Uniform { bytes: 64 } },
+];
+
+static BINDINGS_1: &[BindingInfo] = &[
+    BindingInfo { name: "light", slot: 1, kind: BindingKind::Uniform { bytes: 112 } },
+    BindingInfo { name: "surface", slot: 2, kind: BindingKind::Uniform { bytes: 64 } },
+];
+
+static BINDINGS_2: &[BindingInfo] = &[
+    BindingInfo { name: "positions", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
+    BindingInfo { name: "list_heads", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo { name: "light", slot: 2, kind: BindingKind::Uniform { bytes: 112 } },
+    BindingInfo { name: "surface", slot: 3, kind: BindingKind::Uniform { bytes: 64 } },
+];
+
+static BINDINGS_3: &[BindingInfo] = &[
+    BindingInfo { name: "light", slot: 2, kind: BindingKind::Uniform { bytes: 112 } },
+    BindingInfo { name: "surface", slot: 3, kind: BindingKind::Uniform { bytes: 64 } },
+];
+
+static BINDINGS_4: &[BindingInfo] = &[
+    BindingInfo { name: "ellipsoids", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 32 } },
+    BindingInfo { name: "light", slot: 1, kind: BindingKind::Uniform { bytes: 112 } },
+    BindingInfo { name: "surface", slot: 2, kind: BindingKind::Uniform { bytes: 64 } },
+];
+
+static DRAW_SUN_DEPTH_VERTEX: Module = Module {
+    name: "DrawSunDepth.vertex",
+    entry: "SunDepthVertex",
+    stage: StageKind::Vertex,
+    spirv: include_bytes!("../../spirv/draw_sun_depth.vertex.spv"),
+    bindings: BINDINGS_0,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "surface/sun_depth.hlsl",
+    hash: "07e59563e60e00b5239e1eb527896743be6aecc8b2cbf763400ca1e036fd6582",
+};
+
+static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
+    name: "DrawSunDepth.fragment",
+    entry: "SunDepthFragment",
+    stage: StageKind::Fragment,
+    spirv: include_bytes!("../../spirv/draw_sun_depth.fragment.spv"),
+    bindings: BINDINGS_1,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "surface/sun_depth.hlsl",
+    hash: "723ff81f7d0b701e1eb35b7e7b22d5dd2cb98b190b6ad9800fd27c75243a3dbc",
+};
+
+static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
+    name: "DrawSunDepth.vertex+SPRAY_SHAPE",
+    entry: "SunDepthVertex",
+    stage: StageKind::Vertex,
+    spirv: include_bytes!("../../spirv/draw_sun_depth.vertex+spray_shape.spv"),
+    bindings: BINDINGS_2,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "surface/sun_depth.hlsl",
+    hash: "84bb8b56a4e4819a76baf82a0a7506f7173677e02014ad12d934d0ef0171fae4",
+};
+
+static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
+    name: "DrawSunDepth.fragment+SPRAY_SHAPE",
+    entry: "SunDepthFragment",
+    stage: StageKind::Fragment,
+    spirv: include_bytes!("../../spirv/draw_sun_depth.fragment+spray_shape.spv"),
+    bindings: BINDINGS_3,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "surface/sun_depth.hlsl",
+    hash: "3cc488dc2ef33f0b99fd5663a62ac30182b15291dec545d8be3051ab7f62ca4f",
+};
+
+static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
+    name: "DrawSunDepth.vertex+ELLIPSOID_SHAPE",
+    entry: "SunDepthVertex",
+    stage: StageKind::Vertex,
+    spirv: include_bytes!("../../spirv/draw_sun_depth.vertex+ellipsoid_shape.spv"),
+    bindings: BINDINGS_4,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "surface/sun_depth.hlsl",
+    hash: "68de53d235e62f09865f8538b5fbe25248885a6165582443028949f2baeba89c",
+};

@@ -1,0 +1,63 @@
+//! The light that photons bring to the floor.
+
+use super::refract_photons::Photon;
+use brooklet_kernels::{FrameLight, SurfaceParams, WaterStyle};
+use glam::{DVec2, DVec3};
+
+/// Neighbours that land so many places apart came through another surface.
+const MOST_APART: f64 = 4.0;
+/// A tent is no narrower than so many texels.
+const LEAST_TEXELS: f64 = 1.0;
+
+/// Light over the sun's map, red, green and blue, rows from the top, `light.shadow_texels` a side. (Shader:
+/// `surface/caustics.hlsl`.)
+pub fn caustics(photons: &[Photon], params: &SurfaceParams, light: &FrameLight, water: &WaterStyle) -> Vec<DVec3> {
+    let (side, texels) = (params.photons as i64, light.shadow_texels as usize);
+    let absorption = DVec3::from_array(water.absorption_per_m.map(f64::from));
+    let spacing = 1.0 / side as f64;
+    let mut map = vec![DVec3::ZERO; texels * texels];
+    for (index, photon) in photons.iter().enumerate().filter(|(_, photon)| photon.share > 0.0) {
+        let at = (index as i64 % side, index as i64 / side);
+        let [along_u, along_v] = footprint(photons, side, at, LEAST_TEXELS / texels as f64);
+        let area = along_u.perp_dot(along_v).abs();
+        let color = (-absorption * photon.path_m).exp() * (photon.share * spacing * spacing / area);
+        let reach = along_u.abs() + along_v.abs();
+        let [low, high] = [photon.uv - reach, photon.uv + reach].map(|corner| corner * texels as f64);
+        for y in low.y.max(0.0) as usize..(high.y.max(0.0) as usize + 1).min(texels) {
+            for x in low.x.max(0.0) as usize..(high.x.max(0.0) as usize + 1).min(texels) {
+                let apart = DVec2::new(x as f64 + 0.5, y as f64 + 0.5) / texels as f64 - photon.uv;
+                let tent = [
+                    apart.perp_dot(along_v) / along_u.perp_dot(along_v),
+                    along_u.perp_dot(apart) / along_u.perp_dot(along_v),
+                ];
+                let tent = tent.map(|t| (1.0 - t.abs()).max(0.0));
+                map[y * texels + x] += color * (tent[0] * tent[1]);
+            }
+        }
+    }
+    map
+}
+
+/// The parallelogram that a photon and its neighbours make where they land, as wide as `least`.
+fn footprint(photons: &[Photon], side: i64, at: (i64, i64), least: f64) -> [DVec2; 2] {
+    let spacing = 1.0 / side as f64;
+    let here = photons[(at.1 * side + at.0) as usize];
+    let landed = |dx: i64, dy: i64| {
+        let (x, y) = (at.0 + dx, at.1 + dy);
+        let inside = x >= 0 && y >= 0 && x < side && y < side;
+        inside
+            .then(|| photons[(y * side + x) as usize])
+            .filter(|there| there.share > 0.0 && (there.uv - here.uv).length() < MOST_APART * spacing)
+    };
+    let apart = |dx: i64, dy: i64| match (landed(-dx, -dy), landed(dx, dy)) {
+        (Some(before), Some(after)) => 0.5 * (after.uv - before.uv),
+        (Some(before), None) => here.uv - before.uv,
+        (None, Some(after)) => after.uv - here.uv,
+        (None, None) => DVec2::new(dx as f64, dy as f64) * spacing,
+    };
+    let (along_u, along_v) = (apart(1, 0), apart(0, 1));
+    let axis = along_u.normalize_or(DVec2::X);
+    let height = axis.perp_dot(along_v);
+    let signed = if height < 0.0 { -1.0 } else { 1.0 };
+    [axis * along_u.length().max(least), along_v.dot(axis) * axis + axis.perp() * (signed * height.abs().max(least))]
+}

@@ -1,0 +1,127 @@
+//! Photons bent by the water's surface, and carried to the floor.
+
+use super::sun_map::{SunMap, photon_spacing_m, rows, shadow_position, world_from_shadow};
+use super::surface_normals::slope;
+use brooklet_kernels::{FrameLight, SurfaceParams};
+use glam::{DVec2, DVec3};
+
+/// Refractive index of water, as the shaders have it.
+const AIR_OVER_WATER: f64 = 0.7502;
+/// Reflectance of water at normal incidence.
+const WATER_F0: f64 = 0.0204;
+/// What is nearly the whole way through water is the whole way.
+const WHOLE_WAY: f64 = 1.25;
+/// Water less than so many spacings thick has no surface to trust, and more than so many has.
+const THIN: f64 = 1.5;
+const THICK: f64 = 6.0;
+/// A surface so near the tank's glass, over the spacing, and so nearly along it, is the glass.
+const AT_GLASS: f64 = 1.0;
+const ALONG_GLASS: f64 = 0.6;
+/// No photon runs flatter than this.
+const LEAST_FALL: f64 = 0.05;
+
+/// A ray of sunlight that the water bent.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Photon {
+    /// Where in the sun's map lies what it lights on the floor.
+    pub uv: DVec2,
+    /// How much water it went through, m.
+    pub path_m: f64,
+    /// Share of it that entered the water; 0 where there is none.
+    pub share: f64,
+}
+
+/// A photon for each place of `sun_depth`. `sun_thickness` is in spacings. (Shader:
+/// `surface/refract_photons.compute`.)
+pub fn refract_photons(
+    sun_depth: &SunMap,
+    sun_thickness: &SunMap,
+    params: &SurfaceParams,
+    light: &FrameLight,
+) -> Vec<Photon> {
+    let to_sun = DVec3::from_array(light.to_sun.map(f64::from));
+    let side = f64::from(params.photons);
+    let photon = |(x, y): (i64, i64)| {
+        let uv = DVec2::new((x as f64 + 0.5) / side, (y as f64 + 0.5) / side);
+        let here = sun_depth.at(x, y);
+        if here <= 0.0 {
+            return Photon { uv, path_m: 0.0, share: 0.0 };
+        }
+        let mut from_m = world_from_shadow(light, uv.extend(here));
+        from_m.y = from_m.y.max(0.0);
+        let normal = flat_at_glass(from_m, normal_toward_sun(sun_depth, params, light, x, y), params);
+        let spacings = sun_thickness.bilinear(uv.x, uv.y);
+        let thick = ((spacings - THIN) / (THICK - THIN)).clamp(0.0, 1.0);
+        let bends = thick * thick * (3.0 - 2.0 * thick);
+        let bent = refract(-to_sun, normal, AIR_OVER_WATER).unwrap_or(-normal);
+        let bent = (-to_sun).lerp(bent, bends).normalize();
+        let fall = (-bent.y).max(LEAST_FALL);
+        let thickness_m = spacings * f64::from(params.spacing_m);
+        let wet = (WHOLE_WAY * thickness_m * to_sun.y / from_m.y.max(1e-6)).clamp(0.0, 1.0);
+        let (at_m, in_water_m) =
+            way_through(from_m, bent, from_m.y * wet / fall, 1.0 + bends * (1.0 / AIR_OVER_WATER - 1.0), params);
+        let lit_m = at_m - to_sun * (at_m.y.max(0.0) / to_sun.y);
+        let grazing = 1.0 - normal.dot(to_sun).clamp(0.0, 1.0);
+        Photon {
+            uv: shadow_position(light, lit_m).truncate(),
+            path_m: in_water_m.min(thickness_m * to_sun.y / fall),
+            share: 1.0 - bends * (WATER_F0 + (1.0 - WATER_F0) * grazing.powi(5)),
+        }
+    };
+    sun_depth.places().map(photon).collect()
+}
+
+/// Unit normal of the surface toward the sun.
+fn normal_toward_sun(sun_depth: &SunMap, params: &SurfaceParams, light: &FrameLight, x: i64, y: i64) -> DVec3 {
+    let same = (f64::from(params.range_m) + photon_spacing_m(params, light)) / f64::from(light.shadow_range_m);
+    let here = sun_depth.at(x, y);
+    let along_u = slope(sun_depth.at(x - 1, y), here, sun_depth.at(x + 1, y), same);
+    let along_v = slope(sun_depth.at(x, y - 1), here, sun_depth.at(x, y + 1), same);
+    let [u, v, depth] = rows(light).map(|(row, _)| row);
+    (depth - f64::from(params.photons) * (along_u * u + along_v * v)).normalize()
+}
+
+/// The glass is flat, whatever dimples particles leave in it.
+fn flat_at_glass(at_m: DVec3, normal: DVec3, params: &SurfaceParams) -> DVec3 {
+    for axis in [0, 2] {
+        let glass_m = if normal[axis] > 0.0 { params.box_max_m[axis] } else { params.box_min_m[axis] };
+        let is_near = (f64::from(glass_m) - at_m[axis]).abs() < AT_GLASS * f64::from(params.spacing_m);
+        if normal[axis].abs() > ALONG_GLASS && is_near {
+            return DVec3::AXES[axis] * normal[axis].signum();
+        }
+    }
+    normal
+}
+
+/// Snell's law; `None` where everything is reflected. `ratio` is the index before over the one behind.
+pub fn refract(direction: DVec3, normal: DVec3, ratio: f64) -> Option<DVec3> {
+    let cosine = -direction.dot(normal);
+    let squared = 1.0 - ratio * ratio * (1.0 - cosine * cosine);
+    (squared >= 0.0).then(|| ratio * direction + (ratio * cosine - squared.sqrt()) * normal)
+}
+
+/// Where a ray through water of a refractive index for at most `most_m` ends, or one that leaves the tank meets the
+/// floor; and how far it went through water.
+fn way_through(from_m: DVec3, direction: DVec3, most_m: f64, index: f64, params: &SurfaceParams) -> (DVec3, f64) {
+    let to_glass_m = |axis: usize| {
+        let glass = if direction[axis] > 0.0 { params.box_max_m[axis] } else { params.box_min_m[axis] };
+        if direction[axis].abs() > 1e-6 { (f64::from(glass) - from_m[axis]) / direction[axis] } else { 1e18 }
+    };
+    let (to_x_m, to_z_m) = (to_glass_m(0), to_glass_m(2));
+    let in_water_m = to_x_m.min(to_z_m).max(0.0).min(most_m);
+    let at_m = from_m + in_water_m * direction;
+    if in_water_m >= most_m {
+        return (at_m, in_water_m);
+    }
+    let axis = if to_x_m < to_z_m { DVec3::X } else { DVec3::Z };
+    let inward = -axis * direction.dot(axis).signum();
+    let floor_m = |onward: DVec3| at_m.y / (-onward.y).max(LEAST_FALL);
+    match refract(direction, inward, index) {
+        Some(outside) => (at_m + floor_m(outside) * outside, in_water_m),
+        None => {
+            let onward = direction - 2.0 * direction.dot(inward) * inward;
+            let run_m = (most_m - in_water_m).min(floor_m(onward));
+            (at_m + run_m * onward, in_water_m + run_m)
+        }
+    }
+}

@@ -1,0 +1,62 @@
+//! The sun's parallel projection, as the shadow map has it.
+
+use brooklet_kernels::{FrameLight, SurfaceParams};
+use glam::{DVec3, DVec4};
+
+/// Numbers over the sun's map: rows from the top, as many as columns.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SunMap {
+    /// Places along a side.
+    pub side: usize,
+    /// Rows from the top.
+    pub values: Vec<f64>,
+}
+
+impl SunMap {
+    /// The value at a place, 0 outside.
+    pub fn at(&self, x: i64, y: i64) -> f64 {
+        let inside = x >= 0 && y >= 0 && x < self.side as i64 && y < self.side as i64;
+        if inside { self.values[y as usize * self.side + x as usize] } else { 0.0 }
+    }
+
+    /// Column and row of each place.
+    pub fn places(&self) -> impl Iterator<Item = (i64, i64)> {
+        let side = self.side;
+        (0..side * side).map(move |i| ((i % side) as i64, (i / side) as i64))
+    }
+
+    /// Between the middles of four places, as a sampler does it that repeats the border's.
+    pub fn bilinear(&self, u: f64, v: f64) -> f64 {
+        let [x, y] = [u, v].map(|at| at * self.side as f64 - 0.5);
+        let last = self.side as i64 - 1;
+        let at =
+            |dx: i64, dy: i64| self.at((x.floor() as i64 + dx).clamp(0, last), (y.floor() as i64 + dy).clamp(0, last));
+        let (across, down) = (x - x.floor(), y - y.floor());
+        let row = |dy| at(0, dy) * (1.0 - across) + at(1, dy) * across;
+        row(0) * (1.0 - down) + row(1) * down
+    }
+}
+
+/// The rows u, v and depth of the map as vectors and what is added to them.
+pub(crate) fn rows(light: &FrameLight) -> [(DVec3, f64); 3] {
+    [light.shadow_u, light.shadow_v, light.shadow_depth].map(|row| {
+        let row = DVec4::from_array(row.map(f64::from));
+        (row.truncate(), row.w)
+    })
+}
+
+/// Column and row in 0..1, and depth, 1 nearest the sun. (Shader: `shadow_position`.)
+pub fn shadow_position(light: &FrameLight, at_m: DVec3) -> DVec3 {
+    DVec3::from_array(rows(light).map(|(row, shift)| row.dot(at_m) + shift))
+}
+
+/// The place in the world that a place in the map is. (Shader: `world_from_shadow`.)
+pub fn world_from_shadow(light: &FrameLight, at: DVec3) -> DVec3 {
+    let parts = rows(light).into_iter().zip(at.to_array());
+    parts.map(|((row, shift), at)| row * ((at - shift) / row.length_squared())).sum()
+}
+
+/// Distance between two photons of the grid, m.
+pub(crate) fn photon_spacing_m(params: &SurfaceParams, light: &FrameLight) -> f64 {
+    f64::from(light.shadow_texel_m) * f64::from(light.shadow_texels) / f64::from(params.photons)
+}

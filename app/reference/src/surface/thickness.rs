@@ -1,0 +1,49 @@
+//! How much fluid the eye and the sun look through, in spacings.
+
+use super::sun_map::{SunMap, world_from_shadow};
+use brooklet_kernels::{FrameLight, FrameView, SurfaceParams};
+use glam::DVec3;
+
+/// What a particle adds at `squared`, the square of the distance from its disc's middle over its radius: its
+/// volume d^3 spread as (1 - s)^2. (Shader: `surface/spread.hlsl`.)
+fn spread(squared: f64, params: &SurfaceParams) -> f64 {
+    let ratio = f64::from(params.spacing_m) / f64::from(params.spread_m);
+    3.0 / std::f64::consts::PI * ratio * ratio * (1.0 - squared).max(0.0).powi(2)
+}
+
+/// Along the rays of a picture's pixels. (Shader: `surface/thickness.hlsl`.)
+pub fn thickness(centers_m: &[DVec3], params: &SurfaceParams, view: &FrameView, size_px: [usize; 2]) -> Vec<f64> {
+    let eye_m = DVec3::from_array(view.eye_m.map(f64::from));
+    let radius_m2 = f64::from(params.spread_m).powi(2);
+    let through = |index: usize| {
+        let ray = super::ray_of(view, size_px, index).normalize();
+        let of = |center_m: &DVec3| {
+            let center_m = *center_m - eye_m;
+            let distance_m2 = center_m.length_squared();
+            let along_m = center_m.dot(ray);
+            // Outside, and ahead of the eye: tangents of the angles from the disc's middle and to its rim.
+            let is_ahead = distance_m2 > radius_m2 && along_m > 0.0;
+            let tan2 = (distance_m2 - along_m * along_m) / (along_m * along_m);
+            if is_ahead { spread(tan2 * (distance_m2 - radius_m2) / radius_m2, params) } else { 0.0 }
+        };
+        centers_m.iter().map(of).sum()
+    };
+    (0..size_px[0] * size_px[1]).map(through).collect()
+}
+
+/// Along the sun's rays, in a map of `texels` a side. (Shader: `surface/sun_thickness.hlsl`.)
+pub fn sun_thickness(centers_m: &[DVec3], params: &SurfaceParams, light: &FrameLight, texels: usize) -> SunMap {
+    let to_sun = DVec3::from_array(light.to_sun.map(f64::from));
+    let empty = SunMap { side: texels, values: Vec::new() };
+    let through = |(x, y): (i64, i64)| {
+        let [u, v] = [x, y].map(|at| (at as f64 + 0.5) / texels as f64);
+        let from_m = world_from_shadow(light, DVec3::new(u, v, 0.0));
+        let of = |center_m: &DVec3| {
+            let apart_m = *center_m - from_m;
+            let aside_m2 = (apart_m - apart_m.dot(to_sun) * to_sun).length_squared();
+            spread(aside_m2 / f64::from(params.spread_m).powi(2), params)
+        };
+        centers_m.iter().map(of).sum()
+    };
+    SunMap { side: texels, values: empty.places().map(through).collect() }
+}

@@ -1,0 +1,97 @@
+//! Sunlight on the floor, bent by the water's surface and carried there photon by photon.
+
+use brooklet_gpu::{Blend, DepthTest, DrawState, Load, Recording, Resources, Targets};
+use brooklet_kernels::{
+    AlongKeyword, Buffer, DrawCaustics, DrawSmoothSunDepth, DrawSmoothSunDepthVariant, DrawSunDepth,
+    DrawSunDepthVariant, Format, FrameLight, Photon, RefractPhotons, SurfaceParams, Texture, Tier, WaterStyle,
+};
+
+use super::{ON_FLUID, Shapes, depth_format};
+
+/// The light that the sun's map brings to the floor, and what it was made from.
+#[derive(Debug)]
+pub struct Caustics {
+    /// Shadow depth of the particles' shapes that sunlight meets at each place of the photons' grid; 0 where no
+    /// fluid is. `R32Float`.
+    pub raw: Texture,
+    /// The same after smoothing.
+    pub sun_depth: Texture,
+    /// A photon for each place of the grid, rows from the top.
+    pub photons: Buffer<Photon>,
+    /// Light that photons brought, over the sun's own, in the sun's map; `Rgba16Float`. Where no water stands
+    /// before the sun its light is to be added.
+    pub light: Texture,
+}
+
+/// What a picture has already of the sun and the water.
+pub(crate) struct Sunlit<'a> {
+    pub light: &'a Buffer<FrameLight>,
+    pub params: &'a Buffer<SurfaceParams>,
+    pub water: &'a Buffer<WaterStyle>,
+    pub sun_thickness: &'a Texture,
+}
+
+/// Records the caustics of particles from `photons` photons a side.
+pub(crate) fn record(
+    resources: &mut Resources,
+    recording: &mut Recording,
+    shapes: &Shapes<'_>,
+    sunlit: &Sunlit<'_>,
+    (photons, tier): (u32, Tier),
+) -> Caustics {
+    let (light, surface) = (sunlit.light.uniform(), sunlit.params.uniform());
+    // R32Float is renderable on every tier, and what follows only loads it.
+    let map = |resources: &mut Resources, label| resources.texture(label, Format::R32Float, [photons; 2]);
+    let raw = map(resources, "sun_depth");
+    let half_smoothed = map(resources, "half_smoothed_sun_depth");
+    let smoothed = map(resources, "smoothed_sun_depth");
+    let covered = resources.texture("sun_covered", depth_format(tier), [photons; 2]);
+    recording.draw(
+        &DrawSunDepth {
+            variant: DrawSunDepthVariant { shape: shapes.keyword() },
+            positions: shapes.positions(),
+            list_heads: shapes.list_heads(),
+            ellipsoids: shapes.ellipsoids(),
+            light,
+            surface,
+        },
+        &Targets { color: vec![(&raw, Load::Clear([0.0; 4]))], depth: Some((&covered, Load::Clear(0.0))) },
+        DrawState { depth_test: DepthTest::Greater, depth_write: true, ..DrawState::default() },
+        3,
+        shapes.count(),
+    );
+    for (along, from, to) in
+        [(AlongKeyword::AlongX, &raw, &half_smoothed), (AlongKeyword::AlongY, &half_smoothed, &smoothed)]
+    {
+        let variant = DrawSmoothSunDepthVariant { along };
+        recording.draw(
+            &DrawSmoothSunDepth { variant, sun_depth: from.read(), light, surface },
+            &Targets { color: vec![(to, Load::Clear([0.0; 4]))], depth: Some((&covered, Load::Keep)) },
+            ON_FLUID,
+            3,
+            1,
+        );
+    }
+    let count = photons * photons;
+    let mut bent = resources.buffer("photons", count);
+    recording.dispatch(
+        &RefractPhotons {
+            sun_depth: smoothed.read(),
+            sun_thickness: sunlit.sun_thickness.read(),
+            photons: bent.write(),
+            light,
+            surface,
+        },
+        count,
+    );
+    // Rgba16Float blends and filters on every tier.
+    let map = resources.texture("caustics", Format::Rgba16Float, sunlit.sun_thickness.size_px);
+    recording.draw(
+        &DrawCaustics { photons: bent.read(), light, surface, water: sunlit.water.uniform() },
+        &Targets { color: vec![(&map, Load::Clear([0.0; 4]))], depth: None },
+        DrawState { blend: Blend::Additive, ..DrawState::default() },
+        6 * count,
+        1,
+    );
+    Caustics { raw, sun_depth: smoothed, photons: bent, light: map }
+}

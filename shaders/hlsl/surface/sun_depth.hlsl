@@ -1,0 +1,87 @@
+// The surface that sunlight meets: the nearest of all particles' spheres, or ellipsoids, in the sun's
+// parallel projection, as shadow depth (1 nearest the sun), in which planes are linear; 0 where no
+// fluid is. At the tank's glass they are cut off, as the eye sees them (surface/fluid_depth.hlsl).
+#pragma vertex SunDepthVertex
+#pragma fragment SunDepthFragment
+#pragma multi_compile _ SPRAY_SHAPE ELLIPSOID_SHAPE
+
+#include "impostor.hlsl"
+#include "spray.hlsl"
+#include "../frame/environment.hlsl"
+
+#if defined(ELLIPSOID_SHAPE)
+StructuredBuffer<Ellipsoid> ellipsoids;
+#else
+StructuredBuffer<Position> positions;
+#endif
+#if defined(SPRAY_SHAPE)
+StructuredBuffer<ListHead> list_heads;
+#endif
+ConstantBuffer<FrameLight> light;
+ConstantBuffer<SurfaceParams> surface;
+
+struct Varyings
+{
+    float4 position : SV_Position;
+    [[vk::location(0)]] float2 disc : TEXCOORD0;
+    // On the plane of the outline: what the sun sees of an ellipsoid is bounded by a plane curve.
+    [[vk::location(1)]] float3 world_m : TEXCOORD1;
+    // How far the surface rises above that plane in the middle, along the sun's rays.
+    [[vk::location(2)]] nointerpolation float rise_m : TEXCOORD2;
+};
+
+Varyings SunDepthVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID)
+{
+    float2 corner = disc_corner(vertex);
+    Varyings output;
+    output.disc = corner;
+#if defined(ELLIPSOID_SHAPE)
+    // In the space that the matrix stretches from, the outline is the unit circle across the sun's ray.
+    float3x3 stretch = StretchOf(ellipsoids[instance].stretch);
+    float3 toward = Unstretched(stretch, light.to_sun);
+    float along = length(toward);
+    uint tag = ellipsoids[instance].tag;
+    output.world_m = ellipsoids[instance].center_m + surface.radius_m * mul(stretch, across_axis(toward / along, corner));
+    output.rise_m = surface.radius_m / along;
+#else
+    float radius_m = surface.radius_m;
+#if defined(SPRAY_SHAPE)
+    radius_m *= SizeOf(list_heads[instance]);
+#endif
+    uint tag = positions[instance].tag;
+    output.world_m = positions[instance].position_m + radius_m * across_axis(light.to_sun, corner);
+    output.rise_m = radius_m;
+#endif
+    // At the nearest point, so the depth written is never nearer: hidden ones are rejected early.
+    output.position = clip_from_shadow(shadow_position(light, output.world_m + output.rise_m * light.to_sun));
+    if (tag >> 31)
+        output.position = float4(0.0, 0.0, 0.0, 1.0);   // quarantined: every corner in one point
+    return output;
+}
+
+struct Surface
+{
+    float shadow_depth : SV_Target0;
+    float depth : SV_DepthLessEqual;
+};
+
+Surface SunDepthFragment(Varyings input)
+{
+    float s = dot(input.disc, input.disc);
+    if (s > 1.0)
+        discard;
+    float rise_m = input.rise_m * sqrt(1.0 - s);
+    // The box's slabs (Kay & Kajiya 1986).
+    float3 inverse = 1.0 / light.to_sun;
+    float3 a = (surface.box_min_m - input.world_m) * inverse;
+    float3 b = (surface.box_max_m - input.world_m) * inverse;
+    float3 low = min(a, b);
+    float3 high = max(a, b);
+    float along_m = min(rise_m, min(high.x, min(high.y, high.z)));
+    if (along_m < max(-rise_m, max(low.x, max(low.y, low.z))))
+        discard;
+    Surface output;
+    output.shadow_depth = shadow_position(light, input.world_m + along_m * light.to_sun).z;
+    output.depth = output.shadow_depth;
+    return output;
+}

@@ -1,0 +1,169 @@
+//! What is drawn of each particle before anything smooths: the nearest sphere, and how much fluid the eye looks
+//! through, against their twins.
+
+use brooklet_fluid::scene::Smoothing;
+use brooklet_gpu::{Engine, Plan, Resources};
+use brooklet_kernels::{FrameView, Position, QUARANTINED, SurfaceParams};
+use brooklet_reference::surface::fluid_depth::fluid_depth;
+use brooklet_reference::surface::thickness::thickness;
+use brooklet_render::frame::{self, FrameValues};
+use brooklet_render::{Camera, Coloring, FrameOptions, Particles, ScreenSpaceOptions, SurfaceOptions, View};
+use brooklet_tests::cases::vectors;
+use brooklet_tests::{gpu, rng};
+use glam::DVec3;
+use rand::RngExt as _;
+
+/// Of a pixel's nearness: a few roundings, at slopes of up to 10.
+const NEARNESS_TOLERANCE: f64 = 1e-5;
+/// Of the thickest place: some tens of discs add up in f16, each sum rounded to 2^-11 of itself, and a device may
+/// move a disc by a sixteenth of a pixel of some eight that it is wide.
+const THICKNESS_TOLERANCE: f64 = 0.02;
+/// Share of the covered pixels whose rays graze a sphere: there no tolerance would do.
+const GRAZING: f64 = 0.005;
+/// Sizes that no block of 2, 4, 8 or 16 pixels divides, and a sliver.
+const SIZES: [[u32; 2]; 3] = [[161, 93], [64, 48], [3, 37]];
+
+fn particles() -> Vec<Position> {
+    let mut rng = rng(81);
+    let mut all: Vec<Position> = (0..12 * 12 * 4)
+        .map(|i| {
+            let at = [i % 12, i / 144, i / 12 % 12].map(|n| 0.04 + 0.08 * (f64::from(n) + 0.4 * rng.random::<f64>()));
+            Position { position_m: at.map(|x| x as f32), tag: 0 }
+        })
+        .collect();
+    all.extend((0..60).map(|i| Position {
+        position_m: [rng.random(), 0.3 + 0.6 * rng.random::<f32>(), rng.random()],
+        tag: if i % 9 == 0 { QUARANTINED } else { 0 },
+    }));
+    all
+}
+
+struct Drawn {
+    nearness: Vec<f64>,
+    thickness: Vec<f64>,
+    thickness_px: [usize; 2],
+    params: SurfaceParams,
+    view: FrameView,
+}
+
+fn draw(size_px: [u32; 2], eye_m: DVec3, positions: &[Position]) -> Drawn {
+    let view = View {
+        camera: Camera { eye_m, target_m: DVec3::new(0.5, 0.3, 0.5), fov_deg: 32.0 },
+        domain_min_m: DVec3::ZERO,
+        domain_max_m: DVec3::ONE,
+        size_px,
+    };
+    let surface = ScreenSpaceOptions {
+        spacing_m: 0.08,
+        radius_m: 0.06,
+        box_m: [DVec3::ZERO, DVec3::ONE],
+        anisotropic: false,
+        support_m: 0.16,
+        smoothing: Smoothing::None,
+        iterations: 0,
+        smoothing_m: 0.1,
+        most_reach_px: 24,
+        range_m: 0.1,
+        clamp_m: 0.04,
+        thickness_divisor: 2,
+        absorption_per_m: DVec3::ONE,
+        refraction: 1.0,
+        photons: 0,
+    };
+    let options = FrameOptions {
+        tier: gpu().tier(),
+        surface: SurfaceOptions::ScreenSpace(surface),
+        radius_m: 0.03,
+        coloring: Coloring::Fluid,
+        supersample: 1,
+        shadow_texels: 64,
+        edges: false,
+    };
+    let count = positions.len() as u32;
+    let mut resources = Resources::new();
+    let mut buffer = resources.state::<Position>("positions", count);
+    let velocities = resources.state("velocities", count);
+    let particles = Particles { positions: &buffer, velocities: &velocities, count, neighbours: None, densities: None };
+    let passes = frame::record(&mut resources, &view, &particles, &options).expect("a frame");
+    let water = passes.water.expect("water");
+    let mut init = passes.init;
+    init.upload(&mut buffer, positions);
+    let plan = Plan::sweep(resources, vec![init, passes.recording], &[water.surface.raw.id, water.thickness.eye.id])
+        .expect("a plan");
+    let mut engine = Engine::new(&gpu(), plan).expect("an engine");
+    engine.run(&[frame::DRAW_INIT, frame::DRAW], &[]).expect("it draws");
+    let nearness: Vec<f32> =
+        bytemuck::pod_collect_to_vec(&engine.read_texture(&water.surface.raw).expect("the nearest spheres"));
+    let halves = engine.read_texture(&water.thickness.eye).expect("thickness");
+    let halves = halves.chunks_exact(2).map(|pair| half::f16::from_le_bytes([pair[0], pair[1]]));
+    Drawn {
+        nearness: nearness.into_iter().map(f64::from).collect(),
+        thickness: halves.map(f64::from).collect(),
+        thickness_px: water.thickness.eye.size_px.map(|side| side as usize),
+        params: surface.params(),
+        view: FrameValues::new(&view, &options).expect("values").view,
+    }
+}
+
+/// How many of the covered are beyond the tolerance, which may be relative to each or absolute; and the largest
+/// difference of the others.
+fn beyond(got: &[f64], expected: &[f64], tolerance: impl Fn(f64) -> f64) -> (usize, usize, f64) {
+    assert_eq!(got.len(), expected.len());
+    let covered = expected.iter().filter(|&&value| value > 0.0).count();
+    let differences = got.iter().zip(expected).map(|(got, expected)| (got - expected).abs() / tolerance(*expected));
+    // Written so that a NaN is beyond.
+    let within: Vec<f64> = differences.filter(|difference| *difference <= 1.0).collect();
+    (covered, got.len() - within.len(), within.into_iter().fold(0.0, f64::max))
+}
+
+#[test]
+fn the_nearest_spheres_and_their_thickness_are_their_twins() {
+    let positions = particles();
+    let seen: Vec<Position> = positions.iter().copied().filter(|p| p.tag & QUARANTINED == 0).collect();
+    let centers_m = vectors(&seen);
+    for size_px in SIZES {
+        for eye_m in [DVec3::new(0.7, 0.9, 2.6), DVec3::new(-1.4, 0.4, 0.3), DVec3::new(0.45, 0.5, 0.8)] {
+            let drawn = draw(size_px, eye_m, &positions);
+            let is_large = size_px[0] > 10;
+
+            let depth_of = |params: &SurfaceParams| fluid_depth(&centers_m, params, &drawn.view).values;
+            let relative = |nearness: f64| NEARNESS_TOLERANCE * nearness.max(1e-9);
+            let (covered, off, worst) = beyond(&drawn.nearness, &depth_of(&drawn.params), relative);
+            println!(
+                "kernel fluid_depth {size_px:?}: {off} of {covered} pixels beyond {NEARNESS_TOLERANCE:.0e}, the others within {worst:.2} of it"
+            );
+            assert!(
+                off as f64 <= GRAZING * covered as f64 + 1.0 && (covered > 1000 || !is_large),
+                "{off} of {covered}"
+            );
+            let wrong = SurfaceParams { radius_m: 1.01 * drawn.params.radius_m, ..drawn.params };
+            let (_, off, _) = beyond(&drawn.nearness, &depth_of(&wrong), relative);
+            assert!(off as f64 > 0.3 * covered as f64, "spheres a hundredth larger must differ: {off} of {covered}");
+
+            let through = |params: &SurfaceParams| thickness(&centers_m, params, &drawn.view, drawn.thickness_px);
+            let expected = through(&drawn.params);
+            let most = expected.iter().fold(0.0, |most: f64, t| most.max(*t));
+            let (covered, off, worst) = beyond(&drawn.thickness, &expected, |_| THICKNESS_TOLERANCE * most);
+            println!(
+                "kernel thickness {size_px:?}: {off} of {covered} texels beyond {:.0e} of {most:.2} spacings, the others within {worst:.2} of it",
+                THICKNESS_TOLERANCE
+            );
+            assert!(off as f64 <= GRAZING * covered as f64, "{off} of {covered}");
+            let wrong = SurfaceParams { spacing_m: 1.05 * drawn.params.spacing_m, ..drawn.params };
+            let (_, off, _) = beyond(&drawn.thickness, &through(&wrong), |_| THICKNESS_TOLERANCE * most);
+            assert!(off as f64 > 0.1 * covered as f64, "a twentieth more spacing must differ: {off} of {covered}");
+        }
+    }
+}
+
+/// Thickness spreads each particle's volume: what all rays look through is all the fluid there is.
+#[test]
+fn thickness_of_one_particle_is_its_volume() {
+    let drawn = draw([161, 93], DVec3::new(0.5, 0.3, 3.0), &[Position { position_m: [0.5, 0.3, 0.5], tag: 0 }]);
+    let at_m = 2.5;
+    let texel_m = 2.0 * at_m * f64::from(drawn.view.tan_half_height) / drawn.thickness_px[1] as f64;
+    let volume = drawn.thickness.iter().sum::<f64>() * 0.08 * texel_m * texel_m;
+    println!("thickness of one particle: {volume:.3e} m^3 of {:.3e}", 0.08f64.powi(3));
+    // A disc of some seven texels is summed by their middles.
+    assert!((volume / 0.08f64.powi(3) - 1.0).abs() < 0.03, "{volume}");
+}
