@@ -58,7 +58,8 @@ fn pool() -> Vec<Sphere> {
 }
 
 /// Mean, over windows of 8 x 8 pixels, of the structural similarity of luma in 0..=255 (Wang et al.
-/// 2004, eq. 13 with its constants): 1 for equal pictures.
+/// 2004, eq. 13 with its constants): 1 for equal pictures. Written out, because the crates that have it bring
+/// whole trees (image decoders, a thread pool) for these lines.
 fn similarity(a: &Picture, b: &Picture) -> f64 {
     let [width, height] = a.size_px.map(|side| side as usize);
     assert_eq!(a.size_px, b.size_px);
@@ -182,7 +183,7 @@ fn extremes_are_drawn_without_a_hole() {
     let behind = from(DVec3::new(1.0, 0.4, -2.5));
     let below = from(DVec3::new(1.0, -1.5, 0.6));
     let far = from(DVec3::new(1.0, 3.0e3, 9.5e3));
-    let cases: [(&str, View, &[Sphere]); 11] = [
+    let cases: [(&str, View, &[Sphere]); 12] = [
         ("nothing", usual, &[]),
         ("one", usual, &pool[..1]),
         ("all in one place", usual, &one_place),
@@ -193,6 +194,7 @@ fn extremes_are_drawn_without_a_hole() {
         ("a camera at 10 km", far, &pool),
         ("one pixel", view([1, 1]), &pool),
         ("a row of 4096", view([4096, 2]), &pool),
+        ("a row of 8192", view([8192, 1]), &pool),
         ("a column of 999", view([3, 999]), &pool),
     ];
     for tier in [Tier::Desktop, Tier::Floor] {

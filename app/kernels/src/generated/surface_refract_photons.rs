@@ -8,7 +8,7 @@ use crate::{
 };
 
 /// Where sunlight goes through the water: a photon for each place of a grid over the sun's map is bent by
-/// the surface (Snell) and carried to the floor, or out of a tank's side and to the floor around it.
+/// the surface (Snell) and carried to the floor.
 #[derive(Debug)]
 pub struct RefractPhotons<'a> {
     /// `Texture2D<float> sun_depth`.
@@ -70,5 +70,5 @@ static REFRACT_PHOTONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refract_photons.compute",
-    hash: "9a52787e825760965ceb214d5eb0acb5cc22694a2093c4dbeb3969bd6c832f2a",
+    hash: "c666f670a39da69d4cae83b3495566f201cf8ec48491a6883055e193f42334f5",
 };

@@ -50,7 +50,7 @@ pub fn refract_photons(
         let mut from_m = world_from_shadow(light, uv.extend(here));
         from_m.y = from_m.y.max(0.0);
         let normal = flat_at_glass(from_m, normal_toward_sun(sun_depth, params, light, x, y), params);
-        let spacings = sun_thickness.bilinear(uv.x, uv.y);
+        let spacings = even_thickness(sun_thickness, uv, params, light);
         let thick = ((spacings - THIN) / (THICK - THIN)).clamp(0.0, 1.0);
         let bends = thick * thick * (3.0 - 2.0 * thick);
         let bent = refract(-to_sun, normal, AIR_OVER_WATER).unwrap_or(-normal);
@@ -58,13 +58,13 @@ pub fn refract_photons(
         let fall = (-bent.y).max(LEAST_FALL);
         let thickness_m = spacings * f64::from(params.spacing_m);
         let wet = (WHOLE_WAY * thickness_m * to_sun.y / from_m.y.max(1e-6)).clamp(0.0, 1.0);
-        let (at_m, in_water_m) =
-            way_through(from_m, bent, from_m.y * wet / fall, 1.0 + bends * (1.0 / AIR_OVER_WATER - 1.0), params);
-        let lit_m = at_m - to_sun * (at_m.y.max(0.0) / to_sun.y);
+        let height_m = from_m.y * wet;
+        let out_m = from_m + bent * (height_m / fall);
+        let lit_m = out_m - to_sun * (out_m.y.max(0.0) / to_sun.y);
         let grazing = 1.0 - normal.dot(to_sun).clamp(0.0, 1.0);
         Photon {
             uv: shadow_position(light, lit_m).truncate(),
-            path_m: in_water_m.min(thickness_m * to_sun.y / fall),
+            path_m: height_m.min(thickness_m * to_sun.y) / fall,
             share: 1.0 - bends * (WATER_F0 + (1.0 - WATER_F0) * grazing.powi(5)),
         }
     };
@@ -100,28 +100,14 @@ pub fn refract(direction: DVec3, normal: DVec3, ratio: f64) -> Option<DVec3> {
     (squared >= 0.0).then(|| ratio * direction + (ratio * cosine - squared.sqrt()) * normal)
 }
 
-/// Where a ray through water of a refractive index for at most `most_m` ends, or one that leaves the tank meets the
-/// floor; and how far it went through water.
-fn way_through(from_m: DVec3, direction: DVec3, most_m: f64, index: f64, params: &SurfaceParams) -> (DVec3, f64) {
-    let to_glass_m = |axis: usize| {
-        let glass = if direction[axis] > 0.0 { params.box_max_m[axis] } else { params.box_min_m[axis] };
-        if direction[axis].abs() > 1e-6 { (f64::from(glass) - from_m[axis]) / direction[axis] } else { 1e18 }
-    };
-    let (to_x_m, to_z_m) = (to_glass_m(0), to_glass_m(2));
-    let in_water_m = to_x_m.min(to_z_m).max(0.0).min(most_m);
-    let at_m = from_m + in_water_m * direction;
-    if in_water_m >= most_m {
-        return (at_m, in_water_m);
-    }
-    let axis = if to_x_m < to_z_m { DVec3::X } else { DVec3::Z };
-    let inward = -axis * direction.dot(axis).signum();
-    let floor_m = |onward: DVec3| at_m.y / (-onward.y).max(LEAST_FALL);
-    match refract(direction, inward, index) {
-        Some(outside) => (at_m + floor_m(outside) * outside, in_water_m),
-        None => {
-            let onward = direction - 2.0 * direction.dot(inward) * inward;
-            let run_m = (most_m - in_water_m).min(floor_m(onward));
-            (at_m + run_m * onward, in_water_m + run_m)
-        }
-    }
+/// Thickness without the pattern of the particles.
+fn even_thickness(sun_thickness: &SunMap, uv: DVec2, params: &SurfaceParams, light: &FrameLight) -> f64 {
+    let texel = 1.0 / f64::from(light.shadow_texels);
+    let apart = (0.5 * f64::from(params.spacing_m) / f64::from(light.shadow_texel_m)).round().max(1.0) * texel;
+    let taps = (0..9).map(|i| (f64::from(i % 3 - 1), f64::from(i / 3 - 1)));
+    let weighed = taps.map(|(x, y)| {
+        let weight = (2.0 - x.abs()) * (2.0 - y.abs());
+        weight * sun_thickness.bilinear(uv.x + apart * x, uv.y + apart * y)
+    });
+    weighed.sum::<f64>() / 16.0
 }
