@@ -4,6 +4,7 @@
 use crate::compare::{HALF_ROUNDING, ROUNDING, vector};
 use crate::gpu;
 use crate::harness::{Bench, small};
+use brooklet_fluid::grid::NO_SEAM;
 use brooklet_gpu::Tier;
 use brooklet_kernels::{
     Buffer, GridParams, KernelParams, LIST_CHUNK, ListHead, PbfParams, Position, PrecisionKeyword, StepParams, Velocity,
@@ -13,7 +14,7 @@ use brooklet_reference::grid::list_neighbours::{Neighbours, list_neighbours};
 use brooklet_reference::params::{Pbf, Smoothing, Step};
 use brooklet_reference::shared::place::Places;
 use brooklet_reference::shared::{lattice, list};
-use glam::DVec3;
+use glam::{BVec3, DVec3};
 use rand::{Rng, RngExt};
 
 /// Spacing of the test fluids, m.
@@ -130,6 +131,7 @@ impl Case {
             dt_s: 1.0 / 240.0,
             domain_size_m: self.size_m.to_array().map(|x| x as f32),
             wall_offset_m: (SPACING_M / 4.0) as f32,
+            wall_max_m: self.size_m.to_array().map(|x| x as f32),
             max_speed_m_s: 2.5,
             particle_count: self.count() as u32,
             list_chunks: LIST_CHUNKS,
@@ -140,14 +142,16 @@ impl Case {
 
 /// Scale of the smoothing kernel.
 pub fn kernel_params() -> KernelParams {
-    let walls = WallScales::new(SUPPORT_RATIO);
+    let walls = WallScales::new(3, SUPPORT_RATIO);
     KernelParams {
         support_m: SUPPORT_M as f32,
         inverse_support_per_m: (1.0 / SUPPORT_M) as f32,
-        weight: lattice::weight(SUPPORT_RATIO) as f32,
+        weight: lattice::weight(3, SUPPORT_RATIO) as f32,
         wall_plane: walls.plane as f32,
         wall_edge: walls.edge as f32,
         wall_corner: walls.corner as f32,
+        along_z: 1.0,
+        wall_share: brooklet_fluid::boundary::wall_share(3).map(|c| c as f32),
         ..KernelParams::default()
     }
 }
@@ -180,6 +184,7 @@ pub fn grid_params(size_m: DVec3, cell_m: f64, count: usize) -> GridParams {
         list_chunks: LIST_CHUNKS,
         inverse_support_per_m: (1.0 / SUPPORT_M) as f32,
         domain_cells: cells,
+        seam_cells: [NO_SEAM; 3],
         ..GridParams::default()
     }
 }
@@ -190,7 +195,8 @@ pub fn step_of(params: &StepParams, walls: bool) -> Step {
         gravity_m_s2: vector(params.gravity_m_s2),
         dt_s: f64::from(params.dt_s),
         domain_size_m: vector(params.domain_size_m),
-        walls,
+        walls: if walls { vector(params.wall_max_m).cmplt(DVec3::splat(1e20)) } else { BVec3::FALSE },
+        period_m: vector(params.period_m),
         wall_offset_m: f64::from(params.wall_offset_m),
         max_speed_m_s: f64::from(params.max_speed_m_s),
     }
@@ -198,7 +204,7 @@ pub fn step_of(params: &StepParams, walls: bool) -> Step {
 
 /// The twin's smoothing kernel.
 pub fn smoothing_of(params: &KernelParams) -> Smoothing {
-    Smoothing { support_m: f64::from(params.support_m), weight: f64::from(params.weight) }
+    Smoothing::new(f64::from(params.support_m), f64::from(params.weight))
 }
 
 /// The twin's solver.
@@ -238,7 +244,10 @@ impl Around {
 
 /// The walls of a box whose kernel has these scales, for the twin.
 pub fn walls_of(kernel: &KernelParams, domain_size_m: DVec3) -> DomainWalls {
+    let flat = kernel.along_z == 0.0;
     DomainWalls {
+        dimensions: if flat { 2 } else { 3 },
+        axes: BVec3::new(true, true, !flat),
         scales: WallScales {
             plane: f64::from(kernel.wall_plane),
             edge: f64::from(kernel.wall_edge),

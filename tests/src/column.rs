@@ -50,6 +50,7 @@ impl Setup {
     pub fn column(&self) -> Column {
         let scene = self.scene();
         Column {
+            dimensions: 3,
             layers: self.layers,
             spacing_m: scene.spacing_m,
             support_ratio: scene.solver.support_ratio,
@@ -138,7 +139,7 @@ impl Setup {
 
     fn layers_of(&self, scene: &Scene, state: &State) -> Vec<f64> {
         let walls = walls_of(&brooklet_fluid::kernel::params(scene), DVec3::from_array(scene.domain.size_m()));
-        let smoothing = Smoothing { support_m: scene.support_m(), weight: lattice::weight(scene.solver.support_ratio) };
+        let smoothing = Smoothing::new(scene.support_m(), lattice::weight(3, scene.solver.support_ratio));
         let at_m = state.at_m();
         let lists = list_neighbours(&at_m, |_| false, smoothing.support_m);
         let inner = f64::from((self.width - 2) * (self.width - 2));
@@ -171,7 +172,7 @@ fn squeezed(compression: f64) -> f64 {
         for (x, y, z) in (0..7 * 7 * 7).map(|n| (n % 7 - 3, n / 7 % 7 - 3, n / 49 - 3)) {
             sum += kernel(DVec3::new(f64::from(x), squeeze * f64::from(y), f64::from(z)).length() / 2.0);
         }
-        sum * lattice::weight(2.0)
+        sum * lattice::weight(3, 2.0)
     };
     let (mut low, mut high) = (0.3, 1.0);
     for _ in 0..50 {

@@ -9,6 +9,7 @@ pub mod extreme;
 pub mod harness;
 pub mod peers;
 pub mod scan;
+pub mod twin;
 pub mod validation;
 
 pub use device::gpu;

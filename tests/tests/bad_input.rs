@@ -108,6 +108,46 @@ fn scene_files_with_wrong_values() {
         (scene(domain, "max_m = [1.0, 2.4, 3.4]"), "domain.max_m = [1, 2.4, 3.4]", &["above min_m = [1, 2, 3]"]),
         (scene(domain, "max_m = [1.01, 2.4, 3.4]"), "domain = [0.01, 0.4, 0.4] m", &["at least spacing_m = 0.05"]),
         (scene(domain, "max_m = [9e3, 2.4, 3.4]"), "domain = [8999, 0.4, 0.4] m", &["spacing_m 0.138 or more"]),
+        // Periodic axes and two dimensions. h = 0.1 m, so a periodic side is a multiple of 0.4 m.
+        (
+            scene(domain, "max_m = [1.5, 2.4, 3.4]\nperiodic = [true, false, false]"),
+            "domain.periodic = [true, false, false]",
+            &["a whole multiple of 4 h", "= 0.4 m", "along x is 0.5 m, 0.4 or 0.8 would do"],
+        ),
+        (
+            scene(domain, "max_m = [1.4, 2.4, 3.1]\nperiodic = [true, false, true]"),
+            "domain.periodic = [true, false, true]",
+            &["along z is 0.1 m, 0.4 or 0.8 would do"],
+        ),
+        (scene(domain, "max_m = [1.4, 2.4, 3.4]\nperiodic = true"), "domain.periodic = true", &["three of true or"]),
+        (
+            scene(domain, "max_m = [1.4, 2.4, 3.4]\nperiodic = [true, false]"),
+            "domain.periodic = [true, false]",
+            &["three of true or false"],
+        ),
+        (scene(domain, "max_m = [1.4, 2.4, 3.4]\ndimensions = 1"), "domain.dimensions = 1", &["from 2 to 3"]),
+        (
+            scene(domain, "max_m = [1.4, 2.4, 3.4]\ndimensions = 2\nperiodic = [false, false, true]"),
+            "domain.periodic = [false, false, true]",
+            &["two dimensions have no axis z"],
+        ),
+        (
+            scene("spacing_m", "gravity_m_s2 = [0, 0, 1]\nspacing_m")
+                .replace(domain, "max_m = [1.4, 2.4, 3.4]\ndimensions = 2"),
+            "gravity_m_s2 = [0, 0, 1]",
+            &["must be 0 along z"],
+        ),
+        (
+            scene(domain, "max_m = [1.4, 2.4, 3.4]\ndimensions = 2")
+                .replace(block, &format!("velocity_m_s = [1, 0, 2]\n{block}")),
+            "fluid.0.velocity_m_s = [1, 0, 2]",
+            &["must be 0 along z"],
+        ),
+        (
+            scene(domain, "max_m = [1.4, 2.4, 4.4]\ndimensions = 2"),
+            "fluid.0.block",
+            &["no room for a particle", "the plane z = 3.7"],
+        ),
         // Fluids.
         (scene(block, ""), "fluid.0 = nothing", &["`block` or a `sphere`"]),
         (scene("max_m = [1.2, 2.2", "max_m = [1.2, 2.6"), "fluid.0.block", &["inside the domain, [1, 2, 3] to [1.4"]),
@@ -243,6 +283,13 @@ fn what_is_unusual_but_right_runs() {
         let middle = summary["centre_of_mass_m"][1].as_f64().unwrap();
         assert!((2.0..2.05).contains(&middle), "{cells}: it fell out of its box, to {middle}");
     }
+    // Two dimensions, of which one is periodic; a disc whose depth the domain does not have.
+    let disc = "[domain]\nmin_m = [1.0, 2.0, 3.0]\nmax_m = [1.8, 2.8, 3.05]\ndimensions = 2\n\
+                periodic = [true, false, false]\n[[fluid]]\nsphere = { centre_m = [1.4, 2.4, 3.025], radius_m = 0.21 }\n";
+    std::fs::write(workshop.path("disc.toml"), format!("spacing_m = 0.05\n{disc}")).unwrap();
+    workshop.succeed(&["run", "disc.toml", "--steps", "20", "--images", "1", "--out", "disc"]);
+    // Points of a square lattice within 4.2 steps of one of them.
+    assert_eq!(workshop.json("disc/summary.json")["particles"], 57);
     // Fluids that overlap: the first has the place, and nothing goes wrong where they meet.
     let overlapping = format!("{SCENE}[[fluid]]\nsphere = {{ centre_m = [1.2, 2.2, 3.2], radius_m = 0.12 }}\n");
     std::fs::write(workshop.path("two.toml"), overlapping).unwrap();

@@ -72,10 +72,10 @@ fn wrong_ranks_and_lists_fail() {
     assert!(check_ranks(&[0, 0, 1], &[1, 0, 0], 2).is_ok());
     assert!(check_ranks(&[0, 0, 1], &[1, 1, 0], 2).is_err());
     let points = lattice::points([3, 1, 1], 1.0);
-    assert!(check_list(1, &[0, 2], &[0, 2], &points, 1.5, 1e-6).is_ok());
-    assert!(check_list(1, &[0], &[0, 2], &points, 1.5, 1e-6).is_err());
-    assert!(check_list(1, &[0, 2, 2], &[0, 2], &points, 1.5, 1e-6).is_err());
-    assert!(check_list(0, &[1, 2], &[1], &points, 1.5, 1e-6).is_err());
+    assert!(check_list(1, &[0, 2], &[0, 2], &points, 1.5, DVec3::ZERO, 1e-6).is_ok());
+    assert!(check_list(1, &[0], &[0, 2], &points, 1.5, DVec3::ZERO, 1e-6).is_err());
+    assert!(check_list(1, &[0, 2, 2], &[0, 2], &points, 1.5, DVec3::ZERO, 1e-6).is_err());
+    assert!(check_list(0, &[1, 2], &[1], &points, 1.5, DVec3::ZERO, 1e-6).is_err());
 }
 
 #[test]

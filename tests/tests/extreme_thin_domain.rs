@@ -9,7 +9,7 @@ use brooklet_reference::solver::pbf::density_ratio;
 use brooklet_tests::compare::Worst;
 use brooklet_tests::extreme::Case;
 use brooklet_tests::rng;
-use glam::DVec3;
+use glam::{BVec3, DVec3};
 use rand::RngExt;
 
 /// A domain of so many cells (h/2 = a spacing each), filled from below to half its height at least.
@@ -40,8 +40,14 @@ fn densities_are_those_of_brute_force() {
         });
         let stats = case.run(1);
         let at_m = case.state().at_m();
-        let walls = DomainWalls { scales: WallScales::new(2.0), domain_size_m: size_m, support_m: 0.04 };
-        let smoothing = Smoothing { support_m: 0.04, weight: lattice::weight(2.0) };
+        let walls = DomainWalls {
+            dimensions: 3,
+            axes: BVec3::TRUE,
+            scales: WallScales::new(3, 2.0),
+            domain_size_m: size_m,
+            support_m: 0.04,
+        };
+        let smoothing = Smoothing::new(0.04, lattice::weight(3, 2.0));
         let lists = list_neighbours(&at_m, |_| false, 0.04);
         let errors: Vec<f64> = (0..at_m.len())
             .map(|i| (density_ratio(i, &at_m, &lists[i], &smoothing, Some(&walls)) - 1.0).abs())

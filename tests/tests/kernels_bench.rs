@@ -200,7 +200,7 @@ fn check_list_by_index(positions: &[Position], size_m: DVec3) -> Result<usize, S
                 neighbours[at][part] as usize
             })
             .collect();
-        check_list(i, &found, expected, &positions_m, SUPPORT_M, doubt_m)?;
+        check_list(i, &found, expected, &positions_m, SUPPORT_M, DVec3::ZERO, doubt_m)?;
         listed += found.len();
     }
     Ok(listed)

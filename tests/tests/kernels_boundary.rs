@@ -1,13 +1,13 @@
 //! `boundary/`: what the kernels add for walls, against its twin. It has no kernel of its own: a lone
 //! particle's density and correction show it.
 
-use brooklet_fluid::boundary;
+use brooklet_fluid::{boundary, kernel};
 use brooklet_kernels::{
     Constrained, CorrectPositions, CorrectPositionsVariant, Counters, ListHead, MeasureParticles,
     MeasureParticlesVariant, MeasureSums, PbfParams, Position, StepParams, Velocity,
 };
 use brooklet_reference::boundary::walls::{WallDensity, WallScales, beyond_wall};
-use brooklet_reference::shared::place::Places;
+use brooklet_reference::shared::{lattice, place::Places};
 use brooklet_tests::cases::{SUPPORT_M, kernel_params, pbf_params, vectors, walls_of};
 use brooklet_tests::compare::{ROUNDING, Worst, vector};
 use brooklet_tests::harness::Bench;
@@ -17,14 +17,20 @@ use rand::RngExt;
 
 #[test]
 fn walls_count_as_their_twin_says() {
-    for support_ratio in [2.0, 2.5, 3.0] {
-        let (host, twin) = (boundary::WallScales::new(support_ratio), WallScales::new(support_ratio));
-        for (host, twin) in [(host.plane, twin.plane), (host.edge, twin.edge), (host.corner, twin.corner)] {
-            assert!((host / twin - 1.0).abs() < 1e-12, "h = {support_ratio} d: {host} {twin}");
+    for (dimensions, support_ratio) in [2, 3].into_iter().flat_map(|n| [2.0, 2.5, 3.0].map(|ratio| (n, ratio))) {
+        let host = boundary::WallScales::new(dimensions, support_ratio);
+        let twin = WallScales::new(dimensions, support_ratio);
+        let scales = [(host.plane, twin.plane), (host.edge, twin.edge), (host.corner, twin.corner)];
+        // Two dimensions have no corners.
+        for (host, twin) in &scales[..dimensions as usize] {
+            assert!((host / twin - 1.0).abs() < 1e-12, "{dimensions}-D, h = {support_ratio} d: {host} {twin}");
         }
+        let sums = kernel::lattice(dimensions, support_ratio);
+        assert!((sums.weight / lattice::weight(dimensions, support_ratio) - 1.0).abs() < 1e-12);
         for i in 0..=10 {
             let distance = f64::from(i) / 10.0;
-            assert!((boundary::beyond_wall(distance) - beyond_wall(distance)).abs() < 1e-15);
+            let (host, twin) = (boundary::beyond_wall(dimensions, distance), beyond_wall(dimensions, distance));
+            assert!((host - twin).abs() < 1e-15, "{dimensions}-D, at {distance}: {host} {twin}");
         }
     }
 }
@@ -58,6 +64,7 @@ fn params(size_m: DVec3, count: usize) -> StepParams {
         dt_s: 0.01,
         domain_size_m: size_m.to_array().map(|x| x as f32),
         wall_offset_m: -1.0,
+        wall_max_m: size_m.to_array().map(|x| x as f32),
         max_speed_m_s: 1.0,
         particle_count: count as u32,
         ..StepParams::default()
@@ -80,7 +87,7 @@ fn densities(places: &[Position], size_m: DVec3) -> Vec<f64> {
         let mut histograms = bench.output("histograms", 1024);
         bench.dispatch(
             &MeasureParticles {
-                variant: MeasureParticlesVariant { walls: true },
+                variant: MeasureParticlesVariant { walls: true, periodic: false },
                 positions: positions.read(),
                 velocities: velocities.read(),
                 neighbours: neighbours.read(),

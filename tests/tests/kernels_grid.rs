@@ -33,7 +33,7 @@ fn run_count(positions: &[Position], grid: GridParams) -> (Vec<u32>, Vec<CellSlo
     let params = bench.uniform("grid", grid);
     bench.dispatch(
         &CountCells {
-            variant: CountCellsVariant { wrapped: is_wrapped(&grid) },
+            variant: CountCellsVariant { wrapped: is_wrapped(&grid), periodic: false },
             positions: at.read(),
             cell_counts: counts.write(),
             cell_slots: slots.write(),
@@ -308,7 +308,7 @@ fn check_lists(
     let params = bench.uniform("grid", grid);
     bench.dispatch(
         &ListNeighbours {
-            variant: ListNeighboursVariant { wrapped: is_wrapped(&grid), packed },
+            variant: ListNeighboursVariant { wrapped: is_wrapped(&grid), periodic: false, packed },
             places: places.read(),
             sorted_positions: positions.read(),
             cell_starts: starts_buffer.read(),
@@ -353,7 +353,7 @@ fn check_lists(
                 return Err(format!("particle {i} lists {j}, which is no neighbour"));
             }
         } else {
-            check_list(i, &found, &expected[i], &positions_m, support_m, doubt_m)?;
+            check_list(i, &found, &expected[i], &positions_m, support_m, DVec3::ZERO, doubt_m)?;
         }
     }
     check_exact(&[overflow], &[missing])?;

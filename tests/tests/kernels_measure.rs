@@ -39,7 +39,7 @@ fn run_particles(case: &Case, params: StepParams, walls: Around) -> (Vec<Measure
     let kernel = bench.uniform("kernel", kernel_params());
     bench.dispatch(
         &MeasureParticles {
-            variant: MeasureParticlesVariant { walls: walls.has_walls() },
+            variant: MeasureParticlesVariant { walls: walls.has_walls(), periodic: false },
             positions: positions.read(),
             velocities: velocities.read(),
             neighbours: neighbours.read(),
@@ -146,7 +146,7 @@ fn density_ratios_are_their_twins() {
             let kernel = bench.uniform("kernel", kernel_params());
             bench.dispatch(
                 &DensityRatios {
-                    variant: DensityRatiosVariant { walls: walls.has_walls() },
+                    variant: DensityRatiosVariant { walls: walls.has_walls(), periodic: false },
                     positions: positions.read(),
                     neighbours: neighbours.read(),
                     list_heads: list_heads.read(),

@@ -25,7 +25,7 @@ fn run(positions: &[Position], velocities: &[Velocity], params: StepParams, wall
     let step_params = bench.uniform("step_params", params);
     bench.dispatch(
         &Predict {
-            variant: PredictVariant { walls },
+            variant: PredictVariant { walls, periodic: params.period_m != [0.0; 3] },
             positions: positions.write(),
             velocities: velocities.write(),
             counters: counters.write(),

@@ -365,7 +365,7 @@ fn run_update(
     let step_params = bench.uniform("step_params", params);
     bench.dispatch(
         &UpdateVelocity {
-            variant: UpdateVelocityVariant { packed: places == Places::Packed },
+            variant: UpdateVelocityVariant { packed: places == Places::Packed, periodic: params.period_m != [0.0; 3] },
             places: corrected.read(),
             kernel: kernel.uniform(),
             sorted_positions: sorted_positions.read(),

@@ -120,6 +120,13 @@ const TERMS: &[Term] = &[
         variant: Some("WALLS"),
     },
     Term {
+        without: "domain={ min_m = [0, 0, 0], max_m = [0.8, 0.5, 0.5] }",
+        with: "domain={ min_m = [0, 0, 0], max_m = [0.8, 0.5, 0.5], periodic = [true, false, false] }",
+        stages: &[],
+        buffers: &[],
+        variant: Some("PERIODIC"),
+    },
+    Term {
         without: "outputs.measure_every_steps=0",
         with: "outputs.measure_every_steps=1",
         stages: &["measure_particles", "measure_totals"],
@@ -252,6 +259,23 @@ fn each_optional_term_takes_all_it_brings_along() {
             assert!(!is_timed || full.timed_stages.contains(timed_as(stage)), "{with}: {stage} is not timed");
         }
     }
+}
+
+/// Two dimensions are other parameters, not other code; periodic axes are not in the iterations.
+#[test]
+fn domains_of_other_shapes_bring_no_code_but_that_of_periodic_axes() {
+    let settings = |domain: &str| plan(&[&format!("domain={{ min_m = [0, 0, 0], max_m = [0.8, 0.8, 0.8]{domain} }}")]);
+    let solid = settings("");
+    assert!(!modules(&solid).iter().any(|module| module.contains("PERIODIC")));
+    assert_eq!(modules(&settings(", dimensions = 2")), modules(&solid));
+    let periodic = settings(", periodic = [true, true, false]");
+    let named: BTreeSet<&str> =
+        periodic.passes().iter().filter(|pass| pass.module.name.contains("PERIODIC")).map(|pass| pass.stage).collect();
+    let expected = ["predict", "count_cells", "list_neighbours", "update_velocity", "measure_particles"];
+    assert_eq!(named, expected.into_iter().collect());
+    // Of walls along periodic axes only, nothing is left.
+    let open = settings(", periodic = [true, true, true]");
+    assert!(!modules(&open).iter().any(|module| module.contains("WALLS")));
 }
 
 /// A term that is off is not in the shader either.

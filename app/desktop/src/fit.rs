@@ -74,7 +74,7 @@ fn within_memory(scene: &Scene, particles: u32, bytes: u64, allocated: u64) -> S
 
 /// The spacing at which a scene of `particles` has `most`.
 fn wider(scene: &Scene, particles: u32, most: u32) -> String {
-    let ratio = (f64::from(particles) / f64::from(most.max(1))).cbrt();
+    let ratio = (f64::from(particles) / f64::from(most.max(1))).powf(1.0 / f64::from(scene.domain.dimensions));
     // A hundredth more: lattices end where they end.
     format!("spacing_m = {:.3e}", 1.01 * ratio * scene.spacing_m)
 }

@@ -58,8 +58,16 @@ const TERMS: &[Term] = &[
     },
     Term {
         reason: "domain.walls = false",
-        is_off: |scene, _| !scene.domain.walls,
-        turn_on: |scene| scene.domain.walls = true,
+        is_off: |scene, _| !scene.domain.has_walls(),
+        turn_on: |scene| {
+            scene.domain.walls = true;
+            scene.domain.periodic = [false; 3];
+        },
+    },
+    Term {
+        reason: "domain.periodic = [false, false, false]",
+        is_off: |scene, _| !scene.domain.is_periodic(),
+        turn_on: |scene| scene.domain.periodic[0] = true,
     },
     Term {
         reason: "outputs.measure_every_steps = 0",

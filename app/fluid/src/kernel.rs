@@ -3,7 +3,7 @@
 
 use brooklet_kernels::KernelParams;
 
-use crate::boundary::WallScales;
+use crate::boundary::{WallScales, wall_share};
 
 /// W(q) = (1-q)⁴ (4q+1) for q < 1 (Wendland 1995).
 pub fn wendland(q: f64) -> f64 {
@@ -16,7 +16,8 @@ pub fn wendland_slope(q: f64) -> f64 {
     20.0 * q * (1.0 - q).max(0.0).powi(3)
 }
 
-/// Sums over the infinite cubic lattice of spacing d = h / `support_ratio` around one of its points.
+/// Sums over the infinite lattice of spacing d = h / `support_ratio` around one of its points: the cubic
+/// lattice, or in two dimensions the square one.
 #[derive(Clone, Copy, Debug)]
 pub struct Lattice {
     /// 1 / ΣW, the point itself among them.
@@ -25,10 +26,10 @@ pub struct Lattice {
     pub stiffness: f64,
 }
 
-/// The lattice's sums at a support of `support_ratio` spacings.
-pub fn lattice(support_ratio: f64) -> Lattice {
+/// The sums in 2 or 3 `dimensions` at a support of `support_ratio` spacings.
+pub fn lattice(dimensions: u32, support_ratio: f64) -> Lattice {
     let (mut density, mut slopes) = (0.0, 0.0);
-    for_lattice(support_ratio, |_, q| {
+    for_lattice(dimensions, support_ratio, |_, q| {
         density += wendland(q);
         slopes += wendland_slope(q).powi(2);
     });
@@ -37,9 +38,10 @@ pub fn lattice(support_ratio: f64) -> Lattice {
 }
 
 /// Calls `visit` with each lattice point inside the support, as steps along the axes, and its q.
-pub(crate) fn for_lattice(support_ratio: f64, mut visit: impl FnMut([i32; 3], f64)) {
+pub(crate) fn for_lattice(dimensions: u32, support_ratio: f64, mut visit: impl FnMut([i32; 3], f64)) {
     let reach = support_ratio.ceil() as i32;
-    for z in -reach..=reach {
+    let deep = if dimensions == 2 { 0 } else { reach };
+    for z in -deep..=deep {
         for y in -reach..=reach {
             for x in -reach..=reach {
                 let q = f64::from(x * x + y * y + z * z).sqrt() / support_ratio;
@@ -53,15 +55,17 @@ pub(crate) fn for_lattice(support_ratio: f64, mut visit: impl FnMut([i32; 3], f6
 
 /// What the shaders are given.
 pub fn params(scene: &crate::scene::Scene) -> KernelParams {
-    let walls = WallScales::new(scene.solver.support_ratio);
+    let (dimensions, support_ratio) = (scene.domain.dimensions, scene.solver.support_ratio);
+    let walls = WallScales::new(dimensions, support_ratio);
     KernelParams {
         support_m: scene.support_m() as f32,
         inverse_support_per_m: (1.0 / scene.support_m()) as f32,
-        weight: lattice(scene.solver.support_ratio).weight as f32,
+        weight: lattice(dimensions, support_ratio).weight as f32,
         wall_plane: walls.plane as f32,
         wall_edge: walls.edge as f32,
         wall_corner: walls.corner as f32,
-        reserved0: 0.0,
-        reserved1: 0.0,
+        along_z: if scene.domain.is_flat() { 0.0 } else { 1.0 },
+        reserved: 0.0,
+        wall_share: wall_share(dimensions).map(|c| c as f32),
     }
 }

@@ -43,7 +43,7 @@ impl Measuring {
         recording.clear(&mut self.histograms);
         recording.dispatch(
             &MeasureParticles {
-                variant: MeasureParticlesVariant { walls: shared.walls },
+                variant: MeasureParticlesVariant { walls: shared.walls, periodic: shared.periodic },
                 positions: positions.read(),
                 velocities: velocities.read(),
                 neighbours: neighbours.gaps.read(),
@@ -75,12 +75,18 @@ pub struct Densities {
     step: Buffer<StepParams>,
     kernel: Buffer<KernelParams>,
     walls: bool,
+    periodic: bool,
 }
 
 impl Densities {
     /// Of a simulation with these settings.
     pub fn of(shared: &Shared) -> Self {
-        Self { step: shared.step.alias(), kernel: shared.kernel.alias(), walls: shared.walls }
+        Self {
+            step: shared.step.alias(),
+            kernel: shared.kernel.alias(),
+            walls: shared.walls,
+            periodic: shared.periodic,
+        }
     }
 
     /// Records the density ratio of every particle, 0 of quarantined ones.
@@ -96,7 +102,7 @@ impl Densities {
         recording.clear(&mut density_ratios);
         recording.dispatch(
             &DensityRatios {
-                variant: DensityRatiosVariant { walls: self.walls },
+                variant: DensityRatiosVariant { walls: self.walls, periodic: self.periodic },
                 positions: positions.read(),
                 neighbours: neighbours.gaps.read(),
                 list_heads: neighbours.heads.read(),
@@ -170,7 +176,7 @@ impl Stats {
         let potential_m2_s2: f64 = (0..3).map(|axis| -scene.gravity_m_s2[axis] * mean_m[axis]).sum();
         let origin_m = scene.domain.min_m;
         let present = sums.particles > 0;
-        let furthest_m = if scene.domain.walls { scene.domain.max_m[0] } else { f64::INFINITY };
+        let furthest_m = if scene.domain.has_walls_along(0) { scene.domain.max_m[0] } else { f64::INFINITY };
         let front_m = (origin_m[0] + f64::from(sums.front_m) + 0.5 * scene.spacing_m).min(furthest_m);
         Self {
             density_error: spread(sums.density_error_sum, measure.density_error_p99, sums.density_error_max),

@@ -64,7 +64,8 @@ pub fn record_count(resources: &mut Resources, scene: &Scene, particle_count: u3
     let mut shared = Shared {
         step: resources.state("step_params", 1),
         kernel: resources.state("kernel_params", 1),
-        walls: scene.domain.walls,
+        walls: scene.domain.has_walls(),
+        periodic: scene.domain.is_periodic(),
         precision: match scene.solver.precision {
             Precision::Full => PrecisionKeyword::Off,
             Precision::Relaxed => PrecisionKeyword::RelaxedPrecision,
@@ -118,7 +119,7 @@ fn predict(
     let count = positions.len;
     recording.dispatch(
         &Predict {
-            variant: PredictVariant { walls: shared.walls },
+            variant: PredictVariant { walls: shared.walls, periodic: shared.periodic },
             positions: positions.write(),
             velocities: velocities.write(),
             counters: shared.counters.write(),
@@ -130,17 +131,26 @@ fn predict(
 
 /// What the shaders are given.
 pub fn step_params(scene: &Scene, particle_count: u32) -> StepParams {
+    let (size_m, period_m) = (scene.domain.size_m(), scene.period_m());
+    let has_walls = |axis| scene.domain.has_walls_along(axis);
     StepParams {
         gravity_m_s2: scene.gravity_m_s2.map(|g| g as f32),
         dt_s: scene.substep_s() as f32,
-        domain_size_m: scene.domain.size_m().map(|size| size as f32),
+        domain_size_m: size_m.map(|size_m| size_m as f32),
         wall_offset_m: (WALL_OFFSET_RATIO * scene.spacing_m) as f32,
+        wall_min_m: std::array::from_fn(|axis| if has_walls(axis) { 0.0 } else { -FAR_M }),
         max_speed_m_s: scene.max_speed_m_s() as f32,
+        wall_max_m: std::array::from_fn(|axis| if has_walls(axis) { size_m[axis] as f32 } else { FAR_M }),
         particle_count,
+        period_m: period_m.map(|period_m| period_m as f32),
         list_chunks: grid::list_chunks(scene),
-        reserved: 0,
+        inverse_period_per_m: period_m.map(|period_m| if period_m > 0.0 { (1.0 / period_m) as f32 } else { 0.0 }),
+        reserved: 0.0,
     }
 }
+
+/// Where the walls of an axis without walls stand: finite in f32 even over the smallest support.
+const FAR_M: f32 = 1.0e30;
 
 /// How near a wall a particle's middle may come, over the spacing. The lattice starts at a half;
 /// what is nearer than this the walls' density alone did not hold back.

@@ -1,6 +1,6 @@
 //! What the twins are told: the host-visible settings, in f64.
 
-use glam::DVec3;
+use glam::{BVec3, DVec3};
 
 /// One substep; see `StepParams` of the shaders' layout.
 #[derive(Clone, Copy, Debug)]
@@ -11,8 +11,10 @@ pub struct Step {
     pub dt_s: f64,
     /// The domain's size; its lowest corner is the origin.
     pub domain_size_m: DVec3,
-    /// Whether the domain has walls.
-    pub walls: bool,
+    /// Along which axes the domain has walls.
+    pub walls: BVec3,
+    /// The domain's side along periodic axes, 0 along others, m.
+    pub period_m: DVec3,
     /// Particles stay at least this far from a wall.
     pub wall_offset_m: f64,
     /// Faster particles are slowed to this.
@@ -20,13 +22,19 @@ pub struct Step {
 }
 
 impl Step {
-    /// Moves a position inside the walls, if there are any.
+    /// Moves a position inside the walls, where there are any.
     pub fn inside(&self, position_m: DVec3) -> DVec3 {
-        if !self.walls {
-            return position_m;
-        }
         let low = DVec3::splat(self.wall_offset_m);
-        position_m.clamp(low, self.domain_size_m - low)
+        DVec3::select(self.walls, position_m.clamp(low, self.domain_size_m - low), position_m)
+    }
+
+    /// The position's image inside the domain.
+    pub fn wrapped(&self, position_m: DVec3) -> DVec3 {
+        let periodic = self.period_m.cmpgt(DVec3::ZERO);
+        let inside_m = position_m - self.period_m * (position_m / self.period_m).floor();
+        // Just below 0 the sum may round to the period itself.
+        let inside_m = DVec3::select(inside_m.cmplt(self.period_m), inside_m, DVec3::ZERO);
+        DVec3::select(periodic, inside_m, position_m)
     }
 
     /// Slows a velocity to the limit; whether it had to be.
@@ -56,13 +64,36 @@ impl Grid {
     }
 }
 
-/// The smoothing kernel's scale; see `KernelParams`.
+/// The smoothing kernel's scale (see `KernelParams`), and the distances that it is a function of.
 #[derive(Clone, Copy, Debug)]
 pub struct Smoothing {
     /// Support radius, m.
     pub support_m: f64,
     /// 1 / sum of W over the initial lattice.
     pub weight: f64,
+    /// The domain's side along periodic axes, 0 along others, m.
+    pub period_m: DVec3,
+}
+
+impl Smoothing {
+    /// In a domain without periodic axes.
+    pub fn new(support_m: f64, weight: f64) -> Self {
+        Self { support_m, weight, period_m: DVec3::ZERO }
+    }
+
+    /// From `there` to `here` or the nearest of its images, in h.
+    pub fn apart(&self, here_m: DVec3, there_m: DVec3) -> DVec3 {
+        nearest_image(here_m - there_m, self.period_m) / self.support_m
+    }
+}
+
+/// The shortest of what lies between two points and their images.
+pub fn nearest_image(apart_m: DVec3, period_m: DVec3) -> DVec3 {
+    if period_m == DVec3::ZERO {
+        return apart_m;
+    }
+    let image_m = apart_m - period_m * (apart_m / period_m).round();
+    DVec3::select(period_m.cmpgt(DVec3::ZERO), image_m, apart_m)
 }
 
 /// Position Based Fluids; see `PbfParams`.

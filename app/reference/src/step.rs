@@ -1,7 +1,7 @@
 //! A whole substep, in the order of the GPU's.
 
 use crate::boundary::walls::DomainWalls;
-use crate::grid::list_neighbours::{Neighbours, list_neighbours};
+use crate::grid::list_neighbours::{Neighbours, list_by_cells};
 use crate::params::{Pbf, Smoothing, Step};
 use crate::particles::predict::{Particle, predict};
 use crate::solver::pbf::confine_vorticity::confine_vorticity;
@@ -25,7 +25,7 @@ pub struct Fluid {
     pub pbf: Pbf,
     /// Iterations a substep.
     pub iterations: u32,
-    /// What walls add to the density; `None` in an open domain.
+    /// What walls add to the density; `None` without walls.
     pub walls: Option<DomainWalls>,
     /// Whether particles outside the domain have no neighbours, being outside the grid.
     pub grid_ends_at_domain: bool,
@@ -48,7 +48,7 @@ impl Fluid {
                 let (velocity_m_s, _) =
                     update_velocity(predicted_m[i], positions_m[i], particle.velocity_m_s, &self.step);
                 particle.velocity_m_s = velocity_m_s;
-                particle.position_m = positions_m[i];
+                particle.position_m = self.step.wrapped(positions_m[i]);
             }
         }
         self.swirl(&neighbours);
@@ -62,7 +62,7 @@ impl Fluid {
             let inside_m = particle.position_m.clamp(DVec3::ZERO, self.step.domain_size_m);
             particle.quarantined || (self.grid_ends_at_domain && inside_m != particle.position_m)
         };
-        list_neighbours(&self.positions_m(), alone, self.smoothing.support_m)
+        list_by_cells(&self.positions_m(), alone, self.smoothing.support_m, self.step.period_m)
     }
 
     /// Density ratios of the present positions.
@@ -139,6 +139,7 @@ mod tests {
     use super::*;
     use crate::boundary::walls::WallScales;
     use crate::shared::lattice;
+    use glam::BVec3;
 
     const SPACING: f64 = 0.02;
 
@@ -152,11 +153,12 @@ mod tests {
                 gravity_m_s2: DVec3::new(0.0, -gravity, 0.0),
                 dt_s: 1.0 / 240.0,
                 domain_size_m: DVec3::splat(0.4),
-                walls: false,
+                walls: BVec3::FALSE,
+                period_m: DVec3::ZERO,
                 wall_offset_m: SPACING / 4.0,
                 max_speed_m_s: 10.0,
             },
-            smoothing: Smoothing { support_m: 2.0 * SPACING, weight: lattice::weight(2.0) },
+            smoothing: Smoothing::new(2.0 * SPACING, lattice::weight(3, 2.0)),
             pbf: Pbf {
                 relaxation: 0.5,
                 cfm: 1e-4,
@@ -193,10 +195,12 @@ mod tests {
         // The lattice has density ratio 1 at walls, edges and corners, so nothing pushes it.
         let points = lattice::points([5, 4, 3], SPACING);
         let mut fluid = fluid(&points, 0.0);
-        fluid.step.walls = true;
+        fluid.step.walls = BVec3::TRUE;
         fluid.step.domain_size_m = DVec3::new(5.0, 4.0, 3.0) * SPACING;
         fluid.walls = Some(DomainWalls {
-            scales: WallScales::new(2.0),
+            dimensions: 3,
+            axes: BVec3::TRUE,
+            scales: WallScales::new(3, 2.0),
             domain_size_m: fluid.step.domain_size_m,
             support_m: fluid.smoothing.support_m,
         });

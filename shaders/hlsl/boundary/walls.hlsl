@@ -2,7 +2,8 @@
 // Koshizuka & Kawaguchi 2007, in closed form. Without it particles see a void beyond a wall and
 // pile up there.
 //
-// Beyond one wall lies a share of the kernel that is a polynomial of the distance. Wendland's C2
+// Beyond one wall lies a share of the kernel that is a polynomial of the distance (in two dimensions
+// nearly, within .0001: host). Wendland's C2
 // kernel is so nearly a product of three kernels along the axes that beyond two or three walls at
 // right angles lies the product of their shares (within .003 where particles may be; test
 // `products_of_planes_are_close_to_edges_and_corners`). By inclusion and exclusion edges and corners
@@ -20,19 +21,27 @@ struct WallShares
     float3 slope;   // of the share over the position, 1/h
 };
 
-WallShares WallSharesAt(float3 position_m, float3 domain_size_m, KernelParams kernel)
+WallShares WallSharesAt(float3 position_m, StepParams step, KernelParams kernel)
 {
     // How far the kernel reaches into each wall, in h.
-    float3 low = saturate(1.0 - position_m * kernel.inverse_support_per_m);
-    float3 high = saturate(1.0 - (domain_size_m - position_m) * kernel.inverse_support_per_m);
-    float3 low2 = low * low;
-    float3 high2 = high * high;
-    float3 low5 = low2 * low2 * low;
-    float3 high5 = high2 * high2 * high;
+    float3 low = saturate(1.0 - (position_m - step.wall_min_m) * kernel.inverse_support_per_m);
+    float3 high = saturate(1.0 - (step.wall_max_m - position_m) * kernel.inverse_support_per_m);
+    float4 of = kernel.wall_share;
+    float4 by = of * float4(5.0, 6.0, 7.0, 8.0);
+    float3 low4 = low * low * (low * low);
+    float3 high4 = high * high * (high * high);
     WallShares walls;
-    walls.share = low5 * low * (3.5 + low * (1.5 * low - 4.5)) + high5 * high * (3.5 + high * (1.5 * high - 4.5));
-    walls.slope = high5 * (21.0 + high * (12.0 * high - 31.5)) - low5 * (21.0 + low * (12.0 * low - 31.5));
+    walls.share = low4 * low * (of.x + low * (of.y + low * (of.z + low * of.w)))
+                + high4 * high * (of.x + high * (of.y + high * (of.z + high * of.w)));
+    walls.slope = high4 * (by.x + high * (by.y + high * (by.z + high * by.w)))
+                - low4 * (by.x + low * (by.y + low * (by.z + low * by.w)));
     return walls;
+}
+
+// A position that walls keep their distance from.
+float3 InsideWalls(float3 position_m, StepParams step)
+{
+    return clamp(position_m, step.wall_min_m + step.wall_offset_m, step.wall_max_m - step.wall_offset_m);
 }
 
 // The density ratio that the walls add.

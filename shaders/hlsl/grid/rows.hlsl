@@ -14,10 +14,17 @@ Rows RowsNear(float3 here_m)
     // The search reaches a hair beyond h, so that rounding of a cell's edge loses nobody; the
     // distance itself decides.
     float reach_m = grid.support_m * 1.0001;
+    int3 first_cell = 0;
     int3 last_cell = int3(grid.domain_cells) - 1;
+#if defined(PERIODIC)
+    // Further along a periodic axis are the cells of the other side. There are eight at least.
+    int3 around = 8 * int3(grid.seam_cells == grid.domain_cells);
+    first_cell -= around;
+    last_cell += around;
+#endif
     Rows rows;
-    rows.low = clamp(int3(floor((here_m - reach_m) * grid.inverse_cell_size_per_m)), 0, last_cell);
-    rows.high = clamp(int3(floor((here_m + reach_m) * grid.inverse_cell_size_per_m)), 0, last_cell);
+    rows.low = clamp(int3(floor((here_m - reach_m) * grid.inverse_cell_size_per_m)), first_cell, last_cell);
+    rows.high = clamp(int3(floor((here_m + reach_m) * grid.inverse_cell_size_per_m)), first_cell, last_cell);
     rows.reach_squared_m2 = reach_m * reach_m;
     return rows;
 }

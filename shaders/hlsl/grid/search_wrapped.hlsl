@@ -1,23 +1,60 @@
-// As search.hlsl, in a grid onto which the domain's cells are wrapped: a cell also holds particles
-// from a whole number of grids away. Places repeat every 4 h, and would take such a one for near: the
+// As search.hlsl, where a cell of the grid stands for others of the domain too.
+//
+// PERIODIC: cells beyond the seam of a periodic axis are those of the other side.
+// WRAPPED: in a grid onto which the domain's cells are wrapped, a cell also holds particles from a
+// whole number of grids away. Places repeat every 4 h, and would take such a one for near: the
 // positions themselves decide.
+//
+// Both turn over at multiples of eight cells alone, and a search is narrower than that: of the cells
+// it visits along an axis, those from the turn on stand in cell 0 and up, before the others.
 #ifndef BROOKLET_SEARCH_WRAPPED
 #define BROOKLET_SEARCH_WRAPPED
 
 #include "rows.hlsl"
 
-// The first cell from `low` on that is wrapped onto cell 0.
-int FirstWrapped(int low, uint cells)
+// The first cell from `low` on that stands in cell 0.
+int FirstTurned(int low, uint cells, uint seam)
 {
-    return int((uint(low) + cells - 1) & ~(cells - 1));
+#if defined(PERIODIC)
+    int turned = low <= 0 ? 0 : int(seam);
+#else
+    int turned = 0x7fffffff;
+#endif
+#if defined(WRAPPED)
+    turned = min(turned, (low + int(cells) - 1) & ~(int(cells) - 1));
+#endif
+    return turned;
 }
 
-// The n-th of the cells low to high in the order in which the wrapped ones are sorted.
-int Wrapping(int n, int low, int high, uint cells)
+// The cell of the grid in which one of the domain stands.
+uint Onto(int cell, uint cells, uint seam)
 {
-    int wrapped = FirstWrapped(low, cells);
-    int turned = max(high - wrapped + 1, 0);
-    return n < turned ? wrapped + n : low + n - turned;
+#if defined(PERIODIC)
+    cell += cell < 0 ? int(seam) : 0;
+    cell -= cell >= int(seam) ? int(seam) : 0;
+#endif
+#if defined(WRAPPED)
+    cell &= int(cells) - 1;
+#endif
+    return uint(cell);
+}
+
+// The n-th of the cells low to high in the order in which their particles are sorted.
+int Turning(int n, int low, int high, uint cells, uint seam)
+{
+    int first = FirstTurned(low, cells, seam);
+    int turned = max(high - first + 1, 0);
+    return n < turned ? first + n : low + n - turned;
+}
+
+// Whether a particle is near indeed, and not some grids away.
+bool IsNear(float3 here_m, float3 there_m)
+{
+    float3 apart_m = abs(there_m - here_m);
+#if defined(PERIODIC)
+    apart_m = min(apart_m, abs(float3(grid.seam_cells) * grid.cell_size_m - apart_m));
+#endif
+    return all(apart_m < 2.0 * grid.support_m);
 }
 
 void Search(uint i, float3 here_m, inout Found found)
@@ -27,30 +64,32 @@ void Search(uint i, float3 here_m, inout Found found)
     int2 counts = rows.high.yz - rows.low.yz + 1;
     for (int nz = 0; nz < counts.y; ++nz)
     {
-        int z = Wrapping(nz, rows.low.z, rows.high.z, grid.cells.z);
+        int z = Turning(nz, rows.low.z, rows.high.z, grid.cells.z, grid.seam_cells.z);
         float dz_m = DistanceToCell(here_m.z, z);
+        uint plane = Onto(z, grid.cells.z, grid.seam_cells.z) * grid.cells.y;
         for (int ny = 0; ny < counts.x; ++ny)
         {
-            int y = Wrapping(ny, rows.low.y, rows.high.y, grid.cells.y);
+            int y = Turning(ny, rows.low.y, rows.high.y, grid.cells.y, grid.seam_cells.y);
             int2 ends = EndsOfRow(here_m, rows, dz_m, y);
-            uint row = ((uint(z) & (grid.cells.z - 1)) * grid.cells.y + (uint(y) & (grid.cells.y - 1))) * grid.cells.x;
-            // What is wrapped stands before what is not.
-            int wrapped = min(FirstWrapped(ends.x, grid.cells.x), ends.y + 1);
+            uint row = (plane + Onto(y, grid.cells.y, grid.seam_cells.y)) * grid.cells.x;
+            int turned = min(FirstTurned(ends.x, grid.cells.x, grid.seam_cells.x), ends.y + 1);
             for (int part = 0; part < 2; ++part)
             {
-                int first = part == 0 ? wrapped : ends.x;
-                int last = part == 0 ? ends.y : wrapped - 1;
+                int first = part == 0 ? turned : ends.x;
+                int last = part == 0 ? ends.y : turned - 1;
                 if (first > last)
                     continue;
-                uint start = cell_starts[row + (uint(first) & (grid.cells.x - 1))];
-                uint end = cell_starts[row + (uint(last) & (grid.cells.x - 1)) + 1];
+                uint start = cell_starts[row + Onto(first, grid.cells.x, grid.seam_cells.x)];
+                uint end = cell_starts[row + Onto(last, grid.cells.x, grid.seam_cells.x) + 1];
                 BeginRow(found, start);
                 for (uint sorted = start; sorted < end; ++sorted)
                 {
                     float3 apart = Apart(here, Coordinates(places[sorted]));
                     bool near = dot(apart, apart) < 1.0 && sorted != i;
+#if defined(WRAPPED)
                     if (near)
-                        near = all(abs(sorted_positions[sorted].position_m - here_m) < 2.0 * grid.support_m);
+                        near = IsNear(here_m, sorted_positions[sorted].position_m);
+#endif
                     Add(found, sorted, sorted, near);
                 }
             }

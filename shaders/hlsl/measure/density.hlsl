@@ -1,5 +1,6 @@
 // A particle's density ratio where a step left it: itself, its neighbours, the walls. Includers
-// declare `positions`, the lists, `step_params` and `kernel`, and WALLS includes boundary/walls.hlsl.
+// declare `positions`, the lists, `step_params` and `kernel`, and WALLS includes boundary/walls.hlsl,
+// PERIODIC shared/periodic.hlsl.
 #ifndef BROOKLET_DENSITY
 #define BROOKLET_DENSITY
 
@@ -17,13 +18,17 @@ float DensityRatio(uint i, float3 here_m)
         for (uint k = 0; k < LIST_CHUNK; ++k)
         {
             uint j = Follow(last, gaps[k], i);
-            float q = length(here_m - positions[j].position_m) * kernel.inverse_support_per_m;
+            float3 apart_m = here_m - positions[j].position_m;
+#if defined(PERIODIC)
+            apart_m = NearestImage(apart_m, step_params);
+#endif
+            float q = length(apart_m) * kernel.inverse_support_per_m;
             density += gaps[k] == LIST_NOBODY ? 0.0 : WendlandW(q);
         }
     }
     density *= kernel.weight;
 #if defined(WALLS)
-    density += WallDensity(WallSharesAt(here_m, step_params.domain_size_m, kernel), kernel);
+    density += WallDensity(WallSharesAt(here_m, step_params, kernel), kernel);
 #endif
     return density;
 }

@@ -71,10 +71,14 @@ struct StepParams
     float dt_s;
     float3 domain_size_m;
     float wall_offset_m;    // particles stay at least this far from a wall
+    float3 wall_min_m;      // where walls stand; too far to matter along axes that have none
     float max_speed_m_s;
+    float3 wall_max_m;
     uint particle_count;
+    float3 period_m;        // the domain's side along axes that are periodic, 0 along others
     uint list_chunks;       // room for neighbours a particle, in LIST_CHUNKs
-    uint reserved;
+    float3 inverse_period_per_m;    // 0 along axes that are not
+    float reserved;
 };
 
 // The neighbour grid, x fastest: a cell for each of the domain's, or, in a domain far larger than its
@@ -94,6 +98,8 @@ struct GridParams
     uint reserved1;
     uint3 domain_cells;
     uint reserved2;
+    uint3 seam_cells;       // the domain's cells along axes that are periodic, more than it has along others
+    uint reserved3;
 };
 
 // The smoothing kernel, Wendland C2, scaled so that the initial lattice has density ratio 1, and
@@ -106,8 +112,9 @@ struct KernelParams
     float wall_plane;       // density ratio of all space, as one wall's share of it counts
     float wall_edge;        // of two walls' product
     float wall_corner;      // of three walls'
-    float reserved0;
-    float reserved1;
+    float along_z;          // 1; 0 in two dimensions, where nothing moves along z
+    float reserved;
+    float4 wall_share;      // the kernel's share beyond a wall that it reaches by t: t^5 times this polynomial of t
 };
 
 // Position Based Fluids, Macklin & Muller 2013. Lengths in units of h where no unit is named.

@@ -23,11 +23,13 @@ uint HashPair(uint a, uint b)
 }
 
 // A vector of length COINCIDENT, in h, from j to i, where the kernel's gradient has no direction:
-// drawn from the indices, opposite for the two of them, so that momentum is kept.
-float3 SeparationOf(uint i, uint j)
+// drawn from the indices, opposite for the two of them, so that momentum is kept. `along_z` is 0 where
+// nothing moves along z.
+float3 SeparationOf(uint i, uint j, float along_z)
 {
     uint hash = HashPair(min(i, j), max(i, j));
     float3 direction = float3(hash & 1023, (hash >> 10) & 1023, (hash >> 20) & 1023) - 511.5;
+    direction.z *= along_z;
     return normalize(direction) * (i < j ? -COINCIDENT : COINCIDENT);
 }
 

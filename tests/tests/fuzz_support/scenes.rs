@@ -11,6 +11,8 @@ const KEYS: &[&str] = &[
     "min_m",
     "max_m",
     "walls",
+    "periodic",
+    "dimensions",
     "fluid",
     "block",
     "sphere",

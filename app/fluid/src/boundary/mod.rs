@@ -2,4 +2,4 @@
 
 mod walls;
 
-pub use walls::{WallScales, beyond_wall};
+pub use walls::{WallScales, beyond_wall, wall_share};

@@ -55,7 +55,11 @@ impl Neighbours {
     pub fn record(&mut self, recording: &mut Recording, grid: &Grid, sorted: &Sorted, counters: &mut Buffer<Counters>) {
         recording.dispatch(
             &ListNeighbours {
-                variant: ListNeighboursVariant { wrapped: grid.wrapped, packed: sorted.packed },
+                variant: ListNeighboursVariant {
+                    wrapped: grid.wrapped,
+                    periodic: grid.periodic,
+                    packed: sorted.packed,
+                },
                 sorted_positions: sorted.positions.read(),
                 places: sorted.places.read(),
                 cell_starts: grid.cell_starts.read(),

@@ -19,7 +19,12 @@ use crate::scene::Scene;
 /// closely that about half as many candidates are looked at as with cells of h.
 pub fn cells(scene: &Scene) -> [u64; 3] {
     let cell_m = 0.5 * scene.support_m();
-    scene.domain.size_m().map(|size_m| (size_m / cell_m).ceil().max(1.0) as u64)
+    let (size_m, period_m) = (scene.domain.size_m(), scene.period_m());
+    std::array::from_fn(|axis| match scene.domain.periodic[axis] {
+        // A multiple of eight: a search, which is narrower, meets no cell twice.
+        true => (period_m[axis] / cell_m).round() as u64,
+        false => (size_m[axis] / cell_m).ceil().max(1.0) as u64,
+    })
 }
 
 /// Cells of the grid for each particle, beyond which it is wrapped: a dense fluid fills a cell with
@@ -27,8 +32,8 @@ pub fn cells(scene: &Scene) -> [u64; 3] {
 const CELLS_A_PARTICLE: u64 = 16;
 /// A grid of so many cells is small however few particles there are.
 const FEW_CELLS: u64 = 1 << 16;
-/// Fewest cells an axis of a wrapped grid: no search meets a cell twice, and places, which repeat
-/// every 4 h, repeat with it.
+/// Fewest cells that an axis is wrapped onto: no search meets a cell twice, and places, which repeat
+/// every 4 h, repeat with it. An axis of fewer keeps them.
 const LEAST_WRAPPED: u64 = 8;
 
 /// The grid's cells in a domain of `domain_cells`, powers of two onto which they are wrapped, if a
@@ -39,10 +44,10 @@ pub fn wrapped(domain_cells: [u64; 3], particle_count: u32) -> Option<[u32; 3]> 
     if count(domain_cells) <= u128::from(most) {
         return None;
     }
-    let mut cells = domain_cells.map(|n| n.next_power_of_two().max(LEAST_WRAPPED));
+    let mut cells = domain_cells.map(u64::next_power_of_two);
     while count(cells) > u128::from(most) {
         let longest = (0..3).max_by_key(|&axis| cells[axis]).unwrap_or(0);
-        if cells[longest] == LEAST_WRAPPED {
+        if cells[longest] <= LEAST_WRAPPED {
             break;
         }
         cells[longest] /= 2;
@@ -68,8 +73,16 @@ pub fn params(scene: &Scene, particle_count: u32) -> GridParams {
         reserved1: 0,
         domain_cells: domain_cells.map(|n| n as u32),
         reserved2: 0,
+        seam_cells: std::array::from_fn(|axis| match scene.domain.periodic[axis] {
+            true => domain_cells[axis] as u32,
+            false => NO_SEAM,
+        }),
+        reserved3: 0,
     }
 }
+
+/// Where the seam of an axis that is not periodic is: beyond all cells, and exact in f32.
+pub const NO_SEAM: u32 = 1 << 24;
 
 /// The grid's buffers.
 pub struct Grid {
@@ -87,6 +100,8 @@ pub struct Grid {
     scan: Scan,
     /// Whether the domain's cells are wrapped onto fewer.
     pub wrapped: bool,
+    /// Whether cells on either side of the domain lie side by side.
+    pub periodic: bool,
 }
 
 impl Grid {
@@ -101,6 +116,7 @@ impl Grid {
             members: scene.solver.deterministic.then(|| resources.buffer("cell_members", params.particle_count)),
             scan: Scan::declare(resources, "cell_starts", starts),
             wrapped: params.cells != params.domain_cells,
+            periodic: scene.domain.is_periodic(),
         }
     }
 
@@ -115,7 +131,7 @@ impl Grid {
         recording.clear(&mut self.cell_counts);
         recording.dispatch(
             &CountCells {
-                variant: CountCellsVariant { wrapped: self.wrapped },
+                variant: CountCellsVariant { wrapped: self.wrapped, periodic: self.periodic },
                 positions: positions.read(),
                 cell_counts: self.cell_counts.write(),
                 cell_slots: self.cell_slots.write(),

@@ -20,7 +20,8 @@ pub struct Emitted {
 
 /// Puts a cubic lattice of spacing d into each fluid. A block's lattice starts half a spacing
 /// inside it, so that fluid against a wall is where the wall expects it; a ball's is centred on
-/// it. Where fluids overlap, the first has the place.
+/// it. Where fluids overlap, the first has the place. In two dimensions the lattice is one layer, in
+/// the domain's plane.
 pub fn emit(scene: &Scene) -> Emitted {
     let mut emitted = Emitted::default();
     for_each(scene, |index, fluid, place_m| {
@@ -42,13 +43,19 @@ pub fn count(scene: &Scene) -> u64 {
 }
 
 /// Whether the fluid alone has a particle.
-pub(crate) fn fits(fluid: &Fluid, spacing_m: f64) -> bool {
-    Lattice::of(fluid, spacing_m).is_some_and(|lattice| !lattice.counts.contains(&0))
+pub(crate) fn fits(fluid: &Fluid, scene: &Scene) -> bool {
+    let (min_m, max_m) = fluid.bounds_m();
+    let mut middle_m: [f64; 3] = std::array::from_fn(|axis| 0.5 * (min_m[axis] + max_m[axis]));
+    if scene.domain.is_flat() {
+        middle_m[2] = scene.domain.plane_z_m();
+    }
+    let has_places = Lattice::of(fluid, scene).is_some_and(|lattice| !lattice.counts.contains(&0));
+    has_places && fluid.contains(middle_m)
 }
 
 fn for_each(scene: &Scene, mut visit: impl FnMut(usize, &Fluid, [f64; 3])) {
     for (index, fluid) in scene.fluids.iter().enumerate() {
-        let Some(lattice) = Lattice::of(fluid, scene.spacing_m) else { continue };
+        let Some(lattice) = Lattice::of(fluid, scene) else { continue };
         let (min_m, max_m) = fluid.bounds_m();
         let meets = |earlier: &&Fluid| {
             let (low_m, high_m) = earlier.bounds_m();
@@ -71,8 +78,9 @@ struct Lattice {
 }
 
 impl Lattice {
-    fn of(fluid: &Fluid, spacing_m: f64) -> Option<Self> {
-        let (first_m, counts) = if let Some(block) = &fluid.block {
+    fn of(fluid: &Fluid, scene: &Scene) -> Option<Self> {
+        let spacing_m = scene.spacing_m;
+        let (mut first_m, mut counts) = if let Some(block) = &fluid.block {
             // A side within a hundredth of a spacing of a whole number of spacings counts as that
             // number, so that 0.3 / 0.1 is 3.
             let along = |axis: usize| ((block.max_m[axis] - block.min_m[axis]) / spacing_m + 0.01).floor() as usize;
@@ -82,6 +90,10 @@ impl Lattice {
             let half = (sphere.radius_m / spacing_m).floor();
             (sphere.centre_m.map(|x| x - half * spacing_m), [2 * half as usize + 1; 3])
         };
+        if scene.domain.is_flat() {
+            first_m[2] = scene.domain.plane_z_m();
+            counts[2] = 1;
+        }
         Some(Self { first_m, spacing_m, counts })
     }
 

@@ -71,6 +71,11 @@ fn numbers(values: [f64; 3]) -> String {
     format!("[{x}, {y}, {z}]")
 }
 
+/// `value` without the last digits, which are a subtraction's.
+fn tidied(value: f64) -> f64 {
+    format!("{value:.9e}").parse().unwrap_or(value)
+}
+
 /// `value`, rounded up to three figures: what an error suggests must be enough.
 fn rounded_up(value: f64) -> Short {
     let unit = 10f64.powf(value.log10().floor() - 2.0);
@@ -89,6 +94,7 @@ impl Scene {
         })?;
         check.limits("", &values)?;
         self.check_domain(&check)?;
+        self.check_axes(&check)?;
         let [substeps, iterations] = [self.solver.substeps, self.solver.iterations];
         check.require(
             substeps * iterations <= MAX_ITERATIONS_A_STEP,
@@ -126,8 +132,7 @@ impl Scene {
     fn check_domain(&self, check: &Checker) -> Result<(), SceneError> {
         check.ordered("domain", self.domain.min_m, self.domain.max_m)?;
         let (spacing_m, size_m) = (self.spacing_m, self.domain.size_m());
-        // Without the last digits, which are the subtraction's.
-        let sides = numbers(size_m.map(|side_m| format!("{side_m:.9e}").parse().unwrap_or(side_m)));
+        let sides = numbers(size_m.map(tidied));
         check.require(
             // A hair of tolerance: 1.05 - 1 is less than 0.05.
             size_m.iter().all(|&side_m| side_m >= (1.0 - 1.0e-6) * spacing_m),
@@ -147,9 +152,42 @@ impl Scene {
         )
     }
 
+    /// What is asked of single axes.
+    fn check_axes(&self, check: &Checker) -> Result<(), SceneError> {
+        let domain = &self.domain;
+        let periodic = format!("{:?}", domain.periodic);
+        let [gx, gy, gz] = self.gravity_m_s2;
+        if domain.is_flat() {
+            check.require(!domain.periodic[2], "domain.periodic", &periodic, "two dimensions have no axis z")?;
+            let allowed = "must be 0 along z with domain.dimensions = 2";
+            check.require(gz == 0.0, "gravity_m_s2", numbers([gx, gy, gz]), allowed)?;
+        }
+        let unit_m = self.period_unit_m();
+        for axis in (0..3).filter(|&axis| domain.periodic[axis]) {
+            let side_m = domain.size_m()[axis];
+            let below = (side_m / unit_m).floor().max(1.0);
+            let tolerance_m = 1.0e-6 * self.spacing_m;
+            check.require(
+                (side_m - self.period_m()[axis]).abs() <= tolerance_m,
+                "domain.periodic",
+                &periodic,
+                format_args!(
+                    "a periodic side must be a whole multiple of 4 h = 4 * spacing_m * solver.support_ratio = {} m: \
+                     that along {} is {} m, {} or {} would do",
+                    Short(tidied(unit_m)),
+                    ["x", "y", "z"][axis],
+                    Short(tidied(side_m)),
+                    Short(tidied(below * unit_m)),
+                    Short(tidied((below + 1.0) * unit_m)),
+                ),
+            )?;
+        }
+        Ok(())
+    }
+
     /// No more particles than ids, and no more neighbour slots than u32 counts.
     fn check_count(&self, check: &Checker) -> Result<(), SceneError> {
-        let estimate = self.fluids.iter().map(|fluid| fluid.volume_m3() / self.spacing_m.powi(3)).sum::<f64>();
+        let estimate = self.fluids.iter().map(|fluid| fluid.lattice_cells(self)).sum::<f64>();
         let most = f64::from(MAX_PARTICLES);
         // Counting is exact, and takes a while where there are many more than fit.
         let count = if estimate > 2.0 * most { estimate } else { particles::count(self) as f64 };
@@ -160,7 +198,7 @@ impl Scene {
             format_args!(
                 "makes {count:.3e} particles, and {MAX_PARTICLES} fit, as many as ids have 24 bits for: \
                  make it {} or more, or the fluid less",
-                rounded_up(1.01 * self.spacing_m * (count / most).cbrt())
+                rounded_up(1.01 * self.spacing_m * (count / most).powf(1.0 / f64::from(self.domain.dimensions)))
             ),
         )?;
         let slots = f64::from(self.solver.neighbour_slots);
@@ -200,11 +238,19 @@ impl Scene {
                 return check.require(false, field, "a block and a sphere", "give it one of the two");
             }
         };
+        let allowed = "must be 0 along z with domain.dimensions = 2";
+        check.require(
+            !self.domain.is_flat() || fluid.velocity_m_s[2] == 0.0,
+            &format!("{field}.velocity_m_s"),
+            numbers(fluid.velocity_m_s),
+            allowed,
+        )?;
         // A hair of tolerance: 0.1 + 0.2 is above 0.3.
         let slack_m = 1.0e-6 * self.spacing_m;
         let domain = &self.domain;
-        let inside =
-            (0..3).all(|axis| min[axis] >= domain.min_m[axis] - slack_m && max[axis] <= domain.max_m[axis] + slack_m);
+        // A flat domain's depth has no meaning, and a disc in it is a ball of more.
+        let inside = (0..domain.dimensions as usize)
+            .all(|axis| min[axis] >= domain.min_m[axis] - slack_m && max[axis] <= domain.max_m[axis] + slack_m);
         check.require(
             inside,
             &shape,
@@ -212,21 +258,38 @@ impl Scene {
             format_args!("must lie inside the domain, {} to {}", numbers(domain.min_m), numbers(domain.max_m)),
         )?;
         check.require(
-            particles::fits(fluid, self.spacing_m),
+            particles::fits(fluid, self),
             &shape,
             format_args!("{} to {}", numbers(min), numbers(max)),
-            format_args!(
-                "has no room for a particle: each side must be at least spacing_m = {}",
-                Short(self.spacing_m)
-            ),
+            match domain.is_flat() {
+                false => format!(
+                    "has no room for a particle: each side must be at least spacing_m = {}",
+                    Short(self.spacing_m)
+                ),
+                true => format!(
+                    "has no room for a particle: along x and y each side must be at least spacing_m = {}, and the \
+                     plane z = {} of the two dimensions must cut it",
+                    Short(self.spacing_m),
+                    Short(tidied(domain.plane_z_m()))
+                ),
+            },
         )
     }
 }
 
 impl Fluid {
-    fn volume_m3(&self) -> f64 {
-        let block = self.block.as_ref().map(|b| (0..3).map(|axis| b.max_m[axis] - b.min_m[axis]).product());
-        let sphere = self.sphere.as_ref().map(|s| 4.0 / 3.0 * std::f64::consts::PI * s.radius_m.powi(3));
+    /// About how many points of the scene's lattice it has.
+    fn lattice_cells(&self, scene: &Scene) -> f64 {
+        use std::f64::consts::PI;
+        let dimensions = scene.domain.dimensions;
+        let block = self
+            .block
+            .as_ref()
+            .map(|b| (0..dimensions as usize).map(|axis| (b.max_m[axis] - b.min_m[axis]) / scene.spacing_m).product());
+        let sphere = self.sphere.as_ref().map(|s| {
+            let radius = s.radius_m / scene.spacing_m;
+            if scene.domain.is_flat() { PI * radius.powi(2) } else { 4.0 / 3.0 * PI * radius.powi(3) }
+        });
         block.or(sphere).unwrap_or(0.0)
     }
 }

@@ -16,6 +16,8 @@ pub(crate) enum Kind {
     Choice(&'static [&'static str]),
     /// `true` or `false`.
     Switch,
+    /// Three of those, along x, y and z.
+    Switches,
     /// Any text.
     Text,
     /// `[field]` and keys below it, or `{ key = value }`.
@@ -51,6 +53,8 @@ pub(crate) const FIELDS: &[(&str, Kind)] = &[
     ("domain.min_m", PLACE),
     ("domain.max_m", PLACE),
     ("domain.walls", Kind::Switch),
+    ("domain.periodic", Kind::Switches),
+    ("domain.dimensions", Kind::Whole(within(2.0, 3.0, ""))),
     ("fluid", Kind::Tables),
     ("fluid.*", Kind::Table),
     ("fluid.*.block", Kind::Table),
@@ -138,6 +142,7 @@ impl Display for Kind {
             Self::Vector(limits) => write!(f, "must be three numbers, each from {limits}"),
             Self::Choice(names) => write!(f, "must be \"{}\"", names.join("\" or \"")),
             Self::Switch => f.write_str("must be true or false"),
+            Self::Switches => f.write_str("must be three of true or false, along x, y and z"),
             Self::Text => f.write_str("must be a text in quotes"),
             Self::Table => f.write_str("must be a table of keys"),
             Self::Tables => f.write_str("must be tables, [[fluid]] once for each"),

@@ -2,6 +2,7 @@
 //! y up. Camera and picture settings live here too and are read by whoever needs them.
 
 mod check;
+mod domain;
 mod error;
 mod explain;
 mod fields;
@@ -15,6 +16,7 @@ mod surface;
 #[cfg(test)]
 mod tests;
 
+pub use domain::Domain;
 pub use error::SceneError;
 #[cfg(feature = "schema")]
 pub use schema::schema;
@@ -39,7 +41,7 @@ pub struct Scene {
     /// Acceleration of gravity, m/s².
     #[serde(default = "default_gravity")]
     pub gravity_m_s2: [f64; 3],
-    /// The box that holds the fluid.
+    /// The box that holds the fluid, and what is at its faces.
     pub domain: Domain,
     /// The fluids at the start.
     #[serde(default, rename = "fluid")]
@@ -58,29 +60,8 @@ pub struct Scene {
     pub outputs: Outputs,
 }
 
-/// An axis-aligned box.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct Domain {
-    /// Lowest corner, m. The GPU's positions are relative to it.
-    pub min_m: [f64; 3],
-    /// Highest corner, m.
-    pub max_m: [f64; 3],
-    /// Whether the box has walls. Without them a particle that leaves the box is counted as
-    /// escaped and flies on alone. Safe to drop where no fluid reaches the box's faces.
-    #[serde(default = "yes")]
-    pub walls: bool,
-}
-
-impl Domain {
-    /// Extent along each axis, m.
-    pub fn size_m(&self) -> [f64; 3] {
-        std::array::from_fn(|axis| self.max_m[axis] - self.min_m[axis])
-    }
-}
-
-/// One body of fluid: a block or a sphere, filled with a cubic lattice of particles.
+/// One body of fluid: a block or a sphere, filled with a cubic lattice of particles. In two dimensions
+/// a layer of it at the middle of the domain's depth, where the body is cut: a sphere there is a disc.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
@@ -281,9 +262,27 @@ impl Scene {
         self.fluids.first().map_or_else(default_rest_density, |fluid| fluid.rest_density_kg_m3)
     }
 
-    /// Mass of a particle, kg: what its lattice cell holds.
+    /// Mass of a particle, kg: what its lattice cell holds. In two dimensions kg per metre along z, and
+    /// so are the energies and momenta made of it.
     pub fn particle_mass_kg(&self) -> f64 {
-        self.rest_density_kg_m3() * self.spacing_m.powi(3)
+        self.rest_density_kg_m3() * self.spacing_m.powi(self.domain.dimensions as i32)
+    }
+
+    /// Side of the domain along each axis that is periodic, m; 0 along others. A whole number of
+    /// [`Scene::period_unit_m`].
+    pub fn period_m(&self) -> [f64; 3] {
+        let unit_m = self.period_unit_m();
+        let size_m = self.domain.size_m();
+        std::array::from_fn(|axis| match self.domain.periodic[axis] {
+            true => (size_m[axis] / unit_m).round().max(1.0) * unit_m,
+            false => 0.0,
+        })
+    }
+
+    /// What the side of a periodic axis is a whole number of, m: 4 h, after which places repeat
+    /// (shader: `shared/place.hlsl`).
+    pub fn period_unit_m(&self) -> f64 {
+        4.0 * self.support_m()
     }
 }
 
@@ -297,8 +296,4 @@ fn default_rest_density() -> f64 {
 
 fn default_fov() -> f64 {
     40.0
-}
-
-fn yes() -> bool {
-    true
 }

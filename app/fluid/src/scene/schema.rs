@@ -43,7 +43,7 @@ fn limit(part: &mut Value, kind: &Kind) {
                 put(items, limits);
             }
         }
-        Kind::Choice(_) | Kind::Switch | Kind::Text | Kind::Table | Kind::Tables => {}
+        Kind::Choice(_) | Kind::Switch | Kind::Switches | Kind::Text | Kind::Table | Kind::Tables => {}
     }
 }
 

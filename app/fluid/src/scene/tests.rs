@@ -78,6 +78,9 @@ fn each_field_refuses_what_it_does_not_take_by_name_and_value() {
             }
             Kind::Choice(names) => ["\"other\"", "7", "true"].map(|value| (value.into(), names[0].into())).into(),
             Kind::Switch => ["0", "\"yes\"", "[true]"].map(|value| (value.into(), "true or false".into())).into(),
+            Kind::Switches => ["true", "[true, false]", "[true, false, 1]", "[\"x\", false, false]", "7"]
+                .map(|value| (value.into(), "three of true or false".into()))
+                .into(),
             Kind::Text => ["7", "[\"a\"]", "true"].map(|value| (value.into(), "text".into())).into(),
             Kind::Table => ["7", "true"].map(|value| (value.into(), "table".into())).into(),
             Kind::Tables => ["7", "true"].map(|value| (value.into(), "[[fluid]]".into())).into(),
@@ -229,7 +232,7 @@ fn a_domain_far_larger_than_its_fluid_has_a_small_grid() {
     assert_eq!(crate::grid::wrapped([300, 200, 100], 6_000_000), None);
     assert_eq!(crate::grid::wrapped([1, 1, 1], 0), None);
     // However long and thin.
-    assert_eq!(crate::grid::wrapped([1 << 17, 3, 1], 100).unwrap(), [1024, 8, 8]);
+    assert_eq!(crate::grid::wrapped([1 << 17, 3, 1], 100).unwrap(), [16_384, 4, 1]);
 }
 
 #[test]

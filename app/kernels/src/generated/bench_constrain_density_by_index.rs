@@ -70,8 +70,8 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 3,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
-    BindingInfo { name: "step_params", slot: 4, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "kernel", slot: 5, kind: BindingKind::Uniform { bytes: 32 } },
+    BindingInfo { name: "step_params", slot: 4, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "pbf", slot: 6, kind: BindingKind::Uniform { bytes: 32 } },
 ];
 
@@ -85,5 +85,5 @@ static CONSTRAIN_DENSITY_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/constrain_density_by_index.compute",
-    hash: "38016e1fbc9765f063d2b2f98ec3f277e98aae2cf9c24eba0cddf175e107d581",
+    hash: "9c0eb0ac414cab8f41adbff4c02df6617a6d14e13081ce54686eda18f27bf0ec",
 };

@@ -57,5 +57,5 @@ static COPY_ELEMENTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/copy.compute",
-    hash: "b74aa453ae329eb4bb6834214f1333b3db610681a74c1fe1f4eb0757b4e61ae0",
+    hash: "4b2f7794ae1b0fa6cdcfe428442e1ad31e4e4cffc39e80dc280ab4f3ad0a7a89",
 };

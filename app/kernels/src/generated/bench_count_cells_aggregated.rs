@@ -57,7 +57,7 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 2,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
     },
-    BindingInfo { name: "grid", slot: 3, kind: BindingKind::Uniform { bytes: 64 } },
+    BindingInfo { name: "grid", slot: 3, kind: BindingKind::Uniform { bytes: 80 } },
 ];
 
 static COUNT_CELLS_AGGREGATED: Module = Module {
@@ -70,5 +70,5 @@ static COUNT_CELLS_AGGREGATED: Module = Module {
     shared_bytes: 512,
     tier: Tier::Floor,
     source: "bench/count_cells_aggregated.compute",
-    hash: "061978e6528ca1ad31daa39fb95e18def2bf9b03ec8a7b3468dd980cb83e8f75",
+    hash: "f2c6a5903b2df4770a513e9d160e6d25ef2f6ca451e0b8c629b5cde68da6a18d",
 };

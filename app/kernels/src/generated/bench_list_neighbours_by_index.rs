@@ -73,7 +73,7 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 5,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 },
     },
-    BindingInfo { name: "grid", slot: 6, kind: BindingKind::Uniform { bytes: 64 } },
+    BindingInfo { name: "grid", slot: 6, kind: BindingKind::Uniform { bytes: 80 } },
 ];
 
 static LIST_NEIGHBOURS_BY_INDEX: Module = Module {
@@ -86,5 +86,5 @@ static LIST_NEIGHBOURS_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/list_neighbours_by_index.compute",
-    hash: "a0bd93e13cf3790d3caf37eb43bacc713a14190cffbbf2b4e1bdf50ae5a93eb1",
+    hash: "fc288e099c5b43ff463be0fe70ace95b31a5c5c2ecdaf72c431d82ec812c7f28",
 };

@@ -61,7 +61,7 @@ static BINDINGS_0: &[BindingInfo] = &[
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 },
     },
     BindingInfo { name: "places", slot: 4, kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 } },
-    BindingInfo { name: "grid", slot: 5, kind: BindingKind::Uniform { bytes: 64 } },
+    BindingInfo { name: "grid", slot: 5, kind: BindingKind::Uniform { bytes: 80 } },
 ];
 
 static REORDER_INDEX: Module = Module {
@@ -74,5 +74,5 @@ static REORDER_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/reorder_index.compute",
-    hash: "8cc4b6faea814177655554b814581877dc6198a3d8b4d7e7ddd37894cc7f1a45",
+    hash: "9c839c929ae38ee80c6ee964caabcd3f831e2151c30dd0b21665204c9d65ed8b",
 };

@@ -88,7 +88,7 @@ static SCAN_GROUPS_TREE: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "c38dafc58c2c000ec87b9019c84d22105cb9ca5ff6e67beeda1c95f20a977cde",
+    hash: "49d01a121e8d1136b58e4d70b2edca4d0561336849bb7cddd4c7e67af2f4b245",
 };
 
 static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
@@ -101,7 +101,7 @@ static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "4f2fe2d4c60a5b808aaf6d0bbbb3f0b87b78a479d0337006e5d5cf0b0c355e69",
+    hash: "a7016e5a0104b120ed4d3aad8c33f23afb1f6d7c81d74b806bd92f44efe08352",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
@@ -114,7 +114,7 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "60b6127941f774a40d421e7f78d6a088c27d2843f5d1ed06961373d0dbfe92e7",
+    hash: "9fe7dad080236cbcdc5e858b9fe802a48b38bdb5ac12a97c879ec14793ba9dae",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
@@ -127,5 +127,5 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "b06e23e1566396f6b4cc3185bab324c57177b7d249931df5fd9eef8c3cdfa532",
+    hash: "9b27c25d114a0a2c8779c4bc942a003737e1d03c5bbdd6f652d5c36fa275e4c4",
 };

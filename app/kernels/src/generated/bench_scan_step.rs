@@ -54,5 +54,5 @@ static SCAN_STEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/scan_step.compute",
-    hash: "c22b4070175343c408acb54a6b91bd2ee443f84ac48a4a55fa6f735015696492",
+    hash: "90ddfd170d47e2d1449bc2253e13e60201b5b6b68591d96c834a798af3225748",
 };

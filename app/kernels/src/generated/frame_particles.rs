@@ -62,7 +62,7 @@ static DRAW_PARTICLES_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "eafd860bb74c6e13c745a3ed9f81be0f88e7b8ba8b3c2a1b2b238f396a56b8ae",
+    hash: "c282131ab1f9257e97ddd8676cbd71f5f09a21188fbfc73bcf05d54bbff9e9b2",
 };
 
 static DRAW_PARTICLES_FRAGMENT: Module = Module {
@@ -75,5 +75,5 @@ static DRAW_PARTICLES_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "e6c1c22f255c5b38d613ca195d2e763c2045614965b16f57f4bba5117ac3cfed",
+    hash: "f929bd1cc028a95973065c518bf5579e56829cf04c8050591145aff8ff709018",
 };

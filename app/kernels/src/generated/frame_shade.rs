@@ -130,7 +130,7 @@ static DRAW_SHADE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "3c45d031cbbf9510d7753cb5fc8a163e50b1eada3ef1599cc0175f3197abc553",
+    hash: "44ce358076b0a0fb2d394d957c3c9c2f3ad73459f41f8d6aa9e67571063b6711",
 };
 
 static DRAW_SHADE_FRAGMENT: Module = Module {
@@ -143,7 +143,7 @@ static DRAW_SHADE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "e894916c61a4a9f45f0396e6a274cb3eb9a3b15c376e8bef9db51248c6ca79bd",
+    hash: "5862d95f32d3e6bd0fcbfd2f00ae18820d9ebecc54564ebbfb44075dc5409739",
 };
 
 static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
@@ -156,7 +156,7 @@ static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "ce32002d0475661c2d52f34d397524bb4ebb664c172f038a750595c757e7e69d",
+    hash: "a00169d0e3b765e41a3f272c5221a0b84cccd735faed13523a573695aa10442b",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
@@ -169,7 +169,7 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "4ed6364f9cf8ba336388bbc1d0b76f93119d506aed18e893a410d781d6c3ba04",
+    hash: "e6bda4d6c63973aeba7d4d15ae7397b3bfd90462b6b6c1ed9cdd45e9dc1e1229",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
@@ -182,5 +182,5 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "c4263c2eb3c91e611a8724a27737fe5a60101eb440b49ffe9f61f2d9eb0c0155",
+    hash: "5d48eb4046e1a4dbdf8f2d0f3c18e15ae07e671cc7311bb6f69da372f9c795c2",
 };

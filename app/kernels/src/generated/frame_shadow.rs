@@ -55,7 +55,7 @@ static DRAW_SHADOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "691c565c9033e9a30d6830136b882802be7cc30ba4545eb5c06ec06f1a2cf2e9",
+    hash: "37e3c9ba6f5b87fd48cb35006eedd9a89e7d67c4542e9d66ebf12db8f6e841b4",
 };
 
 static DRAW_SHADOW_FRAGMENT: Module = Module {
@@ -68,5 +68,5 @@ static DRAW_SHADOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "331d327037d77ceb471640daa9ddcfe58dfba2a4311163c6ca76e67e9b8f4628",
+    hash: "31776a2025ae909835cdbb49757de02d5e957e890cb000ea77f9b41be9175f70",
 };

@@ -12,6 +12,8 @@ use crate::{
 pub struct CountCellsVariant {
     /// Keyword `WRAPPED`.
     pub wrapped: bool,
+    /// Keyword `PERIODIC`.
+    pub periodic: bool,
 }
 
 /// First pass of the counting sort: how many particles each cell holds, and how many of its cell
@@ -35,7 +37,12 @@ impl Kernel for CountCells<'_> {
     const GROUP_SIZE: [u32; 3] = [64, 1, 1];
 
     fn module(&self) -> &'static Module {
-        if self.variant.wrapped { &COUNT_CELLS_WITH_WRAPPED } else { &COUNT_CELLS }
+        match (self.variant.wrapped, self.variant.periodic) {
+            (false, false) => &COUNT_CELLS,
+            (false, true) => &COUNT_CELLS_WITH_PERIODIC,
+            (true, false) => &COUNT_CELLS_WITH_WRAPPED,
+            (true, true) => &COUNT_CELLS_WITH_WRAPPED_WITH_PERIODIC,
+        }
     }
     fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
         bind(
@@ -51,7 +58,8 @@ impl Kernel for CountCells<'_> {
 }
 
 /// The modules of this file.
-pub(super) static MODULES: &[&Module] = &[&COUNT_CELLS, &COUNT_CELLS_WITH_WRAPPED];
+pub(super) static MODULES: &[&Module] =
+    &[&COUNT_CELLS, &COUNT_CELLS_WITH_PERIODIC, &COUNT_CELLS_WITH_WRAPPED, &COUNT_CELLS_WITH_WRAPPED_WITH_PERIODIC];
 
 static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "positions", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
@@ -65,7 +73,7 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 2,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
     },
-    BindingInfo { name: "grid", slot: 3, kind: BindingKind::Uniform { bytes: 64 } },
+    BindingInfo { name: "grid", slot: 3, kind: BindingKind::Uniform { bytes: 80 } },
 ];
 
 static COUNT_CELLS: Module = Module {
@@ -78,7 +86,20 @@ static COUNT_CELLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "c1f07722016cc78809cc7eac023f4b3e23f426c300c90c325fbd29afc8a68e43",
+    hash: "d48dd7d4e4f124b1e17c20a6ad6be1efc9dd7472403238f2392da821253c3d38",
+};
+
+static COUNT_CELLS_WITH_PERIODIC: Module = Module {
+    name: "CountCells+PERIODIC",
+    entry: "CountCells",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/count_cells+periodic.spv"),
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "grid/count_cells.compute",
+    hash: "b19d04e488c91505ae3fd42627b13e093ac39cb9d5f2f7197be94b5c0f21206d",
 };
 
 static COUNT_CELLS_WITH_WRAPPED: Module = Module {
@@ -91,5 +112,18 @@ static COUNT_CELLS_WITH_WRAPPED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "7065a6ff84fbf4e820e7c68048bb5f4a3204a69ce95a486e46a109b59fddc165",
+    hash: "6ffd477ab5c1abc817f0ca1ab8d907f6f840bc4d3bc1c3afdc7c95a3771f4044",
+};
+
+static COUNT_CELLS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
+    name: "CountCells+WRAPPED+PERIODIC",
+    entry: "CountCells",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/count_cells+wrapped+periodic.spv"),
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "grid/count_cells.compute",
+    hash: "c630c791df9ebbb45343e887c078be7f3abc0a22fbfec6311e9fe8ca97a2e3dc",
 };

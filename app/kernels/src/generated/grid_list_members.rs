@@ -52,7 +52,7 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 2,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 },
     },
-    BindingInfo { name: "grid", slot: 3, kind: BindingKind::Uniform { bytes: 64 } },
+    BindingInfo { name: "grid", slot: 3, kind: BindingKind::Uniform { bytes: 80 } },
 ];
 
 static LIST_MEMBERS: Module = Module {
@@ -65,5 +65,5 @@ static LIST_MEMBERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_members.compute",
-    hash: "814775698856c1c343080309f57b6c7f9fbddf7b6f790a28893559ea904f5f49",
+    hash: "1de5006dfeddcc98ab02d5c3d18a29e093c4dcb8d6b29115fa55c5251ecf823f",
 };

@@ -12,6 +12,8 @@ use crate::{
 pub struct ListNeighboursVariant {
     /// Keyword `WRAPPED`.
     pub wrapped: bool,
+    /// Keyword `PERIODIC`.
+    pub periodic: bool,
     /// Keyword `PACKED`.
     pub packed: bool,
 }
@@ -42,11 +44,15 @@ impl Kernel for ListNeighbours<'_> {
     const GROUP_SIZE: [u32; 3] = [64, 1, 1];
 
     fn module(&self) -> &'static Module {
-        match (self.variant.wrapped, self.variant.packed) {
-            (false, false) => &LIST_NEIGHBOURS,
-            (false, true) => &LIST_NEIGHBOURS_WITH_PACKED,
-            (true, false) => &LIST_NEIGHBOURS_WITH_WRAPPED,
-            (true, true) => &LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PACKED,
+        match (self.variant.wrapped, self.variant.periodic, self.variant.packed) {
+            (false, false, false) => &LIST_NEIGHBOURS,
+            (false, false, true) => &LIST_NEIGHBOURS_WITH_PACKED,
+            (false, true, false) => &LIST_NEIGHBOURS_WITH_PERIODIC,
+            (false, true, true) => &LIST_NEIGHBOURS_WITH_PERIODIC_WITH_PACKED,
+            (true, false, false) => &LIST_NEIGHBOURS_WITH_WRAPPED,
+            (true, false, true) => &LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PACKED,
+            (true, true, false) => &LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC,
+            (true, true, true) => &LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_PACKED,
         }
     }
     fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
@@ -69,8 +75,12 @@ impl Kernel for ListNeighbours<'_> {
 pub(super) static MODULES: &[&Module] = &[
     &LIST_NEIGHBOURS,
     &LIST_NEIGHBOURS_WITH_PACKED,
+    &LIST_NEIGHBOURS_WITH_PERIODIC,
+    &LIST_NEIGHBOURS_WITH_PERIODIC_WITH_PACKED,
     &LIST_NEIGHBOURS_WITH_WRAPPED,
     &LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PACKED,
+    &LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC,
+    &LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_PACKED,
 ];
 
 static BINDINGS_0: &[BindingInfo] = &[
@@ -96,7 +106,7 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 5,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
-    BindingInfo { name: "grid", slot: 6, kind: BindingKind::Uniform { bytes: 64 } },
+    BindingInfo { name: "grid", slot: 6, kind: BindingKind::Uniform { bytes: 80 } },
 ];
 
 static LIST_NEIGHBOURS: Module = Module {
@@ -109,7 +119,7 @@ static LIST_NEIGHBOURS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "1a1ae17811018c9e095989c8db91102439b99bf2fd91641c2f84cf00768186c8",
+    hash: "a7036ca9a58eb635d4666b96a570e738a6740b0cebc0bf3ec91be7575f2700b3",
 };
 
 static LIST_NEIGHBOURS_WITH_PACKED: Module = Module {
@@ -122,7 +132,33 @@ static LIST_NEIGHBOURS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "c4b45916eecfdffb659b291fbf2459f29c862cfad2ccbc78878672d9ef7dfb2f",
+    hash: "645d6c41408764e01ab399f643e4038085b8b8018bcf74e77f5d1a8ec7324c35",
+};
+
+static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
+    name: "ListNeighbours+PERIODIC",
+    entry: "ListNeighbours",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/list_neighbours+periodic.spv"),
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "grid/list_neighbours.compute",
+    hash: "bd15901afd670ac0cf9a4788cee2f575b815f277bb46fa91ebc83bab3341fe31",
+};
+
+static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_PACKED: Module = Module {
+    name: "ListNeighbours+PERIODIC+PACKED",
+    entry: "ListNeighbours",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/list_neighbours+periodic+packed.spv"),
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "grid/list_neighbours.compute",
+    hash: "8db110d3b6bb45be04871f9cd7917b6c49028f1ea2cd98bc181ac89993fb1ee7",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
@@ -135,7 +171,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "e5211ddb1b01e4b5e1d9b1f312effdbaa95d6fa82942f4b7e5d1bb2c33eca89a",
+    hash: "4eec405531265d5277bcfe8bab90c2539c3fdf49b25ad1d2ac26d8aa10412766",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PACKED: Module = Module {
@@ -148,5 +184,31 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "e1f9cc3159c146052cd55e270cbb64624995d7c3d40195435f3f356234771102",
+    hash: "76704d89591cc1339ab61f0f0066ef1e7d6f20d62200b7ddd1a5e9966af96e8f",
+};
+
+static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
+    name: "ListNeighbours+WRAPPED+PERIODIC",
+    entry: "ListNeighbours",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/list_neighbours+wrapped+periodic.spv"),
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "grid/list_neighbours.compute",
+    hash: "cc197248ee8ed0b8d47c1550e6e1d0fcbadb31a239456a42cdc1f7209789d65f",
+};
+
+static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_PACKED: Module = Module {
+    name: "ListNeighbours+WRAPPED+PERIODIC+PACKED",
+    entry: "ListNeighbours",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/list_neighbours+wrapped+periodic+packed.spv"),
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "grid/list_neighbours.compute",
+    hash: "34c6682c6526b4fc4caded9df5c4f8f3f9e92b5a531b325e86d6f7a14b3b9b87",
 };

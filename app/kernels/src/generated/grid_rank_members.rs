@@ -58,7 +58,7 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 3,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
     },
-    BindingInfo { name: "grid", slot: 4, kind: BindingKind::Uniform { bytes: 64 } },
+    BindingInfo { name: "grid", slot: 4, kind: BindingKind::Uniform { bytes: 80 } },
 ];
 
 static RANK_MEMBERS: Module = Module {
@@ -71,5 +71,5 @@ static RANK_MEMBERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/rank_members.compute",
-    hash: "1e43a17e6175a00f00a818ea2753e4744e1ffa2fc6c4deec9719829f653e0937",
+    hash: "1de00201c2b062ef45041fa892f3f60c7b2d3c3544a9081ddf99bc3cb7418926",
 };

@@ -81,7 +81,7 @@ static BINDINGS_0: &[BindingInfo] = &[
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
     BindingInfo { name: "places", slot: 6, kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 } },
-    BindingInfo { name: "grid", slot: 7, kind: BindingKind::Uniform { bytes: 64 } },
+    BindingInfo { name: "grid", slot: 7, kind: BindingKind::Uniform { bytes: 80 } },
 ];
 
 static REORDER: Module = Module {
@@ -94,7 +94,7 @@ static REORDER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "76eb63f782034bec0dd1d9c5965d557f0710f43f03f14a5234132e829fe3b484",
+    hash: "728a449e85d57fc47f4e1ab0e00833c57dd1017d1b211bfd8172e89f8eff9962",
 };
 
 static REORDER_WITH_PACKED: Module = Module {
@@ -107,5 +107,5 @@ static REORDER_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "2533567caf8de834ebd886b9c067fc122aa83a2a1bbbed955cc236f979dd1ca7",
+    hash: "5f030fcdd704ea638563d772e27bf7a9ebed1a4722919b805e7509d2a69e7b5d",
 };

@@ -109,7 +109,7 @@ static REDUCE_GROUPS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "877eeaa3a6405d312f0b8d92ddbd8a8338becddb47c1cef99fbfa79efb49b247",
+    hash: "19605271730d9ae7e0661b9d52ce3d656d78d3106d36a9556da11979b7925061",
 };
 
 static SCAN_GROUPS: Module = Module {
@@ -122,7 +122,7 @@ static SCAN_GROUPS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "ab7318dd04e085486392f2b62887fa9e2b996bda8db4331b2b4b48838b2abbc1",
+    hash: "37f9e4e46571fd303521ca5da4c9329dbf7c06ac0a1225a24c63dca1ebc293fd",
 };
 
 static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
@@ -135,5 +135,5 @@ static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "63bcc5589d07695dce5b96ad947aa411dff6499900f3ff6c7c7ec77f31ea57fc",
+    hash: "580b7ae0e30309f47a19abb609c5bb0f70a9930bc70294037bb8f51efbeb28d2",
 };

@@ -12,6 +12,8 @@ use crate::{
 pub struct DensityRatiosVariant {
     /// Keyword `WALLS`.
     pub walls: bool,
+    /// Keyword `PERIODIC`.
+    pub periodic: bool,
 }
 
 /// Every particle's density ratio, for colours that tell it.
@@ -38,7 +40,12 @@ impl Kernel for DensityRatios<'_> {
     const GROUP_SIZE: [u32; 3] = [64, 1, 1];
 
     fn module(&self) -> &'static Module {
-        if self.variant.walls { &DENSITY_RATIOS_WITH_WALLS } else { &DENSITY_RATIOS }
+        match (self.variant.walls, self.variant.periodic) {
+            (false, false) => &DENSITY_RATIOS,
+            (false, true) => &DENSITY_RATIOS_WITH_PERIODIC,
+            (true, false) => &DENSITY_RATIOS_WITH_WALLS,
+            (true, true) => &DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC,
+        }
     }
     fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
         bind(
@@ -56,7 +63,12 @@ impl Kernel for DensityRatios<'_> {
 }
 
 /// The modules of this file.
-pub(super) static MODULES: &[&Module] = &[&DENSITY_RATIOS, &DENSITY_RATIOS_WITH_WALLS];
+pub(super) static MODULES: &[&Module] = &[
+    &DENSITY_RATIOS,
+    &DENSITY_RATIOS_WITH_PERIODIC,
+    &DENSITY_RATIOS_WITH_WALLS,
+    &DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC,
+];
 
 static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "positions", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
@@ -67,8 +79,8 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 3,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 },
     },
-    BindingInfo { name: "step_params", slot: 4, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "kernel", slot: 5, kind: BindingKind::Uniform { bytes: 32 } },
+    BindingInfo { name: "step_params", slot: 4, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
 static DENSITY_RATIOS: Module = Module {
@@ -81,7 +93,20 @@ static DENSITY_RATIOS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "e6d54cd579f912144ede5c2748108bb167edeb8fed3a53ee979183a39f972755",
+    hash: "70e01acafb651f3f1b39801a5e45e4a88135f997231de44c955a9d4b066f7d87",
+};
+
+static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
+    name: "DensityRatios+PERIODIC",
+    entry: "DensityRatios",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/density_ratios+periodic.spv"),
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "measure/density_ratios.compute",
+    hash: "0eda28ef3fd15636b2047066cd50d27486ece56d02e1961a4540e4e8a63ca8ad",
 };
 
 static DENSITY_RATIOS_WITH_WALLS: Module = Module {
@@ -94,5 +119,18 @@ static DENSITY_RATIOS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "0cde5ecf78f579b5c143ca7d8d49cfaaac14f25e1d13ff1d3bdbae17ef01c42c",
+    hash: "4088eb21f3448b69010a337f6eb9461a320ca91fee2034639dacacc51cd20f65",
+};
+
+static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
+    name: "DensityRatios+WALLS+PERIODIC",
+    entry: "DensityRatios",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/density_ratios+walls+periodic.spv"),
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "measure/density_ratios.compute",
+    hash: "c19fc83fd6c9fa0f87c9c876ff6cca8a1520e6eaaa7684fba62ebb5beb03ec09",
 };

@@ -12,6 +12,8 @@ use crate::{
 pub struct MeasureParticlesVariant {
     /// Keyword `WALLS`.
     pub walls: bool,
+    /// Keyword `PERIODIC`.
+    pub periodic: bool,
 }
 
 /// Density error, compression, energy and place of every particle, summed a group. Percentiles
@@ -44,7 +46,12 @@ impl Kernel for MeasureParticles<'_> {
     const GROUP_SIZE: [u32; 3] = [64, 1, 1];
 
     fn module(&self) -> &'static Module {
-        if self.variant.walls { &MEASURE_PARTICLES_WITH_WALLS } else { &MEASURE_PARTICLES }
+        match (self.variant.walls, self.variant.periodic) {
+            (false, false) => &MEASURE_PARTICLES,
+            (false, true) => &MEASURE_PARTICLES_WITH_PERIODIC,
+            (true, false) => &MEASURE_PARTICLES_WITH_WALLS,
+            (true, true) => &MEASURE_PARTICLES_WITH_WALLS_WITH_PERIODIC,
+        }
     }
     fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
         bind(
@@ -64,7 +71,12 @@ impl Kernel for MeasureParticles<'_> {
 }
 
 /// The modules of this file.
-pub(super) static MODULES: &[&Module] = &[&MEASURE_PARTICLES, &MEASURE_PARTICLES_WITH_WALLS];
+pub(super) static MODULES: &[&Module] = &[
+    &MEASURE_PARTICLES,
+    &MEASURE_PARTICLES_WITH_PERIODIC,
+    &MEASURE_PARTICLES_WITH_WALLS,
+    &MEASURE_PARTICLES_WITH_WALLS_WITH_PERIODIC,
+];
 
 static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "positions", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
@@ -81,8 +93,8 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 5,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 },
     },
-    BindingInfo { name: "step_params", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "kernel", slot: 7, kind: BindingKind::Uniform { bytes: 32 } },
+    BindingInfo { name: "step_params", slot: 6, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
 static MEASURE_PARTICLES: Module = Module {
@@ -95,7 +107,20 @@ static MEASURE_PARTICLES: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "e434fd0e8b0e6febbc5226968e84297f6fd71ad74d083d14d636d8cac54733b7",
+    hash: "c152b2f81b148afaedaf66e15da55f6edf93ab294f218108b9f49dc8ecce4666",
+};
+
+static MEASURE_PARTICLES_WITH_PERIODIC: Module = Module {
+    name: "MeasureParticles+PERIODIC",
+    entry: "MeasureParticles",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/measure_particles+periodic.spv"),
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 4096,
+    tier: Tier::Floor,
+    source: "measure/measure_particles.compute",
+    hash: "f196e6123ed4aa47cc339f3b187443e166f278efc36d98b0532a6a9f3872c94d",
 };
 
 static MEASURE_PARTICLES_WITH_WALLS: Module = Module {
@@ -108,5 +133,18 @@ static MEASURE_PARTICLES_WITH_WALLS: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "894671c18763468d7363e50bd05e2bb8b132e5d4e4e1b644554b91449e382a85",
+    hash: "ce06d046e9219b16100af31686805b472eaf8997a79625777953853a41c13924",
+};
+
+static MEASURE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
+    name: "MeasureParticles+WALLS+PERIODIC",
+    entry: "MeasureParticles",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/measure_particles+walls+periodic.spv"),
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 4096,
+    tier: Tier::Floor,
+    source: "measure/measure_particles.compute",
+    hash: "3d31425c7d0389145abe97e08ee16376a0aacc433a13fd5f9c78ed172a341019",
 };

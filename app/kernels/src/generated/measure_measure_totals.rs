@@ -60,7 +60,7 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 3,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 96 },
     },
-    BindingInfo { name: "step_params", slot: 4, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 4, kind: BindingKind::Uniform { bytes: 96 } },
 ];
 
 static MEASURE_TOTALS: Module = Module {
@@ -73,5 +73,5 @@ static MEASURE_TOTALS: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_totals.compute",
-    hash: "8a93008f227a6c13a751f8c5bc44405840e3a35df13c0c9ac2545d3e3e11785d",
+    hash: "ab7ff6ab1f1b19b3691fa4fc1a36b0279574fe2613744ca5911e0bd26cdbf362",
 };

@@ -12,10 +12,12 @@ use crate::{
 pub struct PredictVariant {
     /// Keyword `WALLS`.
     pub walls: bool,
+    /// Keyword `PERIODIC`.
+    pub periodic: bool,
 }
 
 /// Predicts where each particle would go without its neighbours: v += g dt, x += v dt
-/// (Macklin & Muller 2013, algorithm 1, lines 1-4), and keeps it inside the walls.
+/// (Macklin & Muller 2013, algorithm 1, lines 1-4), and keeps it inside the walls and periods.
 #[derive(Debug)]
 pub struct Predict<'a> {
     /// Its variant.
@@ -35,7 +37,12 @@ impl Kernel for Predict<'_> {
     const GROUP_SIZE: [u32; 3] = [64, 1, 1];
 
     fn module(&self) -> &'static Module {
-        if self.variant.walls { &PREDICT_WITH_WALLS } else { &PREDICT }
+        match (self.variant.walls, self.variant.periodic) {
+            (false, false) => &PREDICT,
+            (false, true) => &PREDICT_WITH_PERIODIC,
+            (true, false) => &PREDICT_WITH_WALLS,
+            (true, true) => &PREDICT_WITH_WALLS_WITH_PERIODIC,
+        }
     }
     fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
         bind(
@@ -51,7 +58,8 @@ impl Kernel for Predict<'_> {
 }
 
 /// The modules of this file.
-pub(super) static MODULES: &[&Module] = &[&PREDICT, &PREDICT_WITH_WALLS];
+pub(super) static MODULES: &[&Module] =
+    &[&PREDICT, &PREDICT_WITH_PERIODIC, &PREDICT_WITH_WALLS, &PREDICT_WITH_WALLS_WITH_PERIODIC];
 
 static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo {
@@ -69,7 +77,7 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 2,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
-    BindingInfo { name: "step_params", slot: 3, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 3, kind: BindingKind::Uniform { bytes: 96 } },
 ];
 
 static PREDICT: Module = Module {
@@ -82,7 +90,20 @@ static PREDICT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "33bd158f48a65cdb23b4959f3da8a772b425523c594f1609e0c92cae451c99f5",
+    hash: "810fdc61310b41c8ac374027d214dc089d807f2dfe7c30f65e20a7984dd684a1",
+};
+
+static PREDICT_WITH_PERIODIC: Module = Module {
+    name: "Predict+PERIODIC",
+    entry: "Predict",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/predict+periodic.spv"),
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "particles/predict.compute",
+    hash: "b9ff73f1b9f6b9d5a2fe35568391a5cde75b46a2adc984764f829131b93fcf75",
 };
 
 static PREDICT_WITH_WALLS: Module = Module {
@@ -95,5 +116,18 @@ static PREDICT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "7df39e162c0dd92d04cef161fe1074a976ce6d8089f9152716120c0fbc8ff3ae",
+    hash: "0a281145764707946e7be7e0e532305c34fb8a7284d7d66db12f438c93b595dd",
+};
+
+static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
+    name: "Predict+WALLS+PERIODIC",
+    entry: "Predict",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/predict+walls+periodic.spv"),
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "particles/predict.compute",
+    hash: "13522d833ce6ef6d4b8a658376533f8b9c7a15ca5cb66290a33eed6057c9de0c",
 };

@@ -138,25 +138,37 @@ pub struct StepParams {
     pub domain_size_m: [f32; 3],
     /// particles stay at least this far from a wall
     pub wall_offset_m: f32,
+    /// where walls stand; too far to matter along axes that have none
+    pub wall_min_m: [f32; 3],
     /// `float`.
     pub max_speed_m_s: f32,
+    /// `float3`.
+    pub wall_max_m: [f32; 3],
     /// `uint`.
     pub particle_count: u32,
+    /// the domain's side along axes that are periodic, 0 along others
+    pub period_m: [f32; 3],
     /// room for neighbours a particle, in LIST\_CHUNKs
     pub list_chunks: u32,
-    /// `uint`.
-    pub reserved: u32,
+    /// 0 along axes that are not
+    pub inverse_period_per_m: [f32; 3],
+    /// `float`.
+    pub reserved: f32,
 }
 const _: () = {
     assert!(offset_of!(StepParams, gravity_m_s2) == 0);
     assert!(offset_of!(StepParams, dt_s) == 12);
     assert!(offset_of!(StepParams, domain_size_m) == 16);
     assert!(offset_of!(StepParams, wall_offset_m) == 28);
-    assert!(offset_of!(StepParams, max_speed_m_s) == 32);
-    assert!(offset_of!(StepParams, particle_count) == 36);
-    assert!(offset_of!(StepParams, list_chunks) == 40);
-    assert!(offset_of!(StepParams, reserved) == 44);
-    assert!(size_of::<StepParams>() == 48);
+    assert!(offset_of!(StepParams, wall_min_m) == 32);
+    assert!(offset_of!(StepParams, max_speed_m_s) == 44);
+    assert!(offset_of!(StepParams, wall_max_m) == 48);
+    assert!(offset_of!(StepParams, particle_count) == 60);
+    assert!(offset_of!(StepParams, period_m) == 64);
+    assert!(offset_of!(StepParams, list_chunks) == 76);
+    assert!(offset_of!(StepParams, inverse_period_per_m) == 80);
+    assert!(offset_of!(StepParams, reserved) == 92);
+    assert!(size_of::<StepParams>() == 96);
 };
 
 /// The neighbour grid, x fastest: a cell for each of the domain's, or, in a domain far larger than its
@@ -189,6 +201,10 @@ pub struct GridParams {
     pub domain_cells: [u32; 3],
     /// `uint`.
     pub reserved2: u32,
+    /// the domain's cells along axes that are periodic, more than it has along others
+    pub seam_cells: [u32; 3],
+    /// `uint`.
+    pub reserved3: u32,
 }
 const _: () = {
     assert!(offset_of!(GridParams, cells) == 0);
@@ -203,7 +219,9 @@ const _: () = {
     assert!(offset_of!(GridParams, reserved1) == 44);
     assert!(offset_of!(GridParams, domain_cells) == 48);
     assert!(offset_of!(GridParams, reserved2) == 60);
-    assert!(size_of::<GridParams>() == 64);
+    assert!(offset_of!(GridParams, seam_cells) == 64);
+    assert!(offset_of!(GridParams, reserved3) == 76);
+    assert!(size_of::<GridParams>() == 80);
 };
 
 /// The smoothing kernel, Wendland C2, scaled so that the initial lattice has density ratio 1, and
@@ -223,10 +241,12 @@ pub struct KernelParams {
     pub wall_edge: f32,
     /// of three walls'
     pub wall_corner: f32,
+    /// 1; 0 in two dimensions, where nothing moves along z
+    pub along_z: f32,
     /// `float`.
-    pub reserved0: f32,
-    /// `float`.
-    pub reserved1: f32,
+    pub reserved: f32,
+    /// the kernel's share beyond a wall that it reaches by t: t^5 times this polynomial of t
+    pub wall_share: [f32; 4],
 }
 const _: () = {
     assert!(offset_of!(KernelParams, support_m) == 0);
@@ -235,9 +255,10 @@ const _: () = {
     assert!(offset_of!(KernelParams, wall_plane) == 12);
     assert!(offset_of!(KernelParams, wall_edge) == 16);
     assert!(offset_of!(KernelParams, wall_corner) == 20);
-    assert!(offset_of!(KernelParams, reserved0) == 24);
-    assert!(offset_of!(KernelParams, reserved1) == 28);
-    assert!(size_of::<KernelParams>() == 32);
+    assert!(offset_of!(KernelParams, along_z) == 24);
+    assert!(offset_of!(KernelParams, reserved) == 28);
+    assert!(offset_of!(KernelParams, wall_share) == 32);
+    assert!(size_of::<KernelParams>() == 48);
 };
 
 /// Position Based Fluids, Macklin & Muller 2013. Lengths in units of h where no unit is named.

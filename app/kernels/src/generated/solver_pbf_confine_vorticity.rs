@@ -88,7 +88,7 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 4,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
-    BindingInfo { name: "step_params", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 5, kind: BindingKind::Uniform { bytes: 96 } },
     BindingInfo { name: "pbf", slot: 6, kind: BindingKind::Uniform { bytes: 32 } },
 ];
 
@@ -102,7 +102,7 @@ static CONFINE_VORTICITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "646bd8661f107ef95d573e7b5f94c7aa765cac3a01271c41f3dbee808df2f1f5",
+    hash: "afa11985b2edfbda62dda7f1600ff03f5f7dea09a58747a36c7cdb846e9b9b4c",
 };
 
 static CONFINE_VORTICITY_WITH_PACKED: Module = Module {
@@ -115,7 +115,7 @@ static CONFINE_VORTICITY_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "051c0bcc1008cf2d3bb076a1b6c4221028c20453020908d799b2fca87e77a2ba",
+    hash: "8a3e2afbd117b1621dd753805d29dd9fec8196fec3c8e06147419ce75f63daaa",
 };
 
 static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -128,7 +128,7 @@ static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "c695aadadedeef7420774e6e7abb0dca69a84b140cf4b20511aad0e0db620b92",
+    hash: "b9d20818663c68729608a7c9f3e2ad861077ffd6aff2df955218e0d5fd1ee6c0",
 };
 
 static CONFINE_VORTICITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -141,7 +141,7 @@ static CONFINE_VORTICITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "c5da85b2faaf87a5a3922447c31bb1d92771e3e13f442146f4a5efebc2eac74e",
+    hash: "d14e9fcdce51fa74cde43c0e6d764e00c9a885d48bc311658afaadb25884e6ea",
 };
 
 static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
@@ -154,7 +154,7 @@ static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "6a43142080a1f764a93ece0619d507ead53d67c09ac0b844ded59b5bd5ce82d1",
+    hash: "8807d05c031dc0cfb7b74c1ac765b062abeb1c6288dfb9e5b958670dee7ffb32",
 };
 
 static CONFINE_VORTICITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -167,5 +167,5 @@ static CONFINE_VORTICITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "e5c227906a4b6a33de8646d4ee53383b14710266413f60d4f2725c1fc2da45dd",
+    hash: "91c81ba0f7d85c66439b2d6a985a95be2fcf5b951999693b74b497b7064d6347",
 };

@@ -110,8 +110,8 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 3,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
-    BindingInfo { name: "step_params", slot: 4, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "kernel", slot: 5, kind: BindingKind::Uniform { bytes: 32 } },
+    BindingInfo { name: "step_params", slot: 4, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "pbf", slot: 6, kind: BindingKind::Uniform { bytes: 32 } },
 ];
 
@@ -124,8 +124,8 @@ static BINDINGS_1: &[BindingInfo] = &[
         slot: 3,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
     },
-    BindingInfo { name: "step_params", slot: 4, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "kernel", slot: 5, kind: BindingKind::Uniform { bytes: 32 } },
+    BindingInfo { name: "step_params", slot: 4, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "pbf", slot: 6, kind: BindingKind::Uniform { bytes: 32 } },
 ];
 
@@ -143,8 +143,8 @@ static BINDINGS_2: &[BindingInfo] = &[
         slot: 4,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
-    BindingInfo { name: "step_params", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "kernel", slot: 6, kind: BindingKind::Uniform { bytes: 32 } },
+    BindingInfo { name: "step_params", slot: 5, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "pbf", slot: 7, kind: BindingKind::Uniform { bytes: 32 } },
 ];
 
@@ -162,8 +162,8 @@ static BINDINGS_3: &[BindingInfo] = &[
         slot: 4,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
     },
-    BindingInfo { name: "step_params", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "kernel", slot: 6, kind: BindingKind::Uniform { bytes: 32 } },
+    BindingInfo { name: "step_params", slot: 5, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "pbf", slot: 7, kind: BindingKind::Uniform { bytes: 32 } },
 ];
 
@@ -177,7 +177,7 @@ static CONSTRAIN_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "a6607638676a6aa91dcd8bf00a8c33f392b1b356448cf47f0e15ce821fcf944d",
+    hash: "805df3ec3a95214973a0d2baad6c151287edd4e699a7a251888b3ebeeb384297",
 };
 
 static CONSTRAIN_DENSITY_WITH_PACKED: Module = Module {
@@ -190,7 +190,7 @@ static CONSTRAIN_DENSITY_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "6d1fb649c694372f1b3eb085206b7ca9c50538231dc10a24ef9fad7499177541",
+    hash: "108740e1e4fc8c0e6de6a8385bda9e3e21861e3b808a97e5c36df7d5ee094732",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -203,7 +203,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "4e74688ccf20ee7b2e49a815ffc84757bc597d78ea9049d7560d8243c8202ef7",
+    hash: "6613da7ad1dbb746232bd3a632661b882cc2278a26a2c8aab0efb45812f374dc",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -216,7 +216,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "fa775a4580ba65d003a32064d06346c71db2364e8dd7919759d0899c239c9385",
+    hash: "5ce6133e541f83a8ba4204fcb617ad2e132f77fd001096de200431ad359ab676",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -229,7 +229,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "cbe6ba66b8287622e0b5ed4f6db655df4d57c9b6a9d8a618ab2834ee50db9ca5",
+    hash: "f286fc6377daa148f8c0b55a57795458c749ae1aa82f70190e2df578be2c4be4",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -242,7 +242,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "b2feacd358d080b2ae559117117ee88794bd9b321aefa82fe1d273f40a326205",
+    hash: "1a86f499818e42695e463de1ea7ee65b19f7e4eb692c7b4df2b6b28dfa5a640e",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
@@ -255,7 +255,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "66a1b7b56d63ecbf198f6849802f25b0fbdaee1d583a390ece2b51c99e8c933d",
+    hash: "e1397519a845d5918810bff2bdfc4834adc81a34198fa8529919fcce9dc9de8e",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_PACKED: Module = Module {
@@ -268,7 +268,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "0b46ebdc740582305662eb41faf5a8d4a1d68d0d01c69922cafec068d863ef40",
+    hash: "51bb0345c84aa59f4036c5600a60501d6dd8a0d1c005a89d4d8ea7b5a9118bb3",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -281,7 +281,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "3673138aa2da6685eba0f19180d73180768556ddf41fd9331e400689b6217cf4",
+    hash: "4ead89fa5a89a4e806357a63d2cb378d7c06e487a02f45253ae395676b0e2632",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -294,7 +294,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "297afae71d06847d5b1cf06ab8d18c4f0d1b8656c79bcb879141cfc49bb080fa",
+    hash: "09c56b2eae63df1a6c14c6ea2f7f8489d027de8f810529098e8c4ced315bd695",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -307,7 +307,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "8a8c6a893a6e60c8ac5ca6368f2c400aaf7462458b52875ed34836df4cdcb79d",
+    hash: "8a988d45e22a7a43ab2e8b14c19a1a407caa628886e7008c6c270f1a0ee4b4fc",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -320,5 +320,5 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "00dc6fbe4ffa161ded8568ef219eb095fc27a5ac7b6fcf1eb9292ba5a6e91af6",
+    hash: "5db717d5e7c88e3b916d5795c93c984712326ccb613c111668a4eaa32fd2f6d4",
 };

@@ -160,8 +160,8 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 4,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
-    BindingInfo { name: "step_params", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "kernel", slot: 6, kind: BindingKind::Uniform { bytes: 32 } },
+    BindingInfo { name: "step_params", slot: 5, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "pbf", slot: 7, kind: BindingKind::Uniform { bytes: 32 } },
 ];
 
@@ -179,8 +179,8 @@ static BINDINGS_1: &[BindingInfo] = &[
         slot: 4,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
-    BindingInfo { name: "step_params", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "kernel", slot: 6, kind: BindingKind::Uniform { bytes: 32 } },
+    BindingInfo { name: "step_params", slot: 5, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "pbf", slot: 7, kind: BindingKind::Uniform { bytes: 32 } },
 ];
 
@@ -199,8 +199,8 @@ static BINDINGS_2: &[BindingInfo] = &[
         slot: 5,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
-    BindingInfo { name: "step_params", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "kernel", slot: 7, kind: BindingKind::Uniform { bytes: 32 } },
+    BindingInfo { name: "step_params", slot: 6, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "pbf", slot: 8, kind: BindingKind::Uniform { bytes: 32 } },
 ];
 
@@ -223,8 +223,8 @@ static BINDINGS_3: &[BindingInfo] = &[
         slot: 5,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
-    BindingInfo { name: "step_params", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "kernel", slot: 7, kind: BindingKind::Uniform { bytes: 32 } },
+    BindingInfo { name: "step_params", slot: 6, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "pbf", slot: 8, kind: BindingKind::Uniform { bytes: 32 } },
 ];
 
@@ -238,7 +238,7 @@ static CORRECT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "ccdb96784c12ddb1f9d163e7e945fdf20c0b434dfe7aa793af1a4ce3e9e4bd54",
+    hash: "6e7d4ac835d8f7baf301296c71b96afcdda9af5772dc21e2714abd076cbc625d",
 };
 
 static CORRECT_POSITIONS_WITH_PACKED: Module = Module {
@@ -251,7 +251,7 @@ static CORRECT_POSITIONS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "70cbcf9a39d29a7b62459f8425357e2fbc861411f5b11d78f969e0aa070d2340",
+    hash: "f2f9bc64207ada53dfc3697b1016f11d065ba3e125909a633d4d04a9bedc8023",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
@@ -264,7 +264,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "aed0438012cf51679667c48059dc76cb19af8396d80aff99ab98d312685f2e1c",
+    hash: "6706bed290d33dc97bd17d8259cb1305db33f91c9f88ad8418389148fd4b8de9",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -277,7 +277,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "004ffabd1c0e9fd6f89372998027da575ba7d43270ce1bd47b127b2ca664d41d",
+    hash: "b2f6120329d7a409dc189e53f3b9ae40359419d6666379a5e548d27b61c123dc",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
@@ -290,7 +290,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "b5fdd1dba10fd149d0cff10d5a8db93a26627a4110ef8fb9b2535578c155d264",
+    hash: "5fcb3cadf097e728c9a972fa05569215dbf8af7d028c88e0eb597c7be13c8030",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -303,7 +303,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "30f5c4c2fa607ee3acbbfca062938c726e700a7cb67fef39e2948eb4e36ae3ad",
+    hash: "13b43c52e70a1d45a49ce19c8042ee36dcb954494767507ba0baa2567f87cffe",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
@@ -316,7 +316,7 @@ static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "e30abb3dbabb35f98d05d746f78150e90c88c70e5bd509945db46048aa695b2a",
+    hash: "6a76450211a8c5d68d13a8689a4a801736ee3bb354821e4a65b7aba3c0435314",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_PACKED: Module = Module {
@@ -329,7 +329,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "ed627d68ee33c68266cbaf0166d29119b5247bf1ccb0c35d65e899c9c80a7824",
+    hash: "f2216cbb7aee65ee9e8c3e9959495b6417416b1a36d6abb04625c251f399e8d9",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -342,7 +342,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "6544260a266f496a8dbf9c684d2f3d1ca0d443be7cbcf7f25f689ba5b05987e2",
+    hash: "ed0dae5927ce95f9648bfaa011e6991fd01e667ec36660a113322571b2440f25",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -355,7 +355,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "5ada9eb9b4c1e7889ba01f382ce57cc5903ed8a868869a2c0e81659a2c2c6219",
+    hash: "62176ceaabc5967b682fa39f430fbdd5b5b7fc9cc1e335a5549f6ebb550f575f",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -368,7 +368,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "735028d91a0bd5837a357826d451a956fcaebaa489a8893b298e81d5d163a30a",
+    hash: "3a839c590371f02f16884ac7ef13e5cb5678550eaf84b53acf5067995e4355f6",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -381,7 +381,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = M
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "c9e0070692a1cbc9bebf57fc63299853d96751dc90b74a658964ade9869ccc4c",
+    hash: "2234a2e57b97e4bf536f53d2871190d2017604cd4fb965cd0106108e7fbfd7ea",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
@@ -394,7 +394,7 @@ static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "d5578ab3446ad57c02b07bedc8598b232a3b3965b95c3edcd03dde83d825fab8",
+    hash: "fe96484c438b4f2d8d02499a54092321b350aebf57ba88f8e5b53161d6bca8db",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_PACKED: Module = Module {
@@ -407,7 +407,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "0c6d36d6a51afd18e13a8a706741e21edb615cab5e36b45286ef1ac3269fc36a",
+    hash: "a2cff8dc30fa29e7e5a5670b73017c0f2f78261bffa5ee75dedde9dc7953403d",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -420,7 +420,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "529a2cddf2f3f2bc51a5d3dc62a12a1aa7704cff8935d3e53e0de3b5774cb047",
+    hash: "22e66ea83377ea20915b72bc55eb93ff2588429a6a59e2976a33a81431b18513",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -433,7 +433,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "1876e9e7bae0976f9772c68c77c65bd51166bd7ae92a97ba03b159dd53958094",
+    hash: "0999a54ad1807cc1cc9cfbe2c93572a16ac9f7b3219599b68ef254de0c7e1ab8",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -446,7 +446,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "8db188a506964b137ab6651039906aab7688e8a6520f140fa2e72ca069b31d44",
+    hash: "385b70b8919fd4c709bbf9b384371f2885b8b33a4c2630632637cf727fceca72",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -459,7 +459,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "d507ad89f0c65047da873fd6f4107332b179a30e0bd2ab99b26b761962324ed3",
+    hash: "004647e1e48738e66b6378be7a35125cc0aff36eaac53e386709b8069522a976",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
@@ -472,7 +472,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "353f5abbbb32a31dc3c73ab97c008ecc651d722122efd677c5918bcd30696b22",
+    hash: "ff2f40fee92cf3ebc126854552b27d1ae9b4a19b9171a41f28bde0ef15b7981a",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_PACKED: Module = Module {
@@ -485,7 +485,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "1b9e5e0a78471be565274b2a22f56490c44460bfdd5251061aad1f21b99fc001",
+    hash: "e36afca2d62f9531dafd7973e43ec34cedc42720eb77cd9033d3ab0702d7ef49",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -498,7 +498,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "c918bcb0dc08cf32450a78cbe76ae96b0522135cfdcfeb67d9cc82be9ff1caa1",
+    hash: "2049eb5f6ead3bedf7053f97a8cfab0cfe5ddb16c7042680a4dbfc3cb1e4a2b0",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -511,7 +511,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACK
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "a9f43641b33b2e85683934f2dda6a8de5674390815025e3c42715454f5ad2805",
+    hash: "e971fb73c5bf63c829bef07db839160677e5cc4227eb528349be3f593f82bc31",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -524,7 +524,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "d9e2f8ba633ce332cb7a7cbff88410bdc9d2de557341ddb60d3e5ed1b495df6c",
+    hash: "e1878cea131921521f8f49aceaa69e52f5d1d8beb9f2a5afbf099daf1148f5a4",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -537,5 +537,5 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED:
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "c456e3d5190353f252a6f71c38343565ba4594191c17297ad08c6eeeecf085b8",
+    hash: "2aaf1d0c76d5844c3b47455556f156f47c72b44a4da46e678bd1ea9fb824957d",
 };

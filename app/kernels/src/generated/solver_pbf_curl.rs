@@ -87,8 +87,8 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 4,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
-    BindingInfo { name: "step_params", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "kernel", slot: 6, kind: BindingKind::Uniform { bytes: 32 } },
+    BindingInfo { name: "step_params", slot: 5, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
 static CURL: Module = Module {
@@ -101,7 +101,7 @@ static CURL: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/curl.compute",
-    hash: "74d67173aa9e0bf7f80e6aa61a8212a9916629733250f2207378b0f2b0cb5dae",
+    hash: "a9bc66bc54f0c6cb34da2e638174eed8a7754ab54c74a690a3bd5f701feeceb6",
 };
 
 static CURL_WITH_PACKED: Module = Module {
@@ -114,7 +114,7 @@ static CURL_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/curl.compute",
-    hash: "9ce68b1eee20c1a0b2e166818eb22454e6af249a790db6074436372b5be208a8",
+    hash: "5821e4fe669e5a54a6e45c4a9af0cf786cdf845a19714b6c365b0370f35364e7",
 };
 
 static CURL_WITH_RELAXED_PRECISION: Module = Module {
@@ -127,7 +127,7 @@ static CURL_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/curl.compute",
-    hash: "2b98289f0e63c7dcb5761a391f5dd17ccf412421d2873e7dc85dc42e0d27adfb",
+    hash: "3d6fc2c405bb9b9c12c01a4686e256c2899fbf6801bb13175983ef2a22d97bf7",
 };
 
 static CURL_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -140,7 +140,7 @@ static CURL_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/curl.compute",
-    hash: "070a1b5633c84b67e6076caa2d609d13a6ea2efdd9b6034309c3eebb83316688",
+    hash: "68b66d4e5b8d1213dd424129e2db4ddaed820abf689f3bcb54a80ece43721f9e",
 };
 
 static CURL_WITH_HALF_PRECISION: Module = Module {
@@ -153,7 +153,7 @@ static CURL_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/curl.compute",
-    hash: "9cdc5cd8a427c3e3649ac25b2adfae253fc3600c489b439d4a140cb3264ede80",
+    hash: "92d02903ecb82a91c4e661393e7dfcc1824e715988d6a3b5119d93bc726f1f5e",
 };
 
 static CURL_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -166,5 +166,5 @@ static CURL_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/curl.compute",
-    hash: "cd522e308019001555184a027ce3eb38dba2b9897e3a17dc984cfd048c2417da",
+    hash: "e3b609f64b914586fdd66e6710764599614f72460a95ce61c2c2c9497b40c980",
 };

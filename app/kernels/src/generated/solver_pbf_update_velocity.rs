@@ -12,6 +12,8 @@ use crate::{
 pub struct UpdateVelocityVariant {
     /// Keyword `PACKED`.
     pub packed: bool,
+    /// Keyword `PERIODIC`.
+    pub periodic: bool,
 }
 
 /// The velocity that the corrections amount to (Macklin & Muller 2013, algorithm 1, line 21).
@@ -44,7 +46,12 @@ impl Kernel for UpdateVelocity<'_> {
     const GROUP_SIZE: [u32; 3] = [64, 1, 1];
 
     fn module(&self) -> &'static Module {
-        if self.variant.packed { &UPDATE_VELOCITY_WITH_PACKED } else { &UPDATE_VELOCITY }
+        match (self.variant.packed, self.variant.periodic) {
+            (false, false) => &UPDATE_VELOCITY,
+            (false, true) => &UPDATE_VELOCITY_WITH_PERIODIC,
+            (true, false) => &UPDATE_VELOCITY_WITH_PACKED,
+            (true, true) => &UPDATE_VELOCITY_WITH_PACKED_WITH_PERIODIC,
+        }
     }
     fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
         bind(
@@ -64,7 +71,12 @@ impl Kernel for UpdateVelocity<'_> {
 }
 
 /// The modules of this file.
-pub(super) static MODULES: &[&Module] = &[&UPDATE_VELOCITY, &UPDATE_VELOCITY_WITH_PACKED];
+pub(super) static MODULES: &[&Module] = &[
+    &UPDATE_VELOCITY,
+    &UPDATE_VELOCITY_WITH_PERIODIC,
+    &UPDATE_VELOCITY_WITH_PACKED,
+    &UPDATE_VELOCITY_WITH_PACKED_WITH_PERIODIC,
+];
 
 static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "places", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
@@ -93,8 +105,8 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 5,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
-    BindingInfo { name: "step_params", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "kernel", slot: 7, kind: BindingKind::Uniform { bytes: 32 } },
+    BindingInfo { name: "step_params", slot: 6, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
 static UPDATE_VELOCITY: Module = Module {
@@ -107,7 +119,20 @@ static UPDATE_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "62c4e595c78b1f5acbd90b2819b4121e6e3027edea547c6f3e650d2a9e982b31",
+    hash: "3b503f86aeb3e5901ab297735044089d2dbb00658e5e5f5e6f71f8d0b08a6e2f",
+};
+
+static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
+    name: "UpdateVelocity+PERIODIC",
+    entry: "UpdateVelocity",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/update_velocity+periodic.spv"),
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/pbf/update_velocity.compute",
+    hash: "bd8d0377d83f9f270ce1ef9ac3480b6000df7ea0953e7f5eaef8d22775d60664",
 };
 
 static UPDATE_VELOCITY_WITH_PACKED: Module = Module {
@@ -120,5 +145,18 @@ static UPDATE_VELOCITY_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "4c01334af9f44a75f864293dbb2049610292420a9b6351836997f5d92df1ec36",
+    hash: "3faca193addcbdb86e9a83361fc78fdd4ec370092a8fb101dc9524c969d6b9df",
+};
+
+static UPDATE_VELOCITY_WITH_PACKED_WITH_PERIODIC: Module = Module {
+    name: "UpdateVelocity+PACKED+PERIODIC",
+    entry: "UpdateVelocity",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/update_velocity+packed+periodic.spv"),
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/pbf/update_velocity.compute",
+    hash: "77bcf888ba505c72fb552047d0e9d150bcd5f8dd77590cc53ceb8c7de1140422",
 };

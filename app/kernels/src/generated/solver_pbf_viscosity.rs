@@ -91,8 +91,8 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 4,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
-    BindingInfo { name: "step_params", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "kernel", slot: 6, kind: BindingKind::Uniform { bytes: 32 } },
+    BindingInfo { name: "step_params", slot: 5, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "pbf", slot: 7, kind: BindingKind::Uniform { bytes: 32 } },
 ];
 
@@ -106,7 +106,7 @@ static VISCOSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/viscosity.compute",
-    hash: "625f7ca8cee1932dc744def5af6939197843d7e5c0a02b454db751d1f458c269",
+    hash: "eb5f3838b722e6745c35608decae8c03fcde83a4f2500ef11420e77354a85e9e",
 };
 
 static VISCOSITY_WITH_PACKED: Module = Module {
@@ -119,7 +119,7 @@ static VISCOSITY_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/viscosity.compute",
-    hash: "4cd1310cf5bdcc1acdcb49ae9c3102cbc99797fc2a4ea474ecf7d54b39269e55",
+    hash: "11e7735046715e2b4a2f250b7224f3a3ce52f9a1a259c450c4aea22bb97e93b5",
 };
 
 static VISCOSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -132,7 +132,7 @@ static VISCOSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/viscosity.compute",
-    hash: "a05bdf35bbc62ff44f89a334a1aebc7ad7379f98ccbb2e97c2b89e253c5d2fd9",
+    hash: "e7305a9bf2d766f7a4f759350b5a0d477fddf6891e92263e4e128b8fbb7b42f9",
 };
 
 static VISCOSITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -145,7 +145,7 @@ static VISCOSITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/viscosity.compute",
-    hash: "b77f4387793b6e4e43fa4afb353bd0f77eaff01443c009a1b92a4f05e0e57126",
+    hash: "c3618e6aef560311a405deecadcad0a83fa1b41cc06d91375257e514081fae1e",
 };
 
 static VISCOSITY_WITH_HALF_PRECISION: Module = Module {
@@ -158,7 +158,7 @@ static VISCOSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/viscosity.compute",
-    hash: "378e4b2816ee52c19995baf01fbae6fe44c6dcc3745f75a92f589f8c7d7e0427",
+    hash: "5bd61622c5374c4f0bbcdee78b37ca984006bb266c4ffc9e4f28a88f68f2dd14",
 };
 
 static VISCOSITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -171,5 +171,5 @@ static VISCOSITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/viscosity.compute",
-    hash: "61063deafb47f2f6f9c3f012acc39a2b0d1d409687ee8048ac10fa61785715b9",
+    hash: "574200a5fa894b8500b32bbfa5c43ea669eefabd1ca2db0794352e74d44dcd45",
 };

@@ -69,5 +69,5 @@ static ANISOTROPY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/anisotropy.compute",
-    hash: "b274793bc2db298c78c9a22e90a5ecd0f6ea3607989a604c22d81da5cd66ea1e",
+    hash: "18aba3b4849345e8b56fbb8f0b3c6f29512357314768fe1153cd3db5583aedb0",
 };

@@ -2,7 +2,7 @@
 // makes it anew from surface/fluid_depth.hlsl.
 //! Kernels of `surface/fluid_depth.hlsl`.
 
-use super::{Ellipsoid, FrameView, ListHead, Position, ShapeKeyword, SurfaceParams};
+use super::{Ellipsoid, FrameView, ListHead, Position, SprayOrEllipsoidsKeyword, SurfaceParams};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, Draw, Module, StageKind, Tier, Uniform, bind_draw,
 };
@@ -10,8 +10,8 @@ use crate::{
 /// Which variant of [`DrawFluidDepth`] runs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct DrawFluidDepthVariant {
-    /// Keyword `SPRAY_SHAPE` or `ELLIPSOID_SHAPE`.
-    pub shape: ShapeKeyword,
+    /// Keyword `SPRAY` or `ELLIPSOIDS`.
+    pub spray_or_ellipsoids: SprayOrEllipsoidsKeyword,
 }
 
 /// The nearest of all particles' spheres, or ellipsoids (surface/anisotropy.compute), in each pixel, as
@@ -26,6 +26,9 @@ pub struct DrawFluidDepth<'a> {
     pub view: Uniform<'a, FrameView>,
     /// `ConstantBuffer<SurfaceParams> surface`.
     pub surface: Uniform<'a, SurfaceParams>,
+    /// A particle far from all others is a drop of spray: drawn as large as one that has to meet its
+    /// neighbours it would be a ball of glass.
+    ///
     /// `StructuredBuffer<ListHead> list_heads`.
     pub list_heads: Option<Buf<'a, ListHead>>,
     /// `StructuredBuffer<Ellipsoid> ellipsoids`.
@@ -36,17 +39,17 @@ impl Draw for DrawFluidDepth<'_> {
     const STAGE: &'static str = "draw_fluid_depth";
 
     fn vertex(&self) -> &'static Module {
-        match self.variant.shape {
-            ShapeKeyword::Off => &DRAW_FLUID_DEPTH_VERTEX,
-            ShapeKeyword::SprayShape => &DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE,
-            ShapeKeyword::EllipsoidShape => &DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE,
+        match self.variant.spray_or_ellipsoids {
+            SprayOrEllipsoidsKeyword::Off => &DRAW_FLUID_DEPTH_VERTEX,
+            SprayOrEllipsoidsKeyword::Spray => &DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY,
+            SprayOrEllipsoidsKeyword::Ellipsoids => &DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOIDS,
         }
     }
     fn fragment(&self) -> Option<&'static Module> {
-        match self.variant.shape {
-            ShapeKeyword::Off => Some(&DRAW_FLUID_DEPTH_FRAGMENT),
-            ShapeKeyword::SprayShape => Some(&DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE),
-            ShapeKeyword::EllipsoidShape => Some(&DRAW_FLUID_DEPTH_FRAGMENT),
+        match self.variant.spray_or_ellipsoids {
+            SprayOrEllipsoidsKeyword::Off => Some(&DRAW_FLUID_DEPTH_FRAGMENT),
+            SprayOrEllipsoidsKeyword::Spray => Some(&DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY),
+            SprayOrEllipsoidsKeyword::Ellipsoids => Some(&DRAW_FLUID_DEPTH_FRAGMENT),
         }
     }
     fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
@@ -68,9 +71,9 @@ impl Draw for DrawFluidDepth<'_> {
 pub(super) static MODULES: &[&Module] = &[
     &DRAW_FLUID_DEPTH_VERTEX,
     &DRAW_FLUID_DEPTH_FRAGMENT,
-    &DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE,
-    &DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE,
-    &DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE,
+    &DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY,
+    &DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY,
+    &DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOIDS,
 ];
 
 static BINDINGS_0: &[BindingInfo] = &[
@@ -112,7 +115,7 @@ static DRAW_FLUID_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "abff2cbfc3642e226ffcf7ddfca46a4a23644f937727ccd033be9458961e6f47",
+    hash: "5b7ce49882e5c872cff40aa82edae0cebde8cbd2b713514206e4b7a225085393",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
@@ -125,44 +128,44 @@ static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "92e3aa52c41c8c0dafedbc7b77a6b54d8995015b251eca02c8db90b213874f1d",
+    hash: "e8ce17f8be6d61a0a0b01a4362ec41424266c4982ee64ff2e25c7d25d5d3d66d",
 };
 
-static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
-    name: "DrawFluidDepth.vertex+SPRAY_SHAPE",
+static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY: Module = Module {
+    name: "DrawFluidDepth.vertex+SPRAY",
     entry: "FluidDepthVertex",
     stage: StageKind::Vertex,
-    spirv: include_bytes!("../../spirv/draw_fluid_depth.vertex+spray_shape.spv"),
+    spirv: include_bytes!("../../spirv/draw_fluid_depth.vertex+spray.spv"),
     bindings: BINDINGS_2,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "7b3242aef35932769f19cb3849ddc1d4bc1e261fa700baf0ed46e7645caa6e6a",
+    hash: "fb01cd35d856dbe97ec4f6db751088964e17c5ed3c538eb4d37ccdd440b9e464",
 };
 
-static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
-    name: "DrawFluidDepth.fragment+SPRAY_SHAPE",
+static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY: Module = Module {
+    name: "DrawFluidDepth.fragment+SPRAY",
     entry: "FluidDepthFragment",
     stage: StageKind::Fragment,
-    spirv: include_bytes!("../../spirv/draw_fluid_depth.fragment+spray_shape.spv"),
+    spirv: include_bytes!("../../spirv/draw_fluid_depth.fragment+spray.spv"),
     bindings: BINDINGS_3,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "4d4e0afed0add25953f9c2a12e002940f23a2ca9596d89a22f16c096036bf9ac",
+    hash: "c0f694152fc29cc2416766709ee4cced14141e4c21e84b681b95b0dd917d034d",
 };
 
-static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
-    name: "DrawFluidDepth.vertex+ELLIPSOID_SHAPE",
+static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOIDS: Module = Module {
+    name: "DrawFluidDepth.vertex+ELLIPSOIDS",
     entry: "FluidDepthVertex",
     stage: StageKind::Vertex,
-    spirv: include_bytes!("../../spirv/draw_fluid_depth.vertex+ellipsoid_shape.spv"),
+    spirv: include_bytes!("../../spirv/draw_fluid_depth.vertex+ellipsoids.spv"),
     bindings: BINDINGS_4,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "9cea5f27216b2d8f0167bff2c9bfead7e592fea5d44cd3cecd2931d163e0b912",
+    hash: "dace85a41ca9aef6a8675aeb6e06a10217adaac3dc8b659ce2b8492775e3dac2",
 };

@@ -2,42 +2,27 @@
 // makes it anew from surface/sun_thickness.hlsl.
 //! Kernels of `surface/sun_thickness.hlsl`.
 
-use super::{Ellipsoid, FrameLight, Position, SurfaceParams};
+use super::{FrameLight, Position, SurfaceParams};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, Draw, Module, StageKind, Tier, Uniform, bind_draw,
 };
 
-/// Which variant of [`DrawSunThickness`] runs.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub struct DrawSunThicknessVariant {
-    /// Keyword `ELLIPSOID_CENTERS`.
-    pub ellipsoid_centers: bool,
-}
-
 /// How much fluid the sun looks through, in spacings, in its parallel projection.
 #[derive(Debug)]
 pub struct DrawSunThickness<'a> {
-    /// Its variant.
-    pub variant: DrawSunThicknessVariant,
     /// `StructuredBuffer<Position> positions`.
-    pub positions: Option<Buf<'a, Position>>,
+    pub positions: Buf<'a, Position>,
     /// `ConstantBuffer<FrameLight> light`.
     pub light: Uniform<'a, FrameLight>,
     /// `ConstantBuffer<SurfaceParams> surface`.
     pub surface: Uniform<'a, SurfaceParams>,
-    /// `StructuredBuffer<Ellipsoid> ellipsoids`.
-    pub ellipsoids: Option<Buf<'a, Ellipsoid>>,
 }
 
 impl Draw for DrawSunThickness<'_> {
     const STAGE: &'static str = "draw_sun_thickness";
 
     fn vertex(&self) -> &'static Module {
-        if self.variant.ellipsoid_centers {
-            &DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS
-        } else {
-            &DRAW_SUN_THICKNESS_VERTEX
-        }
+        &DRAW_SUN_THICKNESS_VERTEX
     }
     fn fragment(&self) -> Option<&'static Module> {
         Some(&DRAW_SUN_THICKNESS_FRAGMENT)
@@ -47,18 +32,16 @@ impl Draw for DrawSunThickness<'_> {
             self.vertex(),
             self.fragment(),
             &[
-                ("positions", self.positions.as_ref().map(|bound| bound.id)),
+                ("positions", Some(self.positions.id)),
                 ("light", Some(self.light.id)),
                 ("surface", Some(self.surface.id)),
-                ("ellipsoids", self.ellipsoids.as_ref().map(|bound| bound.id)),
             ],
         )
     }
 }
 
 /// The modules of this file.
-pub(super) static MODULES: &[&Module] =
-    &[&DRAW_SUN_THICKNESS_VERTEX, &DRAW_SUN_THICKNESS_FRAGMENT, &DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS];
+pub(super) static MODULES: &[&Module] = &[&DRAW_SUN_THICKNESS_VERTEX, &DRAW_SUN_THICKNESS_FRAGMENT];
 
 static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "positions", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
@@ -68,12 +51,6 @@ static BINDINGS_0: &[BindingInfo] = &[
 
 static BINDINGS_1: &[BindingInfo] =
     &[BindingInfo { name: "surface", slot: 2, kind: BindingKind::Uniform { bytes: 64 } }];
-
-static BINDINGS_2: &[BindingInfo] = &[
-    BindingInfo { name: "ellipsoids", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 32 } },
-    BindingInfo { name: "light", slot: 1, kind: BindingKind::Uniform { bytes: 112 } },
-    BindingInfo { name: "surface", slot: 2, kind: BindingKind::Uniform { bytes: 64 } },
-];
 
 static DRAW_SUN_THICKNESS_VERTEX: Module = Module {
     name: "DrawSunThickness.vertex",
@@ -85,7 +62,7 @@ static DRAW_SUN_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "ee405e9c8bc4482a917726ec3262c5edbb1b5e707ea6b781e6b3c8702b1c2aa2",
+    hash: "1a68f0d634a8dfc48cd6ae2245b2779053cf66ff96d0428694bc4d7e1555b22b",
 };
 
 static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
@@ -98,18 +75,5 @@ static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "47494bbd9b45229f35d92fa47a59a1b67274f95cd64ed787dba3e086b8635b17",
-};
-
-static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
-    name: "DrawSunThickness.vertex+ELLIPSOID_CENTERS",
-    entry: "SunThicknessVertex",
-    stage: StageKind::Vertex,
-    spirv: include_bytes!("../../spirv/draw_sun_thickness.vertex+ellipsoid_centers.spv"),
-    bindings: BINDINGS_2,
-    group_size: [1, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Floor,
-    source: "surface/sun_thickness.hlsl",
-    hash: "8c8713dc40d14fd75487d95c8430638ab5917b12b9b525d5475477e29f540bfb",
+    hash: "330fabea2206360ca8c6aea17d41f29cc3b5962c6599e30777d9e8a7a36b4a61",
 };

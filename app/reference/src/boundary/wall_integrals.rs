@@ -75,9 +75,9 @@ impl WallIntegrals {
         let gauss = Gauss::new(32);
         let s = 0.5 / support_ratio;
         let scale = [
-            lattice::deficit(support_ratio, 1) / plane(&gauss, s),
-            lattice::deficit(support_ratio, 2) / edge(&gauss, s, s),
-            lattice::deficit(support_ratio, 3) / corner(&gauss, s, s, s),
+            lattice::deficit(3, support_ratio, 1) / plane(&gauss, s),
+            lattice::deficit(3, support_ratio, 2) / edge(&gauss, s, s),
+            lattice::deficit(3, support_ratio, 3) / corner(&gauss, s, s, s),
         ];
         Self { gauss, scale }
     }
@@ -177,14 +177,14 @@ mod tests {
     fn lattice_keeps_density_one() {
         for support_ratio in [2.0, 2.5, 3.0] {
             let walls = WallIntegrals::new(support_ratio);
-            let weight = lattice::weight(support_ratio);
+            let weight = lattice::weight(3, support_ratio);
             let near = 0.5 / support_ratio;
             for axes in 0..=3 {
                 let mut distance = DVec3::splat(2.0);
                 for axis in 0..axes {
                     distance[axis] = near;
                 }
-                let inside = lattice::sum_where(support_ratio, |k| k[..axes].iter().all(|&k| k >= 0));
+                let inside = lattice::sum_where(3, support_ratio, |k| k[..axes].iter().all(|&k| k >= 0));
                 let ratio = weight * inside + walls.density(distance);
                 assert!((ratio - 1.0).abs() < 1e-12, "{axes} walls: {ratio}");
             }
@@ -196,10 +196,10 @@ mod tests {
         // In the second layer, one and a half spacings from the wall, only the far tail is beyond
         // it; the integral differs from the lattice's sum by the lattice's coarseness.
         let walls = WallIntegrals::new(2.0);
-        let beyond = lattice::sum_where(2.0, |k| k[0] < -1) * lattice::weight(2.0);
+        let beyond = lattice::sum_where(3, 2.0, |k| k[0] < -1) * lattice::weight(3, 2.0);
         assert_eq!(beyond, 0.0, "at h = 2d the second layer misses nothing");
         let walls3 = WallIntegrals::new(3.0);
-        let beyond = lattice::sum_where(3.0, |k| k[0] < -1) * lattice::weight(3.0);
+        let beyond = lattice::sum_where(3, 3.0, |k| k[0] < -1) * lattice::weight(3, 3.0);
         let difference = walls3.plane(0.5) - beyond;
         assert!(difference.abs() < 0.01, "{difference}");
         assert!(walls.plane(0.75) < 0.005, "{}", walls.plane(0.75));

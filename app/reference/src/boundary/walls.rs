@@ -2,18 +2,29 @@
 //! ([`crate::boundary::wall_integrals`]) beyond edges and corners. (Shader: `boundary/walls.hlsl`.)
 
 use crate::shared::lattice;
-use glam::{DVec3, Vec3Swizzles};
+use glam::{BVec3, DVec3, Vec3Swizzles};
+
+/// Coefficients of the share of the kernel beyond a wall that it reaches by t: t^5 times a polynomial of
+/// t. In two dimensions the integral is no polynomial; this one is close to it.
+fn coefficients(dimensions: u32) -> [f64; 4] {
+    match dimensions {
+        2 => [0.684_768_84, 1.544_916_68, -2.630_423_74, 0.900_738_22],
+        _ => [0.0, 3.5, -4.5, 1.5],
+    }
+}
 
 /// The share of the kernel beyond one wall, at a distance in h.
-pub fn beyond_wall(distance: f64) -> f64 {
+pub fn beyond_wall(dimensions: u32, distance: f64) -> f64 {
     let reach = (1.0 - distance).clamp(0.0, 1.0);
-    reach.powi(6) * (3.5 - 4.5 * reach + 1.5 * reach * reach)
+    let term = |(power, c): (i32, f64)| c * reach.powi(power);
+    (5..).zip(coefficients(dimensions)).map(term).sum()
 }
 
 /// Its derivative over the distance, per h.
-fn beyond_wall_slope(distance: f64) -> f64 {
+fn beyond_wall_slope(dimensions: u32, distance: f64) -> f64 {
     let reach = (1.0 - distance).clamp(0.0, 1.0);
-    -reach.powi(5) * (21.0 - 31.5 * reach + 12.0 * reach * reach)
+    let term = |(power, c): (i32, f64)| -c * f64::from(power) * reach.powi(power - 1);
+    (5..).zip(coefficients(dimensions)).map(term).sum()
 }
 
 /// The density ratio of all space, as one, two or three walls' shares of it count.
@@ -23,19 +34,19 @@ pub struct WallScales {
     pub plane: f64,
     /// Of two walls' product.
     pub edge: f64,
-    /// Of three walls' product.
+    /// Of three walls' product; zero in two dimensions, which have no third.
     pub corner: f64,
 }
 
 impl WallScales {
     /// Scales with which a lattice half a spacing from walls has density ratio 1, where
     /// `support_ratio` = h / spacing and the lattice has points beyond a corner (1.74 or more).
-    pub fn new(support_ratio: f64) -> Self {
-        let share = beyond_wall(0.5 / support_ratio);
+    pub fn new(dimensions: u32, support_ratio: f64) -> Self {
+        let share = beyond_wall(dimensions, 0.5 / support_ratio);
         Self {
-            plane: lattice::deficit(support_ratio, 1) / share,
-            edge: lattice::deficit(support_ratio, 2) / share.powi(2),
-            corner: lattice::deficit(support_ratio, 3) / share.powi(3),
+            plane: lattice::deficit(dimensions, support_ratio, 1) / share,
+            edge: lattice::deficit(dimensions, support_ratio, 2) / share.powi(2),
+            corner: lattice::deficit(dimensions, support_ratio, 3) / share.powi(3),
         }
     }
 }
@@ -49,9 +60,13 @@ pub struct WallDensity {
     pub gradient: DVec3,
 }
 
-/// All six walls of a box.
+/// The walls of a box.
 #[derive(Clone, Copy, Debug)]
 pub struct DomainWalls {
+    /// 2 or 3.
+    pub dimensions: u32,
+    /// Along which axes they stand, at both ends.
+    pub axes: BVec3,
     /// How much what lies beyond them counts.
     pub scales: WallScales,
     /// The box; its lowest corner is the origin.
@@ -92,10 +107,11 @@ impl DomainWalls {
     fn shares(&self, position_m: DVec3) -> (DVec3, DVec3) {
         let low = position_m / self.support_m;
         let high = (self.domain_size_m - position_m) / self.support_m;
-        let each = |of: &dyn Fn(usize) -> f64| DVec3::new(of(0), of(1), of(2));
+        let each = |of: &dyn Fn(usize) -> f64| DVec3::select(self.axes, DVec3::new(of(0), of(1), of(2)), DVec3::ZERO);
+        let n = self.dimensions;
         (
-            each(&|axis| beyond_wall(low[axis]) + beyond_wall(high[axis])),
-            each(&|axis| beyond_wall_slope(low[axis]) - beyond_wall_slope(high[axis])),
+            each(&|axis| beyond_wall(n, low[axis]) + beyond_wall(n, high[axis])),
+            each(&|axis| beyond_wall_slope(n, low[axis]) - beyond_wall_slope(n, high[axis])),
         )
     }
 }
@@ -104,11 +120,19 @@ impl DomainWalls {
 mod tests {
     use super::*;
     use crate::boundary::wall_integrals::WallIntegrals;
-    use crate::shared::wendland::gradient;
+    use crate::shared::quadrature::Gauss;
+    use crate::shared::wendland::{gradient, kernel};
+    use std::f64::consts::PI;
 
     /// A box far larger than the support, which is 1 m.
     fn wide(support_ratio: f64) -> DomainWalls {
-        DomainWalls { scales: WallScales::new(support_ratio), domain_size_m: DVec3::splat(100.0), support_m: 1.0 }
+        DomainWalls {
+            dimensions: 3,
+            axes: BVec3::TRUE,
+            scales: WallScales::new(3, support_ratio),
+            domain_size_m: DVec3::splat(100.0),
+            support_m: 1.0,
+        }
     }
 
     #[test]
@@ -120,6 +144,53 @@ mod tests {
             let at = walls.at(DVec3::new(s, 50.0, 50.0));
             assert!((at.density - integrals.plane(s)).abs() < 1e-12, "{s}");
             assert!((at.gradient.x - integrals.plane_slope(s)).abs() < 1e-12, "{s}");
+        }
+    }
+
+    #[test]
+    fn planes_of_two_dimensions_are_close_to_their_integrals() {
+        // The share of the disc beyond a line and its slope; beyond two lines the product of shares.
+        let gauss = Gauss::new(48);
+        let line = |x: f64| 2.0 * gauss.integrate(0.0, (1.0 - x * x).max(0.0).sqrt(), |y| kernel(x.hypot(y)));
+        let volume = PI / 7.0;
+        let (mut share, mut slope, mut product) = (0.0_f64, 0.0_f64, 0.0_f64);
+        for i in 0..=40 {
+            let s = f64::from(i) / 40.0;
+            let integral = gauss.integrate(s, 1.0, line) / volume;
+            share = share.max((beyond_wall(2, s) - integral).abs());
+            slope = slope.max((beyond_wall_slope(2, s) + line(s) / volume).abs());
+            for j in (0..=40).step_by(4) {
+                let t = f64::from(j) / 40.0;
+                let beyond = |x: f64| gauss.integrate(t, (1.0 - x * x).max(t * t).sqrt(), |y| kernel(x.hypot(y)));
+                let both = gauss.integrate(s, (1.0 - t * t).max(s * s).sqrt(), beyond) / volume;
+                product = product.max((beyond_wall(2, s) * beyond_wall(2, t) - both).abs());
+            }
+        }
+        println!("two dimensions: share {share:.1e}, slope {slope:.1e} / h, product {product:.1e}");
+        assert!(share < 6e-5 && slope < 1.2e-3 && product < 4e-3, "{share} {slope} {product}");
+        // Told apart from the share of the ball.
+        let off = (0..=40).map(|i| f64::from(i) / 40.0).map(|s| (beyond_wall(2, s) - beyond_wall(3, s)).abs());
+        assert!(off.fold(0.0, f64::max) > 4e-3);
+    }
+
+    #[test]
+    fn a_lattice_in_two_dimensions_keeps_density_one() {
+        for support_ratio in [2.0, 2.5, 3.0] {
+            let walls = DomainWalls {
+                dimensions: 2,
+                axes: BVec3::new(true, true, false),
+                scales: WallScales::new(2, support_ratio),
+                ..wide(support_ratio)
+            };
+            for axes in 0..=2 {
+                // z is at the domain's face, where no wall stands.
+                let mut at = DVec3::new(50.0, 50.0, 0.0);
+                (0..axes).for_each(|axis| at[axis] = 0.5 / support_ratio);
+                let inside = lattice::sum_where(2, support_ratio, |k| k[..axes].iter().all(|&k| k >= 0));
+                let ratio = lattice::weight(2, support_ratio) * inside + walls.at(at).density;
+                assert!((ratio - 1.0).abs() < 1e-12, "{axes} walls: {ratio}");
+                assert_eq!(walls.at(at).gradient.z, 0.0);
+            }
         }
     }
 
@@ -157,8 +228,8 @@ mod tests {
             for axes in 0..=3 {
                 let mut at = DVec3::splat(50.0);
                 (0..axes).for_each(|axis| at[axis] = near);
-                let inside = lattice::sum_where(support_ratio, |k| k[..axes].iter().all(|&k| k >= 0));
-                let ratio = lattice::weight(support_ratio) * inside + walls.at(at).density;
+                let inside = lattice::sum_where(3, support_ratio, |k| k[..axes].iter().all(|&k| k >= 0));
+                let ratio = lattice::weight(3, support_ratio) * inside + walls.at(at).density;
                 assert!((ratio - 1.0).abs() < 1e-12, "{axes} walls: {ratio}");
             }
         }
@@ -181,11 +252,11 @@ mod tests {
     #[test]
     fn narrow_channels_keep_density_one() {
         // One layer between two walls, and one particle in a box of its own size.
-        let weight = lattice::weight(2.0);
+        let weight = lattice::weight(3, 2.0);
         for (size, layer) in [(DVec3::new(9.0, 1.0, 9.0), true), (DVec3::ONE, false)] {
-            let walls = DomainWalls { scales: WallScales::new(2.0), domain_size_m: size, support_m: 2.0 };
+            let walls = DomainWalls { domain_size_m: size, support_m: 2.0, ..wide(2.0) };
             let at = walls.at(size / 2.0);
-            let inside = lattice::sum_where(2.0, |k| k == [0; 3] || layer && k[1] == 0);
+            let inside = lattice::sum_where(3, 2.0, |k| k == [0; 3] || layer && k[1] == 0);
             let ratio = weight * inside + at.density;
             assert!((ratio - 1.0).abs() < 1e-12, "{size}: {ratio}");
             assert!(at.gradient.length() < 1e-14);

@@ -37,23 +37,25 @@ pub fn predict(before: Particle, step: &Step) -> Predicted {
     let free_m = before.position_m + velocity_m_s * step.dt_s;
     let position_m = step.inside(free_m);
     let mut after_m_s = velocity_m_s + (position_m - free_m) / step.dt_s;
-    if step.walls {
+    if step.walls.any() {
         after_m_s = after_m_s.clamp(DVec3::splat(-step.max_speed_m_s), DVec3::splat(step.max_speed_m_s));
     }
-    let particle = Particle { position_m, velocity_m_s: after_m_s, quarantined: false };
+    let particle = Particle { position_m: step.wrapped(position_m), velocity_m_s: after_m_s, quarantined: false };
     Predicted { particle, slowed }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use glam::BVec3;
 
     fn step(walls: bool) -> Step {
         Step {
             gravity_m_s2: DVec3::new(0.0, -9.81, 0.0),
             dt_s: 1.0 / 240.0,
             domain_size_m: DVec3::new(2.0, 1.0, 1.0),
-            walls,
+            walls: if walls { BVec3::TRUE } else { BVec3::FALSE },
+            period_m: DVec3::ZERO,
             wall_offset_m: 0.005,
             max_speed_m_s: 100.0,
         }
@@ -88,6 +90,23 @@ mod tests {
         let travelled = (after.position_m - particle.position_m) / step.dt_s;
         assert!((after.velocity_m_s - travelled).length() < 1e-12);
         assert_eq!(after.velocity_m_s.x, 1.0);
+    }
+
+    #[test]
+    fn what_leaves_a_periodic_side_comes_in_on_the_other() {
+        let mut step = Step { gravity_m_s2: DVec3::ZERO, period_m: DVec3::new(2.0, 0.0, 1.0), ..step(false) };
+        let mut particle = at_rest(DVec3::new(1.99, 0.99, 0.005));
+        particle.velocity_m_s = DVec3::new(4.0, 4.0, -4.0);
+        let after = predict(particle, &step).particle;
+        let expected = DVec3::new(1.99 - 2.0 + 4.0 / 240.0, 0.99 + 4.0 / 240.0, 1.005 - 4.0 / 240.0);
+        assert!((after.position_m - expected).length() < 1e-15, "{}", after.position_m);
+        assert_eq!(after.velocity_m_s, particle.velocity_m_s);
+        // Never onto the far side itself.
+        step.dt_s = 1e-20;
+        assert_eq!(
+            predict(at_rest(DVec3::new(-1e-20, 0.5, 2.0)), &step).particle.position_m,
+            DVec3::new(0.0, 0.5, 0.0)
+        );
     }
 
     #[test]

@@ -30,7 +30,7 @@ impl DensityField {
         for &at in particles_m {
             cells.entry(cell(at, support_m)).or_default().push(at);
         }
-        Self { cells, support_m, spacing_m, weight: kernel::lattice(SUPPORT_RATIO).weight, glass_m }
+        Self { cells, support_m, spacing_m, weight: kernel::lattice(3, SUPPORT_RATIO).weight, glass_m }
     }
 
     fn density_ratio(&self, point_m: DVec3) -> f64 {
@@ -47,7 +47,8 @@ impl DensityField {
         }
         // What lies beyond glass counts as more of the same.
         let inside = self.glass_m.map_or(1.0, |side_m| {
-            let beyond = |x_m: f64| beyond_wall(x_m / self.support_m) + beyond_wall((side_m - x_m) / self.support_m);
+            let beyond =
+                |x_m: f64| beyond_wall(3, x_m / self.support_m) + beyond_wall(3, (side_m - x_m) / self.support_m);
             point_m.to_array().into_iter().map(|x_m| 1.0 - beyond(x_m)).product()
         });
         sum * self.weight / inside

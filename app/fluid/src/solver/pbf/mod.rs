@@ -23,6 +23,8 @@ pub struct Shared {
     pub kernel: Buffer<KernelParams>,
     /// Whether the domain has walls.
     pub walls: bool,
+    /// Whether it has periodic axes.
+    pub periodic: bool,
     /// How what is computed for pairs of particles is rounded.
     pub precision: PrecisionKeyword,
     /// Events that are counted.
@@ -54,7 +56,7 @@ pub fn params(scene: &Scene) -> PbfParams {
     let solver = &scene.solver;
     PbfParams {
         relaxation: solver.relaxation as f32,
-        cfm: (solver.cfm * lattice(solver.support_ratio).stiffness) as f32,
+        cfm: (solver.cfm * lattice(scene.domain.dimensions, solver.support_ratio).stiffness) as f32,
         s_corr_k: solver.s_corr_k as f32,
         s_corr_inverse_w: (1.0 / wendland(solver.s_corr_distance_ratio)) as f32,
         xsph: solver.xsph as f32,

@@ -20,7 +20,7 @@ pub(super) fn update_velocity(
     let count = positions.len;
     recording.dispatch(
         &UpdateVelocity {
-            variant: UpdateVelocityVariant { packed: sorted.packed },
+            variant: UpdateVelocityVariant { packed: sorted.packed, periodic: shared.periodic },
             places: sorted.places.read(),
             sorted_positions: sorted.positions.read(),
             sorted_velocities: sorted.velocities.read(),

@@ -31,7 +31,7 @@ pub fn confine_vorticity(
     let mut slope = DVec3::ZERO;
     let mut terms = 0.0;
     for &j in neighbours {
-        let offset = (positions_m[i] - positions_m[j]) / smoothing.support_m;
+        let offset = smoothing.apart(positions_m[i], positions_m[j]);
         let rise = vorticities_per_s[j].length() - here.length();
         let term = wendland::gradient(offset) * rise;
         slope += term;
@@ -52,6 +52,7 @@ pub const FLAT: f64 = 1e-6;
 #[cfg(test)]
 mod tests {
     use super::*;
+    use glam::BVec3;
 
     #[test]
     fn pushes_around_the_stronger_swirl() {
@@ -62,11 +63,12 @@ mod tests {
             gravity_m_s2: DVec3::ZERO,
             dt_s: 0.1,
             domain_size_m: DVec3::ONE,
-            walls: false,
+            walls: BVec3::FALSE,
+            period_m: DVec3::ZERO,
             wall_offset_m: 0.0,
             max_speed_m_s: 10.0,
         };
-        let smoothing = Smoothing { support_m: 1.0, weight: 1.0 };
+        let smoothing = Smoothing::new(1.0, 1.0);
         let pbf = Pbf {
             relaxation: 0.5,
             cfm: 0.0,

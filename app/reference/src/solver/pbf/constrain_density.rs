@@ -37,7 +37,7 @@ pub fn constrain_density(
     let mut own = walls.map_or(DVec3::ZERO, |walls| walls.at(positions_m[i]).gradient);
     let mut denominator = pbf.cfm;
     for &j in neighbours {
-        let offset = (positions_m[i] - positions_m[j]) / smoothing.support_m;
+        let offset = smoothing.apart(positions_m[i], positions_m[j]);
         let gradient = wendland::gradient(offset) * smoothing.weight;
         own += gradient;
         denominator += gradient.length_squared();
@@ -67,7 +67,7 @@ mod tests {
     #[test]
     fn lattice_is_at_rest_and_compression_pushes() {
         let points = lattice::points([5, 5, 5], 1.0);
-        let smoothing = Smoothing { support_m: 2.0, weight: lattice::weight(2.0) };
+        let smoothing = Smoothing::new(2.0, lattice::weight(3, 2.0));
         let lists = list_neighbours(&points, |_| false, 2.0);
         let ratio = density_ratio(62, &points, &lists[62], &smoothing, None);
         assert!((ratio - 1.0).abs() < 1e-14, "{ratio}");
@@ -88,7 +88,7 @@ mod tests {
             DVec3::new(-0.3, 0.3, 0.1),
             DVec3::new(0.2, 0.4, -0.2),
         ];
-        let smoothing = Smoothing { support_m: 2.0, weight: 0.3 };
+        let smoothing = Smoothing::new(2.0, 0.3);
         let neighbours = [1, 2, 3];
         let got = constrain_density(0, &points, &neighbours, &smoothing, &PBF, None);
         let mut sum = PBF.cfm;

@@ -36,7 +36,7 @@ pub fn correct_positions(
     let mut correction = DVec3::ZERO;
     let mut terms = 0.0;
     for &j in neighbours {
-        let mut offset = (here_m - positions_m[j]) / smoothing.support_m;
+        let mut offset = smoothing.apart(here_m, positions_m[j]);
         if offset.length() < COINCIDENT {
             offset = separation(i, j);
         }
@@ -82,6 +82,7 @@ mod tests {
     use crate::grid::list_neighbours::list_neighbours;
     use crate::shared::lattice;
     use crate::solver::pbf::constrain_density::constrain_density;
+    use glam::BVec3;
 
     #[test]
     fn keeps_momentum_and_lowers_the_density() {
@@ -90,7 +91,7 @@ mod tests {
             .enumerate()
             .map(|(i, p)| *p + 0.1 * (DVec3::new(i as f64, 2.0 * i as f64, 3.0 * i as f64)).map(f64::sin))
             .collect();
-        let smoothing = Smoothing { support_m: 2.0, weight: lattice::weight(2.0) };
+        let smoothing = Smoothing::new(2.0, lattice::weight(3, 2.0));
         let pbf = Pbf {
             relaxation: 0.5,
             cfm: 1e-4,
@@ -105,7 +106,8 @@ mod tests {
             gravity_m_s2: DVec3::ZERO,
             dt_s: 0.01,
             domain_size_m: DVec3::splat(10.0),
-            walls: false,
+            walls: BVec3::FALSE,
+            period_m: DVec3::ZERO,
             wall_offset_m: 0.0,
             max_speed_m_s: 100.0,
         };

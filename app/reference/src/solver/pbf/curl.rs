@@ -15,7 +15,7 @@ pub fn curl(
     neighbours
         .iter()
         .map(|&j| {
-            let offset = (positions_m[j] - positions_m[i]) / smoothing.support_m;
+            let offset = smoothing.apart(positions_m[j], positions_m[i]);
             let gradient = wendland::gradient(offset) * (smoothing.weight / smoothing.support_m);
             (velocities_m_s[j] - velocities_m_s[i]).cross(gradient)
         })
@@ -35,7 +35,7 @@ mod tests {
         let points = lattice::points([7, 7, 7], 1.0);
         let omega = DVec3::new(0.3, -0.2, 0.5);
         let velocities: Vec<DVec3> = points.iter().map(|p| omega.cross(*p)).collect();
-        let smoothing = Smoothing { support_m: 3.0, weight: lattice::weight(3.0) };
+        let smoothing = Smoothing::new(3.0, lattice::weight(3, 3.0));
         let lists = list_neighbours(&points, |_| false, 3.0);
         let curl = curl(171, &points, &velocities, &lists[171], &smoothing);
         assert!(curl.cross(omega).length() < 1e-12);

@@ -12,6 +12,7 @@ pub fn update_velocity(predicted_m: DVec3, corrected_m: DVec3, velocity_m_s: DVe
 #[cfg(test)]
 mod tests {
     use super::*;
+    use glam::BVec3;
 
     #[test]
     fn is_the_way_travelled() {
@@ -19,7 +20,8 @@ mod tests {
             gravity_m_s2: DVec3::ZERO,
             dt_s: 0.01,
             domain_size_m: DVec3::ONE,
-            walls: false,
+            walls: BVec3::FALSE,
+            period_m: DVec3::ZERO,
             wall_offset_m: 0.0,
             max_speed_m_s: 10.0,
         };

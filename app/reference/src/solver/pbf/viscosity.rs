@@ -16,7 +16,7 @@ pub fn viscosity(
     let pull: DVec3 = neighbours
         .iter()
         .map(|&j| {
-            let q = (positions_m[i] - positions_m[j]).length() / smoothing.support_m;
+            let q = smoothing.apart(positions_m[i], positions_m[j]).length();
             (velocities_m_s[j] - velocities_m_s[i]) * (smoothing.weight * wendland::kernel(q))
         })
         .sum();

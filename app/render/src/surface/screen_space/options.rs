@@ -68,11 +68,10 @@ impl ScreenSpaceOptions {
         let (surface, spacing_m) = (&scene.surface, scene.spacing_m);
         let size_m = DVec3::from(scene.domain.size_m());
         let radius_m = surface.radius_ratio * spacing_m;
-        let glass = scene.domain.walls;
         Self {
             spacing_m,
             radius_m,
-            box_m: if glass { [DVec3::ZERO, size_m] } else { [DVec3::NEG_INFINITY, DVec3::INFINITY] },
+            box_m: scene.domain.glass_m().map(DVec3::from),
             anisotropic: surface.anisotropic,
             support_m: scene.solver.support_ratio * spacing_m,
             smoothing: surface.smoothing,
