@@ -71,12 +71,12 @@ fn apart(still: &mut Case, moving: &mut Case, shift_m: DVec3) -> (DVec3, f64) {
 #[test]
 fn a_seam_is_nowhere() {
     // At rest, and as fast as half a support a step, over several sides: a full lattice for long, and a
-    // squeezed drop for as long as bursting does not yet multiply roundings by more than some hundred.
+    // squeezed drop for as long as its expansion does not yet multiply roundings by more than some hundred.
     // Moving, positions round anew each step, and a correction by one step of a place is 1.8e-5 m/s: some
     // of them, kept for a second, are 1e-4 m.
     for (dimensions, side, velocity) in [(3, [16, 16, 16], [4.0, -1.7, 2.2]), (2, [32, 16, 1], [4.0, -2.4, 0.0])] {
         let text = filled(side, side[1], if dimensions == 3 { BOX } else { SHEET });
-        for (name, size, steps, tolerance) in [("lattice", 1.0, 240, 1e-2), ("drop", 0.85, 30, 2e-3)] {
+        for (name, size, steps, tolerance) in [("lattice", 1.0, 240, 1e-2), ("drop", 0.97, 20, 2e-3)] {
             let start = |velocity_m_s: [f64; 3]| {
                 let mut case = Case::new(&text, &["solver.deterministic=true", "solver.max_speed_m_s=20"]);
                 let middle = case.state().at_m().iter().sum::<DVec3>() / case.count() as f64;
@@ -105,7 +105,7 @@ fn a_seam_is_nowhere() {
             assert!(mean.length() < 1e-5 * shift_m.length() + 1e-3 * SPACING_M, "{name}: {mean}");
             assert!(far < tolerance * SPACING_M, "{name}: {far}");
             let moved = still.state().at_m().iter().zip(&before).map(|(a, b)| (*a - *b).length()).fold(0.0, f64::max);
-            assert!(name == "lattice" || moved > 0.5 * SPACING_M, "{name}: nothing happened, {moved}");
+            assert!(name == "lattice" || moved > 0.1 * SPACING_M, "{name}: nothing happened, {moved}");
         }
     }
 }

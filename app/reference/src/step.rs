@@ -4,6 +4,7 @@ use crate::boundary::walls::DomainWalls;
 use crate::grid::list_neighbours::{Neighbours, list_by_cells};
 use crate::params::{Pbf, Smoothing, Step};
 use crate::particles::predict::{Particle, predict};
+use crate::shared::parallel;
 use crate::solver::pbf::confine_vorticity::confine_vorticity;
 use crate::solver::pbf::constrain_density::constrain_density;
 use crate::solver::pbf::correct_positions::correct_positions;
@@ -85,18 +86,14 @@ impl Fluid {
     fn iterate(&self, positions_m: &[DVec3], neighbours: &Neighbours) -> Vec<DVec3> {
         let walls = self.walls.as_ref();
         let (smoothing, pbf) = (&self.smoothing, &self.pbf);
-        let all = 0..positions_m.len();
-        let lambdas: Vec<f64> = all
-            .clone()
-            .map(|i| constrain_density(i, positions_m, &neighbours[i], smoothing, pbf, walls).lambda)
-            .collect();
-        all.map(|i| {
-            correct_positions(i, positions_m, &lambdas, &neighbours[i], &self.step, smoothing, pbf, walls, |_, _| {
-                DVec3::ZERO
-            })
-            .position_m
+        let count = positions_m.len();
+        let lambdas =
+            parallel::map(count, |i| constrain_density(i, positions_m, &neighbours[i], smoothing, pbf, walls).lambda);
+        parallel::map(count, |i| {
+            let none = |_, _| DVec3::ZERO;
+            let list = &neighbours[i];
+            correct_positions(i, positions_m, &lambdas, list, &self.step, smoothing, pbf, walls, none).position_m
         })
-        .collect()
     }
 
     fn swirl(&mut self, neighbours: &Neighbours) {

@@ -1,6 +1,6 @@
 //! Neighbours by brute force: every pair is looked at. And by cells, for those who have many.
 
-use crate::params::nearest_image;
+use crate::params::{nearest_image, next_image};
 use glam::DVec3;
 use std::collections::HashMap;
 
@@ -21,17 +21,14 @@ pub fn list_images(
     support_m: f64,
     period_m: DVec3,
 ) -> Neighbours {
-    let near = is_near(positions_m, support_m, period_m);
+    let apart = |i: usize, j: usize| nearest_image(positions_m[i] - positions_m[j], period_m);
+    let near = |i: usize, j: usize| apart(i, j).length_squared() < support_m * support_m;
     (0..positions_m.len())
         .map(|i| {
             let others = 0..positions_m.len();
             if alone(i) { Vec::new() } else { others.filter(|&j| j != i && !alone(j) && near(i, j)).collect() }
         })
         .collect()
-}
-
-fn is_near(positions_m: &[DVec3], support_m: f64, period_m: DVec3) -> impl Fn(usize, usize) -> bool {
-    move |i, j| nearest_image(positions_m[i] - positions_m[j], period_m).length_squared() < support_m * support_m
 }
 
 /// The same lists, from cells as wide as the support or wider; a period is at least 3 supports.
@@ -41,7 +38,8 @@ pub fn list_by_cells(
     support_m: f64,
     period_m: DVec3,
 ) -> Neighbours {
-    let near = is_near(positions_m, support_m, period_m);
+    let apart = |i: usize, j: usize| next_image(positions_m[i] - positions_m[j], period_m);
+    let near = |i: usize, j: usize| apart(i, j).length_squared() < support_m * support_m;
     // Cells along a period, none along other axes.
     let turns = (period_m / support_m).floor();
     let size_m = DVec3::select(turns.cmpgt(DVec3::ZERO), period_m / turns, DVec3::splat(support_m));
@@ -58,20 +56,19 @@ pub fn list_by_cells(
     for i in (0..positions_m.len()).filter(|&i| !alone(i)) {
         members.entry(onto(cell_of(i))).or_default().push(i);
     }
-    let around = || (0..27).map(|k| [k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1]);
-    (0..positions_m.len())
-        .map(|i| {
-            if alone(i) {
-                return Vec::new();
-            }
-            let cell = cell_of(i);
-            let cells = around().map(|step| onto(std::array::from_fn(|axis| cell[axis] + step[axis])));
-            let held = cells.filter_map(|cell| members.get(&cell)).flatten().copied();
-            let mut list: Vec<usize> = held.filter(|&j| j != i && near(i, j)).collect();
-            list.sort_unstable();
-            list
-        })
-        .collect()
+    // A cell's particles look into the same cells.
+    let mut lists = vec![Vec::new(); positions_m.len()];
+    for of_cell in members.values() {
+        let cell = cell_of(of_cell[0]);
+        let around = (0..27).map(|k| [k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1]);
+        let cells = around.map(|step| onto(std::array::from_fn(|axis| cell[axis] + step[axis])));
+        let mut held: Vec<usize> = cells.filter_map(|cell| members.get(&cell)).flatten().copied().collect();
+        held.sort_unstable();
+        for &i in of_cell {
+            lists[i] = held.iter().copied().filter(|&j| j != i && near(i, j)).collect();
+        }
+    }
+    lists
 }
 
 /// Whether `found`, in any order, is `expected` of particle `i` but for pairs whose distance is

@@ -3,6 +3,7 @@
 pub mod cells;
 pub mod lattice;
 pub mod list;
+pub mod parallel;
 pub mod place;
 pub mod quadrature;
 pub mod wendland;

@@ -37,18 +37,24 @@ pub fn correct_positions(
     let mut terms = 0.0;
     for &j in neighbours {
         let mut offset = smoothing.apart(here_m, positions_m[j]);
-        if offset.length() < COINCIDENT {
+        let mut q = offset.length();
+        if q < COINCIDENT {
             offset = separation(i, j);
+            q = offset.length();
         }
-        // eq. 13: a repulsion that is k where W is that of the chosen distance.
-        let w = wendland::kernel(offset.length()) * pbf.s_corr_inverse_w;
-        let s_corr = -pbf.s_corr_k * w.powi(4);
-        let gradient = wendland::gradient(offset) * smoothing.weight;
-        let q = offset.length();
-        let part = if q < pbf.separation { SEPARATION * (1.0 - q / pbf.separation) } else { 0.0 };
-        let term = gradient * (lambdas[i] + lambdas[j] + s_corr - part);
-        correction += term;
-        terms += term.length();
+        let mut multiplier = lambdas[i] + lambdas[j];
+        if pbf.s_corr_k != 0.0 {
+            // eq. 13: a repulsion that is k where W is that of the chosen distance.
+            multiplier -= pbf.s_corr_k * (wendland::kernel(q) * pbf.s_corr_inverse_w).powi(4);
+        }
+        if q < pbf.separation {
+            multiplier -= SEPARATION * (1.0 - q / pbf.separation);
+        }
+        if q > 0.0 {
+            let slope = wendland::slope(q) * smoothing.weight * multiplier;
+            correction += offset * (slope / q);
+            terms += slope.abs();
+        }
     }
     if let Some(walls) = walls {
         let along = walls.along(here_m);
