@@ -130,7 +130,7 @@ static DRAW_SHADE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "44ce358076b0a0fb2d394d957c3c9c2f3ad73459f41f8d6aa9e67571063b6711",
+    hash: "eeb03f38ff43441d4ccc1f50720553c3e9ac063a8e73abb5781efa1b3d41c8eb",
 };
 
 static DRAW_SHADE_FRAGMENT: Module = Module {
@@ -143,7 +143,7 @@ static DRAW_SHADE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "5862d95f32d3e6bd0fcbfd2f00ae18820d9ebecc54564ebbfb44075dc5409739",
+    hash: "4050cb0a83cf17d3e089a66685e095712cd9d4a946811d1569c6c3c347da9710",
 };
 
 static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
@@ -156,7 +156,7 @@ static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "a00169d0e3b765e41a3f272c5221a0b84cccd735faed13523a573695aa10442b",
+    hash: "ecb46a6ec8dceae4e63cda12233cd61beeeba5fbd0e10bd55a9c3f5eab1de016",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
@@ -169,7 +169,7 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "e6bda4d6c63973aeba7d4d15ae7397b3bfd90462b6b6c1ed9cdd45e9dc1e1229",
+    hash: "52c4ce55a307d9d391d0334329d573ade53dd39809244e78f2a2d575d3a647a5",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
@@ -182,5 +182,5 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "5d48eb4046e1a4dbdf8f2d0f3c18e15ae07e671cc7311bb6f69da372f9c795c2",
+    hash: "8aeb4010331676092912b874c8e937b66066af9694b120bdf0ac601f77cf54db",
 };

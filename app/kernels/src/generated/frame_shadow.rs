@@ -55,7 +55,7 @@ static DRAW_SHADOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "37e3c9ba6f5b87fd48cb35006eedd9a89e7d67c4542e9d66ebf12db8f6e841b4",
+    hash: "2baaa7ef8576bba4e1068623943e88dfc3f05a3a3faa612b49c0d9473f506517",
 };
 
 static DRAW_SHADOW_FRAGMENT: Module = Module {
@@ -68,5 +68,5 @@ static DRAW_SHADOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "31776a2025ae909835cdbb49757de02d5e957e890cb000ea77f9b41be9175f70",
+    hash: "0060d85fa5759d72da589e3dc35d9248110cc50536bbb00dfab3dbb547cdf911",
 };

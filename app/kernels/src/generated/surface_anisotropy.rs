@@ -69,5 +69,5 @@ static ANISOTROPY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/anisotropy.compute",
-    hash: "18aba3b4849345e8b56fbb8f0b3c6f29512357314768fe1153cd3db5583aedb0",
+    hash: "33c625abb5cae0fa28aca194bf8b6f21384fd8ef3090dcc64fe88ad01a952a3e",
 };

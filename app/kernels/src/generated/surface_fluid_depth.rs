@@ -2,7 +2,7 @@
 // makes it anew from surface/fluid_depth.hlsl.
 //! Kernels of `surface/fluid_depth.hlsl`.
 
-use super::{Ellipsoid, FrameView, ListHead, Position, SprayOrEllipsoidsKeyword, SurfaceParams};
+use super::{Ellipsoid, FrameView, ListHead, Position, ShapeKeyword, SurfaceParams};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, Draw, Module, StageKind, Tier, Uniform, bind_draw,
 };
@@ -10,8 +10,8 @@ use crate::{
 /// Which variant of [`DrawFluidDepth`] runs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct DrawFluidDepthVariant {
-    /// Keyword `SPRAY` or `ELLIPSOIDS`.
-    pub spray_or_ellipsoids: SprayOrEllipsoidsKeyword,
+    /// Keyword `SPRAY_SHAPE` or `ELLIPSOID_SHAPE`.
+    pub shape: ShapeKeyword,
 }
 
 /// The nearest of all particles' spheres, or ellipsoids (surface/anisotropy.compute), in each pixel, as
@@ -26,9 +26,6 @@ pub struct DrawFluidDepth<'a> {
     pub view: Uniform<'a, FrameView>,
     /// `ConstantBuffer<SurfaceParams> surface`.
     pub surface: Uniform<'a, SurfaceParams>,
-    /// A particle far from all others is a drop of spray: drawn as large as one that has to meet its
-    /// neighbours it would be a ball of glass.
-    ///
     /// `StructuredBuffer<ListHead> list_heads`.
     pub list_heads: Option<Buf<'a, ListHead>>,
     /// `StructuredBuffer<Ellipsoid> ellipsoids`.
@@ -39,17 +36,17 @@ impl Draw for DrawFluidDepth<'_> {
     const STAGE: &'static str = "draw_fluid_depth";
 
     fn vertex(&self) -> &'static Module {
-        match self.variant.spray_or_ellipsoids {
-            SprayOrEllipsoidsKeyword::Off => &DRAW_FLUID_DEPTH_VERTEX,
-            SprayOrEllipsoidsKeyword::Spray => &DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY,
-            SprayOrEllipsoidsKeyword::Ellipsoids => &DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOIDS,
+        match self.variant.shape {
+            ShapeKeyword::Off => &DRAW_FLUID_DEPTH_VERTEX,
+            ShapeKeyword::SprayShape => &DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE,
+            ShapeKeyword::EllipsoidShape => &DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE,
         }
     }
     fn fragment(&self) -> Option<&'static Module> {
-        match self.variant.spray_or_ellipsoids {
-            SprayOrEllipsoidsKeyword::Off => Some(&DRAW_FLUID_DEPTH_FRAGMENT),
-            SprayOrEllipsoidsKeyword::Spray => Some(&DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY),
-            SprayOrEllipsoidsKeyword::Ellipsoids => Some(&DRAW_FLUID_DEPTH_FRAGMENT),
+        match self.variant.shape {
+            ShapeKeyword::Off => Some(&DRAW_FLUID_DEPTH_FRAGMENT),
+            ShapeKeyword::SprayShape => Some(&DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE),
+            ShapeKeyword::EllipsoidShape => Some(&DRAW_FLUID_DEPTH_FRAGMENT),
         }
     }
     fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
@@ -71,9 +68,9 @@ impl Draw for DrawFluidDepth<'_> {
 pub(super) static MODULES: &[&Module] = &[
     &DRAW_FLUID_DEPTH_VERTEX,
     &DRAW_FLUID_DEPTH_FRAGMENT,
-    &DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY,
-    &DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY,
-    &DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOIDS,
+    &DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE,
+    &DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE,
+    &DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE,
 ];
 
 static BINDINGS_0: &[BindingInfo] = &[
@@ -115,7 +112,7 @@ static DRAW_FLUID_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "5b7ce49882e5c872cff40aa82edae0cebde8cbd2b713514206e4b7a225085393",
+    hash: "49d8df2ad36cb9fc4199a01513bd46fbbe046716b300e5f309c21cfa2bc2eef5",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
@@ -128,44 +125,44 @@ static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "e8ce17f8be6d61a0a0b01a4362ec41424266c4982ee64ff2e25c7d25d5d3d66d",
+    hash: "cbda2336f009c491ce3d50937d6ed9ed8136c4aa3b967a93dd28f84304887c52",
 };
 
-static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY: Module = Module {
-    name: "DrawFluidDepth.vertex+SPRAY",
+static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
+    name: "DrawFluidDepth.vertex+SPRAY_SHAPE",
     entry: "FluidDepthVertex",
     stage: StageKind::Vertex,
-    spirv: include_bytes!("../../spirv/draw_fluid_depth.vertex+spray.spv"),
+    spirv: include_bytes!("../../spirv/draw_fluid_depth.vertex+spray_shape.spv"),
     bindings: BINDINGS_2,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "fb01cd35d856dbe97ec4f6db751088964e17c5ed3c538eb4d37ccdd440b9e464",
+    hash: "cd15baf946ba4ea9a592c45e71d85d29fc17843d566f3172840164cb5380fc07",
 };
 
-static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY: Module = Module {
-    name: "DrawFluidDepth.fragment+SPRAY",
+static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
+    name: "DrawFluidDepth.fragment+SPRAY_SHAPE",
     entry: "FluidDepthFragment",
     stage: StageKind::Fragment,
-    spirv: include_bytes!("../../spirv/draw_fluid_depth.fragment+spray.spv"),
+    spirv: include_bytes!("../../spirv/draw_fluid_depth.fragment+spray_shape.spv"),
     bindings: BINDINGS_3,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "c0f694152fc29cc2416766709ee4cced14141e4c21e84b681b95b0dd917d034d",
+    hash: "725a63f6285ea2c6a7890ae409a39944d1f3c5c9140c6af12957a6bd779fa44e",
 };
 
-static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOIDS: Module = Module {
-    name: "DrawFluidDepth.vertex+ELLIPSOIDS",
+static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
+    name: "DrawFluidDepth.vertex+ELLIPSOID_SHAPE",
     entry: "FluidDepthVertex",
     stage: StageKind::Vertex,
-    spirv: include_bytes!("../../spirv/draw_fluid_depth.vertex+ellipsoids.spv"),
+    spirv: include_bytes!("../../spirv/draw_fluid_depth.vertex+ellipsoid_shape.spv"),
     bindings: BINDINGS_4,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "dace85a41ca9aef6a8675aeb6e06a10217adaac3dc8b659ce2b8492775e3dac2",
+    hash: "221dc060644d4dd7efd6bc7a07fde6b6d7a453a8f2a79b00db3ee367bab329b8",
 };

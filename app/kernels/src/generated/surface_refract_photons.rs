@@ -70,5 +70,5 @@ static REFRACT_PHOTONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refract_photons.compute",
-    hash: "c666f670a39da69d4cae83b3495566f201cf8ec48491a6883055e193f42334f5",
+    hash: "98e700882e6486cb1059020208be0e04f59a463f6e20da2cb820c3edd6d3ab98",
 };

@@ -113,7 +113,7 @@ static DRAW_SUN_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "07e59563e60e00b5239e1eb527896743be6aecc8b2cbf763400ca1e036fd6582",
+    hash: "6f80f76ee08236e6fead18b87e3cd5ea81cd6964ac853ef3a382cb65a5de43c8",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
@@ -126,7 +126,7 @@ static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "723ff81f7d0b701e1eb35b7e7b22d5dd2cb98b190b6ad9800fd27c75243a3dbc",
+    hash: "e7f16505cf67ebf9aa5d3430553d96cce891368df1664e74e2da02416efd3af7",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -139,7 +139,7 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "84bb8b56a4e4819a76baf82a0a7506f7173677e02014ad12d934d0ef0171fae4",
+    hash: "a4980e0c0171badcf43ba9a8ac7556f5e20e16d1bf2a5549b6abad01e80e947a",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -152,7 +152,7 @@ static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "3cc488dc2ef33f0b99fd5663a62ac30182b15291dec545d8be3051ab7f62ca4f",
+    hash: "08cdd0da9d9ee326c418c9f873e8e8fcf8d8dee2f06cfcd3c04eaea76dbad1d8",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -165,5 +165,5 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "68de53d235e62f09865f8538b5fbe25248885a6165582443028949f2baeba89c",
+    hash: "55b8904eee28bcf84e59031489cc07e8ace46c098e014e6ee64b3524d8f3757d",
 };

@@ -2,27 +2,42 @@
 // makes it anew from surface/sun_thickness.hlsl.
 //! Kernels of `surface/sun_thickness.hlsl`.
 
-use super::{FrameLight, Position, SurfaceParams};
+use super::{Ellipsoid, FrameLight, Position, SurfaceParams};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, Draw, Module, StageKind, Tier, Uniform, bind_draw,
 };
 
+/// Which variant of [`DrawSunThickness`] runs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct DrawSunThicknessVariant {
+    /// Keyword `ELLIPSOID_CENTERS`.
+    pub ellipsoid_centers: bool,
+}
+
 /// How much fluid the sun looks through, in spacings, in its parallel projection.
 #[derive(Debug)]
 pub struct DrawSunThickness<'a> {
+    /// Its variant.
+    pub variant: DrawSunThicknessVariant,
     /// `StructuredBuffer<Position> positions`.
-    pub positions: Buf<'a, Position>,
+    pub positions: Option<Buf<'a, Position>>,
     /// `ConstantBuffer<FrameLight> light`.
     pub light: Uniform<'a, FrameLight>,
     /// `ConstantBuffer<SurfaceParams> surface`.
     pub surface: Uniform<'a, SurfaceParams>,
+    /// `StructuredBuffer<Ellipsoid> ellipsoids`.
+    pub ellipsoids: Option<Buf<'a, Ellipsoid>>,
 }
 
 impl Draw for DrawSunThickness<'_> {
     const STAGE: &'static str = "draw_sun_thickness";
 
     fn vertex(&self) -> &'static Module {
-        &DRAW_SUN_THICKNESS_VERTEX
+        if self.variant.ellipsoid_centers {
+            &DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS
+        } else {
+            &DRAW_SUN_THICKNESS_VERTEX
+        }
     }
     fn fragment(&self) -> Option<&'static Module> {
         Some(&DRAW_SUN_THICKNESS_FRAGMENT)
@@ -32,16 +47,18 @@ impl Draw for DrawSunThickness<'_> {
             self.vertex(),
             self.fragment(),
             &[
-                ("positions", Some(self.positions.id)),
+                ("positions", self.positions.as_ref().map(|bound| bound.id)),
                 ("light", Some(self.light.id)),
                 ("surface", Some(self.surface.id)),
+                ("ellipsoids", self.ellipsoids.as_ref().map(|bound| bound.id)),
             ],
         )
     }
 }
 
 /// The modules of this file.
-pub(super) static MODULES: &[&Module] = &[&DRAW_SUN_THICKNESS_VERTEX, &DRAW_SUN_THICKNESS_FRAGMENT];
+pub(super) static MODULES: &[&Module] =
+    &[&DRAW_SUN_THICKNESS_VERTEX, &DRAW_SUN_THICKNESS_FRAGMENT, &DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS];
 
 static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "positions", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
@@ -51,6 +68,12 @@ static BINDINGS_0: &[BindingInfo] = &[
 
 static BINDINGS_1: &[BindingInfo] =
     &[BindingInfo { name: "surface", slot: 2, kind: BindingKind::Uniform { bytes: 64 } }];
+
+static BINDINGS_2: &[BindingInfo] = &[
+    BindingInfo { name: "ellipsoids", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 32 } },
+    BindingInfo { name: "light", slot: 1, kind: BindingKind::Uniform { bytes: 112 } },
+    BindingInfo { name: "surface", slot: 2, kind: BindingKind::Uniform { bytes: 64 } },
+];
 
 static DRAW_SUN_THICKNESS_VERTEX: Module = Module {
     name: "DrawSunThickness.vertex",
@@ -62,7 +85,7 @@ static DRAW_SUN_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "1a68f0d634a8dfc48cd6ae2245b2779053cf66ff96d0428694bc4d7e1555b22b",
+    hash: "07358dd517c46b4a70db407135828b9890a3b4f0417e262b92ccf50242a8ab29",
 };
 
 static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
@@ -75,5 +98,18 @@ static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "330fabea2206360ca8c6aea17d41f29cc3b5962c6599e30777d9e8a7a36b4a61",
+    hash: "fa54eb65e01438ec1e49a64bef6785105d4c2f6ad61b774dd97b85492c558ca1",
+};
+
+static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
+    name: "DrawSunThickness.vertex+ELLIPSOID_CENTERS",
+    entry: "SunThicknessVertex",
+    stage: StageKind::Vertex,
+    spirv: include_bytes!("../../spirv/draw_sun_thickness.vertex+ellipsoid_centers.spv"),
+    bindings: BINDINGS_2,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "surface/sun_thickness.hlsl",
+    hash: "b5c8184d626f275901f2af988e2c14209575f5f471f248449b38c507b48c336f",
 };

@@ -2,28 +2,43 @@
 // makes it anew from surface/thickness.hlsl.
 //! Kernels of `surface/thickness.hlsl`.
 
-use super::{FrameView, Position, SurfaceParams};
+use super::{Ellipsoid, FrameView, Position, SurfaceParams};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, Draw, Module, StageKind, Tier, Uniform, bind_draw,
 };
+
+/// Which variant of [`DrawThickness`] runs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct DrawThicknessVariant {
+    /// Keyword `ELLIPSOID_CENTERS`.
+    pub ellipsoid_centers: bool,
+}
 
 /// How much fluid each pixel looks through, in spacings: every particle spreads its volume d^3 over a
 /// disc, and the discs add up. What overlapping spheres count twice a volume does not.
 #[derive(Debug)]
 pub struct DrawThickness<'a> {
+    /// Its variant.
+    pub variant: DrawThicknessVariant,
     /// `StructuredBuffer<Position> positions`.
-    pub positions: Buf<'a, Position>,
+    pub positions: Option<Buf<'a, Position>>,
     /// `ConstantBuffer<FrameView> view`.
     pub view: Uniform<'a, FrameView>,
     /// `ConstantBuffer<SurfaceParams> surface`.
     pub surface: Uniform<'a, SurfaceParams>,
+    /// `StructuredBuffer<Ellipsoid> ellipsoids`.
+    pub ellipsoids: Option<Buf<'a, Ellipsoid>>,
 }
 
 impl Draw for DrawThickness<'_> {
     const STAGE: &'static str = "draw_thickness";
 
     fn vertex(&self) -> &'static Module {
-        &DRAW_THICKNESS_VERTEX
+        if self.variant.ellipsoid_centers {
+            &DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS
+        } else {
+            &DRAW_THICKNESS_VERTEX
+        }
     }
     fn fragment(&self) -> Option<&'static Module> {
         Some(&DRAW_THICKNESS_FRAGMENT)
@@ -32,13 +47,19 @@ impl Draw for DrawThickness<'_> {
         bind_draw(
             self.vertex(),
             self.fragment(),
-            &[("positions", Some(self.positions.id)), ("view", Some(self.view.id)), ("surface", Some(self.surface.id))],
+            &[
+                ("positions", self.positions.as_ref().map(|bound| bound.id)),
+                ("view", Some(self.view.id)),
+                ("surface", Some(self.surface.id)),
+                ("ellipsoids", self.ellipsoids.as_ref().map(|bound| bound.id)),
+            ],
         )
     }
 }
 
 /// The modules of this file.
-pub(super) static MODULES: &[&Module] = &[&DRAW_THICKNESS_VERTEX, &DRAW_THICKNESS_FRAGMENT];
+pub(super) static MODULES: &[&Module] =
+    &[&DRAW_THICKNESS_VERTEX, &DRAW_THICKNESS_FRAGMENT, &DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS];
 
 static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "positions", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
@@ -48,6 +69,12 @@ static BINDINGS_0: &[BindingInfo] = &[
 
 static BINDINGS_1: &[BindingInfo] =
     &[BindingInfo { name: "surface", slot: 2, kind: BindingKind::Uniform { bytes: 64 } }];
+
+static BINDINGS_2: &[BindingInfo] = &[
+    BindingInfo { name: "ellipsoids", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 32 } },
+    BindingInfo { name: "view", slot: 1, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "surface", slot: 2, kind: BindingKind::Uniform { bytes: 64 } },
+];
 
 static DRAW_THICKNESS_VERTEX: Module = Module {
     name: "DrawThickness.vertex",
@@ -59,7 +86,7 @@ static DRAW_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "f37211179fca5d42d4952abdfc5de41d6f1e909afb2191200fc3f6e9e8161f31",
+    hash: "5bca9635f713d5210d4a6e4ba319e835c30259a05e21eba28def9c5ef72ae70a",
 };
 
 static DRAW_THICKNESS_FRAGMENT: Module = Module {
@@ -72,5 +99,18 @@ static DRAW_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "71c086748ac1e50332ab02d5c161ec51fdb9fabbe4c4869e684c7eff0e85a961",
+    hash: "31b94e8dcd8cf5a7586b5679041c33096a81070c343da836595113201ab68913",
+};
+
+static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
+    name: "DrawThickness.vertex+ELLIPSOID_CENTERS",
+    entry: "ThicknessVertex",
+    stage: StageKind::Vertex,
+    spirv: include_bytes!("../../spirv/draw_thickness.vertex+ellipsoid_centers.spv"),
+    bindings: BINDINGS_2,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "surface/thickness.hlsl",
+    hash: "f3dc2788825c01e26bf1e385739fe63599005d7947a3134e337706cd3f2362e0",
 };
