@@ -25,9 +25,11 @@ mod recorder;
 mod run;
 mod running;
 mod scenes;
+mod study;
 mod summary;
 mod table;
 mod timings;
+mod tune;
 
 use std::{io::Write, process::ExitCode};
 
@@ -42,6 +44,8 @@ fn main() -> ExitCode {
         Command::Plan(options) => plan::plan(options),
         Command::Scenes(options) => scenes::scenes(options),
         Command::Bench(options) => bench::bench(options),
+        Command::Study(options) => study::study(options),
+        Command::Tune(options) => tune::tune(options),
         Command::Doctor(options) => doctor::doctor(options),
     };
     // The job's own failure says more than that of its table.

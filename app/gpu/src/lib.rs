@@ -8,6 +8,7 @@ mod draw;
 mod encode;
 mod engine;
 mod error;
+mod exchange;
 mod formats;
 mod guard;
 mod layout;

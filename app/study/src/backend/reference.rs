@@ -1,0 +1,265 @@
+//! A setup in f64 by the twins, and those runs kept for the next time.
+
+use std::fs;
+use std::path::PathBuf;
+
+use brooklet_fluid::{kernel, solver::pbf};
+use brooklet_kernels::QUARANTINED;
+use brooklet_reference::boundary::walls::{DomainWalls, WallScales};
+use brooklet_reference::params::{Pbf, Smoothing, Step};
+use brooklet_reference::particles::predict::Particle;
+use brooklet_reference::step::Fluid;
+use glam::{BVec3, DVec3};
+use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
+
+use crate::setup::{position_m, velocity_m_s};
+use crate::task::hex;
+use crate::{Sample, Setup};
+
+/// Of what the twins compute: changes with them, so that nothing an older program kept is taken.
+const VERSION: u32 = 1;
+
+/// The f64 twin of a setup.
+pub fn reference_fluid(setup: &Setup) -> Fluid {
+    let scene = &setup.scene;
+    let (kernel, pbf) = (kernel::params(scene), pbf::params(scene));
+    let domain = &scene.domain;
+    let (size_m, period_m) = (DVec3::from_array(domain.size_m()), DVec3::from_array(scene.period_m()));
+    let axes = BVec3::from_array(std::array::from_fn(|axis| domain.has_walls_along(axis)));
+    let smoothing = Smoothing { period_m, ..Smoothing::new(scene.support_m(), f64::from(kernel.weight)) };
+    let scales = WallScales {
+        plane: f64::from(kernel.wall_plane),
+        edge: f64::from(kernel.wall_edge),
+        corner: f64::from(kernel.wall_corner),
+    };
+    let walls = DomainWalls {
+        dimensions: domain.dimensions,
+        axes,
+        scales,
+        domain_size_m: size_m,
+        support_m: scene.support_m(),
+    };
+    let particles = setup.emitted.positions.iter().zip(&setup.emitted.velocities);
+    Fluid {
+        particles: particles
+            .map(|(position, velocity)| Particle {
+                position_m: position_m(position),
+                velocity_m_s: velocity_m_s(velocity),
+                quarantined: position.tag & QUARANTINED != 0,
+            })
+            .collect(),
+        step: Step {
+            gravity_m_s2: DVec3::from_array(scene.gravity_m_s2),
+            dt_s: scene.substep_s(),
+            domain_size_m: size_m,
+            walls: axes,
+            period_m,
+            wall_offset_m: 0.5 * scene.spacing_m,
+            max_speed_m_s: scene.max_speed_m_s(),
+        },
+        smoothing,
+        pbf: Pbf {
+            relaxation: scene.solver.relaxation,
+            cfm: f64::from(pbf.cfm),
+            s_corr_k: scene.solver.s_corr_k,
+            s_corr_inverse_w: f64::from(pbf.s_corr_inverse_w),
+            xsph: scene.solver.xsph,
+            vorticity: scene.solver.vorticity_m_s,
+            max_correction_m: f64::from(pbf.max_correction_m),
+            separation: f64::from(pbf.separation),
+        },
+        iterations: scene.solver.iterations,
+        walls: domain.has_walls().then_some(walls),
+        grid_ends_at_domain: true,
+    }
+}
+
+/// Runs `setup` in f64; `None` if `stop` says so before its end.
+pub fn run_reference(setup: &Setup, stop: &dyn Fn() -> bool) -> Option<Vec<Sample>> {
+    let mut fluid = reference_fluid(setup);
+    let mut samples = Vec::new();
+    let mut done = 0;
+    for due in setup.sample_steps() {
+        while done < due {
+            for _ in 0..setup.scene.solver.substeps {
+                if stop() {
+                    return None;
+                }
+                fluid.substep();
+            }
+            done += 1;
+        }
+        samples.push(Sample {
+            time_s: due as f64 * setup.scene.solver.dt_s,
+            positions_m: fluid.particles.iter().map(|p| p.position_m).collect(),
+            velocities_m_s: fluid.particles.iter().map(|p| p.velocity_m_s).collect(),
+            unsound: fluid.particles.iter().filter(|p| p.quarantined).count(),
+        });
+    }
+    Some(samples)
+}
+
+/// Where f64 runs are kept, if anywhere.
+#[derive(Clone, Debug, Default)]
+pub struct Cache {
+    /// A folder that may be lost at any time.
+    pub folder: Option<PathBuf>,
+}
+
+/// Where a reference came from.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Origin {
+    /// Computed now.
+    Computed,
+    /// Kept from an earlier time.
+    Kept,
+    /// Something was kept, and it was not this: computed anew. Says what it was.
+    Replaced(String),
+}
+
+#[derive(Serialize, Deserialize)]
+struct Kept {
+    version: u32,
+    content: String,
+    samples: Vec<KeptSample>,
+}
+
+#[derive(Serialize, Deserialize)]
+struct KeptSample {
+    time_s: f64,
+    positions_m: Vec<[f64; 3]>,
+    velocities_m_s: Vec<[f64; 3]>,
+}
+
+/// As [`run_reference`], or what an earlier run of the same content gave.
+pub fn converged(setup: &Setup, cache: &Cache, stop: &dyn Fn() -> bool) -> Option<(Vec<Sample>, Origin)> {
+    let content = content_hash(setup);
+    let path = cache.folder.as_ref().map(|folder| folder.join(format!("{content}.json")));
+    let mut origin = Origin::Computed;
+    if let Some(path) = &path
+        && let Ok(bytes) = fs::read(path)
+    {
+        match serde_json::from_slice::<Kept>(&bytes) {
+            Ok(kept) if kept.version == VERSION && kept.content == content => {
+                return Some((kept.samples.into_iter().map(Into::into).collect(), Origin::Kept));
+            }
+            Ok(kept) => {
+                let of = format!("{} is of version {}, this is {VERSION}", path.display(), kept.version);
+                origin = Origin::Replaced(of);
+            }
+            Err(error) => origin = Origin::Replaced(format!("{} cannot be read: {error}", path.display())),
+        }
+    }
+    let samples = run_reference(setup, stop)?;
+    if let Some(path) = &path {
+        // A cache that cannot be written costs time, nothing else.
+        let _ = keep(path, &content, &samples);
+    }
+    Some((samples, origin))
+}
+
+fn keep(path: &std::path::Path, content: &str, samples: &[Sample]) -> std::io::Result<()> {
+    let folder = path.parent().unwrap_or(path);
+    fs::create_dir_all(folder)?;
+    let kept = Kept { version: VERSION, content: content.into(), samples: samples.iter().map(Into::into).collect() };
+    let mut file = tempfile::NamedTempFile::new_in(folder)?;
+    serde_json::to_writer(std::io::BufWriter::new(file.as_file_mut()), &kept)?;
+    file.persist(path)?;
+    Ok(())
+}
+
+/// Of everything that the run depends on, but for the twins themselves: see [`VERSION`].
+fn content_hash(setup: &Setup) -> String {
+    let mut hash = Sha256::new();
+    hash.update(setup.scene.to_toml());
+    for (position, velocity) in setup.emitted.positions.iter().zip(&setup.emitted.velocities) {
+        for x in position.position_m.iter().chain(&velocity.velocity_m_s) {
+            hash.update(x.to_le_bytes());
+        }
+        hash.update(position.tag.to_le_bytes());
+    }
+    for time_s in &setup.sample_times_s {
+        hash.update(time_s.to_le_bytes());
+    }
+    hex(&hash.finalize()[..16])
+}
+
+impl From<KeptSample> for Sample {
+    fn from(kept: KeptSample) -> Self {
+        let vectors = |all: Vec<[f64; 3]>| all.into_iter().map(DVec3::from_array).collect();
+        Self {
+            time_s: kept.time_s,
+            positions_m: vectors(kept.positions_m),
+            velocities_m_s: vectors(kept.velocities_m_s),
+            unsound: 0,
+        }
+    }
+}
+
+impl From<&Sample> for KeptSample {
+    fn from(sample: &Sample) -> Self {
+        let arrays = |all: &[DVec3]| all.iter().map(|v| v.to_array()).collect();
+        Self {
+            time_s: sample.time_s,
+            positions_m: arrays(&sample.positions_m),
+            velocities_m_s: arrays(&sample.velocities_m_s),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn setup(dt_s: f64) -> Setup {
+        let text = format!(
+            "spacing_m = 0.1
+            [domain]
+            min_m = [0, 0, 0]
+            max_m = [0.4, 0.4, 0.1]
+            dimensions = 2
+            [[fluid]]
+            block = {{ min_m = [0, 0, 0], max_m = [0.2, 0.3, 0.1] }}
+            [solver]
+            dt_s = {dt_s}"
+        );
+        Setup::new("small", &text, &[], 0.1, 2).unwrap()
+    }
+
+    #[test]
+    fn what_was_computed_is_kept_and_what_is_not_it_is_computed_anew() {
+        let folder = tempfile::tempdir().unwrap();
+        let cache = Cache { folder: Some(folder.path().join("deep")) };
+        let go = |setup: &Setup| converged(setup, &cache, &|| false).unwrap();
+        let (first, origin) = go(&setup(0.01));
+        assert_eq!((first.len(), origin), (2, Origin::Computed));
+        let (again, origin) = go(&setup(0.01));
+        assert_eq!(origin, Origin::Kept);
+        assert_eq!(first, again);
+        assert_eq!(go(&setup(0.005)).1, Origin::Computed, "another content");
+        let kept: Vec<PathBuf> =
+            fs::read_dir(folder.path().join("deep")).unwrap().map(|entry| entry.unwrap().path()).collect();
+        assert_eq!(kept.len(), 2);
+        for path in &kept {
+            let text = fs::read_to_string(path).unwrap();
+            fs::write(path, text.replace("\"version\":1", "\"version\":0")).unwrap();
+        }
+        let (anew, origin) = go(&setup(0.01));
+        assert!(matches!(&origin, Origin::Replaced(what) if what.contains("version 0")), "{origin:?}");
+        assert_eq!(first, anew);
+        assert_eq!(go(&setup(0.01)).1, Origin::Kept);
+        for path in &kept {
+            fs::write(path, "{").unwrap();
+        }
+        assert!(matches!(go(&setup(0.01)).1, Origin::Replaced(what) if what.contains("cannot be read")));
+    }
+
+    #[test]
+    fn a_stopped_run_keeps_nothing() {
+        let folder = tempfile::tempdir().unwrap();
+        let cache = Cache { folder: Some(folder.path().to_path_buf()) };
+        assert!(converged(&setup(0.01), &cache, &|| true).is_none());
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
+    }
+}

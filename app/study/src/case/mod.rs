@@ -1,0 +1,153 @@
+//! The cases: what runs, against what it is held, and by which figures. The first figure of a case is
+//! its error; a geometric height, length or area is always among them, for a density error alone can
+//! pass a wrong fluid.
+
+mod column_collapse;
+mod dam_break;
+mod elliptical_drop;
+mod free_fall;
+mod gauge;
+mod hydrostatic;
+mod square_patch;
+mod standing_wave;
+mod taylor_green;
+mod waiting;
+
+pub use column_collapse::ColumnCollapse;
+pub use dam_break::{MARTIN_MOYCE, SQUARE_COLUMN};
+pub use elliptical_drop::EllipticalDrop;
+pub use free_fall::FreeFall;
+pub use gauge::ReservoirGauge;
+pub use hydrostatic::{HYDROSTATIC, SHALLOW};
+pub use square_patch::SquarePatch;
+pub use standing_wave::StandingWave;
+pub use taylor_green::TaylorGreen;
+pub use waiting::{WAITING, Waiting};
+
+use serde::{Deserialize, Serialize};
+
+use crate::{Figure, Made, Sample, Series, Setup};
+
+/// What a case is held against. Figures of different kinds are never merged.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Reference {
+    /// A closed form.
+    Analytic,
+    /// A published measurement.
+    Experiment,
+    /// An f64 run of the twins, finer in space, time and iterations.
+    SelfConverged,
+}
+
+impl Reference {
+    /// Every kind.
+    pub const ALL: [Self; 3] = [Self::Analytic, Self::Experiment, Self::SelfConverged];
+
+    /// As headings say it.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::Analytic => "against closed forms",
+            Self::Experiment => "against experiments",
+            Self::SelfConverged => "against a converged run in f64",
+        }
+    }
+}
+
+/// Gives the samples of a reference run; none if it was stopped.
+pub type Converge<'a> = &'a dyn Fn(&Setup) -> Option<Vec<Sample>>;
+
+/// A case.
+pub trait Case: Sync {
+    /// Its name on the command line.
+    fn name(&self) -> &'static str;
+
+    /// What happens, and who published it.
+    fn summary(&self) -> &'static str;
+
+    /// What it is held against.
+    fn reference(&self) -> Reference;
+
+    /// The spacing it runs at when nobody says another, m.
+    fn spacing_m(&self) -> f64;
+
+    /// The case with settings (`path=value`) on top.
+    ///
+    /// # Errors
+    /// If its scene does not allow one.
+    fn setup(&self, settings: &[String]) -> Made;
+
+    /// What `samples` of a run of `setup` are judged by; none if its reference was stopped.
+    fn figures(&self, setup: &Setup, samples: &[Sample], converge: Converge<'_>) -> Option<Vec<Figure>>;
+
+    /// Courses in time that a plot shows.
+    fn series(&self, _setup: &Setup, _samples: &[Sample]) -> Vec<Series> {
+        Vec::new()
+    }
+}
+
+/// h/d of the cases in two dimensions: 28 neighbours, about as many as three dimensions have at the
+/// program's default of 2. There 2 gives 12, and a sum over 12 tells arrangements more than densities.
+pub(crate) const FLAT_SUPPORT_RATIO: f64 = 3.0;
+
+/// Every case that runs.
+pub const CASES: &[&dyn Case] = &[
+    &FreeFall,
+    &HYDROSTATIC,
+    &StandingWave,
+    &EllipticalDrop,
+    &SquarePatch,
+    &TaylorGreen,
+    &MARTIN_MOYCE,
+    &SQUARE_COLUMN,
+    &ReservoirGauge,
+    &ColumnCollapse,
+];
+
+/// Cases of maps alone.
+const OF_MAPS: &[&dyn Case] = &[&SHALLOW];
+
+/// The case of a name.
+pub fn case(name: &str) -> Option<&'static dyn Case> {
+    CASES.iter().chain(OF_MAPS).copied().find(|case| case.name() == name)
+}
+
+/// The setting's value in `settings` (the last of them counts), or `default`.
+pub(crate) fn setting(settings: &[String], path: &str, default: f64) -> f64 {
+    let of = |setting: &String| setting.strip_prefix(path)?.strip_prefix('=')?.parse().ok();
+    settings.iter().rev().find_map(of).unwrap_or(default)
+}
+
+/// `settings` behind the case's own, which they may replace.
+pub(crate) fn with_own(own: &[(&str, f64)], settings: &[String]) -> Vec<String> {
+    own.iter().map(|(path, value)| format!("{path}={value:?}")).chain(settings.iter().cloned()).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_case_has_a_name_of_its_own_and_a_sound_setup() {
+        let mut names: Vec<&str> = CASES.iter().map(|case| case.name()).collect();
+        for case in CASES {
+            let setup = case.setup(&[]).unwrap_or_else(|error| panic!("{}: {error}", case.name()));
+            assert!(setup.count() > 0 && setup.count() < 8_000, "{}: {}", case.name(), setup.count());
+            assert!(setup.steps() > 0 && setup.sample_steps().len() > 1, "{}", case.name());
+            assert_eq!(setup.scene.spacing_m, case.spacing_m());
+            let finer = case.setup(&[format!("spacing_m={}", 0.5 * case.spacing_m())]).unwrap();
+            assert!(case.name() == "free-fall" || finer.count() > setup.count() * 19 / 10, "{}", case.name());
+        }
+        names.sort_unstable();
+        names.dedup();
+        assert_eq!(names.len(), CASES.len());
+        assert!(case("no such case").is_none());
+    }
+
+    #[test]
+    fn the_last_setting_counts() {
+        let settings = ["a=1", "ab=7", "a=2"].map(String::from);
+        assert_eq!(setting(&settings, "a", 0.0), 2.0);
+        assert_eq!(setting(&settings, "b", 0.5), 0.5);
+    }
+}

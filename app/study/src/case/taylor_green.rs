@@ -1,0 +1,108 @@
+//! Vortices in a periodic square.
+
+use std::f64::consts::PI;
+
+use glam::DVec3;
+
+use super::hydrostatic::periodic_side_m;
+use super::{Case, Converge, FLAT_SUPPORT_RATIO, Reference, setting};
+use crate::{Figure, Made, Sample, Setup};
+
+/// u = −cos(2πx/L) sin(2πy/L), v = sin(2πx/L) cos(2πy/L) (Taylor & Green 1937). Without viscosity it
+/// stays as it is; with it it decays by exp(−8π² t/Re). PBF has no term of a known viscosity, so it is
+/// held against what is inviscid, and the Reynolds number that its own damping amounts to is told.
+pub struct TaylorGreen;
+
+/// Three times 4 h on a side.
+const SPACING_M: f64 = 1.0 / 36.0;
+const SPEED_M_S: f64 = 1.0;
+/// Half a turn of the inner vortex.
+const END_S: f64 = 0.5;
+const COURANT: f64 = 0.1;
+
+impl Case for TaylorGreen {
+    fn name(&self) -> &'static str {
+        "taylor-green"
+    }
+
+    fn summary(&self) -> &'static str {
+        "vortices in a periodic square, in 2-D, without viscosity (Taylor & Green 1937)"
+    }
+
+    fn reference(&self) -> Reference {
+        Reference::Analytic
+    }
+
+    fn spacing_m(&self) -> f64 {
+        SPACING_M
+    }
+
+    fn setup(&self, settings: &[String]) -> Made {
+        let spacing_m = setting(settings, "spacing_m", SPACING_M);
+        let side_m = periodic_side_m(spacing_m, setting(settings, "solver.support_ratio", FLAT_SUPPORT_RATIO), 1.0);
+        let text = format!(
+            "spacing_m = {spacing_m}
+            gravity_m_s2 = [0, 0, 0]
+            [domain]
+            min_m = [0, 0, 0]
+            max_m = [{side_m}, {side_m}, {spacing_m}]
+            walls = false
+            dimensions = 2
+            periodic = [true, true, false]
+            [[fluid]]
+            block = {{ min_m = [0, 0, 0], max_m = [{side_m}, {side_m}, {spacing_m}] }}
+            [solver]
+            support_ratio = {FLAT_SUPPORT_RATIO}
+            xsph = 0
+            dt_s = {}",
+            COURANT * spacing_m
+        );
+        let mut setup = Setup::new(self.name(), &text, settings, END_S, 10)?;
+        setup.place(|at, velocity| *velocity = exact_m_s(*at, side_m));
+        Ok(setup)
+    }
+
+    fn figures(&self, setup: &Setup, samples: &[Sample], _: Converge<'_>) -> Option<Vec<Figure>> {
+        let side_m = setup.scene.domain.size_m()[0];
+        let last = samples.last()?;
+        let off = |at: DVec3, v: DVec3| (v - exact_m_s(at, side_m)).length() / SPEED_M_S;
+        let mean = last.mean(off);
+        let largest = last.positions_m.iter().zip(&last.velocities_m_s).map(|(&at, &v)| off(at, v)).fold(0.0, f64::max);
+        // Kinetic energy over mass is 1/4 U², and decays twice as fast as a speed.
+        let kept = last.kinetic_m2_s2() / (0.25 * SPEED_M_S * SPEED_M_S);
+        let reynolds = -16.0 * PI * PI * last.time_s * SPEED_M_S / side_m / kept.ln();
+        let momentum = last.mean(|_, v| v.x).hypot(last.mean(|_, v| v.y));
+        Some(vec![
+            Figure::judged("velocity error", mean, "", 0.1, "mean, over U, after half a turn; an even tenth"),
+            Figure::told("largest velocity error", largest, "", "over U"),
+            Figure::told("energy kept", kept, "", "of the start's"),
+            Figure::told("Reynolds number", reynolds, "", "that would damp as much"),
+            Figure::judged("momentum drift", momentum / SPEED_M_S, "", 1.0e-3, "over U; no force acts from outside"),
+        ])
+    }
+}
+
+fn exact_m_s(at: DVec3, side_m: f64) -> DVec3 {
+    let (x, y) = (2.0 * PI * at.x / side_m, 2.0 * PI * at.y / side_m);
+    SPEED_M_S * DVec3::new(-x.cos() * y.sin(), x.sin() * y.cos(), 0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_start_is_right_and_half_as_fast_is_not() {
+        let setup = TaylorGreen.setup(&[]).unwrap();
+        let positions_m: Vec<DVec3> = setup.emitted.positions.iter().map(crate::setup::position_m).collect();
+        let of = |factor: f64| {
+            let velocities_m_s =
+                setup.emitted.velocities.iter().map(|v| factor * crate::setup::velocity_m_s(v)).collect();
+            let sample = Sample { time_s: END_S, positions_m: positions_m.clone(), velocities_m_s, unsound: 0 };
+            let figures = TaylorGreen.figures(&setup, &[sample], &|_| None).unwrap();
+            (figures[0].value.unwrap(), figures[2].value.unwrap())
+        };
+        assert!(of(1.0).0 < 1e-6 && (of(1.0).1 - 1.0).abs() < 1e-6, "{:?}", of(1.0));
+        assert!(of(0.5).0 > 0.2 && (of(0.5).1 - 0.25).abs() < 1e-6);
+    }
+}

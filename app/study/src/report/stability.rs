@@ -1,0 +1,109 @@
+//! The extreme cases and the maps.
+
+use maud::{Markup, PreEscaped, html};
+
+use super::heat::Heat;
+use super::work_precision::{class_of, short};
+use crate::stability::{Also, Map, ROWS, row_tasks};
+use crate::{Outcome, State, Store, Task, Verdict};
+
+fn found(quick: bool, store: &Store) -> Vec<(Task, &Outcome)> {
+    row_tasks(quick).into_iter().filter_map(|task| Some((task.clone(), store.get(&task)?))).collect()
+}
+
+fn heat(map: Map, quick: bool, store: &Store) -> String {
+    let cells = map.cells(quick, store);
+    match map {
+        Map::Compression => Heat {
+            title: "compression (p99) of a column of 20 layers, and the column law's",
+            x: "iterations a substep",
+            y: "substeps",
+            cells: &cells,
+            range: (1e-3, 0.5),
+            limit: false,
+        },
+        Map::Relaxation => Heat {
+            title: "kinetic energy over g H of a column that should rest; the line is 2/λmax",
+            x: "h/d",
+            y: "relaxation ω",
+            cells: &cells,
+            range: (1e-8, 1e-1),
+            limit: true,
+        },
+    }
+    .svg()
+}
+
+/// The maps.
+pub fn plots(quick: bool, store: &Store) -> Vec<(String, String)> {
+    let named = [("map-compression", Map::Compression), ("map-relaxation", Map::Relaxation)];
+    named.into_iter().map(|(name, map)| (name.to_string(), heat(map, quick, store))).collect()
+}
+
+/// How many cells of the matrix ended in each way.
+pub fn counts(quick: bool, store: &Store) -> Vec<(State, usize)> {
+    let found = found(quick, store);
+    let states = [State::Stable, State::Clamped, State::Refused, State::Unstable, State::Silent, State::NotRun];
+    let of = |state: State| found.iter().filter(|(_, outcome)| outcome.state == state).count();
+    states.into_iter().map(|state| (state, of(state))).filter(|(_, count)| *count > 0).collect()
+}
+
+/// The section.
+pub fn section(quick: bool, store: &Store) -> Markup {
+    let found = found(quick, store);
+    html! {
+        h2 id="stability" { "Stability" }
+        p { "Every pair of extreme case, precision, tier, packing and order meets in at least one run. SILENT would be a run that went wrong without the program's own counts or measurements saying so." }
+        div.plots {
+            (PreEscaped(heat(Map::Compression, quick, store)))
+            (PreEscaped(heat(Map::Relaxation, quick, store)))
+        }
+        table {
+            thead { tr { th { "" } th { "case" } th { "expected" } th { "run as" } th { "outcome" } th { "figures beyond limits, or counts" } } }
+            tbody {
+                @for row in ROWS {
+                    @let of: Vec<&(Task, &Outcome)> = found.iter().filter(|(task, _)| task.case == row.name).collect();
+                    @if let Also::Waits(needs) = row.also {
+                        tr.grey { td { (row.number) } td { (row.name) } td colspan="4" { "waits for " (needs) } }
+                    }
+                    @for (line, (task, outcome)) in of.iter().enumerate() {
+                        tr class=(class_of(outcome.state)) {
+                            td { @if line == 0 { (row.number) } }
+                            td { @if line == 0 { b { (row.name) } } }
+                            td.why { @if line == 0 { (row.expected) } }
+                            td { (run_as(task)) }
+                            td { (outcome.state.word()) }
+                            td.why { (detail(outcome)) }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+fn run_as(task: &Task) -> String {
+    let value = |path: &str| {
+        task.settings.iter().find_map(|setting| setting.strip_prefix(path)?.strip_prefix('=')).unwrap_or("")
+    };
+    let mut text = format!("{}, {}", task.tier, value("solver.precision"));
+    if value("solver.packed_positions") == "true" {
+        text.push_str(", packed");
+    }
+    if value("solver.deterministic") == "true" {
+        text.push_str(", deterministic");
+    }
+    text
+}
+
+fn detail(outcome: &Outcome) -> String {
+    let beyond = outcome.figures.iter().filter(|figure| figure.verdict() == Verdict::FallsShort);
+    let texts: Vec<String> = beyond
+        .map(|figure| format!("{} {} {}", figure.name, figure.value.map_or("–".into(), short), figure.unit))
+        .collect();
+    [texts.join("; "), outcome.reason.clone()]
+        .into_iter()
+        .filter(|text| !text.is_empty())
+        .collect::<Vec<_>>()
+        .join(" — ")
+}

@@ -1,0 +1,85 @@
+//! A case made ready: the scene, its particles, and when to look.
+
+use brooklet_fluid::particles::{Emitted, emit};
+use brooklet_fluid::{Scene, SceneError};
+use brooklet_kernels::{Position, Velocity};
+use glam::DVec3;
+
+/// A setup, or why its scene does not allow it. (Boxed: the error is large, and rare.)
+pub type Made = Result<Setup, Box<SceneError>>;
+
+/// What runs, and when it is looked at.
+#[derive(Clone, Debug)]
+pub struct Setup {
+    /// Settings and domain.
+    pub scene: Scene,
+    /// The particles at the start, relative to the domain's lowest corner.
+    pub emitted: Emitted,
+    /// Times of the samples in rising order, s; the last ends the run.
+    pub sample_times_s: Vec<f64>,
+}
+
+impl Setup {
+    /// The scene in `text` with `settings` (`path=value`) on top, filled with its own fluids, looked at
+    /// `samples` times, evenly until `end_s`.
+    ///
+    /// # Errors
+    /// If the scene does not allow a setting.
+    pub fn new(name: &str, text: &str, settings: &[String], end_s: f64, samples: u32) -> Made {
+        let scene = Scene::from_toml(text, name, settings).map_err(Box::new)?;
+        let emitted = emit(&scene);
+        let sample_times_s = (1..=samples).map(|k| end_s * f64::from(k) / f64::from(samples)).collect();
+        Ok(Self { scene, emitted, sample_times_s })
+    }
+
+    /// When it ends, s.
+    pub fn end_s(&self) -> f64 {
+        self.sample_times_s.last().copied().unwrap_or(0.0)
+    }
+
+    /// Steps until then.
+    pub fn steps(&self) -> u64 {
+        (self.end_s() / self.scene.solver.dt_s).round() as u64
+    }
+
+    /// The step at whose end each sample is due, rising and without repeats.
+    pub fn sample_steps(&self) -> Vec<u64> {
+        let mut steps: Vec<u64> =
+            self.sample_times_s.iter().map(|time_s| (time_s / self.scene.solver.dt_s).round() as u64).collect();
+        steps.dedup();
+        steps
+    }
+
+    /// Changes each particle: position (relative to the domain's lowest corner) and velocity.
+    pub fn place(&mut self, mut change: impl FnMut(&mut DVec3, &mut DVec3)) {
+        for (position, velocity) in self.emitted.positions.iter_mut().zip(&mut self.emitted.velocities) {
+            let (mut at, mut v) = (position_m(position), velocity_m_s(velocity));
+            change(&mut at, &mut v);
+            position.position_m = at.as_vec3().to_array();
+            velocity.velocity_m_s = v.as_vec3().to_array();
+        }
+    }
+
+    /// Number of particles.
+    pub fn count(&self) -> usize {
+        self.emitted.positions.len()
+    }
+
+    /// Particle iterations of the whole run: what it costs.
+    pub fn particle_iterations(&self) -> f64 {
+        let solver = &self.scene.solver;
+        // A substep's sort and list cost about as much as two iterations.
+        let each = f64::from(solver.substeps) * (f64::from(solver.iterations) + 2.0);
+        self.count() as f64 * self.steps() as f64 * each
+    }
+}
+
+/// In f64.
+pub(crate) fn position_m(position: &Position) -> DVec3 {
+    glam::Vec3::from(position.position_m).as_dvec3()
+}
+
+/// In f64.
+pub(crate) fn velocity_m_s(velocity: &Velocity) -> DVec3 {
+    glam::Vec3::from(velocity.velocity_m_s).as_dvec3()
+}

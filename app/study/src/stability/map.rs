@@ -1,0 +1,117 @@
+//! Maps over two settings of a column at rest: what is left of its compression over iterations and
+//! substeps, and whether it is at rest at all over relaxation and support.
+
+use super::{MAP_PART, relaxation_limit};
+use crate::case::{Case, HYDROSTATIC, SHALLOW, case};
+use crate::error::{run_case, task};
+use crate::runner::{Runner, StudyError};
+use crate::{Outcome, State, Store, Task};
+
+/// Kinetic energy over g H from which a column does not rest: twenty times what columns well below the
+/// largest relaxation have (5e-6).
+const RESTLESS: f64 = 1.0e-4;
+
+/// Which map.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Map {
+    /// Compression over iterations (x) and substeps (y).
+    Compression,
+    /// Rest over support ratio (x) and relaxation (y).
+    Relaxation,
+}
+
+/// A cell, and what came of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cell {
+    /// Along x.
+    pub x: f64,
+    /// Along y.
+    pub y: f64,
+    /// How it ended.
+    pub state: State,
+    /// The map's figure: compression p99, or kinetic energy over g H.
+    pub value: Option<f64>,
+    /// What theory says there: the column law's compression, or the largest relaxation.
+    pub theory: f64,
+}
+
+impl Map {
+    /// Both.
+    pub const ALL: [Self; 2] = [Self::Compression, Self::Relaxation];
+
+    /// The settings along x and y.
+    pub fn paths(self) -> (&'static str, &'static str) {
+        match self {
+            Self::Compression => ("solver.iterations", "solver.substeps"),
+            Self::Relaxation => ("solver.support_ratio", "solver.relaxation"),
+        }
+    }
+
+    fn values(self, quick: bool) -> (&'static [f64], &'static [f64]) {
+        match (self, quick) {
+            (Self::Compression, false) => (&[1.0, 2.0, 4.0, 8.0, 16.0], &[1.0, 2.0, 4.0, 8.0]),
+            (Self::Compression, true) => (&[2.0, 8.0], &[1.0, 2.0]),
+            (Self::Relaxation, false) => (&[1.6, 2.0, 2.5, 3.0], &[0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 1.0]),
+            (Self::Relaxation, true) => (&[2.0, 3.0], &[0.5, 1.0]),
+        }
+    }
+
+    /// A task a cell.
+    pub fn tasks(self, quick: bool) -> Vec<((f64, f64), Task)> {
+        let (path_x, path_y) = self.paths();
+        let (xs, ys) = self.values(quick);
+        let one = |x: f64, y: f64| {
+            let mut settings = vec![format!("{path_x}={x}"), format!("{path_y}={y}")];
+            let case: &dyn Case = match self {
+                Self::Compression => &HYDROSTATIC,
+                Self::Relaxation => {
+                    // Three spacings hold 122 neighbours, and more where it is compressed.
+                    settings.push("solver.neighbour_slots=200".into());
+                    &SHALLOW
+                }
+            };
+            ((x, y), task(MAP_PART, case, settings, 1))
+        };
+        ys.iter().flat_map(|&y| xs.iter().map(move |&x| one(x, y))).collect()
+    }
+
+    /// Its cells, as far as they have run.
+    pub fn cells(self, quick: bool, store: &Store) -> Vec<Cell> {
+        let cell = |((x, y), task): ((f64, f64), Task)| {
+            let outcome = store.get(&task)?;
+            let name = if self == Self::Compression { "compression p99" } else { "kinetic energy" };
+            let theory = match self {
+                Self::Compression => outcome.figure("law's compression").and_then(|figure| figure.value)?,
+                Self::Relaxation => relaxation_limit(x, 0.01, 3),
+            };
+            Some(Cell { x, y, state: outcome.state, value: outcome.figure(name).and_then(|f| f.value), theory })
+        };
+        self.tasks(quick).into_iter().filter_map(cell).collect()
+    }
+}
+
+/// The cells of both maps.
+pub fn map_tasks(quick: bool) -> Vec<Task> {
+    Map::ALL.iter().flat_map(|map| map.tasks(quick)).map(|(_, task)| task).collect()
+}
+
+/// Particle iterations of a cell.
+pub fn cell_cost(task: &Task) -> Option<f64> {
+    Some(case(&task.case)?.setup(&task.settings).ok()?.particle_iterations())
+}
+
+/// Runs a cell. A column that does not come to rest is unstable: its kinetic energy, which the program
+/// measures, says so.
+///
+/// # Errors
+/// If the device is not there.
+pub fn run_cell(runner: &Runner<'_>, task: &Task) -> Result<Option<Outcome>, StudyError> {
+    let Some(mut outcome) = run_case(runner, task)? else { return Ok(None) };
+    let restless =
+        outcome.figure("kinetic energy").and_then(|figure| figure.value).is_none_or(|value| value > RESTLESS);
+    if restless && matches!(outcome.state, State::Stable | State::Clamped) {
+        outcome.state = State::Unstable;
+        outcome.reason = "does not come to rest; measured kinetic energy".into();
+    }
+    Ok(Some(outcome))
+}

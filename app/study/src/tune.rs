@@ -1,0 +1,282 @@
+//! The cheapest setting of a scene for an error, or the most exact one for a time, by a bounded search.
+//!
+//! What is searched: substeps and iterations, then packed positions. The first guess comes from what the
+//! study found: a substep costs what an iteration does and about two more, and the column law makes the
+//! error fall with the iterations and with the square of the substeps. Every candidate that counts is then
+//! run; what is chosen was measured, and is run once more.
+
+use brooklet_fluid::Scene;
+use brooklet_fluid::particles::emit;
+use brooklet_gpu::Gpu;
+use thiserror::Error;
+
+use crate::Setup;
+use crate::backend::{GpuRun, Options, RunError, run};
+
+/// What is wanted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Goal {
+    /// The smallest error whose step takes no longer, ms of GPU time.
+    BudgetMs(f64),
+    /// The shortest step whose error is no larger: compression that 99 of 100 particles do not exceed,
+    /// mean over the run.
+    MaxError(f64),
+}
+
+/// A setting.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Candidate {
+    /// Equal parts of a step.
+    pub substeps: u32,
+    /// Iterations of each.
+    pub iterations: u32,
+    /// Whether positions are gathered in 16 bits an axis.
+    pub packed: bool,
+}
+
+/// A setting that was run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tried {
+    /// The setting.
+    pub candidate: Candidate,
+    /// Median GPU time of a step, ms.
+    pub step_ms: f64,
+    /// Compression that 99 of 100 particles do not exceed, mean over the run.
+    pub error: f64,
+}
+
+/// What a search found.
+#[derive(Clone, Debug)]
+pub struct Found {
+    /// What is chosen: as it was measured in the search.
+    pub chosen: Tried,
+    /// Everything that was run, in order.
+    pub tried: Vec<Tried>,
+    /// The chosen setting, run again.
+    pub checked: Tried,
+    /// Whether the goal is met by what was measured; if not, the nearest to it is chosen.
+    pub meets: bool,
+}
+
+/// Why a search ends without a result.
+#[derive(Debug, Error)]
+pub enum TuneError {
+    /// A run failed.
+    #[error(transparent)]
+    Run(#[from] RunError),
+    /// It was stopped.
+    #[error("stopped")]
+    Stopped,
+    /// Nothing can be told of the scene.
+    #[error("{0}")]
+    Nothing(String),
+}
+
+/// A search tries no more than so many settings.
+pub const MOST_TRIED: usize = 16;
+const SUBSTEPS: [u32; 7] = [1, 2, 3, 4, 6, 8, 12];
+const ITERATIONS: [u32; 8] = [1, 2, 3, 4, 6, 8, 12, 16];
+/// A substep's sort and list, in iterations: about what every device showed.
+const SUBSTEP_ITERATIONS: f64 = 2.0;
+/// Moments at which the error is measured.
+const MOMENTS: u32 = 10;
+
+impl Candidate {
+    /// In iterations of one substep.
+    fn cost(self) -> f64 {
+        f64::from(self.substeps) * (f64::from(self.iterations) + SUBSTEP_ITERATIONS)
+    }
+
+    /// Up to a factor that the scene has.
+    fn law(self) -> f64 {
+        1.0 / (f64::from(self.iterations) * f64::from(self.substeps).powi(2))
+    }
+
+    /// The scene with this setting.
+    pub fn apply(self, scene: &Scene) -> Scene {
+        let mut scene = scene.clone();
+        scene.solver.substeps = self.substeps;
+        scene.solver.iterations = self.iterations;
+        scene.solver.packed_positions = self.packed;
+        scene
+    }
+}
+
+/// Candidates that nothing beats by cost and law, cheapest first.
+fn ladder() -> Vec<Candidate> {
+    let of = |substeps| ITERATIONS.map(|iterations| Candidate { substeps, iterations, packed: false });
+    let mut all: Vec<Candidate> = SUBSTEPS.iter().flat_map(|&substeps| of(substeps)).collect();
+    all.sort_by(|a, b| a.cost().total_cmp(&b.cost()).then(a.law().total_cmp(&b.law())));
+    let mut best: Vec<Candidate> = Vec::new();
+    for candidate in all {
+        if best.last().is_none_or(|last| candidate.law() < last.law()) {
+            best.push(candidate);
+        }
+    }
+    best
+}
+
+/// Searches; `seconds` of each run are simulated. `told` hears of each setting that was run.
+///
+/// # Errors
+/// If a run fails or `stop` says so.
+pub fn tune(
+    gpu: &Gpu,
+    scene: &Scene,
+    goal: Goal,
+    seconds: f64,
+    stop: &dyn Fn() -> bool,
+    told: &mut dyn FnMut(&Tried),
+) -> Result<Found, TuneError> {
+    let mut measure = |candidate: Candidate| try_one(gpu, scene, candidate, seconds, stop);
+    search(goal, &mut measure, told)
+}
+
+/// The search itself, over whatever runs a candidate.
+fn search(
+    goal: Goal,
+    measure: &mut dyn FnMut(Candidate) -> Result<Tried, TuneError>,
+    told: &mut dyn FnMut(&Tried),
+) -> Result<Found, TuneError> {
+    let ladder = ladder();
+    let mut tried: Vec<Tried> = Vec::new();
+    let mut look = |at: Candidate, tried: &mut Vec<Tried>| -> Result<Tried, TuneError> {
+        if let Some(known) = tried.iter().find(|known| known.candidate == at) {
+            return Ok(*known);
+        }
+        let found = measure(at)?;
+        told(&found);
+        tried.push(found);
+        Ok(found)
+    };
+    // A rung is fit if it keeps to the goal's side: within the budget, or within the error. Fit rungs are
+    // the low ones of a budget and the high ones of an error.
+    let fits = |found: &Tried| match goal {
+        Goal::BudgetMs(ms) => found.step_ms <= ms,
+        Goal::MaxError(error) => found.error <= error,
+    };
+    let (mut low, mut high) = (0, ladder.len() - 1);
+    let rising = matches!(goal, Goal::MaxError(_));
+    // The edge between fit and unfit, by halves.
+    while low < high && tried.len() + 4 < MOST_TRIED {
+        let middle = (low + high) / 2 + usize::from(!rising);
+        let fit = fits(&look(ladder[middle], &mut tried)?);
+        match (rising, fit) {
+            (true, true) => high = middle,
+            (true, false) => low = middle + 1,
+            (false, true) => low = middle,
+            (false, false) => high = middle - 1,
+        }
+    }
+    // The ladder's order is a guess: its neighbours by measure, and the packed one, may be better.
+    for at in [low.checked_sub(1), Some(low), Some(low + 1)].into_iter().flatten() {
+        if let Some(&candidate) = ladder.get(at)
+            && tried.len() < MOST_TRIED
+        {
+            look(candidate, &mut tried)?;
+        }
+    }
+    if tried.len() < MOST_TRIED {
+        look(Candidate { packed: true, ..ladder[low] }, &mut tried)?;
+    }
+    let chosen = choose(goal, &tried).ok_or_else(|| TuneError::Nothing("nothing could be measured".into()))?;
+    let checked = measure(chosen.candidate)?;
+    Ok(Found { chosen, meets: fits(&chosen), tried, checked })
+}
+
+/// The best of those that meet the goal; where none does, the nearest to it.
+fn choose(goal: Goal, tried: &[Tried]) -> Option<Tried> {
+    let best = |wanted: &dyn Fn(&Tried) -> bool, of: &dyn Fn(&Tried) -> f64| {
+        tried.iter().filter(|t| wanted(t)).min_by(|a, b| of(a).total_cmp(&of(b))).copied()
+    };
+    match goal {
+        Goal::BudgetMs(ms) => best(&|t| t.step_ms <= ms, &|t| t.error).or_else(|| best(&|_| true, &|t| t.step_ms)),
+        Goal::MaxError(error) => best(&|t| t.error <= error, &|t| t.step_ms).or_else(|| best(&|_| true, &|t| t.error)),
+    }
+}
+
+fn try_one(
+    gpu: &Gpu,
+    scene: &Scene,
+    candidate: Candidate,
+    seconds: f64,
+    stop: &dyn Fn() -> bool,
+) -> Result<Tried, TuneError> {
+    let scene = candidate.apply(scene);
+    let emitted = emit(&scene);
+    if emitted.positions.is_empty() {
+        return Err(TuneError::Nothing(format!("{}: the scene has no particles to tune for", scene.name)));
+    }
+    let dt_s = scene.solver.dt_s;
+    let sample_times_s = (1..=MOMENTS).map(|k| seconds * f64::from(k) / f64::from(MOMENTS)).collect();
+    let setup = Setup { scene, emitted, sample_times_s };
+    let options = Options { stop, ..Options::default() };
+    let run = run(gpu, &setup, &options)?;
+    if run.stopped {
+        return Err(TuneError::Stopped);
+    }
+    let errors: Vec<f64> = run.measured.iter().map(|measured| measured.stats.compression.p99).collect();
+    let error = errors.iter().sum::<f64>() / errors.len().max(1) as f64;
+    let warm_up = 10.min(run.step_ms.len() / 4);
+    let cost = GpuRun::cost(&[run], warm_up, dt_s).ok_or_else(|| TuneError::Nothing("no step was timed".into()))?;
+    Ok(Tried { candidate, step_ms: cost.median_s_per_s * dt_s * 1e3, error })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A device and a fluid that do what the guess says, or not quite.
+    fn made_up(candidate: Candidate, skew: f64) -> Tried {
+        let packing = if candidate.packed { 0.95 } else { 1.0 };
+        let iterations = f64::from(candidate.iterations).powf(1.0 + skew);
+        let step_ms = f64::from(candidate.substeps) * (f64::from(candidate.iterations) + 2.0 + 3.0 * skew) * packing;
+        let error = 0.3 / (iterations * f64::from(candidate.substeps).powf(2.0 - skew)) * (2.0 - packing);
+        Tried { candidate, step_ms, error }
+    }
+
+    fn find(goal: Goal, skew: f64) -> Found {
+        let mut count = 0;
+        let mut measure = |candidate| {
+            count += 1;
+            Ok(made_up(candidate, skew))
+        };
+        let found = search(goal, &mut measure, &mut |_| {}).unwrap();
+        assert!(found.tried.len() <= MOST_TRIED && count <= MOST_TRIED + 1);
+        found
+    }
+
+    #[test]
+    fn the_ladder_rises_in_cost_and_falls_in_error() {
+        let ladder = ladder();
+        assert!(ladder.len() > 10);
+        assert!(ladder.windows(2).all(|pair| pair[0].cost() < pair[1].cost() && pair[0].law() > pair[1].law()));
+    }
+
+    #[test]
+    fn a_budget_is_kept_and_used() {
+        for (budget, skew) in [(6.0, 0.0), (20.0, 0.0), (20.0, 0.3), (60.0, -0.2)] {
+            let found = find(Goal::BudgetMs(budget), skew);
+            assert!(found.meets && found.chosen.step_ms <= budget, "{found:?}");
+            let better = found.tried.iter().any(|t| t.step_ms <= budget && t.error < found.chosen.error);
+            assert!(!better, "{found:?}");
+            assert!(found.chosen.step_ms > 0.4 * budget, "{budget}: {:?}", found.chosen);
+        }
+    }
+
+    #[test]
+    fn an_error_is_kept_and_what_is_cheaper_breaks_it() {
+        for (error, skew) in [(0.1, 0.0), (0.01, 0.0), (0.01, 0.3), (0.003, -0.2)] {
+            let found = find(Goal::MaxError(error), skew);
+            assert!(found.meets && found.chosen.error <= error, "{found:?}");
+            let cheaper: Vec<&Tried> = found.tried.iter().filter(|t| t.step_ms < found.chosen.step_ms).collect();
+            assert!(!cheaper.is_empty() && cheaper.iter().all(|t| t.error > error), "{found:?}");
+        }
+    }
+
+    #[test]
+    fn what_cannot_be_met_is_not_claimed() {
+        assert!(!find(Goal::BudgetMs(0.5), 0.0).meets);
+        assert!(!find(Goal::MaxError(1e-9), 0.0).meets);
+    }
+}
