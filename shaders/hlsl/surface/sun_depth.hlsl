@@ -1,6 +1,7 @@
 // The surface that sunlight meets: the nearest of all particles' spheres, or ellipsoids, in the sun's
 // parallel projection, as shadow depth (1 nearest the sun), in which planes are linear; 0 where no
-// fluid is. At the tank's glass they are cut off, as the eye sees them (surface/fluid_depth.hlsl).
+// fluid is. At the tank's glass they are cut off, as the eye sees them (surface/fluid_depth.hlsl). Drops of
+// spray are left out: the map is too coarse for such lenses, which would tear holes into the light below.
 #pragma vertex SunDepthVertex
 #pragma fragment SunDepthFragment
 #pragma multi_compile _ SPRAY_SHAPE ELLIPSOID_SHAPE
@@ -19,6 +20,9 @@ StructuredBuffer<ListHead> list_heads;
 #endif
 ConstantBuffer<FrameLight> light;
 ConstantBuffer<SurfaceParams> surface;
+
+// What is smaller is spray, over a particle among others.
+static const float LEAST_SIZE = 0.8;
 
 struct Varyings
 {
@@ -41,12 +45,16 @@ Varyings SunDepthVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID
     float3 toward = Unstretched(stretch, light.to_sun);
     float along = length(toward);
     uint tag = ellipsoids[instance].tag;
+    // The mean of its axes is at least 1, but that of spray.
+    bool is_spray = stretch[0][0] + stretch[1][1] + stretch[2][2] < 3.0 * LEAST_SIZE;
     output.world_m = ellipsoids[instance].center_m + surface.radius_m * mul(stretch, across_axis(toward / along, corner));
     output.rise_m = surface.radius_m / along;
 #else
     float radius_m = surface.radius_m;
 #if defined(SPRAY_SHAPE)
-    radius_m *= SizeOf(list_heads[instance]);
+    bool is_spray = SizeOf(list_heads[instance]) < LEAST_SIZE;
+#else
+    bool is_spray = false;
 #endif
     uint tag = positions[instance].tag;
     output.world_m = positions[instance].position_m + radius_m * across_axis(light.to_sun, corner);
@@ -54,8 +62,8 @@ Varyings SunDepthVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID
 #endif
     // At the nearest point, so the depth written is never nearer: hidden ones are rejected early.
     output.position = clip_from_shadow(shadow_position(light, output.world_m + output.rise_m * light.to_sun));
-    if (tag >> 31)
-        output.position = float4(0.0, 0.0, 0.0, 1.0);   // quarantined: every corner in one point
+    if ((tag >> 31) || is_spray)
+        output.position = float4(0.0, 0.0, 0.0, 1.0);   // every corner in one point: nothing is drawn
     return output;
 }
 

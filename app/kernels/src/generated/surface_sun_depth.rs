@@ -16,7 +16,8 @@ pub struct DrawSunDepthVariant {
 
 /// The surface that sunlight meets: the nearest of all particles' spheres, or ellipsoids, in the sun's
 /// parallel projection, as shadow depth (1 nearest the sun), in which planes are linear; 0 where no
-/// fluid is. At the tank's glass they are cut off, as the eye sees them (surface/fluid\_depth.hlsl).
+/// fluid is. At the tank's glass they are cut off, as the eye sees them (surface/fluid\_depth.hlsl). Drops of
+/// spray are left out: the map is too coarse for such lenses, which would tear holes into the light below.
 #[derive(Debug)]
 pub struct DrawSunDepth<'a> {
     /// Its variant.
@@ -113,7 +114,7 @@ static DRAW_SUN_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "6f80f76ee08236e6fead18b87e3cd5ea81cd6964ac853ef3a382cb65a5de43c8",
+    hash: "3bdf73854795799e54be7386c14363c9d8323d5475b0de813f93068154743484",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
@@ -126,7 +127,7 @@ static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "e7f16505cf67ebf9aa5d3430553d96cce891368df1664e74e2da02416efd3af7",
+    hash: "ff2a5a43525a7eaf1e87491fab6c54bf7d2f0eb981328ecb1e4439b38d820561",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -139,7 +140,7 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "a4980e0c0171badcf43ba9a8ac7556f5e20e16d1bf2a5549b6abad01e80e947a",
+    hash: "ed53735b49a08b333b6c706cd4484f2f7b7780f4b043208748cbb09d1d9acf38",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -152,7 +153,7 @@ static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "08cdd0da9d9ee326c418c9f873e8e8fcf8d8dee2f06cfcd3c04eaea76dbad1d8",
+    hash: "0f68b1a143ca5587e7d02c36d08c2bd82de6e1f16c8f4d8e81c93c5ba7ca9e52",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -165,5 +166,5 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "55b8904eee28bcf84e59031489cc07e8ace46c098e014e6ee64b3524d8f3757d",
+    hash: "661c48fcaf10075f1e225fced0b05bb55a81df88be96524a1dd81be3262960ed",
 };
