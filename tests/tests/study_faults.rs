@@ -74,7 +74,7 @@ impl Faulty {
 }
 
 fn run(task: &Task, fault: Fault<'_>) -> Outcome {
-    let open = |_: Tier| -> Result<Gpu, String> { Ok(gpu()) };
+    let open = |_: Tier, _: bool| -> Result<Gpu, String> { Ok(gpu()) };
     let (stop, notify) = (|| false, |_: Event<'_>| {});
     let runner = Runner::new(&open, Cache::default(), &stop, &notify).with_fault(fault);
     runner.outcome(task).unwrap().unwrap()

@@ -312,11 +312,11 @@ pub struct TuneOptions {
     #[arg(long = "set", value_name = "PATH=VALUE")]
     pub settings: Vec<String>,
     /// GPU time that a step may take, ms: the smallest error within it is searched
-    #[arg(long, value_name = "MS", group = "goal", value_parser = positive)]
+    #[arg(long, value_name = "MS", group = "goal", value_parser = positive, allow_negative_numbers = true)]
     pub budget_ms: Option<f64>,
     /// Error that a step may leave (compression that 99 of 100 particles do not exceed, .02 for 2 %): the
     /// shortest step within it is searched
-    #[arg(long, value_name = "E", group = "goal", value_parser = positive)]
+    #[arg(long, value_name = "E", group = "goal", value_parser = positive, allow_negative_numbers = true)]
     pub max_error: Option<f64>,
     /// Simulated time of each run
     #[arg(long, value_name = "S", default_value_t = 0.5, value_parser = seconds)]

@@ -146,7 +146,7 @@ fn run(device: &DeviceOptions, tasks: &[Task], store: &mut Store, notes: &mut Ve
         Event::Done(done) => bar.set_position(done as u64),
         Event::Note(text) => heard.borrow_mut().push(text),
     };
-    let open = |tier: Tier| open(device, tier.min(best));
+    let open = |tier: Tier, timing: bool| open(device, tier.min(best), timing);
     let stop = || interrupt.is_pressed();
     let cache = Cache { folder: dirs::cache_dir().map(|folder| folder.join("brooklet").join("reference")) };
     let runner = Runner::new(&open, cache, &stop, &notify);
@@ -159,12 +159,12 @@ fn run(device: &DeviceOptions, tasks: &[Task], store: &mut Store, notes: &mut Ve
     })
 }
 
-fn open(device: &DeviceOptions, tier: Tier) -> Result<Gpu, String> {
+fn open(device: &DeviceOptions, tier: Tier, timing: bool) -> Result<Gpu, String> {
     Gpu::open(&GpuOptions {
         device_name: device.device.clone(),
         tier: Some(tier),
         pipeline_cache: dirs::cache_dir().map(|folder| folder.join("brooklet")),
-        timing: true,
+        timing,
     })
     .map_err(|error| error.to_string())
 }

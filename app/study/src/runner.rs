@@ -43,8 +43,8 @@ pub enum Event<'a> {
     Note(String),
 }
 
-/// Opens the device as one of a tier.
-pub type Open<'a> = &'a dyn Fn(Tier) -> Result<Gpu, String>;
+/// Opens the device as one of a tier, with GPU times or without.
+pub type Open<'a> = &'a dyn Fn(Tier, bool) -> Result<Gpu, String>;
 
 /// What a test changes of every run, to see that it is found.
 #[derive(Clone, Copy)]
@@ -119,6 +119,7 @@ impl<'a> Runner<'a> {
             error::PART | validation::PART => error::run_case(self, task),
             error::ORDER_PART => error::run_order(self, task),
             error::JACOBI_PART => Ok(error::run_jacobi(self, task)),
+            error::OVERHEAD_PART => error::run_overhead(self, task),
             error::EQUAL_WORK_PART => error::run_equal_work(self, task),
             stability::ROWS_PART => stability::run_row(self, task),
             stability::MAP_PART => stability::run_cell(self, task),
@@ -138,9 +139,18 @@ impl<'a> Runner<'a> {
         if let Some(gpu) = self.gpus.borrow().get(tier_name(tier)) {
             return Ok(gpu.clone());
         }
-        let gpu = (self.open)(tier).map_err(StudyError::Device)?;
+        let gpu = (self.open)(tier, true).map_err(StudyError::Device)?;
         self.gpus.borrow_mut().insert(tier_name(tier), gpu.clone());
         Ok(gpu)
+    }
+
+    /// The device as one of a tier, making no timestamp query.
+    ///
+    /// # Errors
+    /// If it is not there.
+    pub fn gpu_without_times(&self, name: &str) -> Result<Gpu, StudyError> {
+        let tier = self.gpu(name)?.tier();
+        (self.open)(tier, false).map_err(StudyError::Device)
     }
 
     /// Runs a setup on the GPU; what it says where it cannot.
@@ -180,6 +190,8 @@ fn weight(task: &Task) -> f64 {
         stability::MAP_PART => stability::cell_cost(task),
         error::EQUAL_WORK_PART => error::equal_work_cost(task),
         error::JACOBI_PART => Some(1e6),
+        // Four ways, 24 steps a block, some 4,000 particles.
+        error::OVERHEAD_PART => Some(2.4e6 * f64::from(task.repeats)),
         _ => crate::case::case(&task.case)
             .and_then(|case| case.setup(&task.settings).ok())
             .map(|setup| setup.particle_iterations() * f64::from(task.repeats.max(1))),

@@ -33,6 +33,7 @@ impl Study {
             if choice.is_whole() {
                 tasks.extend(error::order_tasks(self.quick));
                 tasks.extend(error::jacobi_tasks());
+                tasks.extend(error::overhead_tasks(self.quick));
                 if !self.quick {
                     tasks.extend(error::equal_work_tasks());
                 }

@@ -4,11 +4,13 @@
 mod equal_work;
 mod jacobi;
 mod order;
+mod overhead;
 mod points;
 
 pub use equal_work::{equal_work_cost, equal_work_tasks, run_equal_work};
 pub use jacobi::{Convergence, jacobi_tasks, run_jacobi};
 pub use order::{ORDER_CASES, order_tasks, run_order};
+pub use overhead::{overhead_tasks, run_overhead};
 pub use points::{Curve, Point, curves, front};
 
 use brooklet_gpu::tier_name;
@@ -27,6 +29,9 @@ pub const ORDER_PART: &str = "order";
 pub const JACOBI_PART: &str = "jacobi";
 /// Part of a study: iterations against substeps at equal work.
 pub const EQUAL_WORK_PART: &str = "equal-work";
+
+/// Part of a study: what timestamps, captures and measurements cost.
+pub const OVERHEAD_PART: &str = "overhead";
 
 /// Steps at the start whose times do not count: the device's clock rises and caches fill then.
 const WARM_UP: usize = 10;

@@ -4,8 +4,8 @@ use maud::{Markup, PreEscaped, html};
 
 use super::plot::{INK, Line, Mark, PALETTE, Plot};
 use super::work_precision::short;
-use crate::error::{Convergence, ORDER_CASES, equal_work_tasks, jacobi_tasks, order_tasks};
-use crate::{Outcome, Store, Task};
+use crate::error::{Convergence, ORDER_CASES, equal_work_tasks, jacobi_tasks, order_tasks, overhead_tasks};
+use crate::{Figure, Outcome, Store, Task};
 
 const SIZE_PX: (u32, u32) = (620, 380);
 
@@ -129,6 +129,7 @@ pub fn section(quick: bool, store: &Store) -> Markup {
     if plots(quick, store).iter().all(|(_, svg)| svg.is_empty()) {
         return html! {};
     }
+    let watching = overhead_tasks(quick).into_iter().find_map(|task| store.get(&task).cloned());
     html! {
         h2 id="convergence" { "Convergence, and how iterations are spent best" }
         div.plots {
@@ -153,6 +154,26 @@ pub fn section(quick: bool, store: &Store) -> Markup {
                 }
             }
         }
+        @if let Some(watching) = &watching {
+            h3 { "What watching costs" }
+            table {
+                thead { tr { th { "" } th { "" } th { "" } } }
+                tbody {
+                    @for figure in &watching.figures {
+                        tr { td { (figure.name) } td.number { (share(figure)) } td.why { (figure.why) } }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Ratios as percent.
+fn share(figure: &Figure) -> String {
+    match figure.value {
+        Some(value) if figure.unit.is_empty() => format!("{:+.1} %", 100.0 * value),
+        Some(value) => format!("{value:.2} {}", figure.unit),
+        None => "–".into(),
     }
 }
 

@@ -83,6 +83,13 @@ pub fn write(folder: &Path, study: &Study, store: &Store, facts: &Facts) -> Resu
     file(&written.csv, |to| table::csv(to, &tasks, store))?;
     file(&written.json, |to| table::json(to, &tasks, store, facts))?;
     file(&written.mcap, |to| capture::mcap(to, &tasks, store, facts))?;
+    // Each plot alone, for a page of somebody's own.
+    let plots_folder = folder.join("plots");
+    fs::create_dir_all(&plots_folder)
+        .map_err(|error| StoreError::File { path: plots_folder.display().to_string(), reason: error.to_string() })?;
+    for (name, svg) in plots(study, store)? {
+        file(&plots_folder.join(format!("{name}.svg")), |to| to.write_all(svg.as_bytes()))?;
+    }
     // The page last: where it is, the study is whole.
     let page = html::page(study, &tasks, store, facts)?;
     file(&written.page, |to| to.write_all(page.as_bytes()))?;
