@@ -9,7 +9,7 @@ use brooklet_compiler::{Places, naming::snake};
 use brooklet_gpu::{Gpu, Plan, Tier};
 use brooklet_kernels::Module;
 use brooklet_study::backend::Cache;
-use brooklet_study::{Event, Fault, Outcome, Runner, Setup, State, Task, Verdict, stability, validation};
+use brooklet_study::{Event, Fault, Outcome, Runner, Session, Setup, State, Task, Verdict, stability, validation};
 use brooklet_tests::gpu;
 
 fn root() -> PathBuf {
@@ -76,8 +76,8 @@ impl Faulty {
 fn run(task: &Task, fault: Fault<'_>) -> Outcome {
     let open = |_: Tier, _: bool| -> Result<Gpu, String> { Ok(gpu()) };
     let (stop, notify) = (|| false, |_: Event<'_>| {});
-    let runner = Runner::new(&open, Cache::default(), &stop, &notify).with_fault(fault);
-    runner.outcome(task).unwrap().unwrap()
+    let session = Session::new(&open, Cache::default(), &stop, &notify).with_fault(fault);
+    Runner::new(session).outcome(task).unwrap().unwrap()
 }
 
 const SOUND: Fault<'static> = Fault { setup: &|_| {}, plan: &|plan| plan };

@@ -8,7 +8,8 @@ use std::{
 
 use brooklet_gpu::{Gpu, GpuOptions, Tier};
 use brooklet_study::{
-    Event, RESULTS, Runner, State, Store, Study, StudyError, Task, backend::Cache, error::Choice, report, shard,
+    Event, RESULTS, Runner, Session, State, Store, Study, StudyError, Task, backend::Cache, error::Choice, report,
+    shard,
 };
 use indicatif::{ProgressBar, ProgressStyle};
 
@@ -149,8 +150,7 @@ fn run(device: &DeviceOptions, tasks: &[Task], store: &mut Store, notes: &mut Ve
     let open = |tier: Tier, timing: bool| open(device, tier.min(best), timing);
     let stop = || interrupt.is_pressed();
     let cache = Cache { folder: dirs::cache_dir().map(|folder| folder.join("brooklet").join("reference")) };
-    let runner = Runner::new(&open, cache, &stop, &notify);
-    let outcome = runner.run(tasks, store);
+    let outcome = Runner::new(Session::new(&open, cache, &stop, &notify)).run(tasks, store);
     bar.finish_and_clear();
     notes.extend(heard.borrow_mut().drain(..));
     outcome.map_err(|error| match error {

@@ -41,6 +41,11 @@ impl Figure {
         Self { limit: Some(limit), ..Self::told(name, value, unit, why) }
     }
 
+    /// A figure that must reach `least`: how far it falls short, which must be nothing.
+    pub fn at_least(name: &str, value: f64, unit: &str, least: f64, why: &str) -> Self {
+        Self::judged(name, if value >= least { 0.0 } else { least - value }, unit, 0.0, why)
+    }
+
     /// Whether it meets its limit.
     pub fn verdict(&self) -> Verdict {
         match (self.limit, self.value) {
@@ -54,6 +59,12 @@ impl Figure {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_must_be_reached_is() {
+        let of = |value: f64| Figure::at_least("pairs", value, "", 0.4, "").verdict() == Verdict::Meets;
+        assert_eq!([of(0.4), of(7.0), of(0.39), of(f64::NAN)], [true, true, false, false]);
+    }
 
     #[test]
     fn what_is_not_a_number_meets_no_limit() {

@@ -20,6 +20,7 @@ pub mod method;
 pub mod report;
 mod runner;
 mod sample;
+mod session;
 mod setup;
 pub mod stability;
 mod store;
@@ -29,8 +30,9 @@ pub mod tune;
 pub mod validation;
 
 pub use figure::{Figure, Verdict};
-pub use runner::{Event, Fault, Runner, StudyError};
+pub use runner::Runner;
 pub use sample::Sample;
+pub use session::{Event, Fault, Session, StudyError};
 pub use setup::{Made, Setup};
 pub use store::{RESULTS, Store, StoreError};
 pub use study::{Study, shard};

@@ -1,84 +1,19 @@
 //! Runs the tasks that have no outcome yet, and keeps each as it comes.
 
-use std::cell::RefCell;
-use std::collections::HashMap;
 use std::time::Instant;
 
-use brooklet_gpu::{Gpu, Plan, TIERS, Tier, tier_name};
-use thiserror::Error;
+use crate::session::{Event, Session, StudyError};
+use crate::{Outcome, Store, Task, error, stability, validation};
 
-use crate::backend::{Cache, GpuRun, Options, Origin, converged};
-use crate::store::StoreError;
-use crate::{Outcome, Sample, Setup, State, Store, Task, error, stability, validation};
-
-/// Why a study ends early.
-#[derive(Debug, Error)]
-pub enum StudyError {
-    /// Outcomes cannot be kept.
-    #[error(transparent)]
-    Store(#[from] StoreError),
-    /// A device of a tier that tasks want is not there.
-    #[error("{0}")]
-    Device(String),
-    /// A task names something that there is not.
-    #[error("{0}")]
-    Unknown(String),
-}
-
-/// What a runner tells while it works.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Event<'a> {
-    /// So much lies ahead, in particle iterations; of it, so much is done already.
-    Begin {
-        /// All of it.
-        total: f64,
-        /// What outcomes of an earlier run cover.
-        done: f64,
-    },
-    /// A task begins.
-    Task(&'a Task),
-    /// So much of all is done.
-    Done(f64),
-    /// Something worth a line.
-    Note(String),
-}
-
-/// Opens the device as one of a tier, with GPU times or without.
-pub type Open<'a> = &'a dyn Fn(Tier, bool) -> Result<Gpu, String>;
-
-/// What a test changes of every run, to see that it is found.
-#[derive(Clone, Copy)]
-pub struct Fault<'a> {
-    /// Of its settings, behind every check.
-    pub setup: &'a dyn Fn(&mut Setup),
-    /// Of its plan.
-    pub plan: &'a dyn Fn(Plan) -> Plan,
-}
-
-/// What tasks run with.
+/// Runs tasks of every part of a study.
 pub struct Runner<'a> {
-    open: Open<'a>,
-    gpus: RefCell<HashMap<&'static str, Gpu>>,
-    /// Where f64 runs are kept.
-    pub cache: Cache,
-    stop: &'a dyn Fn() -> bool,
-    notify: &'a dyn Fn(Event<'_>),
-    fault: Option<Fault<'a>>,
-    /// Particle iterations done before the present task, and of it.
-    done: RefCell<(f64, f64)>,
+    session: Session<'a>,
 }
 
 impl<'a> Runner<'a> {
-    /// `open` gives devices, `stop` says when to end, `notify` hears what happens.
-    pub fn new(open: Open<'a>, cache: Cache, stop: &'a dyn Fn() -> bool, notify: &'a dyn Fn(Event<'_>)) -> Self {
-        let done = RefCell::new((0.0, 0.0));
-        Self { open, gpus: RefCell::new(HashMap::new()), cache, stop, notify, fault: None, done }
-    }
-
-    /// Has every run changed: how tests put faults in.
-    pub fn with_fault(mut self, fault: Fault<'a>) -> Self {
-        self.fault = Some(fault);
-        self
+    /// Runs with what `session` has.
+    pub fn new(session: Session<'a>) -> Self {
+        Self { session }
     }
 
     /// Runs those of `tasks` that `store` has no outcome of; false if it was stopped.
@@ -90,22 +25,21 @@ impl<'a> Runner<'a> {
         let total = weights.iter().sum();
         let mut done: f64 =
             tasks.iter().zip(&weights).filter(|(task, _)| store.get(task).is_some()).map(|(_, w)| w).sum();
-        (self.notify)(Event::Begin { total, done });
+        self.session.tell(Event::Begin { total, done });
         for (task, weight) in tasks.iter().zip(&weights).filter(|(_, w)| **w >= 0.0) {
             if store.get(task).is_some() {
                 continue;
             }
-            if (self.stop)() {
+            if self.session.stops() {
                 return Ok(false);
             }
-            (self.notify)(Event::Task(task));
-            *self.done.borrow_mut() = (done, *weight);
+            self.session.begin(task, done, *weight);
             let begun = Instant::now();
             let Some(mut outcome) = self.outcome(task)? else { return Ok(false) };
             outcome.wall_s = begun.elapsed().as_secs_f64();
             store.put(task, outcome)?;
             done += weight;
-            (self.notify)(Event::Done(done));
+            self.session.tell(Event::Done(done));
         }
         Ok(true)
     }
@@ -115,71 +49,17 @@ impl<'a> Runner<'a> {
     /// # Errors
     /// If it names what there is not.
     pub fn outcome(&self, task: &Task) -> Result<Option<Outcome>, StudyError> {
+        let session = &self.session;
         match task.part.as_str() {
-            error::PART | validation::PART => error::run_case(self, task),
-            error::ORDER_PART => error::run_order(self, task),
-            error::JACOBI_PART => Ok(error::run_jacobi(self, task)),
-            error::OVERHEAD_PART => error::run_overhead(self, task),
-            error::EQUAL_WORK_PART => error::run_equal_work(self, task),
-            stability::ROWS_PART => stability::run_row(self, task),
-            stability::MAP_PART => stability::run_cell(self, task),
+            error::PART | validation::PART => error::run_case(session, task),
+            error::ORDER_PART => error::run_order(session, task),
+            error::JACOBI_PART => Ok(error::run_jacobi(session, task)),
+            error::OVERHEAD_PART => error::run_overhead(session, task),
+            error::EQUAL_WORK_PART => error::run_equal_work(session, task),
+            stability::ROWS_PART => stability::run_row(session, task),
+            stability::MAP_PART => stability::run_cell(session, task),
             part => Err(StudyError::Unknown(format!("there is no part '{part}' of a study"))),
         }
-    }
-
-    /// The device as one of a tier, opened once.
-    ///
-    /// # Errors
-    /// If it is not there.
-    pub fn gpu(&self, name: &str) -> Result<Gpu, StudyError> {
-        let tier = TIERS
-            .into_iter()
-            .find(|tier| tier_name(*tier) == name)
-            .ok_or_else(|| StudyError::Unknown(format!("there is no tier '{name}'")))?;
-        if let Some(gpu) = self.gpus.borrow().get(tier_name(tier)) {
-            return Ok(gpu.clone());
-        }
-        let gpu = (self.open)(tier, true).map_err(StudyError::Device)?;
-        self.gpus.borrow_mut().insert(tier_name(tier), gpu.clone());
-        Ok(gpu)
-    }
-
-    /// The device as one of a tier, making no timestamp query.
-    ///
-    /// # Errors
-    /// If it is not there.
-    pub fn gpu_without_times(&self, name: &str) -> Result<Gpu, StudyError> {
-        let tier = self.gpu(name)?.tier();
-        (self.open)(tier, false).map_err(StudyError::Device)
-    }
-
-    /// Runs a setup on the GPU; what it says where it cannot.
-    pub fn run_setup(&self, gpu: &Gpu, setup: &Setup) -> Result<GpuRun, String> {
-        let steps = setup.steps().max(1) as f64;
-        let progress = |step: u64| {
-            let (done, weight) = *self.done.borrow();
-            (self.notify)(Event::Done(done + weight * step as f64 / steps));
-        };
-        let options = Options { stop: self.stop, edit: self.fault.map(|fault| fault.plan), progress: &progress };
-        let mut setup = setup.clone();
-        if let Some(fault) = self.fault {
-            (fault.setup)(&mut setup);
-        }
-        crate::backend::run(gpu, &setup, &options).map_err(|error| error.to_string())
-    }
-
-    /// A run of f64, kept from an earlier time or computed; none if it was stopped.
-    pub fn converge(&self, setup: &Setup) -> Option<Vec<Sample>> {
-        let (samples, origin) = converged(setup, &self.cache, self.stop)?;
-        if let Origin::Replaced(what) = origin {
-            (self.notify)(Event::Note(format!("reference computed anew: {what}")));
-        }
-        Some(samples)
-    }
-
-    /// Whether it is to end.
-    pub fn stops(&self) -> bool {
-        (self.stop)()
     }
 }
 
@@ -198,21 +78,4 @@ fn weight(task: &Task) -> f64 {
     };
     // Whatever it is, it takes a moment: pipelines are built.
     setup.unwrap_or(0.0) + 1e5
-}
-
-/// How a run ended, by its particles and by what the program told.
-pub fn state_of(run: &GpuRun) -> (State, String) {
-    let sound = run.samples.iter().all(Sample::is_sound);
-    let said = run.measured.iter().any(|measured| {
-        let stats = measured.stats;
-        stats.quarantined > 0 || !stats.density_error.mean.is_finite()
-    });
-    let [overflow, speeds, corrections] = run.counted();
-    let counts = format!("{overflow} neighbours without a slot, {speeds} speeds and {corrections} corrections clamped");
-    match (sound, said) {
-        (false, true) => (State::Unstable, "particles that are not finite, and quarantined".into()),
-        (false, false) => (State::Silent, "particles are lost or not finite, and nothing says so".into()),
-        (true, _) if overflow + speeds + corrections > 0 => (State::Clamped, counts),
-        (true, _) => (State::Stable, String::new()),
-    }
 }

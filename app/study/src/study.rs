@@ -1,7 +1,7 @@
 //! Which tasks a study has.
 
 use crate::error::{self, Choice};
-use crate::runner::StudyError;
+use crate::session::StudyError;
 use crate::{Task, stability, validation};
 
 /// A study: which parts, and of the first which curves.

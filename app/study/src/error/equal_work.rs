@@ -6,7 +6,7 @@ use brooklet_fluid::{Scene, particles};
 
 use super::{EQUAL_WORK_PART, common};
 use crate::backend::GpuRun;
-use crate::runner::{Runner, StudyError, state_of};
+use crate::session::{Session, StudyError, state_of};
 use crate::{Figure, Made, Outcome, Setup, State, Task};
 
 /// Iterations a step of every run.
@@ -50,13 +50,13 @@ pub fn equal_work_cost(task: &Task) -> Option<f64> {
 ///
 /// # Errors
 /// If the device is not there.
-pub fn run_equal_work(runner: &Runner<'_>, task: &Task) -> Result<Option<Outcome>, StudyError> {
+pub fn run_equal_work(session: &Session<'_>, task: &Task) -> Result<Option<Outcome>, StudyError> {
     let setup = match setup(task) {
         Ok(setup) => setup,
         Err(error) => return Ok(Some(Outcome::empty(State::Refused, error.to_string()))),
     };
-    let gpu = runner.gpu(&task.tier)?;
-    let run = match runner.run_setup(&gpu, &setup) {
+    let gpu = session.gpu(&task.tier)?;
+    let run = match session.run_setup(&gpu, &setup) {
         Ok(run) if run.stopped => return Ok(None),
         Ok(run) => run,
         Err(reason) => return Ok(Some(Outcome::empty(State::Refused, reason))),

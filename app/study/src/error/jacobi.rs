@@ -11,7 +11,7 @@ use brooklet_reference::solver::pbf::constrain_density::{Multiplier, constrain_d
 use glam::DVec3;
 
 use super::JACOBI_PART;
-use crate::runner::Runner;
+use crate::session::Session;
 use crate::{Figure, Outcome, State, Task};
 
 /// A scheme's name, whether it is Gauss-Seidel, and its relaxation.
@@ -52,7 +52,7 @@ pub fn jacobi_tasks() -> Vec<Task> {
 }
 
 /// Runs a scheme; none if it was stopped.
-pub fn run_jacobi(runner: &Runner<'_>, task: &Task) -> Option<Outcome> {
+pub fn run_jacobi(session: &Session<'_>, task: &Task) -> Option<Outcome> {
     let Some(&(_, sweeps_in_turn, relaxation)) = SCHEMES.iter().find(|(name, ..)| *name == task.case) else {
         return Some(Outcome::empty(State::Refused, format!("there is no scheme '{}'", task.case)));
     };
@@ -61,7 +61,7 @@ pub fn run_jacobi(runner: &Runner<'_>, task: &Task) -> Option<Outcome> {
     let mut done = 0;
     for until in SWEEPS {
         while done < until {
-            if runner.stops() {
+            if session.stops() {
                 return None;
             }
             if sweeps_in_turn {

@@ -18,7 +18,7 @@ use brooklet_gpu::tier_name;
 use crate::backend::GpuRun;
 use crate::case::{self, CASES, Case};
 use crate::method::{METHODS, Method};
-use crate::runner::{Runner, StudyError, state_of};
+use crate::session::{Session, StudyError, state_of};
 use crate::{Figure, Outcome, State, Task};
 
 /// Part of a study: points of curves.
@@ -134,17 +134,17 @@ pub(crate) fn task(part: &str, case: &dyn Case, settings: Vec<String>, repeats: 
 ///
 /// # Errors
 /// If the case is not there, or the device.
-pub fn run_case(runner: &Runner<'_>, task: &Task) -> Result<Option<Outcome>, StudyError> {
+pub fn run_case(session: &Session<'_>, task: &Task) -> Result<Option<Outcome>, StudyError> {
     let case =
         case::case(&task.case).ok_or_else(|| StudyError::Unknown(format!("there is no case '{}'", task.case)))?;
     let setup = match case.setup(&task.settings) {
         Ok(setup) => setup,
         Err(error) => return Ok(Some(Outcome::empty(State::Refused, error.to_string()))),
     };
-    let gpu = runner.gpu(&task.tier)?;
+    let gpu = session.gpu(&task.tier)?;
     let mut runs: Vec<GpuRun> = Vec::new();
     for _ in 0..task.repeats.max(1) {
-        match runner.run_setup(&gpu, &setup) {
+        match session.run_setup(&gpu, &setup) {
             Ok(run) if run.stopped => return Ok(None),
             Ok(run) => runs.push(run),
             Err(reason) => return Ok(Some(Outcome::empty(State::Refused, reason))),
@@ -153,7 +153,7 @@ pub fn run_case(runner: &Runner<'_>, task: &Task) -> Result<Option<Outcome>, Stu
     let (state, reason) = state_of(&runs[0]);
     let mut outcome = Outcome::empty(state, reason);
     if matches!(state, State::Stable | State::Clamped) {
-        let converge = |setup: &crate::Setup| runner.converge(setup);
+        let converge = |setup: &crate::Setup| session.converge(setup);
         let Some(figures) = case.figures(&setup, &runs[0].samples, &converge) else { return Ok(None) };
         outcome.figures = figures;
         outcome.figures.extend(common(&runs[0]));

@@ -2,7 +2,7 @@
 
 use super::{ORDER_PART, task};
 use crate::case::{Case, EllipticalDrop, StandingWave};
-use crate::runner::{Runner, StudyError};
+use crate::session::{Session, StudyError};
 use crate::{Figure, Outcome, State, Task, case};
 
 /// Cases whose order is shown, which figure falls, and the spacings (multiples of the case's own, falling).
@@ -28,14 +28,14 @@ pub fn order_tasks(quick: bool) -> Vec<Task> {
 ///
 /// # Errors
 /// If the case is not there.
-pub fn run_order(runner: &Runner<'_>, task: &Task) -> Result<Option<Outcome>, StudyError> {
+pub fn run_order(session: &Session<'_>, task: &Task) -> Result<Option<Outcome>, StudyError> {
     let case =
         case::case(&task.case).ok_or_else(|| StudyError::Unknown(format!("there is no case '{}'", task.case)))?;
     let setup = match case.setup(&task.settings) {
         Ok(setup) => setup,
         Err(error) => return Ok(Some(Outcome::empty(State::Refused, error.to_string()))),
     };
-    let Some(samples) = runner.converge(&setup) else { return Ok(None) };
+    let Some(samples) = session.converge(&setup) else { return Ok(None) };
     let none = |_: &crate::Setup| None;
     let Some(mut figures) = case.figures(&setup, &samples, &none) else { return Ok(None) };
     figures.push(Figure::told("spacing", setup.scene.spacing_m, "m", "of the lattice at the start"));

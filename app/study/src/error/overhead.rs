@@ -8,7 +8,7 @@ use brooklet_fluid::{INIT, MEASURE, STEP, Scene, record};
 use brooklet_gpu::{Engine, Gpu, Plan, ResourceId, Resources};
 
 use super::OVERHEAD_PART;
-use crate::runner::{Runner, StudyError};
+use crate::session::{Session, StudyError};
 use crate::{Figure, Outcome, State, Task};
 
 /// Steps of a block.
@@ -80,8 +80,8 @@ impl Bench {
 ///
 /// # Errors
 /// If the device is not there.
-pub fn run_overhead(runner: &Runner<'_>, task: &Task) -> Result<Option<Outcome>, StudyError> {
-    let (timed, plain) = (runner.gpu(&task.tier)?, runner.gpu_without_times(&task.tier)?);
+pub fn run_overhead(session: &Session<'_>, task: &Task) -> Result<Option<Outcome>, StudyError> {
+    let (timed, plain) = (session.gpu(&task.tier)?, session.gpu_without_times(&task.tier)?);
     let mut rounds: Vec<[f64; 4]> = Vec::new();
     let mut go = || -> Result<bool, String> {
         let scene = Scene::load(&task.case, &task.settings).map_err(|e| e.to_string())?;
@@ -93,7 +93,7 @@ pub fn run_overhead(runner: &Runner<'_>, task: &Task) -> Result<Option<Outcome>,
         ];
         // The first round warms up.
         for round in 0..=task.repeats {
-            if runner.stops() {
+            if session.stops() {
                 return Ok(false);
             }
             let mut seconds = [0.0; 4];

@@ -3,7 +3,7 @@
 use super::{Choice, PART, task};
 use crate::case::{Case, setting};
 use crate::method::Method;
-use crate::runner::StudyError;
+use crate::session::StudyError;
 use crate::{State, Store, Task};
 
 /// One knob of one method on one case.

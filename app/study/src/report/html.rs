@@ -3,7 +3,7 @@
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use super::{Facts, deck, stability, validation, work_precision};
-use crate::runner::StudyError;
+use crate::session::StudyError;
 use crate::{State, Store, Study, Task};
 
 const STYLE: &str = "

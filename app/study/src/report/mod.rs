@@ -17,7 +17,7 @@ use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use crate::runner::StudyError;
+use crate::session::StudyError;
 use crate::store::StoreError;
 use crate::{Store, Study};
 

@@ -5,7 +5,7 @@ use maud::{Markup, PreEscaped, html};
 use super::plot::{INK, Line, Mark, PALETTE, Plot, RED};
 use crate::case::Reference;
 use crate::error::{Choice, Curve, Point, curves, front};
-use crate::runner::StudyError;
+use crate::session::StudyError;
 use crate::{State, Store};
 
 const SIZE_PX: (u32, u32) = (820, 430);

@@ -4,7 +4,7 @@
 use super::{MAP_PART, relaxation_limit};
 use crate::case::{Case, HYDROSTATIC, SHALLOW, case};
 use crate::error::{run_case, task};
-use crate::runner::{Runner, StudyError};
+use crate::session::{Session, StudyError};
 use crate::{Outcome, State, Store, Task};
 
 /// Kinetic energy over g H from which a column does not rest: twenty times what columns well below the
@@ -105,8 +105,8 @@ pub fn cell_cost(task: &Task) -> Option<f64> {
 ///
 /// # Errors
 /// If the device is not there.
-pub fn run_cell(runner: &Runner<'_>, task: &Task) -> Result<Option<Outcome>, StudyError> {
-    let Some(mut outcome) = run_case(runner, task)? else { return Ok(None) };
+pub fn run_cell(session: &Session<'_>, task: &Task) -> Result<Option<Outcome>, StudyError> {
+    let Some(mut outcome) = run_case(session, task)? else { return Ok(None) };
     let restless =
         outcome.figure("kinetic energy").and_then(|figure| figure.value).is_none_or(|value| value > RESTLESS);
     if restless && matches!(outcome.state, State::Stable | State::Clamped) {

@@ -15,7 +15,7 @@ use glam::DVec3;
 use super::{ROWS_PART, covering};
 use crate::backend::{GpuRun, run_reference};
 use crate::error::common;
-use crate::runner::{Runner, StudyError, state_of};
+use crate::session::{Session, StudyError, state_of};
 use crate::{Figure, Made, Outcome, Sample, Setup, State, Task, Verdict};
 
 /// One extreme case.
@@ -105,7 +105,7 @@ pub fn row_cost(task: &Task) -> Option<f64> {
 ///
 /// # Errors
 /// If there is no such row, or no such device.
-pub fn run_row(runner: &Runner<'_>, task: &Task) -> Result<Option<Outcome>, StudyError> {
+pub fn run_row(session: &Session<'_>, task: &Task) -> Result<Option<Outcome>, StudyError> {
     let row = row(&task.case).ok_or_else(|| StudyError::Unknown(format!("there is no row '{}'", task.case)))?;
     let Some(make) = row.setup else {
         return Ok(Some(Outcome::empty(State::NotRun, row.expected)));
@@ -114,12 +114,12 @@ pub fn run_row(runner: &Runner<'_>, task: &Task) -> Result<Option<Outcome>, Stud
         Ok(setup) => setup,
         Err(error) => return Ok(Some(refused(row, error.to_string()))),
     };
-    let gpu = runner.gpu(&task.tier)?;
+    let gpu = session.gpu(&task.tier)?;
     if tier_name(gpu.tier()) != task.tier {
         let reason = format!("{} is of tier {}", gpu.info().name, tier_name(gpu.tier()));
         return Ok(Some(Outcome::empty(State::NotRun, reason)));
     }
-    let run = match runner.run_setup(&gpu, &setup) {
+    let run = match session.run_setup(&gpu, &setup) {
         Ok(run) if run.stopped => return Ok(None),
         Ok(run) => run,
         Err(reason) => return Ok(Some(refused(row, reason))),
@@ -131,7 +131,7 @@ pub fn run_row(runner: &Runner<'_>, task: &Task) -> Result<Option<Outcome>, Stud
         Also::Figures(of) => figures.extend(of(&setup, &run)),
         Also::Equals(make, scale, limit) => {
             let other = make(&task.settings).map_err(|error| StudyError::Unknown(error.to_string()))?;
-            let reference = match runner.run_setup(&gpu, &other) {
+            let reference = match session.run_setup(&gpu, &other) {
                 Ok(run) if run.stopped => return Ok(None),
                 Ok(run) => run,
                 Err(reason) => return Ok(Some(refused(row, reason))),
@@ -139,7 +139,7 @@ pub fn run_row(runner: &Runner<'_>, task: &Task) -> Result<Option<Outcome>, Stud
             figures.push(difference(&setup, &run.samples, &reference.samples, scale, limit));
         }
         Also::EqualsTwin(limit) => {
-            let Some(twin) = run_reference(&setup, &|| runner.stops()) else { return Ok(None) };
+            let Some(twin) = run_reference(&setup, &|| session.stops()) else { return Ok(None) };
             figures.push(difference(&setup, &run.samples, &twin, 1.0, limit));
         }
     }

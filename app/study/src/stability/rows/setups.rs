@@ -3,7 +3,6 @@
 use brooklet_reference::column::Column;
 use glam::DVec3;
 
-use super::table::at_least;
 use crate::backend::GpuRun;
 use crate::case::{Case, FreeFall};
 use crate::{Figure, Made, Setup};
@@ -47,7 +46,7 @@ pub(super) fn list_overflow(settings: &[String]) -> Made {
 
 pub(super) fn overflow_counted(_: &Setup, run: &GpuRun) -> Vec<Figure> {
     let counted = run.counted()[0] as f64;
-    vec![at_least(
+    vec![Figure::at_least(
         "neighbours counted",
         counted,
         "",
@@ -176,7 +175,7 @@ pub(super) fn no_clumps(setup: &Setup, run: &GpuRun) -> Vec<Figure> {
     nearest.sort_unstable_by(f64::total_cmp);
     let low = nearest.get(nearest.len() / 100).copied().unwrap_or(0.0);
     vec![
-        at_least(
+        Figure::at_least(
             "nearest pairs",
             low,
             "d",
@@ -215,7 +214,7 @@ pub(super) fn nothing_passes(_: &Setup, run: &GpuRun) -> Vec<Figure> {
     let clamps = run.counted()[1] as f64;
     vec![
         Figure::judged("passed", most as f64, "", 0.0, "particles of the jet past the plug's middle"),
-        at_least("clamps counted", clamps, "", JET as f64, "the limit is far below 100 m/s: short by so many"),
+        Figure::at_least("clamps counted", clamps, "", JET as f64, "the limit is far below 100 m/s: short by so many"),
     ]
 }
 

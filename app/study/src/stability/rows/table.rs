@@ -1,7 +1,6 @@
 //! The table.
 
 use super::{Also, Row, setups};
-use crate::Figure;
 
 const fn runs(
     number: u32,
@@ -114,9 +113,3 @@ pub const ROWS: &[Row] = &[
     ),
     runs(21, "corner", "a block thrown into a corner: no pile-up, no late ejection", setups::corner, Also::Rests),
 ];
-
-/// A figure of a mean over the particles' nearest neighbours would hide one pair: the smallest counts.
-pub(super) fn at_least(name: &str, value: f64, unit: &str, least: f64, why: &str) -> Figure {
-    // Limits are sizes that are not exceeded: told as how far short it falls.
-    Figure::judged(name, (least - value).max(0.0), unit, 0.0, why)
-}
