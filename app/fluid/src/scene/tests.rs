@@ -117,7 +117,12 @@ fn the_table_has_every_field() {
     let sphere = "[[fluid]]\nsphere = { centre_m = [0.5, 0.5, 0.5], radius_m = 0.2 }\n";
     let scene = load(
         &format!("{SMALL}{sphere}{camera}"),
-        &["solver.max_speed_m_s=5", "surface.iterations=3", "surface.absorption_per_m=[3, 1, 0.5]"],
+        &[
+            "solver.max_speed_m_s=5",
+            "surface.iterations=3",
+            "surface.absorption_per_m=[3, 1, 0.5]",
+            "surface.caustics=true",
+        ],
     )
     .unwrap();
     let mut seen = std::collections::BTreeSet::new();
