@@ -107,7 +107,8 @@ impl Case for DamBreak {
         let spacing_m = setting(settings, "spacing_m", self.spacing_m());
         let dt_s = DT_RATIO * (self.spacing_m() / G_M_S2).sqrt() * spacing_m / self.spacing_m();
         let end_s = self.slope_span.1 / self.per_t_s();
-        let (length_m, height_m) = (16.0 * self.base_m, self.bases_high * self.base_m);
+        // The front runs 15 bases, and must not meet the far wall.
+        let (length_m, height_m) = (20.0 * self.base_m, self.bases_high * self.base_m);
         let text = format!(
             "spacing_m = {spacing_m}
             [domain]
@@ -163,7 +164,8 @@ impl Case for DamBreak {
     }
 
     fn series(&self, setup: &Setup, samples: &[Sample]) -> Vec<Series> {
-        let (x, tau) = (format!("T = t √({} g/a)", self.clock), "t √(g/a)".to_string());
+        let tau = "t √(g/a)".to_string();
+        let x = if self.clock == 1.0 { tau.clone() } else { format!("T = t √({} g/a)", self.clock) };
         vec![
             Series {
                 name: "front".into(),

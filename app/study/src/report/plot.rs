@@ -233,8 +233,10 @@ fn ticks((low, high): (f64, f64), log: bool) -> Vec<f64> {
     if log {
         // 1, 2 and 5 of each decade, or the decades alone where there are many.
         let steps: &[f64] = if high - low > 2.5 { &[1.0] } else { &[1.0, 2.0, 5.0] };
+        let every = ((high - low) / 8.0).ceil().max(1.0) as usize;
         let decades = low.floor() as i32..=high.ceil() as i32;
-        let all = decades.flat_map(|decade| steps.iter().map(move |step| f64::from(decade) + step.log10()));
+        let all =
+            decades.step_by(every).flat_map(|decade| steps.iter().map(move |step| f64::from(decade) + step.log10()));
         let shown: Vec<f64> = all.filter(|at| (low..=high).contains(at)).collect();
         if shown.len() > 1 {
             return shown;
@@ -253,7 +255,7 @@ fn ticks((low, high): (f64, f64), log: bool) -> Vec<f64> {
 fn tick(value: f64, log: bool) -> String {
     let number = if log { 10f64.powf(value) } else { value };
     // Where a linear axis passes zero, its tick may be a rounding away from it.
-    let number = if number.abs() < 1e-12 { 0.0 } else { number };
+    let number = if !log && number.abs() < 1e-12 { 0.0 } else { number };
     match number.abs() {
         size if size == 0.0 || (0.01..1000.0).contains(&size) => {
             let digits = if size >= 100.0 {
@@ -280,6 +282,7 @@ mod tests {
         assert_eq!(numbers((0.0, 1.0), false), ["0", "0.2", "0.4", "0.6", "0.8", "1"]);
         assert_eq!(numbers((-1.1, 0.8), true), ["0.1", "0.2", "0.5", "1", "2", "5"]);
         assert_eq!(numbers((-3.2, 0.5), true), ["1.0e-3", "0.01", "0.1", "1"]);
+        assert_eq!(numbers((-16.0, 0.5), true).len(), 6);
         assert_eq!(numbers((0.4, 0.6), true).len(), 5);
     }
 
