@@ -246,6 +246,7 @@ fn densities_match_their_twins() {
             assert_eq!(sums.iter().map(|sums| sums.particles).sum::<u32>(), size as u32);
         }
     }
-    assert!(missed > 500, "{missed} particles had neighbours across a seam");
+    // Of some thousand, or fewer where sizes are kept small.
+    assert!(missed > 300, "{missed} particles had neighbours across a seam");
     worst.report();
 }
