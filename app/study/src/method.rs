@@ -25,9 +25,4 @@ impl Method {
     pub fn setting(&self) -> String {
         format!("solver.method={}", self.name)
     }
-
-    /// Its knob of a name.
-    pub fn knob(&self, name: &str) -> Option<&'static Knob> {
-        self.knobs.iter().find(|knob| knob.name == name)
-    }
 }

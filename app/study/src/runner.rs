@@ -26,7 +26,7 @@ impl<'a> Runner<'a> {
         let mut done: f64 =
             tasks.iter().zip(&weights).filter(|(task, _)| store.get(task).is_some()).map(|(_, w)| w).sum();
         self.session.tell(Event::Begin { total, done });
-        for (task, weight) in tasks.iter().zip(&weights).filter(|(_, w)| **w >= 0.0) {
+        for (task, weight) in tasks.iter().zip(&weights) {
             if store.get(task).is_some() {
                 continue;
             }

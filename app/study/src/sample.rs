@@ -32,6 +32,16 @@ impl Sample {
         self.mean(|_, v| 0.5 * v.length_squared())
     }
 
+    /// Length of the mean velocity in the plane of x and y: what is left of momentum that should be none, m/s.
+    pub fn drift_m_s(&self) -> f64 {
+        self.mean(|_, v| v.x).hypot(self.mean(|_, v| v.y))
+    }
+
+    /// Largest x of any particle and half a spacing, m; spray ahead of the body included.
+    pub fn front_m(&self, spacing_m: f64) -> f64 {
+        self.positions_m.iter().map(|at| at.x).fold(0.0, f64::max) + 0.5 * spacing_m
+    }
+
     /// The fastest particle, m/s.
     pub fn max_speed_m_s(&self) -> f64 {
         self.velocities_m_s.iter().map(|v| v.length()).fold(0.0, f64::max)

@@ -5,6 +5,8 @@ use brooklet_fluid::{Scene, SceneError};
 use brooklet_kernels::{Position, Velocity};
 use glam::DVec3;
 
+use crate::Sample;
+
 /// A setup, or why its scene does not allow it. (Boxed: the error is large, and rare.)
 pub type Made = Result<Setup, Box<SceneError>>;
 
@@ -50,6 +52,16 @@ impl Setup {
         steps
     }
 
+    /// The particles as they are before the first step.
+    pub fn start(&self) -> Sample {
+        Sample {
+            time_s: 0.0,
+            positions_m: self.emitted.positions.iter().map(position_m).collect(),
+            velocities_m_s: self.emitted.velocities.iter().map(velocity_m_s).collect(),
+            unsound: 0,
+        }
+    }
+
     /// Changes each particle: position (relative to the domain's lowest corner) and velocity.
     pub fn place(&mut self, mut change: impl FnMut(&mut DVec3, &mut DVec3)) {
         for (position, velocity) in self.emitted.positions.iter_mut().zip(&mut self.emitted.velocities) {
@@ -67,10 +79,15 @@ impl Setup {
 
     /// Particle iterations of the whole run: what it costs.
     pub fn particle_iterations(&self) -> f64 {
+        self.particle_iterations_of(self.count() as u64)
+    }
+
+    /// As [`Setup::particle_iterations`] for so many particles, which need not be made.
+    pub fn particle_iterations_of(&self, particles: u64) -> f64 {
         let solver = &self.scene.solver;
         // A substep's sort and list cost about as much as two iterations.
         let each = f64::from(solver.substeps) * (f64::from(solver.iterations) + 2.0);
-        self.count() as f64 * self.steps() as f64 * each
+        particles as f64 * self.steps() as f64 * each
     }
 }
 

@@ -83,8 +83,7 @@ impl Case for ColumnCollapse {
                 .collect();
             (offs.iter().map(|off| off * off).sum::<f64>() / offs.len() as f64).sqrt()
         };
-        let front =
-            compared(&|setup, s| s.positions_m.iter().map(|at| at.x).fold(0.0, f64::max) + 0.5 * setup.scene.spacing_m);
+        let front = compared(&|setup, s| s.front_m(setup.scene.spacing_m));
         let middle = compared(&|_, s| s.middle_m().y);
         let energy = compared(&|_, s| s.kinetic_m2_s2());
         Some(vec![

@@ -67,11 +67,8 @@ impl DamBreak {
 
     /// Front over base against T.
     fn fronts(&self, setup: &Setup, samples: &[Sample]) -> Vec<Point> {
-        let front_m = |sample: &Sample| {
-            let furthest_m = sample.positions_m.iter().map(|at| at.x).fold(0.0, f64::max);
-            furthest_m + 0.5 * setup.scene.spacing_m
-        };
-        samples.iter().map(|s| (s.time_s * self.per_t_s(), front_m(s) / self.base_m)).collect()
+        let spacing_m = setup.scene.spacing_m;
+        samples.iter().map(|s| (s.time_s * self.per_t_s(), s.front_m(spacing_m) / self.base_m)).collect()
     }
 
     /// Height over the column's against t √(g/a), as both data sets have it.

@@ -58,11 +58,7 @@ impl Case for EllipticalDrop {
     }
 
     fn figures(&self, setup: &Setup, samples: &[Sample], _: Converge<'_>) -> Option<Vec<Figure>> {
-        let start = Sample {
-            positions_m: setup.emitted.positions.iter().map(crate::setup::position_m).collect(),
-            velocities_m_s: setup.emitted.velocities.iter().map(crate::setup::velocity_m_s).collect(),
-            ..Sample::default()
-        };
+        let start = setup.start();
         let axes_then_m = axes_m(&start);
         let (mut squares, mut area, mut energy) = (0.0, 0.0_f64, 0.0_f64);
         for sample in samples {
@@ -72,7 +68,7 @@ impl Case for EllipticalDrop {
             area = area.max((ratio.x * ratio.y - 1.0).abs());
             energy = energy.max(sample.kinetic_m2_s2() / start.kinetic_m2_s2() - 1.0);
         }
-        let drift = samples.last()?.mean(|_, v| v.x).hypot(samples.last()?.mean(|_, v| v.y));
+        let drift = samples.last()?.drift_m_s();
         Some(vec![
             Figure::judged(
                 "axis error",
@@ -88,12 +84,7 @@ impl Case for EllipticalDrop {
     }
 
     fn series(&self, setup: &Setup, samples: &[Sample]) -> Vec<Series> {
-        let start = Sample {
-            positions_m: setup.emitted.positions.iter().map(crate::setup::position_m).collect(),
-            velocities_m_s: vec![DVec3::ZERO; setup.count()],
-            ..Sample::default()
-        };
-        let then_m = axes_m(&start);
+        let then_m = axes_m(&setup.start());
         let computed = |axis: usize| samples.iter().map(|s| (s.time_s, axes_m(s)[axis] / then_m[axis])).collect();
         let exactly = |of: fn(f64) -> f64| {
             let times = (0..=50).map(|k| END_S * f64::from(k) / 50.0);

@@ -60,14 +60,7 @@ impl Case for SquarePatch {
     }
 
     fn figures(&self, setup: &Setup, samples: &[Sample], _: Converge<'_>) -> Option<Vec<Figure>> {
-        let start: f64 = setup
-            .emitted
-            .positions
-            .iter()
-            .map(crate::setup::position_m)
-            .map(|at| OMEGA_PER_S * ((at.x - HALF_M).powi(2) + (at.y - HALF_M).powi(2)))
-            .sum::<f64>()
-            / setup.count() as f64;
+        let start = setup.start().mean(|at, _| OMEGA_PER_S * ((at.x - HALF_M).powi(2) + (at.y - HALF_M).powi(2)));
         let drift = samples.iter().map(|s| (angular_m2_s(s) / start - 1.0).abs()).fold(0.0, f64::max);
         let last = samples.last()?;
         let middle_m = DVec3::new(HALF_M, HALF_M, 0.5 * setup.scene.spacing_m);

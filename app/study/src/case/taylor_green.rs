@@ -71,7 +71,7 @@ impl Case for TaylorGreen {
         // Kinetic energy over mass is 1/4 U², and decays twice as fast as a speed.
         let kept = last.kinetic_m2_s2() / (0.25 * SPEED_M_S * SPEED_M_S);
         let reynolds = -16.0 * PI * PI * last.time_s * SPEED_M_S / side_m / kept.ln();
-        let momentum = last.mean(|_, v| v.x).hypot(last.mean(|_, v| v.y));
+        let momentum = last.drift_m_s();
         Some(vec![
             Figure::judged("velocity error", mean, "", 0.1, "mean, over U, after half a turn; an even tenth"),
             Figure::told("largest velocity error", largest, "", "over U"),

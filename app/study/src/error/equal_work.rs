@@ -40,10 +40,9 @@ fn setup(task: &Task) -> Made {
 /// Particle iterations, without making the particles.
 pub fn equal_work_cost(task: &Task) -> Option<f64> {
     let scene = Scene::load(&task.case, &task.settings).ok()?;
-    let count = particles::count(&scene) as f64;
+    let count = particles::count(&scene);
     let empty = Setup { scene, emitted: Emitted::default(), sample_times_s: vec![END_S] };
-    let solver = &empty.scene.solver;
-    Some(count * empty.steps() as f64 * f64::from(solver.substeps) * (f64::from(solver.iterations) + 2.0))
+    Some(empty.particle_iterations_of(count))
 }
 
 /// Runs one.
