@@ -1,21 +1,31 @@
 //! Runs a plan's recordings.
 
+mod download;
+mod exchange;
+
 use crate::device::Gpu;
 use crate::encode::{Encoder, tick_bound};
 use crate::error::GpuError;
 use crate::memory::{Arena, Memory, check_sizes};
 use crate::plan::Plan;
 use crate::readback::{Grown, Slot};
-use crate::resources::{Shape, bytes_per_pixel};
-use crate::steps::{Ready, Staging, prepare};
+use crate::steps::{Ready, Staging, pipeline_count, prepare};
 use crate::timing::FrameReport;
-use brooklet_kernels::{Buffer, Format, ResourceId, Texture};
+use brooklet_kernels::{Buffer, ResourceId};
 use bytemuck::Pod;
 use std::collections::VecDeque;
 use std::time::Instant;
 
 /// Frames that may be in flight before `run` waits for the oldest.
 pub const FRAMES_IN_FLIGHT: usize = 4;
+
+/// A window that loads a scene makes all of these on a thread of its own.
+const _: () = {
+    const fn is_send<T: Send>() {}
+    is_send::<Gpu>();
+    is_send::<Plan>();
+    is_send::<Engine>();
+};
 
 /// A plan with its memory, pipelines and results. Its memory goes back to the device's pool when
 /// it is dropped.
@@ -44,9 +54,27 @@ impl Engine {
     /// If a buffer exceeds a limit or the memory, naming it; if a module is above the device's
     /// tier or the driver cannot compile it, naming kernel and variant.
     pub fn new(gpu: &Gpu, plan: Plan) -> Result<Engine, GpuError> {
+        Self::new_with_progress(gpu, plan, &mut |_, _, _| ())
+    }
+
+    /// [`Engine::new`], saying how far it is: `progress(done, total, what)` is called before each
+    /// buffer and texture is allocated (`done` 0: all memory is one step), and after the memory and
+    /// each pipeline (`what` its kernel and variant). May run on any thread, while other engines of
+    /// the device run on theirs.
+    ///
+    /// # Errors
+    /// As [`Engine::new`].
+    pub fn new_with_progress(
+        gpu: &Gpu,
+        plan: Plan,
+        progress: &mut dyn FnMut(usize, usize, &str),
+    ) -> Result<Engine, GpuError> {
         gpu.check()?;
-        let arena = Arena::new(gpu, &plan)?;
-        let (ready, staging) = prepare(gpu, &plan, &arena)?;
+        let total = 1 + pipeline_count(&plan);
+        let arena = Arena::new(gpu, &plan, &mut |label| progress(0, total, label))?;
+        progress(1, total, "memory");
+        let (ready, staging) =
+            prepare(gpu, &plan, &arena, &mut |built, _, module| progress(1 + built, total, module))?;
         Ok(Engine {
             gpu: gpu.clone(),
             plan,
@@ -84,7 +112,7 @@ impl Engine {
     }
 
     /// Hands `recordings` to the GPU as one frame, in order (a name may come more than once), and
-    /// asks for the content that `readbacks` have at its end. Waits for no result, unless
+    /// asks for the content that `readbacks`, buffers and textures, have at its end. Waits for no result, unless
     /// [`FRAMES_IN_FLIGHT`] frames are under way: then for the oldest. Returns the frame's number;
     /// its [`FrameReport`] comes with [`Engine::reports`], which keeps each one until then.
     ///
@@ -95,8 +123,7 @@ impl Engine {
             return Err(error);
         }
         let order = recordings.iter().map(|name| self.find(name)).collect::<Result<Vec<usize>, _>>()?;
-        let wanted =
-            readbacks.iter().map(|id| Ok((*id, self.readable_bytes(*id)?))).collect::<Result<Vec<_>, GpuError>>()?;
+        let wanted = readbacks.iter().map(|id| self.copy_out(*id)).collect::<Result<Vec<_>, GpuError>>()?;
 
         self.gpu.poll(None)?;
         self.collect()?;
@@ -122,7 +149,7 @@ impl Engine {
                 encoder.recording(&ready[index]);
             }
             let (mut commands, dispatches) = encoder.finish();
-            slot.encode(&mut commands, |id| arena.buffer_of(id));
+            slot.encode(&mut commands, |id| arena.get(id));
             (gpu.queue().submit([commands.finish()]), dispatches)
         })?;
         slot.frame = self.frames;
@@ -141,17 +168,6 @@ impl Engine {
             name: name.to_owned(),
             present: self.ready.iter().map(|ready| ready.name).collect(),
         })
-    }
-
-    fn readable_bytes(&self, id: ResourceId) -> Result<u64, GpuError> {
-        let refuse = |reason| Err(GpuError::NotReadable { label: self.plan.resources().label(id).to_owned(), reason });
-        match self.arena.get(id) {
-            Some(Memory::Buffer { .. }) => Ok(self.plan.resources().bytes(id)),
-            Some(Memory::Texture { .. }) => refuse("it is a texture; use read_texture"),
-            // Nothing is all there, without memory.
-            None if self.plan.resources().get(id).is_some_and(|r| r.bytes() == 0) => Ok(0),
-            None => refuse("the plan left it out; name it among the wanted outputs"),
-        }
     }
 
     /// The frame's place of the ring, waiting for the frame that had it before. Places take turns
@@ -210,96 +226,21 @@ impl Engine {
         }
     }
 
-    /// Waits for all that was run, and reads a buffer. For tests and final outputs.
-    ///
-    /// # Errors
-    /// If the plan left it out, or the device is lost.
-    pub fn read<T: Pod>(&mut self, from: &Buffer<T>) -> Result<Vec<T>, GpuError> {
-        let bytes = self.readable_bytes(from.id)?;
-        let Some(buffer) = self.arena.buffer_of(from.id).filter(|_| bytes > 0) else {
-            return Ok(Vec::new());
-        };
-        let size = bytes.next_multiple_of(4);
-        let mut host = self.download(size, |encoder, host| {
-            encoder.copy_buffer_to_buffer(buffer, 0, host, 0, size);
-        })?;
-        host.truncate(bytes as usize);
-        Ok(bytemuck::pod_collect_to_vec(&host))
-    }
-
-    /// Waits for all that was run, and reads a texture: rows from the top, without padding.
-    ///
-    /// # Errors
-    /// If the plan left it out, its format cannot be copied, or the device is lost.
-    pub fn read_texture(&mut self, from: &Texture) -> Result<Vec<u8>, GpuError> {
-        let resources = self.plan.resources();
-        let refuse = |reason| Err(GpuError::NotReadable { label: resources.label(from.id).to_owned(), reason });
-        let shape = resources.get(from.id).map(|entry| entry.shape);
-        let (Some(Memory::Texture { texture, .. }), Some(Shape::Texture { format, size_px })) =
-            (self.arena.get(from.id), shape)
-        else {
-            return refuse("the plan left it out; name it among the wanted outputs");
-        };
-        if format == Format::Depth24Plus {
-            return refuse("drivers choose the layout of Depth24Plus; use Depth32Float");
-        }
-        let [width, height] = size_px;
-        let row = bytes_per_pixel(format) * u64::from(width);
-        let padded = row.next_multiple_of(u64::from(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT));
-        if row == 0 || height == 0 {
-            return Ok(Vec::new());
-        }
-        let host = self.download(padded * u64::from(height), |encoder, host| {
-            encoder.copy_texture_to_buffer(
-                texture.as_image_copy(),
-                wgpu::TexelCopyBufferInfo {
-                    buffer: host,
-                    layout: wgpu::TexelCopyBufferLayout {
-                        offset: 0,
-                        bytes_per_row: Some(padded as u32),
-                        rows_per_image: None,
-                    },
-                },
-                texture.size(),
-            );
-        })?;
-        let rows = host.chunks_exact(padded as usize);
-        Ok(rows.flat_map(|padded| &padded[..row as usize]).copied().collect())
-    }
-
-    /// Copies something to the host and waits for it.
-    fn download(
-        &self,
-        bytes: u64,
-        copy: impl FnOnce(&mut wgpu::CommandEncoder, &wgpu::Buffer),
-    ) -> Result<Vec<u8>, GpuError> {
-        let gpu = &self.gpu;
-        let (host, submission) = gpu.guarded(|| {
-            let host = gpu.device().create_buffer(&wgpu::BufferDescriptor {
-                label: Some("download"),
-                size: bytes,
-                usage: wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST,
-                mapped_at_creation: false,
-            });
-            let mut encoder = gpu.device().create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-            copy(&mut encoder, &host);
-            let submission = gpu.queue().submit([encoder.finish()]);
-            host.map_async(wgpu::MapMode::Read, .., |_| ());
-            (host, submission)
-        })?;
-        gpu.poll(Some(submission))?;
-        let mapped = host.slice(..).get_mapped_range();
-        let content = mapped.map_err(|error| GpuError::Refused { reason: error.to_string() })?;
-        Ok(content.to_vec())
-    }
-
     /// Finished frames since the last call, in order; none is ever lost.
     pub fn reports(&mut self) -> Vec<FrameReport> {
-        // An error here is the next run's error too.
+        self.in_flight();
+        self.reports.drain(..).collect()
+    }
+
+    /// Frames handed to the GPU that it is not done with, at most [`FRAMES_IN_FLIGHT`]; asks the
+    /// device, and waits for nothing. A window that runs a frame only while this is below two shows
+    /// no picture later than two frames after its input.
+    pub fn in_flight(&mut self) -> usize {
+        // An error here is the next run's error.
         if let Err(error) = self.gpu.poll(None).and_then(|()| self.collect()) {
             self.pending_error.get_or_insert(error);
         }
-        self.reports.drain(..).collect()
+        self.in_flight.len()
     }
 
     /// Waits for every frame in flight; returns the reports since the last call.

@@ -164,6 +164,14 @@ pub enum GpuError {
         /// Why not.
         reason: &'static str,
     },
+    /// A plan was to take over an engine that has other memory.
+    #[error("the new plan cannot take over {label}: {reason}; make a new engine")]
+    OtherMemory {
+        /// The first resource that differs.
+        label: String,
+        /// How.
+        reason: &'static str,
+    },
     /// More was written than a buffer holds.
     #[error("{elements} elements were written to buffer {label}, which has {room}")]
     WriteTooLong {

@@ -3,6 +3,7 @@
 
 mod adapters;
 mod cache;
+mod copy_out;
 mod device;
 mod draw;
 mod encode;

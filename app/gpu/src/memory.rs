@@ -59,12 +59,13 @@ impl Default for Uses {
 }
 
 impl Arena {
-    /// Allocates what `plan` keeps, all zero.
-    pub fn new(gpu: &Gpu, plan: &Plan) -> Result<Arena, GpuError> {
+    /// Allocates what `plan` keeps, all zero; tells `progress` each one's name before.
+    pub fn new(gpu: &Gpu, plan: &Plan, progress: &mut dyn FnMut(&str)) -> Result<Arena, GpuError> {
         let uses = check_sizes(gpu, plan)?;
         let mut arena = Arena { gpu: gpu.clone(), items: BTreeMap::new() };
         let mut dirty = Vec::new();
         for kept in plan.buffers() {
+            progress(&kept.label);
             let uses = uses.get(&kept.id).copied().unwrap_or_default();
             let allocated = match plan.resources().get(kept.id).map(|entry| entry.shape) {
                 Some(Shape::Texture { format, size_px }) => arena.texture(&kept.label, format, size_px, uses.texture),
@@ -144,6 +145,22 @@ impl Arena {
             }
             self.gpu.queue().submit([encoder.finish()]);
         })
+    }
+
+    /// Whether another plan, made over the same resources, finds all that it keeps.
+    pub fn serves(&self, plan: &Plan) -> Result<(), GpuError> {
+        let uses = collect_uses(plan);
+        for kept in plan.buffers() {
+            let uses = uses.get(&kept.id).copied().unwrap_or_default();
+            let reason = match self.get(kept.id) {
+                None => "the plan before left it out",
+                Some(Memory::Buffer { kind, .. }) if kind.usage.contains(uses.buffer) => continue,
+                Some(Memory::Texture { kind, .. }) if kind.usage.contains(uses.texture) => continue,
+                Some(_) => "it is used in another way",
+            };
+            return Err(GpuError::OtherMemory { label: kept.label, reason });
+        }
+        Ok(())
     }
 
     pub fn get(&self, id: ResourceId) -> Option<&Memory> {

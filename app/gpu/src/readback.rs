@@ -1,8 +1,10 @@
 //! What comes back from the GPU: a ring of buffers, one a frame in flight, that holds a frame's
-//! ticks and the buffers that were asked for, so that no frame waits for its own results.
+//! ticks and the buffers and textures that were asked for, so that no frame waits for its own results.
 
+use crate::copy_out::CopyOut;
 use crate::device::Gpu;
 use crate::error::GpuError;
+use crate::memory::Memory;
 use crate::timing::{FrameReport, SpanSlot, TimingStatus, spans};
 use brooklet_kernels::ResourceId;
 use std::sync::Arc;
@@ -28,8 +30,8 @@ pub(crate) struct Slot {
     pub frame: u64,
     pub wall_ns: u64,
     pub ticks: Ticks,
-    /// What was asked for: resource, place in `host`, size.
-    pub readbacks: Vec<(ResourceId, u64, u64)>,
+    /// What was asked for, and its place in `host`.
+    readbacks: Vec<(CopyOut, u64)>,
     pub submission: Option<wgpu::SubmissionIndex>,
     host: Option<wgpu::Buffer>,
     resolve: Option<wgpu::Buffer>,
@@ -119,17 +121,18 @@ impl Slot {
         }
     }
 
-    /// Makes room for the frame's ticks and for buffers of these sizes.
-    pub fn prepare(&mut self, gpu: &Gpu, ticks: u32, wanted: &[(ResourceId, u64)]) -> Result<Grown, GpuError> {
+    /// Makes room for the frame's ticks and for these resources.
+    pub fn prepare(&mut self, gpu: &Gpu, ticks: u32, wanted: &[CopyOut]) -> Result<Grown, GpuError> {
         let mut grown = Grown::default();
         self.ticks.restart();
         grown.count += self.ticks.reserve(gpu, ticks)?;
         let tick_bytes = u64::from(ticks.div_ceil(QUERIES_A_SET - 1) * QUERIES_A_SET) * TICK_BYTES;
         self.readbacks.clear();
         let mut end = tick_bytes;
-        for (id, bytes) in wanted {
-            self.readbacks.push((*id, end, *bytes));
-            end += bytes.next_multiple_of(8);
+        for copy in wanted {
+            let place = end.next_multiple_of(u64::from(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT));
+            self.readbacks.push((*copy, place));
+            end = (place + copy.host_bytes()).next_multiple_of(wgpu::MAP_ALIGNMENT);
         }
         self.used_bytes = end;
         use wgpu::BufferUsages as U;
@@ -138,11 +141,11 @@ impl Slot {
         Ok(grown)
     }
 
-    /// Encodes the copies of ticks and buffers to where the host can read them.
+    /// Encodes the copies of ticks, buffers and textures to where the host can read them.
     pub fn encode<'a>(
         &self,
         encoder: &mut wgpu::CommandEncoder,
-        buffer_of: impl Fn(ResourceId) -> Option<&'a wgpu::Buffer>,
+        memory_of: impl Fn(ResourceId) -> Option<&'a Memory>,
     ) {
         let Some(host) = &self.host else { return };
         if let Some(resolve) = &self.resolve {
@@ -156,11 +159,8 @@ impl Slot {
                 encoder.copy_buffer_to_buffer(resolve, 0, host, 0, self.ticks.bytes());
             }
         }
-        for (id, offset, bytes) in &self.readbacks {
-            if let Some(buffer) = buffer_of(*id).filter(|_| *bytes > 0) {
-                let bytes = bytes.next_multiple_of(4);
-                encoder.copy_buffer_to_buffer(buffer, 0, host, *offset, bytes);
-            }
+        for (copy, place) in &self.readbacks {
+            copy.encode(encoder, memory_of(copy.id), host, *place);
         }
     }
 
@@ -195,9 +195,8 @@ impl Slot {
             let range = host.slice(0..self.used_bytes).get_mapped_range();
             let bytes = range.map_err(|error| GpuError::Refused { reason: error.to_string() })?;
             ticks = bytemuck::pod_collect_to_vec(&bytes[..self.ticks.bytes() as usize]);
-            for (id, offset, len) in &self.readbacks {
-                let place = *offset as usize..(*offset + *len) as usize;
-                readbacks.push((*id, bytes[place].to_vec()));
+            for (copy, place) in &self.readbacks {
+                readbacks.push((copy.id, copy.content(&bytes[*place as usize..])));
             }
             drop(bytes);
             host.unmap();

@@ -11,7 +11,7 @@ use crate::plan::{Plan, PlannedRecording};
 use crate::recording::{Command, Dispatch, DrawCall, Groups};
 use crate::resources::{Resources, Shape};
 use brooklet_kernels::{BindingKind, Bound, Module, ResourceId};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use wgpu::ShaderStages;
 use wgpu::util::DeviceExt;
 
@@ -62,10 +62,41 @@ pub(crate) struct Staging {
     pub count: u64,
 }
 
-/// Builds every pipeline and bind group of `plan`.
-pub(crate) fn prepare(gpu: &Gpu, plan: &Plan, arena: &Arena) -> Result<(Vec<Ready>, Staging), GpuError> {
-    let mut preparer =
-        Preparer { gpu, resources: plan.resources(), arena, bind_groups: HashMap::new(), staging: Staging::default() };
+/// What a pipeline is told apart by before it is built: its modules.
+type Modules = (usize, Option<usize>);
+
+fn modules(command: &Command) -> Option<Modules> {
+    match command {
+        Command::Dispatch(dispatch) => Some((identity(dispatch.module), None)),
+        Command::Draw(draw) => Some((identity(draw.vertex), draw.fragment.map(identity))),
+        Command::Upload { .. } | Command::Clear { .. } | Command::Copy { .. } => None,
+    }
+}
+
+/// How many pipelines `plan` has, as [`prepare`] counts them.
+pub(crate) fn pipeline_count(plan: &Plan) -> usize {
+    let commands = plan.recordings.iter().flat_map(|recording| &recording.commands);
+    commands.filter_map(modules).collect::<HashSet<_>>().len()
+}
+
+/// Builds every pipeline and bind group of `plan`; tells `progress` after each pipeline how many
+/// there are, of how many, and the new one's name.
+pub(crate) fn prepare(
+    gpu: &Gpu,
+    plan: &Plan,
+    arena: &Arena,
+    progress: &mut dyn FnMut(usize, usize, &str),
+) -> Result<(Vec<Ready>, Staging), GpuError> {
+    let mut preparer = Preparer {
+        gpu,
+        resources: plan.resources(),
+        arena,
+        bind_groups: HashMap::new(),
+        staging: Staging::default(),
+        built: HashSet::new(),
+        total: pipeline_count(plan),
+        progress,
+    };
     let mut ready = Vec::new();
     for recording in &plan.recordings {
         ready.push(preparer.recording(recording)?);
@@ -83,6 +114,9 @@ struct Preparer<'a> {
     /// Iterations bind the same again and again; they share a bind group.
     bind_groups: HashMap<GroupKey, wgpu::BindGroup>,
     staging: Staging,
+    built: HashSet<Modules>,
+    total: usize,
+    progress: &'a mut dyn FnMut(usize, usize, &str),
 }
 
 impl Preparer<'_> {
@@ -164,11 +198,18 @@ impl Preparer<'_> {
         }
     }
 
+    fn report(&mut self, modules: Modules, name: &str) {
+        if self.built.insert(modules) {
+            (self.progress)(self.built.len(), self.total, name);
+        }
+    }
+
     fn dispatch(&mut self, dispatch: &Dispatch) -> Result<DispatchStep, GpuError> {
         let module = dispatch.module;
         check_module(module, self.gpu.tier(), &self.gpu.device().limits())?;
         let entries = layout::entries(&[(module, ShaderStages::COMPUTE)], &dispatch.bindings, self.resources);
         let pipeline = self.gpu.pipelines().compute(self.gpu.guard(), module, &entries)?;
+        self.report((identity(module), None), module.name);
         let bind_group = self.bind_group(module, &entries, &dispatch.bindings)?;
         Ok(DispatchStep {
             stage: dispatch.stage,
@@ -206,6 +247,7 @@ impl Preparer<'_> {
             state: draw.state,
         };
         let pipeline = self.gpu.pipelines().draw(self.gpu.guard(), key, draw.vertex, draw.fragment)?;
+        self.report((identity(draw.vertex), draw.fragment.map(identity)), draw.vertex.name);
         let bind_group = self.bind_group(draw.vertex, &entries, &draw.bindings)?;
         Ok(DrawStep { stage: draw.stage, pipeline, bind_group, vertices: draw.vertices, instances: draw.instances })
     }

@@ -93,7 +93,8 @@ pub struct FrameReport {
     pub wall_ns: u64,
     /// Its spans, in the order in which they ran.
     pub spans: Vec<Span>,
-    /// The buffers that were asked for, as they were at the frame's end.
+    /// The buffers and textures that were asked for, as they were at the frame's end; a texture's
+    /// rows from the top, without padding.
     pub readbacks: Vec<(ResourceId, Vec<u8>)>,
     /// How the spans were taken.
     pub timing: TimingStatus,
