@@ -6,6 +6,7 @@
 
 pub mod boundary;
 pub mod grid;
+pub mod interact;
 pub mod kernel;
 pub mod measure;
 pub mod particles;
@@ -14,7 +15,8 @@ mod simulation;
 pub mod solver;
 mod step;
 
-pub use measure::Stats;
+pub use interact::PUSH;
+pub use measure::{SAMPLE, Stats};
 pub use scene::{Scene, SceneError, shipped_scenes};
 pub use simulation::{Simulation, SimulationError};
 pub use step::{INIT, MEASURE, Recorded, STEP, record, record_count, record_particles, step_params};

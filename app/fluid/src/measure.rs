@@ -1,5 +1,9 @@
 //! Density error, energy and place of the fluid, measured on the GPU. (Shaders: `measure/`.)
 
+mod sample_particles;
+
+pub use sample_particles::{SAMPLE, Sample, record_sample};
+
 use brooklet_gpu::{Recording, Resources};
 use brooklet_kernels::{
     Buffer, Counters, DensityRatios, DensityRatiosVariant, HISTOGRAM_BINS, Kernel, KernelParams, Measure,

@@ -73,8 +73,7 @@ impl Engine {
         let total = 1 + pipeline_count(&plan);
         let arena = Arena::new(gpu, &plan, &mut |label| progress(0, total, label))?;
         progress(1, total, "memory");
-        let (ready, staging) =
-            prepare(gpu, &plan, &arena, &mut |built, _, module| progress(1 + built, total, module))?;
+        let (ready, staging) = prepare(gpu, &plan, &arena, &mut |built, _, module| progress(1 + built, total, module))?;
         Ok(Engine {
             gpu: gpu.clone(),
             plan,

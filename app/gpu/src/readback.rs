@@ -142,11 +142,7 @@ impl Slot {
     }
 
     /// Encodes the copies of ticks, buffers and textures to where the host can read them.
-    pub fn encode<'a>(
-        &self,
-        encoder: &mut wgpu::CommandEncoder,
-        memory_of: impl Fn(ResourceId) -> Option<&'a Memory>,
-    ) {
+    pub fn encode<'a>(&self, encoder: &mut wgpu::CommandEncoder, memory_of: impl Fn(ResourceId) -> Option<&'a Memory>) {
         let Some(host) = &self.host else { return };
         if let Some(resolve) = &self.resolve {
             for (set, written) in self.ticks.written.iter().enumerate() {

@@ -167,4 +167,28 @@ struct Measure
     Counters counters;
 };
 
+// A drag through the fluid: what is near a ray is drawn toward a velocity.
+struct PushParams
+{
+    float3 origin_m;        // of the ray
+    float radius_m;         // nothing beyond it is touched
+    float3 direction;       // of the ray, of length 1
+    float share;            // of the way to the velocity that is made up on the ray itself, 0 to 1
+    float3 velocity_m_s;
+    float along_z;          // 1; 0 in two dimensions, where nothing moves along z
+    float near_m;           // nothing before this distance along the ray is touched
+    float far_m;            // nor behind this one
+    uint particle_count;
+    uint reserved;
+};
+
+// Which particles a capture keeps.
+struct SampleParams
+{
+    uint stride;            // those whose id is a multiple of it
+    uint particle_count;
+    uint reserved0;
+    uint reserved1;
+};
+
 #endif

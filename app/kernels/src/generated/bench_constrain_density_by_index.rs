@@ -85,5 +85,5 @@ static CONSTRAIN_DENSITY_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/constrain_density_by_index.compute",
-    hash: "9c0eb0ac414cab8f41adbff4c02df6617a6d14e13081ce54686eda18f27bf0ec",
+    hash: "e39f0e6d905076576f379a09f69029dfdc4ae3e05f5639b753eb63740510a36c",
 };

@@ -57,5 +57,5 @@ static COPY_ELEMENTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/copy.compute",
-    hash: "4b2f7794ae1b0fa6cdcfe428442e1ad31e4e4cffc39e80dc280ab4f3ad0a7a89",
+    hash: "3210eab14fa1b26a61ff989e4607e5b871d299a8dbe70b243229f91e69ed61d9",
 };

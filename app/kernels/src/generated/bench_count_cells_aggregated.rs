@@ -70,5 +70,5 @@ static COUNT_CELLS_AGGREGATED: Module = Module {
     shared_bytes: 512,
     tier: Tier::Floor,
     source: "bench/count_cells_aggregated.compute",
-    hash: "f2c6a5903b2df4770a513e9d160e6d25ef2f6ca451e0b8c629b5cde68da6a18d",
+    hash: "32355a1368806792d8a6b793f79eb4ef53bec613277dc2473b836c3730f09b98",
 };

@@ -86,5 +86,5 @@ static LIST_NEIGHBOURS_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/list_neighbours_by_index.compute",
-    hash: "fc288e099c5b43ff463be0fe70ace95b31a5c5c2ecdaf72c431d82ec812c7f28",
+    hash: "80fd43d1cafed447486c5686d3f92f59eca5099df7b494ec3190b491ffd61374",
 };

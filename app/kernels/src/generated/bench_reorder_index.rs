@@ -74,5 +74,5 @@ static REORDER_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/reorder_index.compute",
-    hash: "9c839c929ae38ee80c6ee964caabcd3f831e2151c30dd0b21665204c9d65ed8b",
+    hash: "4f673f6bc88314a2ef9b540949627c1ffd685c54f600bbe62ed560f5dbe2ac58",
 };

@@ -88,7 +88,7 @@ static SCAN_GROUPS_TREE: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "49d01a121e8d1136b58e4d70b2edca4d0561336849bb7cddd4c7e67af2f4b245",
+    hash: "36dea50946e3af848167cff5b363313a94d6a0967f5c50549a4d8718be4fa830",
 };
 
 static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
@@ -101,7 +101,7 @@ static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "a7016e5a0104b120ed4d3aad8c33f23afb1f6d7c81d74b806bd92f44efe08352",
+    hash: "11421d7b978604c99033bd4cdffbbf104596f57bfef4c4cc2f3f8fb6636f984d",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
@@ -114,7 +114,7 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "9fe7dad080236cbcdc5e858b9fe802a48b38bdb5ac12a97c879ec14793ba9dae",
+    hash: "0fc9a05c5fd2be44eba37158fc88661e19a1d7bd6a1ac3f8c5c80a6fe63b423b",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
@@ -127,5 +127,5 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "9b27c25d114a0a2c8779c4bc942a003737e1d03c5bbdd6f652d5c36fa275e4c4",
+    hash: "fdd9c787bec4f3d3c5af56e0c738325c817ca3ab870dae1eb9ccd75979033070",
 };

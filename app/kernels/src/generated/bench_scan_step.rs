@@ -54,5 +54,5 @@ static SCAN_STEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/scan_step.compute",
-    hash: "90ddfd170d47e2d1449bc2253e13e60201b5b6b68591d96c834a798af3225748",
+    hash: "685ed49b2ff760f0de0faa9e7af12d584c539a66438d181e58ee10458fe771a1",
 };

@@ -62,7 +62,7 @@ static DRAW_PARTICLES_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "c282131ab1f9257e97ddd8676cbd71f5f09a21188fbfc73bcf05d54bbff9e9b2",
+    hash: "72502c5765a690c0581529387d04cbb1e62f743090795c0e1591c7774e16de3d",
 };
 
 static DRAW_PARTICLES_FRAGMENT: Module = Module {
@@ -75,5 +75,5 @@ static DRAW_PARTICLES_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "f929bd1cc028a95973065c518bf5579e56829cf04c8050591145aff8ff709018",
+    hash: "0712738a669bab8c7746ebb188f0f9f7f3d1665923d9fb5d2bb3b6df61c126be",
 };

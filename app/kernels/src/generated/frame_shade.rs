@@ -130,7 +130,7 @@ static DRAW_SHADE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "eeb03f38ff43441d4ccc1f50720553c3e9ac063a8e73abb5781efa1b3d41c8eb",
+    hash: "c2e06e69a991964e4a7c97c22e8a0d599f609398785fbd812fed116c1817f46a",
 };
 
 static DRAW_SHADE_FRAGMENT: Module = Module {
@@ -143,7 +143,7 @@ static DRAW_SHADE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "4050cb0a83cf17d3e089a66685e095712cd9d4a946811d1569c6c3c347da9710",
+    hash: "9ce3d86ea6cbd16a0f5dd81de81275cbaab171e6128611b14541960ff52b52f6",
 };
 
 static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
@@ -156,7 +156,7 @@ static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "ecb46a6ec8dceae4e63cda12233cd61beeeba5fbd0e10bd55a9c3f5eab1de016",
+    hash: "5d43e946828806d39afa73d0da400ffcc7a4a4bf1a6be3d4a75c94f077575d54",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
@@ -169,7 +169,7 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "52c4ce55a307d9d391d0334329d573ade53dd39809244e78f2a2d575d3a647a5",
+    hash: "be9a8676d32f966826944774434d8fa456a6c4d4891e2a0bd8a4a05d13bafc9d",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
@@ -182,5 +182,5 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "8aeb4010331676092912b874c8e937b66066af9694b120bdf0ac601f77cf54db",
+    hash: "a5cb9c9bde2381d732b793badbb41908b1de14c32a465ef7fde3920b724976ac",
 };

@@ -55,7 +55,7 @@ static DRAW_SHADOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "2baaa7ef8576bba4e1068623943e88dfc3f05a3a3faa612b49c0d9473f506517",
+    hash: "1203e3d1343048c8a3c0722d64d4eec01a3622c06bbd4db315452ef573bd588b",
 };
 
 static DRAW_SHADOW_FRAGMENT: Module = Module {
@@ -68,5 +68,5 @@ static DRAW_SHADOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "0060d85fa5759d72da589e3dc35d9248110cc50536bbb00dfab3dbb547cdf911",
+    hash: "f1525466ea75a3458e4a31b5e319e5a08bc3e8f4c3d2ec0cf2d0737012074541",
 };

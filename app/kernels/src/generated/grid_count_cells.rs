@@ -86,7 +86,7 @@ static COUNT_CELLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "d48dd7d4e4f124b1e17c20a6ad6be1efc9dd7472403238f2392da821253c3d38",
+    hash: "b16d10f982b1565c5fb9ba1087c97efd4d91cc14f952e588dce34790868938af",
 };
 
 static COUNT_CELLS_WITH_PERIODIC: Module = Module {
@@ -99,7 +99,7 @@ static COUNT_CELLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "b19d04e488c91505ae3fd42627b13e093ac39cb9d5f2f7197be94b5c0f21206d",
+    hash: "5f6d3a843db8541b30d6baca28a5ba0f278471d0ecb21bcdf59fbf2bd5910123",
 };
 
 static COUNT_CELLS_WITH_WRAPPED: Module = Module {
@@ -112,7 +112,7 @@ static COUNT_CELLS_WITH_WRAPPED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "6ffd477ab5c1abc817f0ca1ab8d907f6f840bc4d3bc1c3afdc7c95a3771f4044",
+    hash: "023e14feac25be0f82de539d69743a5e3f361d08557af461dfee44074ecc91e5",
 };
 
 static COUNT_CELLS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
@@ -125,5 +125,5 @@ static COUNT_CELLS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "c630c791df9ebbb45343e887c078be7f3abc0a22fbfec6311e9fe8ca97a2e3dc",
+    hash: "1e090314a3a862b7d2a16a6425e4518f49cf8f5c4eac44b3c2e54daab37d4f0a",
 };

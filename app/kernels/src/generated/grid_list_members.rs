@@ -65,5 +65,5 @@ static LIST_MEMBERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_members.compute",
-    hash: "1de5006dfeddcc98ab02d5c3d18a29e093c4dcb8d6b29115fa55c5251ecf823f",
+    hash: "22d803d9eb003d3649afd9dfea013f97b61f1f128fa778fba489c4ca46eda9bb",
 };

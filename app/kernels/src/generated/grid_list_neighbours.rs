@@ -119,7 +119,7 @@ static LIST_NEIGHBOURS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "a7036ca9a58eb635d4666b96a570e738a6740b0cebc0bf3ec91be7575f2700b3",
+    hash: "4a396f6e58a59a395000b87f5437e08b7a8125d3e94e7a492e15851d63f8723a",
 };
 
 static LIST_NEIGHBOURS_WITH_PACKED: Module = Module {
@@ -132,7 +132,7 @@ static LIST_NEIGHBOURS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "645d6c41408764e01ab399f643e4038085b8b8018bcf74e77f5d1a8ec7324c35",
+    hash: "71ecb6242ae84702b9f02ca9ebd1f29871678f042b9e3c354eebd5aab5cbe9be",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
@@ -145,7 +145,7 @@ static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "bd15901afd670ac0cf9a4788cee2f575b815f277bb46fa91ebc83bab3341fe31",
+    hash: "9a2e9c7af055d329eabb435b773818fce35891e89a9188a3581a00af1250fc7c",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_PACKED: Module = Module {
@@ -158,7 +158,7 @@ static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "8db110d3b6bb45be04871f9cd7917b6c49028f1ea2cd98bc181ac89993fb1ee7",
+    hash: "9ebcf0822a1fbb8cfee5f405fec438bf51de10085cafd6f5e02c993b7588a593",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
@@ -171,7 +171,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "4eec405531265d5277bcfe8bab90c2539c3fdf49b25ad1d2ac26d8aa10412766",
+    hash: "d8560a52d829730ecdf2d02356cbebe626441814f539a81a808663adf97070e6",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PACKED: Module = Module {
@@ -184,7 +184,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "76704d89591cc1339ab61f0f0066ef1e7d6f20d62200b7ddd1a5e9966af96e8f",
+    hash: "df5b9c27cfe67587fa7678825c8252e6ef35c2a68cb6ec121e6b85337cbf6692",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
@@ -197,7 +197,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "cc197248ee8ed0b8d47c1550e6e1d0fcbadb31a239456a42cdc1f7209789d65f",
+    hash: "1b768406055edf2a36330cf981dbe6e20139c5b3b4e3546b903cc346761ac558",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_PACKED: Module = Module {
@@ -210,5 +210,5 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "34c6682c6526b4fc4caded9df5c4f8f3f9e92b5a531b325e86d6f7a14b3b9b87",
+    hash: "5b37638b2c4356ec285e718319e87307bd86cd1bea854df18e3fffcb2e72ecd6",
 };

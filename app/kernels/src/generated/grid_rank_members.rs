@@ -71,5 +71,5 @@ static RANK_MEMBERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/rank_members.compute",
-    hash: "1de00201c2b062ef45041fa892f3f60c7b2d3c3544a9081ddf99bc3cb7418926",
+    hash: "8fc985c84106e6be0b477e7e265785ddb2b940fc63e0b4aa78f0bd236c6950e5",
 };

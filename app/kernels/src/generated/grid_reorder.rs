@@ -94,7 +94,7 @@ static REORDER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "728a449e85d57fc47f4e1ab0e00833c57dd1017d1b211bfd8172e89f8eff9962",
+    hash: "5ab50cb71f8178c5ee82686ebb0d9828b7def267dd140aa78f6efc86aa5b2afd",
 };
 
 static REORDER_WITH_PACKED: Module = Module {
@@ -107,5 +107,5 @@ static REORDER_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "5f030fcdd704ea638563d772e27bf7a9ebed1a4722919b805e7509d2a69e7b5d",
+    hash: "314713398182cc901c87522f9f9cf027edb7645ee16846bcf368bb29919b0e7b",
 };

@@ -109,7 +109,7 @@ static REDUCE_GROUPS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "19605271730d9ae7e0661b9d52ce3d656d78d3106d36a9556da11979b7925061",
+    hash: "0321993ee08187e6dbb921151bb4504ee0666694347e0bf50a756aefd6ba499a",
 };
 
 static SCAN_GROUPS: Module = Module {
@@ -122,7 +122,7 @@ static SCAN_GROUPS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "37f9e4e46571fd303521ca5da4c9329dbf7c06ac0a1225a24c63dca1ebc293fd",
+    hash: "8513284c3ddd94d8605ae9c14e1457a899016fd9ad8271f508d4416eafaea1e4",
 };
 
 static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
@@ -135,5 +135,5 @@ static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "580b7ae0e30309f47a19abb609c5bb0f70a9930bc70294037bb8f51efbeb28d2",
+    hash: "935fdcf63dfaeeb499bcc6f4f9e853084bf307282f4627ff109aa84ee63acf2a",
 };

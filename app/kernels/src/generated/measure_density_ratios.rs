@@ -93,7 +93,7 @@ static DENSITY_RATIOS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "70e01acafb651f3f1b39801a5e45e4a88135f997231de44c955a9d4b066f7d87",
+    hash: "95b573508ac0fbd42cc1751dee7bffb8ef2447b23d9f643b6b6f57e4a7d6ff37",
 };
 
 static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
@@ -106,7 +106,7 @@ static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "0eda28ef3fd15636b2047066cd50d27486ece56d02e1961a4540e4e8a63ca8ad",
+    hash: "8cc144b11801ab7baa793439993ddf9b841c9042dc6edd637ab735407e381724",
 };
 
 static DENSITY_RATIOS_WITH_WALLS: Module = Module {
@@ -119,7 +119,7 @@ static DENSITY_RATIOS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "4088eb21f3448b69010a337f6eb9461a320ca91fee2034639dacacc51cd20f65",
+    hash: "6bff0a2cf31b392f3f5a205cf87ede65fec8bb44a2105b52a6199fa2c5021023",
 };
 
 static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -132,5 +132,5 @@ static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "c19fc83fd6c9fa0f87c9c876ff6cca8a1520e6eaaa7684fba62ebb5beb03ec09",
+    hash: "ce021b91491e53747a648863b8b31623cdaa7c27756aefcc510d1ce021a74a81",
 };

@@ -107,7 +107,7 @@ static MEASURE_PARTICLES: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "c152b2f81b148afaedaf66e15da55f6edf93ab294f218108b9f49dc8ecce4666",
+    hash: "c92310b43ba62215fdb54bc92d1d65a341c5c477005977d0444f981bba96f2fa",
 };
 
 static MEASURE_PARTICLES_WITH_PERIODIC: Module = Module {
@@ -120,7 +120,7 @@ static MEASURE_PARTICLES_WITH_PERIODIC: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "f196e6123ed4aa47cc339f3b187443e166f278efc36d98b0532a6a9f3872c94d",
+    hash: "6f0d1485c310abf863a00de8a5e7a5f65cd07b3c522773aaaa2b3481f436fdf0",
 };
 
 static MEASURE_PARTICLES_WITH_WALLS: Module = Module {
@@ -133,7 +133,7 @@ static MEASURE_PARTICLES_WITH_WALLS: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "ce06d046e9219b16100af31686805b472eaf8997a79625777953853a41c13924",
+    hash: "c1e6466569ae41744c778d1f5463f1e94a8eb1fa5b0a74cb8ad90a32f3f02259",
 };
 
 static MEASURE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -146,5 +146,5 @@ static MEASURE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "3d31425c7d0389145abe97e08ee16376a0aacc433a13fd5f9c78ed172a341019",
+    hash: "bfa5e9661d060f35f8a7cd4e64eb5b9ce2c0e1b2f9fe8e47aa5af14e96c5fe3f",
 };

@@ -73,5 +73,5 @@ static MEASURE_TOTALS: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_totals.compute",
-    hash: "ab7ff6ab1f1b19b3691fa4fc1a36b0279574fe2613744ca5911e0bd26cdbf362",
+    hash: "8b60db94e871c9895f6e2249b70a00861b3b00b4f56feceb2e0c1afafb3e5463",
 };

@@ -27,7 +27,9 @@ mod keywords;
 mod measure_density_ratios;
 mod measure_measure_particles;
 mod measure_measure_totals;
+mod measure_sample_particles;
 mod particles_predict;
+mod particles_push;
 mod shared_layout;
 mod solver_pbf_confine_vorticity;
 mod solver_pbf_constrain_density;
@@ -76,7 +78,9 @@ pub use keywords::*;
 pub use measure_density_ratios::*;
 pub use measure_measure_particles::*;
 pub use measure_measure_totals::*;
+pub use measure_sample_particles::*;
 pub use particles_predict::*;
+pub use particles_push::*;
 pub use shared_layout::*;
 pub use solver_pbf_confine_vorticity::*;
 pub use solver_pbf_constrain_density::*;
@@ -126,7 +130,9 @@ pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
         measure_density_ratios::MODULES,
         measure_measure_particles::MODULES,
         measure_measure_totals::MODULES,
+        measure_sample_particles::MODULES,
         particles_predict::MODULES,
+        particles_push::MODULES,
         solver_pbf_confine_vorticity::MODULES,
         solver_pbf_constrain_density::MODULES,
         solver_pbf_correct_positions::MODULES,

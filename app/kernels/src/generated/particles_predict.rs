@@ -90,7 +90,7 @@ static PREDICT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "810fdc61310b41c8ac374027d214dc089d807f2dfe7c30f65e20a7984dd684a1",
+    hash: "7ad1d580c78ec0bd65c2c811981557f1096b3a96fe71ff2d836ee67455bec0b3",
 };
 
 static PREDICT_WITH_PERIODIC: Module = Module {
@@ -103,7 +103,7 @@ static PREDICT_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "b9ff73f1b9f6b9d5a2fe35568391a5cde75b46a2adc984764f829131b93fcf75",
+    hash: "3226c1514892c12666fa225b0eb1e312d06b9826fce01bbc0745633eab71b3e5",
 };
 
 static PREDICT_WITH_WALLS: Module = Module {
@@ -116,7 +116,7 @@ static PREDICT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "0a281145764707946e7be7e0e532305c34fb8a7284d7d66db12f438c93b595dd",
+    hash: "a08d7369f17da1e1263bf1f821eaf401f67d1f5bbd2130866d739d73b47ec256",
 };
 
 static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -129,5 +129,5 @@ static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "13522d833ce6ef6d4b8a658376533f8b9c7a15ca5cb66290a33eed6057c9de0c",
+    hash: "cc5f4c6b9b689fd81a5966a37f9c5ff326b650e8eed55d99ac6d1f208435f803",
 };

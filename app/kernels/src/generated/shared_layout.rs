@@ -386,3 +386,63 @@ const _: () = {
     assert!(offset_of!(Measure, counters) == 80);
     assert!(size_of::<Measure>() == 96);
 };
+
+/// A drag through the fluid: what is near a ray is drawn toward a velocity.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+pub struct PushParams {
+    /// of the ray
+    pub origin_m: [f32; 3],
+    /// nothing beyond it is touched
+    pub radius_m: f32,
+    /// of the ray, of length 1
+    pub direction: [f32; 3],
+    /// of the way to the velocity that is made up on the ray itself, 0 to 1
+    pub share: f32,
+    /// `float3`.
+    pub velocity_m_s: [f32; 3],
+    /// 1; 0 in two dimensions, where nothing moves along z
+    pub along_z: f32,
+    /// nothing before this distance along the ray is touched
+    pub near_m: f32,
+    /// nor behind this one
+    pub far_m: f32,
+    /// `uint`.
+    pub particle_count: u32,
+    /// `uint`.
+    pub reserved: u32,
+}
+const _: () = {
+    assert!(offset_of!(PushParams, origin_m) == 0);
+    assert!(offset_of!(PushParams, radius_m) == 12);
+    assert!(offset_of!(PushParams, direction) == 16);
+    assert!(offset_of!(PushParams, share) == 28);
+    assert!(offset_of!(PushParams, velocity_m_s) == 32);
+    assert!(offset_of!(PushParams, along_z) == 44);
+    assert!(offset_of!(PushParams, near_m) == 48);
+    assert!(offset_of!(PushParams, far_m) == 52);
+    assert!(offset_of!(PushParams, particle_count) == 56);
+    assert!(offset_of!(PushParams, reserved) == 60);
+    assert!(size_of::<PushParams>() == 64);
+};
+
+/// Which particles a capture keeps.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+pub struct SampleParams {
+    /// those whose id is a multiple of it
+    pub stride: u32,
+    /// `uint`.
+    pub particle_count: u32,
+    /// `uint`.
+    pub reserved0: u32,
+    /// `uint`.
+    pub reserved1: u32,
+}
+const _: () = {
+    assert!(offset_of!(SampleParams, stride) == 0);
+    assert!(offset_of!(SampleParams, particle_count) == 4);
+    assert!(offset_of!(SampleParams, reserved0) == 8);
+    assert!(offset_of!(SampleParams, reserved1) == 12);
+    assert!(size_of::<SampleParams>() == 16);
+};

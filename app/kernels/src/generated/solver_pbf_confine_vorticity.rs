@@ -102,7 +102,7 @@ static CONFINE_VORTICITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "afa11985b2edfbda62dda7f1600ff03f5f7dea09a58747a36c7cdb846e9b9b4c",
+    hash: "48b66533048207f34d8cb75a72450aae41cbf637ef4694f054a081315ec6d184",
 };
 
 static CONFINE_VORTICITY_WITH_PACKED: Module = Module {
@@ -115,7 +115,7 @@ static CONFINE_VORTICITY_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "8a3e2afbd117b1621dd753805d29dd9fec8196fec3c8e06147419ce75f63daaa",
+    hash: "fc4ba9aa7a7f8806ff44b68ccfcf57cda4f68a5b8354b7d2c1cfa910857538f5",
 };
 
 static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -128,7 +128,7 @@ static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "b9d20818663c68729608a7c9f3e2ad861077ffd6aff2df955218e0d5fd1ee6c0",
+    hash: "7a3cc0d6330a247d14073c9359ab35e40a801841bc87afff285b8f07341ab81b",
 };
 
 static CONFINE_VORTICITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -141,7 +141,7 @@ static CONFINE_VORTICITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "d14e9fcdce51fa74cde43c0e6d764e00c9a885d48bc311658afaadb25884e6ea",
+    hash: "ab0423fb1f1960f6bb54b8f5993db9e3f2152ebe85841217fad7523f755859d0",
 };
 
 static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
@@ -154,7 +154,7 @@ static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "8807d05c031dc0cfb7b74c1ac765b062abeb1c6288dfb9e5b958670dee7ffb32",
+    hash: "e5821c813e078c34c750bcf6b4a063896ee925f156ec281586f471e47253841e",
 };
 
 static CONFINE_VORTICITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -167,5 +167,5 @@ static CONFINE_VORTICITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "91c81ba0f7d85c66439b2d6a985a95be2fcf5b951999693b74b497b7064d6347",
+    hash: "385185608e6d41930eb77522fc71e963c0720b67a38fca68118e509e6897645a",
 };

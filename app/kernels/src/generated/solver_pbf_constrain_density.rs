@@ -177,7 +177,7 @@ static CONSTRAIN_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "805df3ec3a95214973a0d2baad6c151287edd4e699a7a251888b3ebeeb384297",
+    hash: "15dd237f8f5bb0d399a26fed67ae507d8edcd673115aca74bfc9e57f832512a0",
 };
 
 static CONSTRAIN_DENSITY_WITH_PACKED: Module = Module {
@@ -190,7 +190,7 @@ static CONSTRAIN_DENSITY_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "108740e1e4fc8c0e6de6a8385bda9e3e21861e3b808a97e5c36df7d5ee094732",
+    hash: "9cd857984cc6894171a20caa504e7ced4c3e1ca21ccad235543b551a57c1a736",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -203,7 +203,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "6613da7ad1dbb746232bd3a632661b882cc2278a26a2c8aab0efb45812f374dc",
+    hash: "5936318a46ca161fe3292f363eacb4aa13a8623d24b00bc64579ae35c9d9e207",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -216,7 +216,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "5ce6133e541f83a8ba4204fcb617ad2e132f77fd001096de200431ad359ab676",
+    hash: "3ead7c73e6aaffa90666fa746ae68ae86f35173013834d23ebfeb695a5967f2c",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -229,7 +229,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "f286fc6377daa148f8c0b55a57795458c749ae1aa82f70190e2df578be2c4be4",
+    hash: "a23749213d9f5904c44662fede45689f1b05d9fa1d410b88717d512a503860ca",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -242,7 +242,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "1a86f499818e42695e463de1ea7ee65b19f7e4eb692c7b4df2b6b28dfa5a640e",
+    hash: "bf1c480d13da256f12fb654a63bd078fa80dfed8e1e675a1f4b9421bf162819e",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
@@ -255,7 +255,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "e1397519a845d5918810bff2bdfc4834adc81a34198fa8529919fcce9dc9de8e",
+    hash: "7150be5b24533bedca101e8b317a371cf4ea5ef27eedfdd446b4964a980fd1d8",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_PACKED: Module = Module {
@@ -268,7 +268,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "51bb0345c84aa59f4036c5600a60501d6dd8a0d1c005a89d4d8ea7b5a9118bb3",
+    hash: "d4ea960e135bd8d1157a778be506c5cdd220d3489036439ef111b6dad527c7ad",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -281,7 +281,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "4ead89fa5a89a4e806357a63d2cb378d7c06e487a02f45253ae395676b0e2632",
+    hash: "cf1f955cd57af28ee080b550a2e16684b1d79c6aa247e2815d1497981b2c26b1",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -294,7 +294,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "09c56b2eae63df1a6c14c6ea2f7f8489d027de8f810529098e8c4ced315bd695",
+    hash: "fe63aafd0eb9562ce608787f3c2a6ac57542ac65b9e36bd2e9a537d3d807908d",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -307,7 +307,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "8a988d45e22a7a43ab2e8b14c19a1a407caa628886e7008c6c270f1a0ee4b4fc",
+    hash: "981418ae89db78bddeaac1238e12ba2881b0fd94076f322b8c36ca32cf69d539",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -320,5 +320,5 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "5db717d5e7c88e3b916d5795c93c984712326ccb613c111668a4eaa32fd2f6d4",
+    hash: "e8d827691c8e1cfeb10c4a172e6956616f247f32496d80c4143491abd384a84b",
 };

@@ -238,7 +238,7 @@ static CORRECT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "6e7d4ac835d8f7baf301296c71b96afcdda9af5772dc21e2714abd076cbc625d",
+    hash: "5393ad97f8d1530009403f2cbe22c41ceb8d6769910b5eb0a3e67b847fe10e0f",
 };
 
 static CORRECT_POSITIONS_WITH_PACKED: Module = Module {
@@ -251,7 +251,7 @@ static CORRECT_POSITIONS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "f2f9bc64207ada53dfc3697b1016f11d065ba3e125909a633d4d04a9bedc8023",
+    hash: "acb01e644bc05dd7aa663f1d09e21056b6beda22759f666f0c4cf95207505ebd",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
@@ -264,7 +264,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "6706bed290d33dc97bd17d8259cb1305db33f91c9f88ad8418389148fd4b8de9",
+    hash: "61f2638079542c9c9317f5ab13962808695ed2b1b18cb4050c1cff851b8a1c93",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -277,7 +277,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "b2f6120329d7a409dc189e53f3b9ae40359419d6666379a5e548d27b61c123dc",
+    hash: "d13ca001b8e750752bcf7418d292ed09e8bed3e381322b591fa024ac35a21141",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
@@ -290,7 +290,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "5fcb3cadf097e728c9a972fa05569215dbf8af7d028c88e0eb597c7be13c8030",
+    hash: "b7fcca86f22036290bd3991447b4dbdc2348433b9ea75f7346cf94ff04ab64ae",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -303,7 +303,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "13b43c52e70a1d45a49ce19c8042ee36dcb954494767507ba0baa2567f87cffe",
+    hash: "f8bef678627c255c8f6e8aee49e8ad13aa139ec6b2f6ac12dd3e07f9d3c92f57",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
@@ -316,7 +316,7 @@ static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "6a76450211a8c5d68d13a8689a4a801736ee3bb354821e4a65b7aba3c0435314",
+    hash: "63674506a8d501666e909e9f7bc5d56b3166429d9d772194106f146fec8eefe1",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_PACKED: Module = Module {
@@ -329,7 +329,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "f2216cbb7aee65ee9e8c3e9959495b6417416b1a36d6abb04625c251f399e8d9",
+    hash: "1cf5b494e0d7773db825848473826ee6f73af888a294ab9aacbcadf91bd441fd",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -342,7 +342,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "ed0dae5927ce95f9648bfaa011e6991fd01e667ec36660a113322571b2440f25",
+    hash: "4329a95e702cace6b83dd2e9d1eab75a2b5a3fd056eeaa5956709f2616c70ad8",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -355,7 +355,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "62176ceaabc5967b682fa39f430fbdd5b5b7fc9cc1e335a5549f6ebb550f575f",
+    hash: "945fa1bd54d941456d730fbb91af770110b4209bb1f60f72938e51cb1b4e5065",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -368,7 +368,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "3a839c590371f02f16884ac7ef13e5cb5678550eaf84b53acf5067995e4355f6",
+    hash: "fc2a50eabe6b18528f3404cd7ee74fe0ceb358cb368fec26f6b53f8f9be7c533",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -381,7 +381,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = M
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "2234a2e57b97e4bf536f53d2871190d2017604cd4fb965cd0106108e7fbfd7ea",
+    hash: "008e7d65f44e02332580c236354f83de2cb8c73d493aafaaf5ab9efcaccc9d3c",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
@@ -394,7 +394,7 @@ static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "fe96484c438b4f2d8d02499a54092321b350aebf57ba88f8e5b53161d6bca8db",
+    hash: "d66908c8cfb07accab07c5410d8760d310864b000f40e96cd0043e07182012f6",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_PACKED: Module = Module {
@@ -407,7 +407,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "a2cff8dc30fa29e7e5a5670b73017c0f2f78261bffa5ee75dedde9dc7953403d",
+    hash: "a9d5ea0db22a3f6158d24856e352af63f1952eec55dc5af1f9a2632984179d5f",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -420,7 +420,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "22e66ea83377ea20915b72bc55eb93ff2588429a6a59e2976a33a81431b18513",
+    hash: "d27b26881d8767c1002573ceee74292bd66329e9bde1a60ef227c316e3a47547",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -433,7 +433,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "0999a54ad1807cc1cc9cfbe2c93572a16ac9f7b3219599b68ef254de0c7e1ab8",
+    hash: "e354d40c8b6df4eced92cba916759cf870097aef8ee38e026ee83d10696b609d",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -446,7 +446,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "385b70b8919fd4c709bbf9b384371f2885b8b33a4c2630632637cf727fceca72",
+    hash: "c3b879e2025656fd6407ef8d853453866495423fc7d55a9449a2e196f7e16e4a",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -459,7 +459,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "004647e1e48738e66b6378be7a35125cc0aff36eaac53e386709b8069522a976",
+    hash: "027e49756e8e3e79c44b5f69d5bcb7fd2a568fd3e48de0b52ee8669ea2bf7eb9",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
@@ -472,7 +472,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "ff2f40fee92cf3ebc126854552b27d1ae9b4a19b9171a41f28bde0ef15b7981a",
+    hash: "fa6df5f56b9c29259cf1a93dd8b77ce388b7466c1565f6a6fa62cfb5edd3b790",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_PACKED: Module = Module {
@@ -485,7 +485,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "e36afca2d62f9531dafd7973e43ec34cedc42720eb77cd9033d3ab0702d7ef49",
+    hash: "4e0c4ffb1b2361079d459b555c22cb55e4dba54206f868549ea0ab57d4e18e74",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -498,7 +498,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "2049eb5f6ead3bedf7053f97a8cfab0cfe5ddb16c7042680a4dbfc3cb1e4a2b0",
+    hash: "55d646279a0f43992f87d4d4fdaae1b1362e126d61665b80db48e4e9ee21bd38",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -511,7 +511,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACK
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "e971fb73c5bf63c829bef07db839160677e5cc4227eb528349be3f593f82bc31",
+    hash: "ea93436b18ff92ab40fcbb7ed0bb099ddf7d700ef989b9c82bc42eb13459072a",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -524,7 +524,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "e1878cea131921521f8f49aceaa69e52f5d1d8beb9f2a5afbf099daf1148f5a4",
+    hash: "218d148d934b9ba895f7404907a4b419708b0331117a2ca82c286052bbbe8e8f",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -537,5 +537,5 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED:
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "2aaf1d0c76d5844c3b47455556f156f47c72b44a4da46e678bd1ea9fb824957d",
+    hash: "3ae534b83d621e76e572cf72e3552102b35eb3fe2f53e0e2a1d53e9bd22d8dfa",
 };

@@ -101,7 +101,7 @@ static CURL: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/curl.compute",
-    hash: "a9bc66bc54f0c6cb34da2e638174eed8a7754ab54c74a690a3bd5f701feeceb6",
+    hash: "e0f406bfa53b9579fb1821c96a590b8328e11f9e95a7c602c29db3b457e1a460",
 };
 
 static CURL_WITH_PACKED: Module = Module {
@@ -114,7 +114,7 @@ static CURL_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/curl.compute",
-    hash: "5821e4fe669e5a54a6e45c4a9af0cf786cdf845a19714b6c365b0370f35364e7",
+    hash: "ffbbd1b6328478869a8f8bdada886bc3809f9ae9151b18171c066aaaf69108e9",
 };
 
 static CURL_WITH_RELAXED_PRECISION: Module = Module {
@@ -127,7 +127,7 @@ static CURL_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/curl.compute",
-    hash: "3d6fc2c405bb9b9c12c01a4686e256c2899fbf6801bb13175983ef2a22d97bf7",
+    hash: "f9defc90f4363b441b17cbee9b85633e780932116f0d3b585ea2146c24218bf0",
 };
 
 static CURL_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -140,7 +140,7 @@ static CURL_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/curl.compute",
-    hash: "68b66d4e5b8d1213dd424129e2db4ddaed820abf689f3bcb54a80ece43721f9e",
+    hash: "3f738657dd9972a78cc2b407cc0e5fa732a42937442211fd9bf45f3949ab9234",
 };
 
 static CURL_WITH_HALF_PRECISION: Module = Module {
@@ -153,7 +153,7 @@ static CURL_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/curl.compute",
-    hash: "92d02903ecb82a91c4e661393e7dfcc1824e715988d6a3b5119d93bc726f1f5e",
+    hash: "2bf1da91134dbc1e08d0620d73543ea65308d88de6f017b23657ebe98da07df0",
 };
 
 static CURL_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -166,5 +166,5 @@ static CURL_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/curl.compute",
-    hash: "e3b609f64b914586fdd66e6710764599614f72460a95ce61c2c2c9497b40c980",
+    hash: "091199fe4306b4539b45be96d62fcff1444277852832c5d5f343bda3aaf1f692",
 };

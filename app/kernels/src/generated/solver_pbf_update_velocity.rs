@@ -119,7 +119,7 @@ static UPDATE_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "3b503f86aeb3e5901ab297735044089d2dbb00658e5e5f5e6f71f8d0b08a6e2f",
+    hash: "b7048ad1ede26a7713fbf3b66d1d89a2c82a950ac220c1c6ad31249904ac691b",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
@@ -132,7 +132,7 @@ static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "bd8d0377d83f9f270ce1ef9ac3480b6000df7ea0953e7f5eaef8d22775d60664",
+    hash: "5f8b4e68643cd9651a224673af5fa85c3f21bbe1cd4afa285a0386d30965f35a",
 };
 
 static UPDATE_VELOCITY_WITH_PACKED: Module = Module {
@@ -145,7 +145,7 @@ static UPDATE_VELOCITY_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "3faca193addcbdb86e9a83361fc78fdd4ec370092a8fb101dc9524c969d6b9df",
+    hash: "091b8fa13b0fc2330eb4cb35a10f7a028997d877cff56bbd19807b2f42a26125",
 };
 
 static UPDATE_VELOCITY_WITH_PACKED_WITH_PERIODIC: Module = Module {
@@ -158,5 +158,5 @@ static UPDATE_VELOCITY_WITH_PACKED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "77bcf888ba505c72fb552047d0e9d150bcd5f8dd77590cc53ceb8c7de1140422",
+    hash: "9e224eaf039f498a5e204e6915e76cd97502b826737b4771526ab44d208ef8f4",
 };

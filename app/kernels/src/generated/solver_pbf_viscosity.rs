@@ -106,7 +106,7 @@ static VISCOSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/viscosity.compute",
-    hash: "eb5f3838b722e6745c35608decae8c03fcde83a4f2500ef11420e77354a85e9e",
+    hash: "2cc9ac242480b09123c66dab36222fdf8cf93e715dd31048c54ee615927a0872",
 };
 
 static VISCOSITY_WITH_PACKED: Module = Module {
@@ -119,7 +119,7 @@ static VISCOSITY_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/viscosity.compute",
-    hash: "11e7735046715e2b4a2f250b7224f3a3ce52f9a1a259c450c4aea22bb97e93b5",
+    hash: "677f4929d833cb8969d476a38cfafa56a75140bc3cb183cdc30020b75982e50a",
 };
 
 static VISCOSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -132,7 +132,7 @@ static VISCOSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/viscosity.compute",
-    hash: "e7305a9bf2d766f7a4f759350b5a0d477fddf6891e92263e4e128b8fbb7b42f9",
+    hash: "f5ced068638c5d49a36ea6d84e10a5ef6926c1e28ee08989a81c64f15e820d02",
 };
 
 static VISCOSITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -145,7 +145,7 @@ static VISCOSITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/viscosity.compute",
-    hash: "c3618e6aef560311a405deecadcad0a83fa1b41cc06d91375257e514081fae1e",
+    hash: "ccd4850187642c90602210b5a8bac757fd4ec0bf9b49765874e1ddd0ddfa1692",
 };
 
 static VISCOSITY_WITH_HALF_PRECISION: Module = Module {
@@ -158,7 +158,7 @@ static VISCOSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/viscosity.compute",
-    hash: "5bd61622c5374c4f0bbcdee78b37ca984006bb266c4ffc9e4f28a88f68f2dd14",
+    hash: "2be95680d63a01825f4803248c216123ea322365d13863ab0c43f123030b2fa5",
 };
 
 static VISCOSITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -171,5 +171,5 @@ static VISCOSITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/viscosity.compute",
-    hash: "574200a5fa894b8500b32bbfa5c43ea669eefabd1ca2db0794352e74d44dcd45",
+    hash: "0e7d9819c1d8b36b1810677c1ef0078f7ccc5dbf9985fd9ffc982ab0520dab1d",
 };

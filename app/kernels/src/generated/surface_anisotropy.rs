@@ -69,5 +69,5 @@ static ANISOTROPY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/anisotropy.compute",
-    hash: "33c625abb5cae0fa28aca194bf8b6f21384fd8ef3090dcc64fe88ad01a952a3e",
+    hash: "083ad9f24d0fdd767d7b2167c5f83e935c30cbe1a1d420c4ddae5e04dfa7eee5",
 };

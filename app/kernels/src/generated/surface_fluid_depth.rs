@@ -112,7 +112,7 @@ static DRAW_FLUID_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "49d8df2ad36cb9fc4199a01513bd46fbbe046716b300e5f309c21cfa2bc2eef5",
+    hash: "72e49007cbbc951a816013b30fd84e7582f9bdb9b77497e1ec7d6a1101849385",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
@@ -125,7 +125,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "cbda2336f009c491ce3d50937d6ed9ed8136c4aa3b967a93dd28f84304887c52",
+    hash: "4d679cb34d8e11ec991d88d7a080c1a2c8b3b49f1cfef79687892fb436ff53e5",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -138,7 +138,7 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "cd15baf946ba4ea9a592c45e71d85d29fc17843d566f3172840164cb5380fc07",
+    hash: "406a7e59fdc249bb9d861407d4655def730821433e89f43b1a62a5da0436121a",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -151,7 +151,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "725a63f6285ea2c6a7890ae409a39944d1f3c5c9140c6af12957a6bd779fa44e",
+    hash: "e4a06540b555d5f9b1c23d52aa0d6e611d8790295ee1f7b3067bed26de20c7f6",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -164,5 +164,5 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "221dc060644d4dd7efd6bc7a07fde6b6d7a453a8f2a79b00db3ee367bab329b8",
+    hash: "cf1e745130556154ae8de4fa5be84a6fea62fe1d9040d3d44486d4457f4f816f",
 };

@@ -70,5 +70,5 @@ static REFRACT_PHOTONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refract_photons.compute",
-    hash: "98e700882e6486cb1059020208be0e04f59a463f6e20da2cb820c3edd6d3ab98",
+    hash: "409dfb7694948b0a32714df031e5cf83561a90e1ca091d76f41c2f941948728f",
 };

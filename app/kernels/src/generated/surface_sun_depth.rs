@@ -114,7 +114,7 @@ static DRAW_SUN_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "3bdf73854795799e54be7386c14363c9d8323d5475b0de813f93068154743484",
+    hash: "03d2ae04af9b04a356b5dd0c46a0fbdf9b2fd134409cbdfcf2aadbdd9b4a5fe1",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
@@ -127,7 +127,7 @@ static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "ff2a5a43525a7eaf1e87491fab6c54bf7d2f0eb981328ecb1e4439b38d820561",
+    hash: "17295124d705e9c1d665bae6abb47e052e1d2ca1c47b1105883370208dcd6d09",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -140,7 +140,7 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "ed53735b49a08b333b6c706cd4484f2f7b7780f4b043208748cbb09d1d9acf38",
+    hash: "765f35ed6cb138874cc9fd1ac5b809c28c7550e23c13d072e0ca12ee8007db44",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -153,7 +153,7 @@ static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "0f68b1a143ca5587e7d02c36d08c2bd82de6e1f16c8f4d8e81c93c5ba7ca9e52",
+    hash: "6e3c8edb88eaf69ffd4b1f3346f16a859931a8e3f4780571e3f4ca8cdb86aae5",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -166,5 +166,5 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "661c48fcaf10075f1e225fced0b05bb55a81df88be96524a1dd81be3262960ed",
+    hash: "ea631f7cf907620c670bf717659f89476ad1b59b9cf329cabef118d7e380769e",
 };

@@ -85,7 +85,7 @@ static DRAW_SUN_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "07358dd517c46b4a70db407135828b9890a3b4f0417e262b92ccf50242a8ab29",
+    hash: "21bbb3211e6ba5f3eec559b5a4ec06ea97e88c566a8803244f41653f26c37df1",
 };
 
 static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
@@ -98,7 +98,7 @@ static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "fa54eb65e01438ec1e49a64bef6785105d4c2f6ad61b774dd97b85492c558ca1",
+    hash: "16822159030eeddc850db200dd72d7e443f1f2b922b287501c1c188fcb86666f",
 };
 
 static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -111,5 +111,5 @@ static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "b5c8184d626f275901f2af988e2c14209575f5f471f248449b38c507b48c336f",
+    hash: "e73dcede0ce2d650c68eaa1782c0f317f242204efb96ca5d70f409b2725327da",
 };

@@ -86,7 +86,7 @@ static DRAW_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "5bca9635f713d5210d4a6e4ba319e835c30259a05e21eba28def9c5ef72ae70a",
+    hash: "5c39318d8c2b320bc74cc8be4989b53eb71970c233174f60fde56dcf94517338",
 };
 
 static DRAW_THICKNESS_FRAGMENT: Module = Module {
@@ -99,7 +99,7 @@ static DRAW_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "31b94e8dcd8cf5a7586b5679041c33096a81070c343da836595113201ab68913",
+    hash: "41fb820ce87626983ac8f0dc246043f184dc6f58feb84006ed56ae1898335ec8",
 };
 
 static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -112,5 +112,5 @@ static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "f3dc2788825c01e26bf1e385739fe63599005d7947a3134e337706cd3f2362e0",
+    hash: "ff6183c7befd59146a77b9bec0c0ae37853026d47c1e17bc460691b043c1130f",
 };

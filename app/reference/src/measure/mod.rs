@@ -3,3 +3,4 @@
 pub mod density_ratios;
 pub mod measure_particles;
 pub mod measure_totals;
+pub mod sample_particles;

@@ -1,3 +1,4 @@
 //! Particles on their own, before they meet.
 
 pub mod predict;
+pub mod push;

@@ -1,0 +1,203 @@
+//! Dragging: the kernel against its twin, and as a program records it.
+
+use brooklet_fluid::interact::{Drag, PUSH, record_push};
+use brooklet_fluid::{INIT, Scene, record};
+use brooklet_gpu::{Engine, Plan, Resources};
+use brooklet_kernels::{Kernel, Position, Push, PushParams, Velocity};
+use brooklet_reference::particles::push::{self, push};
+use brooklet_tests::cases::{fluid, sizes};
+use brooklet_tests::compare::{ROUNDING, Worst, vector};
+use brooklet_tests::harness::Bench;
+use brooklet_tests::{gpu, rng};
+use glam::DVec3;
+use rand::{Rng, RngExt};
+
+const QUARANTINED: u32 = brooklet_kernels::QUARANTINED;
+
+fn run(positions: &[Position], velocities: &[Velocity], params: PushParams) -> Vec<Velocity> {
+    let mut bench = Bench::new();
+    let (count, positions) = (positions.len(), bench.input("positions", positions));
+    let mut velocities = bench.input("velocities", velocities);
+    let push = bench.uniform("push_params", params);
+    bench.dispatch(&Push { positions: positions.read(), velocities: velocities.write(), push: push.uniform() }, count);
+    bench.run().read(&velocities, count)
+}
+
+fn twin_of(params: &PushParams) -> push::Drag {
+    push::Drag {
+        origin_m: vector(params.origin_m),
+        direction: vector(params.direction),
+        radius_m: f64::from(params.radius_m),
+        near_m: f64::from(params.near_m),
+        far_m: f64::from(params.far_m),
+        velocity_m_s: vector(params.velocity_m_s),
+        share: f64::from(params.share),
+        flat: params.along_z == 0.0,
+    }
+}
+
+/// Compares all velocities; returns how many the drag changed.
+///
+/// The weight is a polynomial of the squared distance over the squared radius. With L the largest
+/// distance from the origin, difference and cross product are off by 4 L roundings, the weight with slope
+/// 2 then by 16 L / radius of them, and what follows adds fewer than ten.
+fn check(positions: &[Position], before: &[Velocity], after: &[Velocity], drag: &push::Drag) -> Result<usize, String> {
+    let furthest_m = positions.iter().map(|p| (vector(p.position_m) - drag.origin_m).length()).fold(0.0, f64::max);
+    let mut worst = Worst::new(Push::STAGE, (16.0 * furthest_m / drag.radius_m + 10.0) * ROUNDING);
+    let mut moved = 0;
+    for (i, position) in positions.iter().enumerate() {
+        let (at_m, velocity_m_s) = (vector(position.position_m), vector(before[i].velocity_m_s));
+        let expected = match position.tag & QUARANTINED {
+            0 => push(at_m, velocity_m_s, drag),
+            _ => velocity_m_s,
+        };
+        moved += usize::from(expected != velocity_m_s);
+        // At the ends of the range a rounding decides.
+        let depth_m = (at_m - drag.origin_m).dot(drag.direction);
+        let doubt_m = 4.0 * ROUNDING * furthest_m;
+        if (depth_m - drag.near_m).abs() > doubt_m && (depth_m - drag.far_m).abs() > doubt_m {
+            worst.check3(after[i].velocity_m_s, expected, 8.0)?;
+        }
+    }
+    if !positions.is_empty() {
+        worst.report();
+    }
+    Ok(moved)
+}
+
+fn drag(rng: &mut impl Rng, size_m: DVec3, count: usize) -> PushParams {
+    let mut random = || DVec3::new(rng.random(), rng.random(), rng.random());
+    let through_m = random() * size_m;
+    let direction = (random() - 0.5).normalize();
+    PushParams {
+        origin_m: (through_m - 1.2 * direction).as_vec3().to_array(),
+        radius_m: 0.4 * size_m.max_element() as f32,
+        direction: direction.as_vec3().to_array(),
+        share: 0.7,
+        velocity_m_s: (4.0 * random() - 2.0).as_vec3().to_array(),
+        along_z: 1.0,
+        near_m: 1.15,
+        far_m: 1.5,
+        particle_count: count as u32,
+        reserved: 0,
+    }
+}
+
+#[test]
+fn push_matches_its_twin() {
+    let mut rng = rng(61);
+    let mut moved = 0;
+    for size in sizes(Push::GROUP_SIZE[0] as usize) {
+        for along_z in [1.0, 0.0] {
+            let mut case = fluid(&mut rng, size);
+            for position in case.positions.iter_mut().skip(5).step_by(11) {
+                position.tag |= QUARANTINED;
+            }
+            let params = PushParams { along_z, ..drag(&mut rng, case.size_m, size) };
+            let after = run(&case.positions, &case.velocities, params);
+            moved += check(&case.positions, &case.velocities, &after, &twin_of(&params)).unwrap();
+            let still = |i: usize| after[i].velocity_m_s[2] == case.velocities[i].velocity_m_s[2];
+            assert!(along_z == 1.0 || (0..size).all(still), "in two dimensions nothing moves along z");
+        }
+    }
+    assert!(moved > 100, "{moved} moved in all");
+}
+
+#[test]
+fn a_drag_of_another_radius_or_velocity_fails() {
+    let mut rng = rng(62);
+    let case = fluid(&mut rng, 500);
+    let params = drag(&mut rng, case.size_m, 500);
+    let after = run(&case.positions, &case.velocities, params);
+    let right = twin_of(&params);
+    check(&case.positions, &case.velocities, &after, &right).unwrap();
+    for wrong in [
+        push::Drag { radius_m: 1.001 * right.radius_m, ..right },
+        push::Drag { share: 0.999 * right.share, ..right },
+        push::Drag { velocity_m_s: right.velocity_m_s + DVec3::X * 1e-3, ..right },
+        push::Drag { near_m: right.near_m + 0.01, ..right },
+    ] {
+        assert!(check(&case.positions, &case.velocities, &after, &wrong).is_err(), "{wrong:?}");
+    }
+}
+
+fn block(settings: &[&str]) -> Scene {
+    let text = "spacing_m = 0.05\n[domain]\nmin_m = [1, 2, 3]\nmax_m = [2, 3, 4]\n[[fluid]]\n\
+                block = { min_m = [1, 2, 3], max_m = [1.6, 2.5, 4] }\nvelocity_m_s = [0.5, -0.25, 0]";
+    let settings: Vec<String> = settings.iter().map(|setting| (*setting).to_owned()).collect();
+    Scene::from_toml(text, "block", &settings).unwrap()
+}
+
+#[test]
+fn a_scene_is_dragged_only_if_somebody_asks() {
+    let scene = block(&[]);
+    let plan_of = |dragged: bool| {
+        let mut resources = Resources::new();
+        let mut recorded = record(&mut resources, &scene);
+        let push = dragged.then(|| record_push(&mut resources, &mut recorded));
+        let plan = Plan::sweep(resources, std::mem::take(&mut recorded.recordings), &[]).unwrap();
+        (plan, recorded, push)
+    };
+    let has_push = |plan: &Plan| plan.passes().iter().any(|pass| pass.stage == Push::STAGE);
+    let labels = |plan: &Plan| plan.buffers().iter().filter(|buffer| buffer.label == "push_params").count();
+    let (without, ..) = plan_of(false);
+    assert!(!has_push(&without) && labels(&without) == 0);
+    let (plan, recorded, push) = plan_of(true);
+    assert!(has_push(&plan) && labels(&plan) == 1);
+    assert!(!plan.commands(brooklet_fluid::STEP).iter().any(|command| command.stage() == Some(Push::STAGE)));
+
+    let push = push.unwrap();
+    let mut engine = Engine::new(&gpu(), plan).unwrap();
+    engine.run(&[INIT, PUSH], &[]).unwrap();
+    let positions = engine.read(&recorded.positions).unwrap();
+    let before = engine.read(&recorded.velocities).unwrap();
+    assert!(before.iter().all(|v| v.velocity_m_s == [0.5, -0.25, 0.0]), "nothing moves before the first drag");
+
+    // An eye a hundred metres away, whose own place in f32 is known to 8 micrometres.
+    let direction = DVec3::new(-0.3, -0.2, -0.9);
+    let origin_m = DVec3::new(0.3, 0.25, 0.5) - 100.0 * direction.normalize();
+    let drag = Drag {
+        origin_m: origin_m.to_array(),
+        direction: direction.to_array(),
+        radius_m: 0.2,
+        near_m: 0.1,
+        far_m: f64::INFINITY,
+        velocity_m_s: [1.0, 2.0, 3.0],
+        dt_s: 0.02,
+        tau_s: 0.05,
+    };
+    for idle in [
+        Drag { direction: [0.0; 3], ..drag },
+        Drag { origin_m: [f64::NAN, 0.0, 0.0], ..drag },
+        Drag { velocity_m_s: [0.0, f64::INFINITY, 0.0], ..drag },
+        Drag { radius_m: 0.0, ..drag },
+        Drag { dt_s: 0.0, tau_s: 0.0, ..drag },
+        Drag { tau_s: -1.0, ..drag },
+        Drag { far_m: 50.0, ..drag },
+    ] {
+        push.write(&mut engine, &scene, &idle);
+        engine.run(&[PUSH], &[]).unwrap();
+        assert!(engine.read(&recorded.velocities).unwrap() == before, "{idle:?}");
+    }
+    push.write(&mut engine, &scene, &drag);
+    engine.run(&[PUSH], &[]).unwrap();
+    let after = engine.read(&recorded.velocities).unwrap();
+    assert!(engine.read(&recorded.positions).unwrap() == positions);
+    // The twin in f64, from a place on the same ray: what the foot's rounding may be is in the tolerance.
+    let expected = push::Drag {
+        origin_m: DVec3::new(0.3, 0.25, 0.5),
+        direction: direction.normalize(),
+        radius_m: 0.2,
+        near_m: -100.0,
+        far_m: 100.0,
+        velocity_m_s: DVec3::new(1.0, 2.0, 3.0),
+        share: 1.0 - (-0.02f64 / 0.05).exp(),
+        flat: false,
+    };
+    let moved = check(&positions, &before, &after, &expected).unwrap();
+    assert!(moved > 100 && moved < positions.len(), "{moved} of {}", positions.len());
+
+    // In two dimensions z stays 0.
+    let flat = block(&["domain.dimensions=2"]);
+    assert_eq!(push.params(&flat, &drag).along_z, 0.0);
+}
