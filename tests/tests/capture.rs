@@ -87,7 +87,7 @@ fn whole() -> Vec<u8> {
 }
 
 fn read(bytes: &[u8]) -> Result<Capture, CaptureError> {
-    Capture::read(bytes, bytes.len() as u64, "test.mcap")
+    Capture::read(std::io::Cursor::new(bytes), bytes.len() as u64, "test.mcap")
 }
 
 #[test]
@@ -109,7 +109,8 @@ fn what_was_written_is_read() {
         let passes = &capture.passes[frame as usize].stage_ms;
         assert_eq!(passes.len(), report.stage_ms().len());
         for (stage, ms, _) in report.stage_ms() {
-            assert_eq!(passes[stage], ms, "frame {frame}, {stage}");
+            // Half of a nanosecond, to which times are rounded.
+            assert!((passes[stage] - ms).abs() <= 0.5e-6, "frame {frame}, {stage}");
         }
         let sum: f64 = report.stage_ms().iter().map(|(_, ms, _)| ms).sum();
         assert_eq!(row.pass_sum_ms, Some(sum));
@@ -145,8 +146,7 @@ fn a_file_cut_at_any_byte_gives_every_complete_chunk() {
         }
         let capture = result.unwrap_or_else(|error| panic!("cut {cut}: {error}"));
         let expected: usize = records.iter().filter(|record| record.end <= cut).map(|record| record.messages).sum();
-        let got = capture.frames.len() + capture.passes.len() + capture.spans.len() + capture.stats.len();
-        assert_eq!(got, expected, "cut {cut} of {}", bytes.len());
+        assert_eq!(support::messages(&capture), expected, "cut {cut} of {}", bytes.len());
         assert!(!capture.complete, "cut {cut}");
     }
 }
@@ -155,7 +155,7 @@ fn a_file_cut_at_any_byte_gives_every_complete_chunk() {
 fn a_full_disk_is_said_once_and_leaves_a_readable_capture() {
     // Two captures differ by some bytes: the time that capturing took is written in decimals.
     let length = whole().len() - 200;
-    for room in (0..length).step_by(7) {
+    for room in (0..length).step_by(19) {
         let disk = Disk::new(room);
         let (errors, complete) = write(&disk);
         assert_eq!(errors.len(), 1, "room {room}: {errors:?}");
@@ -167,11 +167,7 @@ fn a_full_disk_is_said_once_and_leaves_a_readable_capture() {
         if room >= mcap::MAGIC.len() {
             let expected: usize = support::records(&held).iter().map(|record| record.messages).sum();
             let capture = read(&held).unwrap();
-            assert_eq!(
-                capture.frames.len() + capture.passes.len() + capture.spans.len() + capture.stats.len(),
-                expected,
-                "room {room}"
-            );
+            assert_eq!(support::messages(&capture), expected, "room {room}");
         }
     }
 }

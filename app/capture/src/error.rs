@@ -51,13 +51,23 @@ pub enum CaptureError {
     /// An MCAP file, but of another program.
     #[error(
         "{name}: an MCAP file without any topic of a capture (its topics: {topics}; \
-         wanted: /gpu/frame, /gpu/passes, /gpu/span or /sim/stats)"
+         wanted: /gpu/frame, /gpu/passes or another of a capture's)"
     )]
     NotACapture {
         /// The file.
         name: String,
         /// The topics it has.
         topics: String,
+    },
+    /// A capture of another version of the format.
+    #[error("{name}: {topic} has format version {found}, and this program reads version {}", crate::FORMAT_VERSION)]
+    Version {
+        /// The file.
+        name: String,
+        /// The topic.
+        topic: String,
+        /// Its version, or that it has none.
+        found: String,
     },
     /// A message that does not fit its topic.
     #[error("{name}: message {index} of {topic}: {problem}")]
@@ -71,6 +81,9 @@ pub enum CaptureError {
         /// What is wrong with it.
         problem: String,
     },
+    /// Whoever took the pieces of a file wants no more, and knows why.
+    #[error("reading was stopped")]
+    Stopped,
     /// The caller gave another number of statistics than it declared.
     #[error("{name}: {given} statistics were given, {declared} are declared")]
     StatCount {

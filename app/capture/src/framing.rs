@@ -2,36 +2,54 @@
 //! large: the MCAP library allocates what a text's length says, and trusts that a chunk's records
 //! end where the chunk does.
 
-use std::borrow::Cow;
+use mcap::records::op;
 
-use mcap::{
-    read::ChunkReader,
-    records::{Record, op},
-};
+/// Bytes of a record before its content: its kind and its length.
+pub(crate) const HEAD: usize = 9;
 
-/// Whether a record of this kind is read at all: of all others a capture needs nothing.
-pub(crate) fn is_wanted(opcode: u8) -> bool {
-    matches!(opcode, op::SCHEMA | op::CHANNEL | op::MESSAGE | op::CHUNK | op::METADATA | op::ATTACHMENT)
+/// A record's kind and length.
+pub(crate) fn head(bytes: &[u8; HEAD]) -> (u8, u64) {
+    let [opcode, length @ ..] = bytes;
+    (*opcode, u64::from_le_bytes(*length))
 }
 
-/// A record, or those of a chunk; none of what is damaged.
-pub(crate) fn records_of(opcode: u8, data: &[u8]) -> Option<Vec<Record<'_>>> {
-    if !is_sound(opcode, data) {
-        return None;
+/// Whether there are records of this kind; from 128 on they are programs' own.
+pub(crate) fn is_known(opcode: u8) -> bool {
+    matches!(opcode, op::HEADER..=op::DATA_END | 0x80..)
+}
+
+/// The records of a chunk that is sound and not compressed.
+pub(crate) fn chunk_records(chunk: &[u8]) -> impl Iterator<Item = (u8, &[u8])> {
+    let mut rest = Rest(chunk_content(chunk).unwrap_or_default());
+    std::iter::from_fn(move || rest.record())
+}
+
+fn chunk_content(chunk: &[u8]) -> Option<&[u8]> {
+    let mut rest = Rest(chunk);
+    rest.skip(28)?;
+    rest.text()?;
+    let length = u64::from_le_bytes(rest.take(8)?.try_into().ok()?);
+    (rest.0.len() as u64 == length).then_some(rest.0)
+}
+
+/// Whether a chunk is whole: its lengths agree, and its checksum, where it has one, is that of its records.
+/// Of a compressed one only the lengths are looked at.
+pub(crate) fn chunk_is_sound(chunk: &[u8]) -> bool {
+    let Some(content) = chunk_content(chunk) else { return false };
+    if compression(chunk).is_some() {
+        return true;
     }
-    match mcap::parse_record(opcode, data).ok()? {
-        Record::Chunk { header, data: Cow::Borrowed(content) } => {
-            if header.compression.is_empty() && !is_sound_chunk(content) {
-                return None;
-            }
-            ChunkReader::new(header, content).ok()?.collect::<Result<_, _>>().ok()
-        }
-        record => Some(vec![record]),
-    }
+    let number =
+        |at: usize, width: usize| chunk[at..at + width].iter().rev().fold(0_u64, |n, b| n << 8 | u64::from(*b));
+    let (size, checksum) = (number(16, 8), number(24, 4) as u32);
+    size == content.len() as u64
+        && chunk[28..32] == [0; 4]
+        && (checksum == 0 || crc32fast::hash(content) == checksum)
+        && is_sound_chunk(content)
 }
 
 /// Whether the texts and tables of a record end inside it.
-fn is_sound(opcode: u8, body: &[u8]) -> bool {
+pub(crate) fn is_sound(opcode: u8, body: &[u8]) -> bool {
     let mut rest = Rest(body);
     let ends_inside = match opcode {
         op::SCHEMA => rest.skip(2).and_then(|()| rest.text()).and_then(|()| rest.text()),

@@ -5,32 +5,39 @@ use std::{
     fs::File,
     io::{BufWriter, Read, Seek, Write},
     path::Path,
-    time::{Duration, Instant, SystemTime, UNIX_EPOCH},
+    time::{Duration, Instant, SystemTime},
 };
 
-use brooklet_gpu::{DeviceInfo, FrameReport};
+use brooklet_gpu::{DeviceInfo, Plan};
 use mcap::{MAGIC, WriteOptions, Writer, records::MessageHeader, records::Metadata, write::NoSeek};
 use serde::Serialize;
-use serde_json::{Map, Value};
+use serde_json::{Map, Value, json};
 
 use crate::{
-    CaptureError, FrameRow, SpanRow, StatField,
-    rows::{flag_name, timing_name},
+    CaptureCost, CaptureError, StatField, Trust,
+    clock::{LogClock, TickTie, epoch_ns, statement},
+    events::EventChannels,
+    frames::{Sequences, Stages},
     schema::{
-        FRAME_TOPIC, PASSES_TOPIC, SPAN_TOPIC, STATS_TOPIC, frame_schema, passes_schema, span_schema, stage_key,
-        stats_schema,
+        FORMAT_KEY, FORMAT_VERSION, FRAME_TOPIC, PASSES_TOPIC, SPAN_TOPIC, STATS_TOPIC, frame_schema, passes_schema,
+        span_schema, stats_schema,
     },
     sink::StickySink,
 };
 
+/// A chunk of this size is written before its time has come.
+const CHUNK_BYTES: u64 = 1 << 20;
+
 /// What a capture has to know before its first frame.
 #[derive(Clone, Debug)]
 pub struct CaptureOptions {
-    /// The stages that may run, for the schema of `/gpu/passes`.
+    /// The stages that may run, for the schema of `/gpu/passes`; those of a frame that are not among them
+    /// are added when they come.
     pub stages: Vec<String>,
     /// The statistics that will be given; none: there is no `/sim/stats`.
     pub stats: Vec<StatField>,
-    /// The moment that `wall_ns == 0` of the frame reports stands for: when the engine started.
+    /// The moment that `wall_ns == 0` stands for, in the frame reports and in every call: when the engine
+    /// started, or a [`crate::CaptureClock`]'s.
     pub start: SystemTime,
     /// How long a chunk collects before it is written.
     pub flush_every: Duration,
@@ -53,16 +60,18 @@ pub struct CaptureTotals {
     pub capture_ms: f64,
     /// Whether everything was written; false after a write error.
     pub complete: bool,
+    /// How far the times can be believed.
+    pub trust: Trust,
 }
 
 type Sink<W> = NoSeek<BufWriter<StickySink<W>>>;
 
 /// Channel ids in the file.
-struct Channels {
-    frame: u16,
-    passes: u16,
-    span: u16,
-    stats: Option<u16>,
+pub(crate) struct Channels {
+    pub frame: u16,
+    pub passes: u16,
+    pub span: u16,
+    pub stats: Option<u16>,
 }
 
 /// Writes one capture.
@@ -73,13 +82,23 @@ struct Channels {
 pub struct CaptureWriter<W: Write> {
     name: String,
     writer: Option<Writer<Sink<W>>>,
-    channels: Channels,
+    pub(crate) channels: Channels,
+    pub(crate) events: EventChannels,
+    pub(crate) stages: Stages,
+    pub(crate) sequences: Sequences,
     stats: Vec<StatField>,
-    start_ns: u64,
+    clock: LogClock,
+    pub(crate) tie: TickTie,
+    pub(crate) trust: Trust,
+    pub(crate) last_frame: Option<u64>,
+    /// A message while it is made; kept, so that making one allocates nothing.
+    buffer: Vec<u8>,
     flush_every: Duration,
     last_flush: Instant,
+    bytes: u64,
+    chunk_begin: u64,
     sequence: u32,
-    frames: u64,
+    pub(crate) frames: u64,
     messages: u64,
     call_begun: Instant,
     spent: Duration,
@@ -111,15 +130,19 @@ impl<W: Write> CaptureWriter<W> {
     pub fn new(to: W, name: String, options: CaptureOptions) -> Result<Self, CaptureError> {
         check_fields(&options.stats)?;
         let sink = NoSeek::new(BufWriter::new(StickySink::new(to)));
+        let stages = Stages::new(options.stages);
+        let clock = LogClock::new(options.start);
         // Without seeking a chunk is collected in memory and appended whole: what is on disk is
-        // at any moment a capture with a clean end.
+        // at any moment a capture with a clean end. Chunks end where we say.
         let opened = WriteOptions::new()
             .compression(None)
             .disable_seeking(true)
+            .chunk_size(None)
             .library(concat!("brooklet-capture ", env!("CARGO_PKG_VERSION")))
             .create(sink)
             .and_then(|mut writer| {
-                let channels = add_channels(&mut writer, &options)?;
+                let channels = add_channels(&mut writer, &stages, &options.stats)?;
+                writer.write_metadata(&record("clocks", statement(clock.start_ns)))?;
                 writer.flush()?;
                 Ok((writer, channels))
             });
@@ -128,10 +151,19 @@ impl<W: Write> CaptureWriter<W> {
             name,
             writer: Some(writer),
             channels,
+            events: EventChannels::default(),
+            stages,
+            sequences: Sequences::default(),
             stats: options.stats,
-            start_ns: epoch_ns(options.start),
+            clock,
+            tie: TickTie::default(),
+            trust: Trust::default(),
+            last_frame: None,
+            buffer: Vec::new(),
             flush_every: options.flush_every,
             last_flush: Instant::now(),
+            bytes: 0,
+            chunk_begin: 0,
             sequence: 0,
             frames: 0,
             messages: 0,
@@ -144,6 +176,16 @@ impl<W: Write> CaptureWriter<W> {
     /// Whether a write failed: nothing is recorded any more.
     pub fn is_broken(&self) -> bool {
         self.writer.is_none()
+    }
+
+    /// Bytes of messages given so far; the file has a little more.
+    pub fn bytes_written(&self) -> u64 {
+        self.bytes
+    }
+
+    /// How far the times so far can be believed.
+    pub fn trust(&self) -> &Trust {
+        &self.trust
     }
 
     /// Records the device, its driver and its limits as metadata `device` and `limits`, with the
@@ -165,19 +207,50 @@ impl<W: Write> CaptureWriter<W> {
         self.metadata("limits", limits)
     }
 
+    /// Attaches a plan as `plan.json` (its passes, and the bytes it keeps) and the modules it runs as
+    /// `shaders.json` (each with its source and hash).
+    pub fn plan(&mut self, plan: &Plan) -> Result<(), CaptureError> {
+        let passes: Vec<Value> = plan
+            .passes()
+            .iter()
+            .map(|pass| {
+                json!({
+                    "recording": pass.recording,
+                    "stage": pass.stage,
+                    "variant": pass.module.name,
+                    "count": pass.count,
+                })
+            })
+            .collect();
+        let modules: BTreeMap<&str, Value> = plan
+            .passes()
+            .iter()
+            .map(|pass| {
+                let module = pass.module;
+                let about = json!({ "source": module.source, "hash": module.hash, "group_size": module.group_size });
+                (module.name, about)
+            })
+            .collect();
+        let plan = json!({ "passes": passes, "bytes": plan.bytes() }).to_string();
+        self.attach("plan.json", "application/json", plan.as_bytes())?;
+        self.attach("shaders.json", "application/json", json!(modules).to_string().as_bytes())
+    }
+
+    /// Records what capturing costs as metadata `capture_cost`.
+    pub fn cost(&mut self, cost: &CaptureCost) -> Result<(), CaptureError> {
+        self.metadata("capture_cost", cost.fields())
+    }
+
     /// Records facts that hold for the whole run as metadata `name`.
     pub fn metadata<K: Into<String>>(
         &mut self,
         name: &str,
         fields: impl IntoIterator<Item = (K, String)>,
     ) -> Result<(), CaptureError> {
-        let metadata: BTreeMap<String, String> = fields.into_iter().map(|(k, v)| (k.into(), v)).collect();
-        let record = Metadata { name: name.into(), metadata };
+        let record = record(name, fields);
         self.timed(|this| {
-            this.write(|writer, _| {
-                writer.write_metadata(&record)?;
-                writer.flush()
-            })
+            this.write(|writer| writer.write_metadata(&record))?;
+            this.write_chunk()
         })
     }
 
@@ -192,70 +265,9 @@ impl<W: Write> CaptureWriter<W> {
             data: data.into(),
         };
         self.timed(|this| {
-            this.write(|writer, _| {
-                writer.attach(&attachment)?;
-                writer.flush()
-            })
+            this.write(|writer| writer.attach(&attachment))?;
+            this.write_chunk()
         })
-    }
-
-    /// Records a finished frame: its spans, its stages, and the frame as a whole.
-    pub fn frame(&mut self, report: &FrameReport) -> Result<(), CaptureError> {
-        if self.is_broken() {
-            return Ok(());
-        }
-        self.timed(|this| this.write_frame(report))
-    }
-
-    fn write_frame(&mut self, report: &FrameReport) -> Result<(), CaptureError> {
-        let wall_s = report.wall_ns as f64 * 1e-9;
-        let stage_ms = report.stage_ms();
-        let has_times = !stage_ms.is_empty();
-
-        let mut passes = Map::new();
-        passes.insert("frame".into(), report.frame.into());
-        passes.insert("wall_s".into(), wall_s.into());
-        for (stage, ms, _) in &stage_ms {
-            passes.insert(stage_key(stage), (*ms).into());
-        }
-        let spans: Vec<SpanRow> = report
-            .spans
-            .iter()
-            .map(|span| SpanRow {
-                frame: report.frame,
-                recording: span.recording.into(),
-                stage: span.stage.into(),
-                begin_ticks: span.begin_ticks,
-                end_ticks: span.end_ticks,
-                flag: flag_name(span.flag).into(),
-            })
-            .collect();
-        let log_ns = self.start_ns + report.wall_ns;
-        let (frame, span, pass) = (self.channels.frame, self.channels.span, self.channels.passes);
-        self.write(|writer, out| {
-            for row in &spans {
-                out.message(writer, span, log_ns, row)?;
-            }
-            if has_times {
-                out.message(writer, pass, log_ns, &passes)?;
-            }
-            Ok(())
-        })?;
-        let spent = self.spent + self.call_begun.elapsed();
-        let row = FrameRow {
-            frame: report.frame,
-            wall_s,
-            gpu_ms: report.gpu_ms(),
-            pass_sum_ms: has_times.then(|| stage_ms.iter().map(|(_, ms, _)| ms).sum()),
-            timing: timing_name(report.timing).into(),
-            spans: report.spans.len() as u32,
-            flagged_spans: report.flagged() as u32,
-            capture_ms: (spent - self.spent_reported).as_secs_f64() * 1e3,
-        };
-        self.spent_reported = spent;
-        self.write(|writer, out| out.message(writer, frame, log_ns, &row))?;
-        self.frames += u64::from(self.writer.is_some());
-        self.flush_when_due()
     }
 
     /// Records the declared statistics, in the order they were declared; `frame` and `wall_ns`
@@ -281,9 +293,8 @@ impl<W: Write> CaptureWriter<W> {
                 row.insert(field.name.clone(), value);
             }
         }
-        let log_ns = self.start_ns + wall_ns;
         self.timed(|this| {
-            this.write(|writer, out| out.message(writer, channel, log_ns, &row))?;
+            this.message(channel, wall_ns, &row)?;
             this.flush_when_due()
         })
     }
@@ -295,17 +306,20 @@ impl<W: Write> CaptureWriter<W> {
 
     fn write_chunk(&mut self) -> Result<(), CaptureError> {
         self.last_flush = Instant::now();
-        self.write(|writer, _| writer.flush())
+        self.chunk_begin = self.bytes;
+        self.sequences.forget();
+        self.write(|writer| writer.flush())
     }
 
-    /// Writes the last chunk and the file's summary section.
+    /// Writes the last chunk, what was counted, and the file's summary section.
     pub fn finish(mut self) -> Result<CaptureTotals, CaptureError> {
-        self.timed(|this| {
-            this.write(|writer, _| {
-                writer.finish()?;
-                Ok(())
-            })
-        })?;
+        self.trust.log_times_raised = self.clock.raised;
+        let trust = self.trust;
+        if let Some(ticks) = self.tie.fields(self.clock.start_ns) {
+            self.metadata("ticks", ticks)?;
+        }
+        self.metadata("trust", trust.fields())?;
+        self.timed(|this| this.write(|writer| writer.finish().map(|_| ())))?;
         // `finish` leaves the end of the file in the buffer; only this says whether it arrived.
         let mut complete = false;
         if let Some(writer) = self.writer.take() {
@@ -318,78 +332,139 @@ impl<W: Write> CaptureWriter<W> {
             messages: self.messages,
             capture_ms: self.spent.as_secs_f64() * 1e3,
             complete,
+            trust,
         })
     }
 
-    fn flush_when_due(&mut self) -> Result<(), CaptureError> {
-        if self.last_flush.elapsed() >= self.flush_every { self.write_chunk() } else { Ok(()) }
+    pub(crate) fn flush_when_due(&mut self) -> Result<(), CaptureError> {
+        let is_due = self.last_flush.elapsed() >= self.flush_every || self.bytes - self.chunk_begin >= CHUNK_BYTES;
+        if is_due { self.write_chunk() } else { Ok(()) }
     }
 
     /// Runs `job`, a call from outside, and counts its time as the capture's.
-    fn timed<T>(&mut self, job: impl FnOnce(&mut Self) -> T) -> T {
+    pub(crate) fn timed<T>(&mut self, job: impl FnOnce(&mut Self) -> T) -> T {
         self.call_begun = Instant::now();
         let result = job(self);
         self.spent += self.call_begun.elapsed();
         result
     }
 
+    /// Processor time of capturing since the last call of this, within the call that runs.
+    pub(crate) fn spent_since_frame(&mut self) -> Duration {
+        let spent = self.spent + self.call_begun.elapsed();
+        let since = spent - self.spent_reported;
+        self.spent_reported = spent;
+        since
+    }
+
+    /// Unix time of a moment of the capture clock, ns.
+    pub(crate) fn unix_ns(&self, wall_ns: u64) -> u64 {
+        self.clock.start_ns.saturating_add(wall_ns)
+    }
+
     /// Runs `job` on the open file; the first failure closes it. Nothing to do on a closed one.
-    fn write(
-        &mut self,
-        job: impl FnOnce(&mut Writer<Sink<W>>, &mut Messages) -> mcap::McapResult<()>,
-    ) -> Result<(), CaptureError> {
+    fn write(&mut self, job: impl FnOnce(&mut Writer<Sink<W>>) -> mcap::McapResult<()>) -> Result<(), CaptureError> {
         let Some(writer) = &mut self.writer else {
             return Ok(());
         };
-        let mut out = Messages { sequence: self.sequence, count: 0 };
-        let result = job(writer, &mut out);
-        self.sequence = out.sequence;
-        self.messages += out.count;
-        result.map_err(|source| {
+        job(writer).map_err(|source| {
             self.writer = None;
             CaptureError::write(&self.name, self.frames, source)
         })
     }
-}
 
-/// Numbers the messages.
-struct Messages {
-    sequence: u32,
-    count: u64,
-}
+    /// Writes a message of JSON.
+    pub(crate) fn message(&mut self, channel: u16, wall_ns: u64, row: &impl Serialize) -> Result<(), CaptureError> {
+        let mut failed = None;
+        self.bytes(channel, wall_ns, |buffer| failed = serde_json::to_writer(buffer, row).err())?;
+        // No row of ours has a key that is no text, the one thing that cannot be JSON.
+        failed.map_or(Ok(()), |error| {
+            Err(CaptureError::write(&self.name, self.frames, std::io::Error::from(error).into()))
+        })
+    }
 
-impl Messages {
-    fn message<W: Write>(
+    /// Writes the message that `make` appends to a buffer.
+    pub(crate) fn bytes(
         &mut self,
-        writer: &mut Writer<Sink<W>>,
         channel_id: u16,
-        log_ns: u64,
-        row: &impl Serialize,
-    ) -> mcap::McapResult<()> {
-        let data = serde_json::to_vec(row).map_err(std::io::Error::from)?;
-        let header = MessageHeader { channel_id, sequence: self.sequence, log_time: log_ns, publish_time: log_ns };
-        writer.write_to_known_channel(&header, &data)?;
+        wall_ns: u64,
+        make: impl FnOnce(&mut Vec<u8>),
+    ) -> Result<(), CaptureError> {
+        if self.is_broken() {
+            return Ok(());
+        }
+        let (log_time, publish_time) = self.clock.times(wall_ns);
+        let header = MessageHeader { channel_id, sequence: self.sequence, log_time, publish_time };
+        let mut buffer = std::mem::take(&mut self.buffer);
+        buffer.clear();
+        make(&mut buffer);
         self.sequence = self.sequence.wrapping_add(1);
-        self.count += 1;
+        self.messages += 1;
+        self.bytes += buffer.len() as u64;
+        let written = self.write(|writer| writer.write_to_known_channel(&header, &buffer));
+        self.buffer = buffer;
+        written
+    }
+
+    /// A channel of JSON messages.
+    pub(crate) fn declare(&mut self, topic: &str, name: &str, schema: &Value) -> Result<u16, CaptureError> {
+        let mut id = 0;
+        self.write(|writer| {
+            id = add_channel(writer, topic, name, schema)?;
+            Ok(())
+        })?;
+        Ok(id)
+    }
+
+    /// A channel of protobuf messages, of a schema's name and descriptors.
+    pub(crate) fn declare_protobuf(&mut self, topic: &str, schema: (&str, Vec<u8>)) -> Result<u16, CaptureError> {
+        let mut id = 0;
+        self.write(|writer| {
+            let schema_id = writer.add_schema(schema.0, "protobuf", &schema.1)?;
+            id = writer.add_channel(schema_id, topic, "protobuf", &version())?;
+            Ok(())
+        })?;
+        Ok(id)
+    }
+
+    /// A new channel of `/gpu/passes`, for stages that came.
+    pub(crate) fn declare_passes(&mut self) -> Result<(), CaptureError> {
+        let schema = passes_schema(self.stages.names());
+        self.channels.passes = self.declare(PASSES_TOPIC, "brooklet.Passes", &schema)?;
         Ok(())
     }
 }
 
-fn add_channels<W: Write>(writer: &mut Writer<Sink<W>>, options: &CaptureOptions) -> mcap::McapResult<Channels> {
-    let mut add = |topic: &str, name: &str, schema: &Value| {
-        let text = serde_json::to_vec_pretty(schema).map_err(std::io::Error::from)?;
-        let schema_id = writer.add_schema(name, "jsonschema", &text)?;
-        writer.add_channel(schema_id, topic, "json", &BTreeMap::new())
-    };
+fn record<K: Into<String>>(name: &str, fields: impl IntoIterator<Item = (K, String)>) -> Metadata {
+    Metadata { name: name.into(), metadata: fields.into_iter().map(|(key, value)| (key.into(), value)).collect() }
+}
+
+fn version() -> BTreeMap<String, String> {
+    BTreeMap::from([(FORMAT_KEY.into(), FORMAT_VERSION.into())])
+}
+
+fn add_channel<W: Write>(
+    writer: &mut Writer<Sink<W>>,
+    topic: &str,
+    name: &str,
+    schema: &Value,
+) -> mcap::McapResult<u16> {
+    let text = serde_json::to_vec(schema).map_err(std::io::Error::from)?;
+    let schema_id = writer.add_schema(name, "jsonschema", &text)?;
+    writer.add_channel(schema_id, topic, "json", &version())
+}
+
+fn add_channels<W: Write>(
+    writer: &mut Writer<Sink<W>>,
+    stages: &Stages,
+    stats: &[StatField],
+) -> mcap::McapResult<Channels> {
+    let mut add = |topic: &str, name: &str, schema: &Value| add_channel(writer, topic, name, schema);
     Ok(Channels {
         frame: add(FRAME_TOPIC, "brooklet.Frame", &frame_schema())?,
-        passes: add(PASSES_TOPIC, "brooklet.Passes", &passes_schema(&options.stages))?,
-        span: add(SPAN_TOPIC, "brooklet.Span", &span_schema())?,
-        stats: if options.stats.is_empty() {
-            None
-        } else {
-            Some(add(STATS_TOPIC, "brooklet.Stats", &stats_schema(&options.stats))?)
-        },
+        passes: add(PASSES_TOPIC, "brooklet.Passes", &passes_schema(stages.names()))?,
+        span: add(SPAN_TOPIC, "brooklet.Spans", &span_schema())?,
+        stats: if stats.is_empty() { None } else { Some(add(STATS_TOPIC, "brooklet.Stats", &stats_schema(stats))?) },
     })
 }
 
@@ -404,8 +479,4 @@ fn check_fields(stats: &[StatField]) -> Result<(), CaptureError> {
         }
     }
     Ok(())
-}
-
-fn epoch_ns(moment: SystemTime) -> u64 {
-    moment.duration_since(UNIX_EPOCH).map_or(0, |since| since.as_nanos() as u64)
 }

@@ -5,6 +5,8 @@ use std::path::PathBuf;
 use brooklet_gpu::Tier;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
+use crate::capture::CaptureCommand;
+
 /// Particle fluids on the GPU, with pictures and timing captures.
 #[derive(Debug, Parser)]
 #[command(name = "brooklet", version, arg_required_else_help = true)]
@@ -29,6 +31,9 @@ pub enum Command {
     Study(StudyOptions),
     /// Find the cheapest setting of a scene for an error, or the most exact one for a time
     Tune(TuneOptions),
+    /// Read captures: what they say, whether they can be believed, one against another
+    #[command(subcommand)]
+    Capture(CaptureCommand),
     /// List this machine's devices: their tier, what they lack, and what that costs
     Doctor(ListOptions),
 }

@@ -7,6 +7,7 @@
 mod stdout;
 
 mod bench;
+mod capture;
 mod cli;
 mod commit;
 mod doctor;
@@ -46,6 +47,7 @@ fn main() -> ExitCode {
         Command::Bench(options) => bench::bench(options),
         Command::Study(options) => study::study(options),
         Command::Tune(options) => tune::tune(options),
+        Command::Capture(command) => capture::capture(command),
         Command::Doctor(options) => doctor::doctor(options),
     };
     // The job's own failure says more than that of its table.

@@ -94,16 +94,21 @@ pub fn write_file(path: &Path, content: &[u8]) -> Result<(), Failure> {
         let mut file = tempfile::Builder::new().prefix(".brooklet-").tempfile_in(folder)?;
         // Through the file itself: the other way, an error names the temporary file.
         file.as_file_mut().write_all(content)?;
-        #[cfg(unix)]
-        {
-            // A temporary file is its owner's alone; a result is for whoever the folder is for.
-            use std::os::unix::fs::PermissionsExt;
-            file.as_file().set_permissions(fs::Permissions::from_mode(0o644))?;
-        }
+        make_readable(file.as_file())?;
         file.persist(path)?;
         Ok(())
     };
     write().map_err(|error| Failure::stopped(format_args!("{}: cannot be written: {error}", path.display())))
+}
+
+/// A temporary file is its owner's alone; a result is for whoever the folder is for.
+pub fn make_readable(file: &fs::File) -> io::Result<()> {
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        file.set_permissions(fs::Permissions::from_mode(0o644))?;
+    }
+    Ok(())
 }
 
 #[cfg(test)]

@@ -8,7 +8,7 @@ use std::{
 
 use brooklet_capture::{CaptureError, CaptureOptions, CaptureWriter};
 use brooklet_fluid::Scene;
-use brooklet_gpu::{Gpu, TimingStatus, tier_name};
+use brooklet_gpu::{Gpu, Plan, TimingStatus, tier_name};
 
 use crate::{
     cli::RunOptions,
@@ -36,7 +36,7 @@ pub fn run(options: &RunOptions) -> Result<(), Failure> {
     let no_times = match gpu.timing() {
         TimingStatus::Off => Some("--no-timing"),
         TimingStatus::Unsupported => Some("the device gives no timestamps"),
-        TimingStatus::PassPerStage | TimingStatus::InsidePasses => None,
+        TimingStatus::PassPerStage | TimingStatus::InsidePasses | TimingStatus::OwnPasses => None,
     };
     let recorded = Recorded { no_times, no_capture: options.outputs.no_capture };
     let left_out = left_out::list(&scene, particles, gpu.tier(), &plan, &recorded)?;
@@ -57,7 +57,7 @@ pub fn run(options: &RunOptions) -> Result<(), Failure> {
             start,
             ..CaptureOptions::default()
         };
-        Some(open_capture(&capture_path, capture_options, &scene, &gpu).inspect_err(|_| out.remove())?)
+        Some(open_capture(&capture_path, capture_options, &scene, &plan, &gpu).inspect_err(|_| out.remove())?)
     };
     let is_captured = capture.is_some();
 
@@ -128,6 +128,7 @@ fn open_capture(
     path: &Path,
     options: CaptureOptions,
     scene: &Scene,
+    plan: &Plan,
     gpu: &Gpu,
 ) -> Result<CaptureWriter<std::fs::File>, Failure> {
     let write = || {
@@ -137,6 +138,7 @@ fn open_capture(
         capture.metadata("build", build.map(|(key, value)| (key, value.to_string())))?;
         let name = format!("{}.toml", scene.name);
         capture.attach(&name, "application/toml", scene.to_toml().as_bytes())?;
+        capture.plan(plan)?;
         Ok(capture)
     };
     write().map_err(|error| match error {

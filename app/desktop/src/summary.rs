@@ -141,6 +141,7 @@ pub fn timing_name(timing: TimingStatus) -> &'static str {
         TimingStatus::Unsupported => "unsupported",
         TimingStatus::PassPerStage => "pass_per_stage",
         TimingStatus::InsidePasses => "inside_passes",
+        TimingStatus::OwnPasses => "own_passes",
     }
 }
 

@@ -188,6 +188,7 @@ mod tests {
                 span("step", "solve", 160, 100 + step_ticks),
                 span("draw", "draw_floor", 1_000, 9_000),
             ],
+            dropped_spans: 0,
             readbacks: Vec::new(),
             timing: TimingStatus::InsidePasses,
             timestamp_period_ns: 1e6,

@@ -15,6 +15,7 @@ mod guard;
 mod layout;
 mod memory;
 mod order;
+mod pass_timer;
 mod pipelines;
 mod plan;
 mod pool;
@@ -33,6 +34,7 @@ pub use draw::{Blend, Cull, DepthTest, DrawState, Load, RecordedTargets, Targets
 pub use engine::{Engine, FRAMES_IN_FLIGHT};
 pub use error::{GpuError, tier_name};
 pub use formats::{FormatSupport, check_formats};
+pub use pass_timer::PassTimer;
 pub use plan::{KeptBuffer, LeftOut, LeftOutKind, PassInfo, Plan, PlanError};
 pub use readback::timestamp_bytes;
 pub use recording::{Command, Recording};

@@ -197,10 +197,12 @@ impl Slot {
             drop(bytes);
             host.unmap();
         }
+        let spans = spans(&self.ticks.spans, &ticks);
         Ok(FrameReport {
             frame: self.frame,
             wall_ns: self.wall_ns,
-            spans: spans(&self.ticks.spans, &ticks),
+            dropped_spans: (self.ticks.spans.len() - spans.len()) as u32,
+            spans,
             readbacks,
             timing,
             timestamp_period_ns: period_ns,

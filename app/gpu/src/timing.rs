@@ -14,12 +14,14 @@ pub enum TimingStatus {
     PassPerStage,
     /// A timestamp between any two dispatches of a pass.
     InsidePasses,
+    /// A program's own passes, each from its begin to its end ([`crate::PassTimer`]).
+    OwnPasses,
 }
 
 impl TimingStatus {
     /// Whether there are spans at all.
     pub fn is_measured(self) -> bool {
-        matches!(self, Self::PassPerStage | Self::InsidePasses)
+        matches!(self, Self::PassPerStage | Self::InsidePasses | Self::OwnPasses)
     }
 }
 
@@ -93,6 +95,8 @@ pub struct FrameReport {
     pub wall_ns: u64,
     /// Its spans, in the order in which they ran.
     pub spans: Vec<Span>,
+    /// Passes that were to be timed and have no span: no query was left, or their ticks did not come.
+    pub dropped_spans: u32,
     /// The buffers and textures that were asked for, as they were at the frame's end; a texture's
     /// rows from the top, without padding.
     pub readbacks: Vec<(ResourceId, Vec<u8>)>,
@@ -133,6 +137,32 @@ impl FrameReport {
         self.spans.iter().filter(|span| span.flag != SpanFlag::Ok).count()
     }
 
+    /// Takes the spans of another report of the same frame, as of a host program's own passes that ran
+    /// behind (or before) an engine's on the same device, and flags all of them anew as one sequence. Which
+    /// report's come first is told by their first ticks. The other's ticks must be of the same clock: spans
+    /// of another tick length cannot be compared, and are counted as dropped.
+    pub fn append(&mut self, other: FrameReport) {
+        self.dropped_spans += other.dropped_spans;
+        self.readbacks.extend(other.readbacks);
+        if other.spans.is_empty() {
+            return;
+        }
+        if self.spans.is_empty() {
+            self.timing = other.timing;
+            self.timestamp_period_ns = other.timestamp_period_ns;
+        } else if self.timestamp_period_ns != other.timestamp_period_ns {
+            self.dropped_spans += other.spans.len() as u32;
+            return;
+        }
+        let comes_first = match (other.spans.first(), self.spans.first()) {
+            (Some(others), Some(own)) => others.begin_ticks < own.begin_ticks,
+            _ => false,
+        };
+        let at = if comes_first { 0 } else { self.spans.len() };
+        self.spans.splice(at..at, other.spans);
+        flag(&mut self.spans);
+    }
+
     fn ms(&self, ticks: u64) -> f64 {
         ticks as f64 * self.timestamp_period_ns * 1e-6
     }
@@ -149,19 +179,29 @@ pub(crate) struct SpanSlot {
 
 /// Puts the ticks to their spans and flags them.
 pub(crate) fn spans(slots: &[SpanSlot], ticks: &[u64]) -> Vec<Span> {
-    let mut previous_end: Option<u64> = None;
-    let written = || slots.iter().flat_map(|slot| [slot.begin, slot.end]).filter_map(|tick| ticks.get(tick as usize));
-    let frame_ticks = written().max().zip(written().min()).map_or(0, |(last, first)| last - first);
-    slots
-        .iter()
-        .filter_map(|slot| {
-            let begin_ticks = *ticks.get(slot.begin as usize)?;
-            let end_ticks = *ticks.get(slot.end as usize)?;
-            let flag = SpanFlag::of(begin_ticks, end_ticks, previous_end, frame_ticks);
-            previous_end = previous_end.max(Some(end_ticks));
-            Some(Span { recording: slot.recording, stage: slot.stage, begin_ticks, end_ticks, flag })
+    let with_ticks = slots.iter().filter_map(|slot| {
+        Some(Span {
+            recording: slot.recording,
+            stage: slot.stage,
+            begin_ticks: *ticks.get(slot.begin as usize)?,
+            end_ticks: *ticks.get(slot.end as usize)?,
+            flag: SpanFlag::Ok,
         })
-        .collect()
+    });
+    let mut spans: Vec<Span> = with_ticks.collect();
+    flag(&mut spans);
+    spans
+}
+
+/// Flags a frame's spans, which are in the order in which they were submitted.
+fn flag(spans: &mut [Span]) {
+    let written = || spans.iter().flat_map(|span| [span.begin_ticks, span.end_ticks]);
+    let frame_ticks = written().max().zip(written().min()).map_or(0, |(last, first)| last - first);
+    let mut previous_end: Option<u64> = None;
+    for span in spans {
+        span.flag = SpanFlag::of(span.begin_ticks, span.end_ticks, previous_end, frame_ticks);
+        previous_end = previous_end.max(Some(span.end_ticks));
+    }
 }
 
 #[cfg(test)]
@@ -177,6 +217,7 @@ mod tests {
             frame: 0,
             wall_ns: 0,
             spans,
+            dropped_spans: 0,
             readbacks: Vec::new(),
             timing: TimingStatus::InsidePasses,
             timestamp_period_ns: 2.0,
@@ -223,5 +264,27 @@ mod tests {
         let stopped_clock = report(spans(&[slot("a", 0, 1)], &[0, 0]));
         assert_eq!(stopped_clock.gpu_ms(), None);
         assert_eq!(stopped_clock.flagged(), 1);
+    }
+    #[test]
+    fn two_reports_of_a_frame_are_one_sequence() {
+        let mut engine = report(spans(&[slot("solve", 0, 1), slot("draw", 1, 2)], &[1_000, 2_000, 3_000]));
+        let overlay = report(spans(&[slot("overlay", 0, 1)], &[2_900, 3_400]));
+        let before = report(spans(&[slot("upload", 0, 1)], &[900, 1_000]));
+        engine.append(overlay);
+        engine.append(before);
+        let stages: Vec<_> = engine.spans.iter().map(|span| (span.stage, span.flag)).collect();
+        use SpanFlag::*;
+        assert_eq!(stages, [("upload", Ok), ("solve", Ok), ("draw", Ok), ("overlay", Overlapping)]);
+        assert!(engine.gpu_ms().is_some_and(|ms| (ms - 5e-3).abs() < 1e-12));
+
+        let mut other_clock = report(spans(&[slot("overlay", 0, 1)], &[1, 2]));
+        other_clock.timestamp_period_ns = 52.0;
+        engine.append(other_clock);
+        assert_eq!((engine.spans.len(), engine.dropped_spans), (4, 1));
+
+        let mut untimed = report(Vec::new());
+        untimed.timing = TimingStatus::Off;
+        untimed.append(report(spans(&[slot("overlay", 0, 1)], &[1, 2])));
+        assert_eq!((untimed.spans.len(), untimed.timing), (1, TimingStatus::InsidePasses));
     }
 }

@@ -3,8 +3,12 @@
 // Each test binary that takes this module uses its own part of it.
 #![allow(dead_code)]
 
+pub mod events;
 pub mod python;
 
+use std::collections::BTreeSet;
+
+use brooklet_capture::Capture;
 use brooklet_gpu::{FrameReport, Span, SpanFlag, TimingStatus};
 
 /// Opcode of a chunk.
@@ -57,6 +61,13 @@ fn chunk_messages(body: &[u8]) -> usize {
     messages
 }
 
+/// Messages that were read: a frame's spans are one.
+pub fn messages(capture: &Capture) -> usize {
+    let with_spans: BTreeSet<u64> = capture.spans.iter().map(|span| span.frame).collect();
+    let lists = [capture.frames.len(), capture.passes.len(), capture.stats.len(), capture.states.len()];
+    lists.iter().sum::<usize>() + capture.thermal.len() + with_spans.len()
+}
+
 /// A frame of three passes in two stages; the last one of frame 2 took no time at all.
 pub fn frame_report(frame: u64) -> FrameReport {
     // Beyond 2^53, where a double no longer tells two ticks apart.
@@ -80,6 +91,7 @@ pub fn frame_report(frame: u64) -> FrameReport {
             span("scan_groups", 1200, 500 + frame, SpanFlag::Ok),
             span("scan_groups", 2000, ticks, flag),
         ],
+        dropped_spans: 0,
         readbacks: Vec::new(),
         timing: TimingStatus::InsidePasses,
         timestamp_period_ns: 52.0,
