@@ -26,6 +26,9 @@ pub fn recover(options: &RecoverOptions) -> Result<(), Failure> {
         brooklet_capture::CaptureError::Write { .. } => Failure::stopped(error),
         error => Failure::input(error),
     })?;
+    if ending.messages == 0 {
+        return Err(Failure::Stopped(format!("{}: nothing whole is left of it", options.file.display())));
+    }
     crate::out_dir::make_readable(file.as_file()).map_err(Failure::stopped)?;
     file.persist_noclobber(&out).map_err(|error| match error.error.kind() {
         std::io::ErrorKind::AlreadyExists => exists(),
