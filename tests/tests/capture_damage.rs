@@ -180,14 +180,14 @@ fn check_finds_what_is_wrong() {
         ("\"frame\":3,\"wall_s\"", "\"frume\":3,\"wall_s\"", "`frame` is missing"),
         ("\"flagged_spans\":1", "\"flagged_spans\":0", "0 spans are flagged, 1 by kind"),
         ("\"flags\":[\"ok\",\"ok\",\"zero\"]", "\"flags\":[\"ok\",\"ok\",\"okay\"]", "is none of"),
-        ("zero_spans\u{1}\0\0\01", "zero_spans\u{1}\0\0\07", "states zero_spans = 7, and there are 1"),
+        ("zero_spans\u{1}\0\0\x001", "zero_spans\u{1}\0\0\x007", "states zero_spans = 7, and there are 1"),
     ] {
         let path = edited(from, to);
         let report = check(&path).unwrap();
         assert!(!report.is_good(), "{from} to {to} is not found");
         assert!(report.problems.iter().any(|problem| problem.contains(wanted)), "{wanted}: {:?}", report.problems);
     }
-    let other = edited("format_version\u{1}\0\0\02", "format_version\u{1}\0\0\09");
+    let other = edited("format_version\u{1}\0\0\x002", "format_version\u{1}\0\0\x009");
     for error in [check(&other).unwrap_err(), summarize(&other).unwrap_err(), Capture::open(&other).unwrap_err()] {
         assert!(error.to_string().contains("format version 9, and this program reads version 2"), "{error}");
     }
