@@ -36,7 +36,8 @@ const ROOMS: &[(&str, &[&str])] = &[
     ("brooklet-reference", &["kernels"]),
     ("brooklet-study", &["kernels", "gpu", "fluid", "render", "capture", "reference"]),
     ("brooklet-viewer", &["kernels", "gpu", "fluid", "render", "capture"]),
-    ("brooklet", &["kernels", "gpu", "fluid", "render", "capture", "viewer", "study"]),
+    // The window compiles a changed shader while it runs.
+    ("brooklet", &["kernels", "gpu", "fluid", "render", "capture", "viewer", "study", "compiler"]),
     ("brooklet-mobile", &["kernels", "gpu", "fluid", "render", "capture", "viewer"]),
     ("brooklet-tests", &["kernels", "gpu", "fluid", "render", "capture", "reference", "study", "viewer"]),
     // A broken generated file must never keep the shader compiler from being built.

@@ -102,6 +102,18 @@ pub struct Module {
     pub hash: &'static str,
 }
 
+impl Module {
+    /// The same module with other SPIR-V, of the same entry point, bindings and group: a shader that was
+    /// compiled anew while the program runs. It is kept until the program ends, as every module is; if
+    /// nothing changed it is the module itself.
+    pub fn with_spirv(&'static self, spirv: &[u8], shared_bytes: u32, tier: Tier) -> &'static Module {
+        if self.spirv == spirv {
+            return self;
+        }
+        Box::leak(Box::new(Module { spirv: spirv.to_vec().leak(), shared_bytes, tier, ..*self }))
+    }
+}
+
 /// A resource bound to a slot of a module.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Bound {

@@ -22,11 +22,14 @@ pub mod naming;
 pub mod output;
 pub mod problem;
 pub mod program;
+pub mod recompile;
 pub mod reflect;
 pub mod source;
 pub mod text;
 pub mod tier;
 pub mod validate;
+
+pub use recompile::{Recompiled, compile_below, compile_one};
 
 use std::path::{Path, PathBuf};
 
@@ -112,6 +115,18 @@ pub fn check(places: &Places) -> Result<Vec<String>, Problems> {
 
 fn built(places: &Places, cached: bool, pinned: bool) -> Result<Built, Problems> {
     let tree = program::read_tree(&places.shaders).map_err(|problems| problems.below(&places.shaders))?;
+    let compiler = compiler(places, cached, pinned)?;
+    std::fs::create_dir_all(&places.out).map_err(|error| io_problem("create", &places.out, &error))?;
+    let folder = std::path::absolute(&places.out).map_err(|error| io_problem("find", &places.out, &error))?;
+    let formatter = Formatter { folder, cache: compiler.cache.clone() };
+    if !validate::is_available() {
+        eprintln!("warning: spirv-val is not installed, so no module is validated (Debian: spirv-tools)");
+    }
+    build::build(&compiler, &formatter, &tree).map_err(|problems| problems.below(&places.shaders))
+}
+
+/// DXC with its folders; `pinned` takes no other than the pinned one.
+fn compiler(places: &Places, cached: bool, pinned: bool) -> Result<Compiler, Problem> {
     let dxc = Dxc::find(&places.target)?;
     if pinned && !dxc.is_pinned() {
         return Err(Problem::new(format!(
@@ -119,8 +134,7 @@ fn built(places: &Places, cached: bool, pinned: bool) -> Result<Built, Problems>
             dxc::PINNED_VERSION,
             dxc.version()
         ))
-        .way_out("unset BROOKLET_DXC: the pinned DXC is then fetched")
-        .into());
+        .way_out("unset BROOKLET_DXC: the pinned DXC is then fetched"));
     }
     let folder = |name: &str| {
         let path = places.target.join("shaders").join(name);
@@ -128,12 +142,5 @@ fn built(places: &Places, cached: bool, pinned: bool) -> Result<Built, Problems>
         Ok::<_, Problem>(path)
     };
     let cache = if cached { Some(folder("cache")?) } else { None };
-    let compiler = Compiler { dxc, cache: cache.clone(), scratch: folder("scratch")? };
-    std::fs::create_dir_all(&places.out).map_err(|error| io_problem("create", &places.out, &error))?;
-    let folder = std::path::absolute(&places.out).map_err(|error| io_problem("find", &places.out, &error))?;
-    let formatter = Formatter { folder, cache };
-    if !validate::is_available() {
-        eprintln!("warning: spirv-val is not installed, so no module is validated (Debian: spirv-tools)");
-    }
-    build::build(&compiler, &formatter, &tree).map_err(|problems| problems.below(&places.shaders))
+    Ok(Compiler { dxc, cache, scratch: folder("scratch")? })
 }
