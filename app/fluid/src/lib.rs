@@ -9,14 +9,17 @@ pub mod grid;
 pub mod interact;
 pub mod kernel;
 pub mod measure;
+mod parameters;
 pub mod particles;
 pub mod scene;
 mod simulation;
 pub mod solver;
+pub mod state;
 mod step;
 
 pub use interact::PUSH;
 pub use measure::{SAMPLE, Stats};
+pub use parameters::Parameters;
 pub use scene::{Scene, SceneError, shipped_scenes};
 pub use simulation::{Simulation, SimulationError};
 pub use step::{INIT, MEASURE, Recorded, STEP, record, record_count, record_particles, step_params};

@@ -1,11 +1,12 @@
 //! The chain of one step, top to bottom: predict, sort, list, solve; and its measurement.
 
-use brooklet_gpu::{Recording, Resources};
+use brooklet_gpu::{Engine, GpuError, Recording, Resources};
 use brooklet_kernels::{Buffer, Measure, Position, PrecisionKeyword, Predict, PredictVariant, StepParams, Velocity};
 
 use crate::grid::{self, Grid, Neighbours, Sorted};
 use crate::kernel;
 use crate::measure::{Densities, Measuring};
+use crate::parameters::Parameters;
 use crate::particles::{Emitted, emit};
 use crate::scene::{Precision, Scene};
 use crate::solver::pbf::{self, Pbf, Shared};
@@ -34,6 +35,19 @@ pub struct Recorded {
     pub densities: Densities,
     /// The last measurement, if the scene measures.
     pub measure: Option<Buffer<Measure>>,
+    /// The settings that a run takes as it goes.
+    pub parameters: Parameters,
+}
+
+impl Recorded {
+    /// Waits, and copies the particles to the host, in cell order: to save them, or to carry them over
+    /// to another plan with [`record_particles`].
+    ///
+    /// # Errors
+    /// If the device is lost.
+    pub fn particles(&self, engine: &mut Engine) -> Result<Emitted, GpuError> {
+        Ok(Emitted { positions: engine.read(&self.positions)?, velocities: engine.read(&self.velocities)? })
+    }
 }
 
 /// Declares the scene's buffers in `resources` and records its chain.
@@ -106,6 +120,14 @@ pub fn record_count(resources: &mut Resources, scene: &Scene, particle_count: u3
         neighbours,
         densities: Densities::of(&shared),
         measure,
+        parameters: Parameters {
+            scene: scene.clone(),
+            particle_count,
+            grid: grid.params.alias(),
+            step: shared.step.alias(),
+            kernel: shared.kernel.alias(),
+            pbf: pbf.params.alias(),
+        },
     }
 }
 

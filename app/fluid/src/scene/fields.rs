@@ -3,9 +3,11 @@
 
 use std::fmt::{Display, Formatter, Result};
 
+use super::change::{Applied, Applies};
+
 /// What a field takes.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Kind {
+pub enum Kind {
     /// A number.
     Number(Limits),
     /// A number without a fraction.
@@ -28,9 +30,12 @@ pub(crate) enum Kind {
 
 /// Smallest and largest value, and the unit (empty: none).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Limits {
+pub struct Limits {
+    /// Smallest value.
     pub least: f64,
+    /// Largest value.
     pub most: f64,
+    /// Unit, as a person writes it; empty: none.
     pub unit: &'static str,
 }
 
@@ -42,74 +47,86 @@ const fn within(least: f64, most: f64, unit: &'static str) -> Limits {
 const PLACE: Kind = Kind::Vector(within(-1.0e6, 1.0e6, "m"));
 const SPEED: Kind = Kind::Vector(within(-1.0e6, 1.0e6, "m/s"));
 
-/// Path of each field, `*` for any item of an array, with what it takes.
+const LIVE: Applies = Applies::Always(Applied::Live);
+const TERM: Applies = Applies::Term;
+const REBUILD: Applies = Applies::Always(Applied::Rebuild);
+const RESET: Applies = Applies::Always(Applied::Reset);
+
+/// Path of each field, `*` for any item of an array, with what it takes, and what a running scene needs
+/// to take another value (of a table nothing: its fields say it).
 ///
 /// The widest limits keep what the GPU derives (squares, inverses, sums) inside f32's range.
-pub(crate) const FIELDS: &[(&str, Kind)] = &[
-    ("summary", Kind::Text),
-    ("spacing_m", Kind::Number(within(1.0e-6, 1.0e3, "m"))),
-    ("gravity_m_s2", Kind::Vector(within(-1.0e6, 1.0e6, "m/s²"))),
-    ("domain", Kind::Table),
-    ("domain.min_m", PLACE),
-    ("domain.max_m", PLACE),
-    ("domain.walls", Kind::Switch),
-    ("domain.periodic", Kind::Switches),
-    ("domain.dimensions", Kind::Whole(within(2.0, 3.0, ""))),
-    ("fluid", Kind::Tables),
-    ("fluid.*", Kind::Table),
-    ("fluid.*.block", Kind::Table),
-    ("fluid.*.block.min_m", PLACE),
-    ("fluid.*.block.max_m", PLACE),
-    ("fluid.*.sphere", Kind::Table),
-    ("fluid.*.sphere.centre_m", PLACE),
-    ("fluid.*.sphere.radius_m", Kind::Number(within(1.0e-6, 1.0e6, "m"))),
-    ("fluid.*.velocity_m_s", SPEED),
-    ("fluid.*.rest_density_kg_m3", Kind::Number(within(1.0e-6, 1.0e6, "kg/m³"))),
-    ("solver", Kind::Table),
-    ("solver.method", Kind::Choice(&["pbf"])),
-    ("solver.dt_s", Kind::Number(within(1.0e-9, 1.0e3, "s"))),
-    ("solver.substeps", Kind::Whole(within(1.0, 1000.0, ""))),
-    ("solver.iterations", Kind::Whole(within(0.0, 1000.0, ""))),
-    ("solver.support_ratio", Kind::Number(within(1.2, 4.0, ""))),
-    ("solver.relaxation", Kind::Number(within(1.0e-3, 1.0, ""))),
-    ("solver.cfm", Kind::Number(within(1.0e-6, 1.0e3, ""))),
-    ("solver.s_corr_k", Kind::Number(within(0.0, 10.0, ""))),
-    ("solver.s_corr_distance_ratio", Kind::Number(within(0.0, 0.9, ""))),
-    ("solver.xsph", Kind::Number(within(0.0, 1.0, ""))),
-    ("solver.vorticity_m_s", Kind::Number(within(0.0, 1.0e3, "m/s"))),
-    ("solver.max_speed_m_s", Kind::Number(within(1.0e-6, 1.0e9, "m/s"))),
-    ("solver.neighbour_slots", Kind::Whole(within(1.0, 1024.0, ""))),
-    ("solver.deterministic", Kind::Switch),
-    ("solver.precision", Kind::Choice(&["full", "relaxed", "half"])),
-    ("solver.packed_positions", Kind::Switch),
-    ("surface", Kind::Table),
-    ("surface.method", Kind::Choice(&["screen-space", "points", "none"])),
+pub(crate) const FIELDS: &[(&str, Kind, Applies)] = &[
+    ("summary", Kind::Text, LIVE),
+    ("spacing_m", Kind::Number(within(1.0e-6, 1.0e3, "m")), RESET),
+    ("gravity_m_s2", Kind::Vector(within(-1.0e6, 1.0e6, "m/s²")), LIVE),
+    ("domain", Kind::Table, RESET),
+    ("domain.min_m", PLACE, RESET),
+    ("domain.max_m", PLACE, RESET),
+    ("domain.walls", Kind::Switch, REBUILD),
+    ("domain.periodic", Kind::Switches, RESET),
+    ("domain.dimensions", Kind::Whole(within(2.0, 3.0, "")), RESET),
+    ("fluid", Kind::Tables, RESET),
+    ("fluid.*", Kind::Table, RESET),
+    ("fluid.*.block", Kind::Table, RESET),
+    ("fluid.*.block.min_m", PLACE, RESET),
+    ("fluid.*.block.max_m", PLACE, RESET),
+    ("fluid.*.sphere", Kind::Table, RESET),
+    ("fluid.*.sphere.centre_m", PLACE, RESET),
+    ("fluid.*.sphere.radius_m", Kind::Number(within(1.0e-6, 1.0e6, "m")), RESET),
+    ("fluid.*.velocity_m_s", SPEED, RESET),
+    ("fluid.*.rest_density_kg_m3", Kind::Number(within(1.0e-6, 1.0e6, "kg/m³")), LIVE),
+    ("solver", Kind::Table, REBUILD),
+    ("solver.method", Kind::Choice(&["pbf"]), RESET),
+    ("solver.dt_s", Kind::Number(within(1.0e-9, 1.0e3, "s")), LIVE),
+    ("solver.substeps", Kind::Whole(within(1.0, 1000.0, "")), REBUILD),
+    ("solver.iterations", Kind::Whole(within(0.0, 1000.0, "")), REBUILD),
+    ("solver.support_ratio", Kind::Number(within(1.2, 4.0, "")), REBUILD),
+    ("solver.relaxation", Kind::Number(within(1.0e-3, 1.0, "")), LIVE),
+    ("solver.cfm", Kind::Number(within(1.0e-6, 1.0e3, "")), LIVE),
+    ("solver.s_corr_k", Kind::Number(within(0.0, 10.0, "")), TERM),
+    ("solver.s_corr_distance_ratio", Kind::Number(within(0.0, 0.9, "")), LIVE),
+    ("solver.xsph", Kind::Number(within(0.0, 1.0, "")), TERM),
+    ("solver.vorticity_m_s", Kind::Number(within(0.0, 1.0e3, "m/s")), TERM),
+    ("solver.max_speed_m_s", Kind::Number(within(1.0e-6, 1.0e9, "m/s")), LIVE),
+    ("solver.neighbour_slots", Kind::Whole(within(1.0, 1024.0, "")), REBUILD),
+    ("solver.deterministic", Kind::Switch, REBUILD),
+    ("solver.precision", Kind::Choice(&["full", "relaxed", "half"]), REBUILD),
+    ("solver.packed_positions", Kind::Switch, REBUILD),
+    ("surface", Kind::Table, REBUILD),
+    ("surface.method", Kind::Choice(&["screen-space", "points", "none"]), REBUILD),
     (
         "surface.smoothing",
         Kind::Choice(&["narrow-range", "curvature-flow", "bilateral", "bilateral-2d", "gaussian", "none"]),
+        REBUILD,
     ),
-    ("surface.iterations", Kind::Whole(within(0.0, 1000.0, ""))),
-    ("surface.smoothing_ratio", Kind::Number(within(0.0, 100.0, ""))),
-    ("surface.radius_ratio", Kind::Number(within(0.1, 10.0, ""))),
-    ("surface.anisotropic", Kind::Switch),
-    ("surface.absorption_per_m", Kind::Vector(within(0.0, 1.0e6, "1/m"))),
-    ("surface.caustics", Kind::Switch),
-    ("surface.refraction", Kind::Number(within(0.0, 2.0, ""))),
-    ("surface.color_by", Kind::Choice(&["speed", "fluid", "density"])),
-    ("camera", Kind::Table),
-    ("camera.eye_m", PLACE),
-    ("camera.target_m", PLACE),
-    ("camera.fov_deg", Kind::Number(within(1.0, 150.0, "degrees"))),
-    ("outputs", Kind::Table),
-    ("outputs.seconds", Kind::Number(within(0.0, 1.0e6, "s"))),
-    ("outputs.images", Kind::Whole(within(0.0, 100_000.0, ""))),
-    ("outputs.width_px", Kind::Whole(within(1.0, 8192.0, "pixels"))),
-    ("outputs.height_px", Kind::Whole(within(1.0, 8192.0, "pixels"))),
-    ("outputs.measure_every_steps", Kind::Whole(within(0.0, 1.0e9, ""))),
+    ("surface.iterations", Kind::Whole(within(0.0, 1000.0, "")), REBUILD),
+    ("surface.smoothing_ratio", Kind::Number(within(0.0, 100.0, "")), REBUILD),
+    ("surface.radius_ratio", Kind::Number(within(0.1, 10.0, "")), REBUILD),
+    ("surface.anisotropic", Kind::Switch, REBUILD),
+    ("surface.absorption_per_m", Kind::Vector(within(0.0, 1.0e6, "1/m")), REBUILD),
+    ("surface.caustics", Kind::Switch, REBUILD),
+    ("surface.refraction", Kind::Number(within(0.0, 2.0, "")), REBUILD),
+    ("surface.color_by", Kind::Choice(&["speed", "fluid", "density"]), REBUILD),
+    ("camera", Kind::Table, LIVE),
+    ("camera.eye_m", PLACE, LIVE),
+    ("camera.target_m", PLACE, LIVE),
+    ("camera.fov_deg", Kind::Number(within(1.0, 150.0, "degrees")), LIVE),
+    ("outputs", Kind::Table, LIVE),
+    ("outputs.seconds", Kind::Number(within(0.0, 1.0e6, "s")), LIVE),
+    ("outputs.images", Kind::Whole(within(0.0, 100_000.0, "")), LIVE),
+    ("outputs.width_px", Kind::Whole(within(1.0, 8192.0, "pixels")), LIVE),
+    ("outputs.height_px", Kind::Whole(within(1.0, 8192.0, "pixels")), LIVE),
+    ("outputs.measure_every_steps", Kind::Whole(within(0.0, 1.0e9, "")), TERM),
 ];
 
 /// What the field at `path` takes (`fluid.0.block`); none if there is no such field.
 pub(crate) fn kind_of(path: &str) -> Option<Kind> {
+    field_of(path).map(|(_, kind, _)| *kind)
+}
+
+/// The row of the field at `path`; none if there is no such field.
+pub(crate) fn field_of(path: &str) -> Option<&'static (&'static str, Kind, Applies)> {
     let matches = |field: &str| {
         let mut steps = path.split('.');
         let same = field.split('.').all(|wanted| {
@@ -117,10 +134,11 @@ pub(crate) fn kind_of(path: &str) -> Option<Kind> {
         });
         same && steps.next().is_none()
     };
-    FIELDS.iter().find(|(field, _)| matches(field)).map(|(_, kind)| *kind)
+    FIELDS.iter().find(|(field, ..)| matches(field))
 }
 
 impl Limits {
+    /// Whether a value is within them.
     pub fn hold(&self, value: f64) -> bool {
         (self.least..=self.most).contains(&value)
     }

@@ -1,6 +1,7 @@
 //! The scene: what a TOML file says, with defaults for everything optional. SI units throughout,
 //! y up. Camera and picture settings live here too and are read by whoever needs them.
 
+mod change;
 mod check;
 mod domain;
 mod error;
@@ -8,6 +9,7 @@ mod explain;
 mod fields;
 mod load;
 mod nearest;
+mod panel;
 #[cfg(feature = "schema")]
 mod schema;
 mod settings;
@@ -16,8 +18,11 @@ mod surface;
 #[cfg(test)]
 mod tests;
 
+pub use change::{Applied, Change};
 pub use domain::Domain;
 pub use error::SceneError;
+pub use fields::{Kind, Limits};
+pub use panel::Setting;
 #[cfg(feature = "schema")]
 pub use schema::schema;
 pub use shipped::shipped_scenes;

@@ -15,7 +15,7 @@ pub fn schema() -> String {
     tidy(&mut schema);
     schema["title"] = "Brooklet scene".into();
     schema["description"] = "A scene of Brooklet. SI units, y up. What has a default may be left out.".into();
-    for (field, kind) in FIELDS {
+    for (field, kind, _) in FIELDS {
         if let Some(part) = part_of(&mut schema, field) {
             limit(part, kind);
         }

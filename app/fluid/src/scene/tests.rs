@@ -57,7 +57,7 @@ fn setting(field: &str, value: &str) -> Vec<String> {
 
 #[test]
 fn each_field_refuses_what_it_does_not_take_by_name_and_value() {
-    for (field, kind) in FIELDS {
+    for (field, kind, _) in FIELDS {
         let wrong: Vec<(String, String)> = match kind {
             Kind::Number(limits) | Kind::Whole(limits) => {
                 let beyond = [limits.least - 1.0, 2.0 * limits.most + 1.0];
@@ -99,7 +99,7 @@ fn each_field_refuses_what_it_does_not_take_by_name_and_value() {
 
 #[test]
 fn limits_are_within_what_is_allowed() {
-    for (field, kind) in FIELDS {
+    for (field, kind, _) in FIELDS {
         let (Kind::Number(limits) | Kind::Whole(limits)) = kind else { continue };
         for value in [limits.least, limits.most] {
             if let Err(error) = Scene::from_toml(SMALL, "small.toml", &setting(field, &value.to_string())) {
@@ -143,7 +143,7 @@ fn the_table_has_every_field() {
     }
     let toml::Value::Table(table) = toml::Value::try_from(&scene).unwrap() else { panic!("a scene is a table") };
     table.iter().for_each(|(key, value)| visit(key, value, &mut seen));
-    let known: std::collections::BTreeSet<String> = FIELDS.iter().map(|(field, _)| field.to_string()).collect();
+    let known: std::collections::BTreeSet<String> = FIELDS.iter().map(|(field, ..)| field.to_string()).collect();
     assert_eq!(seen, known);
 }
 

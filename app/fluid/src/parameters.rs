@@ -1,0 +1,37 @@
+//! The settings that a running simulation takes without a new plan.
+
+use brooklet_gpu::Engine;
+use brooklet_kernels::{Buffer, GridParams, KernelParams, PbfParams, StepParams};
+
+use crate::scene::{Applied, Change, Scene};
+use crate::solver::pbf;
+use crate::{grid, kernel, step};
+
+/// The uniform buffers of a recorded scene.
+pub struct Parameters {
+    pub(crate) scene: Scene,
+    pub(crate) particle_count: u32,
+    pub(crate) grid: Buffer<GridParams>,
+    pub(crate) step: Buffer<StepParams>,
+    pub(crate) kernel: Buffer<KernelParams>,
+    pub(crate) pbf: Buffer<PbfParams>,
+}
+
+impl Parameters {
+    /// Writes what `scene` says into the uniforms of an engine that runs the scene these were recorded of;
+    /// the next frame has it.
+    ///
+    /// # Errors
+    /// If a field changed that uniforms alone do not change; nothing is written then.
+    pub fn write(&self, engine: &mut Engine, scene: &Scene) -> Result<(), Change> {
+        let change = self.scene.change_to(scene);
+        if change.applied != Applied::Live {
+            return Err(change);
+        }
+        engine.write(&self.grid, &[grid::params(scene, self.particle_count)]);
+        engine.write(&self.step, &[step::step_params(scene, self.particle_count)]);
+        engine.write(&self.kernel, &[kernel::params(scene)]);
+        engine.write(&self.pbf, &[pbf::params(scene)]);
+        Ok(())
+    }
+}

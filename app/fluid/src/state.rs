@@ -1,0 +1,251 @@
+//! A running scene in a file: saved in one go, read back whole or not at all.
+//!
+//! A `.brooklet` file is, in this order and little-endian: the 8 bytes `BROOKLET`; the format's version,
+//! u32; the header's length in bytes, u32; the header, JSON ([`State`] without its particles); for each
+//! particle its position relative to the domain's lowest corner, 3 f32 in m, and its tag, u32
+//! (`shared/layout.hlsl`); for each its velocity, 3 f32 in m/s; the CRC-32 of everything before it, u32.
+
+use std::fs::File;
+use std::io::{Read, Write};
+use std::path::Path;
+
+use brooklet_kernels::{FLUID_SHIFT, Position, QUARANTINED, Velocity};
+use serde::{Deserialize, Serialize};
+use thiserror::Error;
+
+use crate::particles::{Emitted, MAX_PARTICLES};
+use crate::scene::{Scene, SceneError};
+
+/// The format's version; a file of another one is not read.
+pub const VERSION: u32 = 1;
+/// What files are called by.
+pub const EXTENSION: &str = "brooklet";
+
+const MAGIC: &[u8; 8] = b"BROOKLET";
+/// Magic, version, length of the header.
+const FRONT_BYTES: usize = 16;
+const CHECKSUM_BYTES: usize = 4;
+const PARTICLE_BYTES: usize = 28;
+/// A header is a scene, which has at most 1 MiB, and a line.
+const MOST_HEADER_BYTES: usize = 4 << 20;
+
+/// A scene, and its particles at some time.
+#[derive(Clone, Debug)]
+pub struct State {
+    /// The scene, with the settings that it runs with.
+    pub scene: Scene,
+    /// Simulated time, s.
+    pub time_s: f64,
+    /// Steps done.
+    pub steps: u64,
+    /// The particles, in any order.
+    pub particles: Emitted,
+}
+
+/// Why a state cannot be saved or read.
+#[derive(Debug, Error)]
+pub enum StateError {
+    /// The file cannot be read or written.
+    #[error("state {path}: cannot be {doing}: {reason}")]
+    Io {
+        /// The file.
+        path: String,
+        /// `read` or `written`.
+        doing: &'static str,
+        /// What the system says.
+        reason: String,
+    },
+    /// The file is no state, or not a whole one.
+    #[error("state {path}: {reason}")]
+    Damaged {
+        /// The file.
+        path: String,
+        /// What is wrong with it, and what is allowed.
+        reason: String,
+    },
+    /// The scene in it cannot be run.
+    #[error("state {path}: its {error}")]
+    Scene {
+        /// The file.
+        path: String,
+        /// What is wrong with it.
+        error: Box<SceneError>,
+    },
+}
+
+/// What is known of a state before its particles are read.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+struct Header {
+    /// Version of the program that wrote it.
+    program: String,
+    name: String,
+    /// The scene as TOML.
+    scene: String,
+    time_s: f64,
+    steps: u64,
+    particles: u32,
+}
+
+impl State {
+    /// Writes the state to `path`, whole or not at all: to another name first, which then becomes `path`.
+    /// A particle whose numbers are not finite is saved as the next step would leave it: quarantined.
+    ///
+    /// # Errors
+    /// If the system does not let it.
+    pub fn save(&self, path: &Path) -> Result<(), StateError> {
+        let temporary = path.with_extension(format!("{}.tmp", std::process::id()));
+        let written = File::create(&temporary)
+            .and_then(|mut file| {
+                file.write_all(&self.to_bytes())?;
+                file.sync_all()
+            })
+            .and_then(|()| std::fs::rename(&temporary, path));
+        written.map_err(|error| {
+            // The first error is the one to report; a left-over temporary file is only litter.
+            let _ = std::fs::remove_file(&temporary);
+            StateError::Io { path: path.display().to_string(), doing: "written", reason: error.to_string() }
+        })
+    }
+
+    /// Reads what [`State::save`] wrote.
+    ///
+    /// # Errors
+    /// If the file is no whole state of this version, or its scene or particles are not allowed.
+    pub fn load(path: &Path) -> Result<State, StateError> {
+        let name = path.display().to_string();
+        let unreadable =
+            |error: std::io::Error| StateError::Io { path: name.clone(), doing: "read", reason: error.to_string() };
+        let file = File::open(path).map_err(unreadable)?;
+        let most = FRONT_BYTES + MOST_HEADER_BYTES + PARTICLE_BYTES * MAX_PARTICLES as usize + CHECKSUM_BYTES;
+        let mut bytes = Vec::new();
+        file.take(most as u64 + 1).read_to_end(&mut bytes).map_err(unreadable)?;
+        Self::from_bytes(&bytes, &name)
+    }
+
+    /// The content of a file.
+    pub fn to_bytes(&self) -> Vec<u8> {
+        let header = Header {
+            program: env!("CARGO_PKG_VERSION").to_owned(),
+            name: self.scene.name.clone(),
+            scene: self.scene.to_toml(),
+            time_s: self.time_s,
+            steps: self.steps,
+            particles: self.particles.positions.len() as u32,
+        };
+        // Texts and finite numbers are always representable.
+        let header = serde_json::to_vec(&header).unwrap_or_default();
+        let mut bytes =
+            Vec::with_capacity(FRONT_BYTES + header.len() + PARTICLE_BYTES * self.particles.positions.len());
+        bytes.extend_from_slice(MAGIC);
+        bytes.extend_from_slice(&VERSION.to_le_bytes());
+        bytes.extend_from_slice(&(header.len() as u32).to_le_bytes());
+        bytes.extend_from_slice(&header);
+        let (mut positions, mut velocities) = (Vec::new(), Vec::new());
+        for (position, velocity) in self.particles.positions.iter().zip(&self.particles.velocities) {
+            let finite = position.position_m.iter().chain(&velocity.velocity_m_s).all(|x| x.is_finite());
+            let (position, velocity) = match finite {
+                true => (*position, *velocity),
+                false => (Position { position_m: [0.0; 3], tag: position.tag | QUARANTINED }, Velocity::default()),
+            };
+            positions.extend(position.position_m.iter().flat_map(|x| x.to_le_bytes()));
+            positions.extend(position.tag.to_le_bytes());
+            velocities.extend(velocity.velocity_m_s.iter().flat_map(|v| v.to_le_bytes()));
+        }
+        bytes.append(&mut positions);
+        bytes.append(&mut velocities);
+        bytes.extend_from_slice(&crc32fast::hash(&bytes).to_le_bytes());
+        bytes
+    }
+
+    /// Reads the content of a file; `path` is what errors call it.
+    ///
+    /// # Errors
+    /// As [`State::load`].
+    pub fn from_bytes(bytes: &[u8], path: &str) -> Result<State, StateError> {
+        let damaged = |reason: String| StateError::Damaged { path: path.to_owned(), reason };
+        let foreign = || damaged("it is no saved state of Brooklet".to_owned());
+        let version =
+            bytes.strip_prefix(MAGIC).ok_or_else(foreign).and_then(|rest| number(rest).ok_or_else(foreign))?;
+        if version != VERSION {
+            return Err(damaged(format!(
+                "it has version {version} of the format, and this program reads version {VERSION}"
+            )));
+        }
+        let cut = |needed: usize| damaged(format!("it is cut off: it has {} bytes of {needed}", bytes.len()));
+        let header_bytes = number(&bytes[12..]).ok_or_else(|| cut(FRONT_BYTES))? as usize;
+        if header_bytes > MOST_HEADER_BYTES {
+            let most = MOST_HEADER_BYTES;
+            return Err(damaged(format!("its header has {header_bytes} bytes; at most {most} are allowed")));
+        }
+        let particles_at = FRONT_BYTES + header_bytes;
+        let header = bytes.get(FRONT_BYTES..particles_at).ok_or_else(|| cut(particles_at))?;
+        let header: Header =
+            serde_json::from_slice(header).map_err(|error| damaged(format!("its header is damaged: {error}")))?;
+        if header.particles > MAX_PARTICLES {
+            return Err(damaged(format!("it has {} particles; at most {MAX_PARTICLES} are allowed", header.particles)));
+        }
+        let count = header.particles as usize;
+        let velocities_at = particles_at + 16 * count;
+        let end = particles_at + PARTICLE_BYTES * count;
+        let needed = end + CHECKSUM_BYTES;
+        match bytes.len() {
+            has if has < needed => return Err(cut(needed)),
+            has if has > needed => {
+                return Err(damaged(format!("it has {has} bytes, and its {count} particles take {needed}")));
+            }
+            _ => {}
+        }
+        let (content, checksum) = bytes.split_at(end);
+        if number(checksum) != Some(crc32fast::hash(content)) {
+            return Err(damaged("its content is damaged: its checksum is another".to_owned()));
+        }
+        if !(header.time_s.is_finite() && header.time_s >= 0.0) {
+            return Err(damaged(format!("its time is {} s; it must be 0 or more", header.time_s)));
+        }
+        let mut scene = Scene::from_toml(&header.scene, &header.name, &[])
+            .map_err(|error| StateError::Scene { path: path.to_owned(), error: Box::new(error) })?;
+        scene.name = header.name;
+        let particles = Emitted {
+            positions: content[particles_at..velocities_at].chunks_exact(16).map(position).collect(),
+            velocities: content[velocities_at..].chunks_exact(12).map(velocity).collect(),
+        };
+        check(&particles).map_err(damaged)?;
+        Ok(State { scene, time_s: header.time_s, steps: header.steps, particles })
+    }
+}
+
+/// Finite numbers, and each id once and below the number of particles: sorts and samples count on it.
+fn check(particles: &Emitted) -> Result<(), String> {
+    let mut seen = vec![false; particles.positions.len()];
+    for (index, (position, velocity)) in particles.positions.iter().zip(&particles.velocities).enumerate() {
+        for (what, value) in [("position", position.position_m), ("velocity", velocity.velocity_m_s)] {
+            if !value.iter().all(|x| x.is_finite()) {
+                return Err(format!("the {what} of particle {index} is {value:?}; it must be finite"));
+            }
+        }
+        let id = (position.tag & ((1 << FLUID_SHIFT) - 1)) as usize;
+        if seen.get(id).is_none_or(|seen| *seen) {
+            let most = seen.len() - 1;
+            return Err(format!("particle {index} has the id {id}; each from 0 to {most} must be there once"));
+        }
+        seen[id] = true;
+    }
+    Ok(())
+}
+
+/// The first four bytes as a number.
+fn number(bytes: &[u8]) -> Option<u32> {
+    bytes.first_chunk().map(|bytes| u32::from_le_bytes(*bytes))
+}
+
+fn floats(bytes: &[u8]) -> [f32; 3] {
+    std::array::from_fn(|axis| f32::from_bits(number(&bytes[4 * axis..]).unwrap_or_default()))
+}
+
+fn position(bytes: &[u8]) -> Position {
+    Position { position_m: floats(bytes), tag: number(&bytes[12..]).unwrap_or_default() }
+}
+
+fn velocity(bytes: &[u8]) -> Velocity {
+    Velocity { velocity_m_s: floats(bytes), reserved: 0.0 }
+}

@@ -1,0 +1,249 @@
+//! Settings of a running scene: each one's place in a panel, what a change of it asks for, and that
+//! it is all that has to be done.
+
+use std::collections::BTreeSet;
+
+use brooklet_fluid::particles::Emitted;
+use brooklet_fluid::scene::{Applied, Kind, Setting};
+use brooklet_fluid::{INIT, Recorded, STEP, Scene, record, record_particles, shipped_scenes};
+use brooklet_gpu::{Engine, Plan, Resources};
+use brooklet_kernels::Buffer;
+use brooklet_tests::gpu;
+use toml::Value;
+
+/// Every term on, so that a small change of none leaves it out.
+const TERMS_ON: &[&str] = &[
+    "spacing_m=0.1",
+    "solver.s_corr_k=0.01",
+    "solver.vorticity_m_s=0.05",
+    "solver.deterministic=true",
+    "camera.eye_m=[4,2,5]",
+    "camera.target_m=[0,0,0]",
+];
+
+fn scene(settings: &[&str]) -> Scene {
+    let settings: Vec<String> = TERMS_ON.iter().chain(settings).map(|&s| s.into()).collect();
+    Scene::load("dam-break", &settings).unwrap()
+}
+
+/// The scene with another value of a setting that is allowed.
+fn changed(scene: &Scene, setting: &Setting) -> Scene {
+    let number = |value: &Value| value.as_float().or(value.as_integer().map(|whole| whole as f64)).unwrap();
+    let texts: Vec<String> = match (setting.kind, &setting.value) {
+        (Kind::Number(limits), value) => {
+            let value = value.as_ref().map_or(limits.least, number);
+            [1.25 * value, 0.8 * value, 5.0, 0.5].map(|number| number.to_string()).to_vec()
+        }
+        (Kind::Whole(_), value) => {
+            let value = value.as_ref().map_or(1.0, number);
+            [value + 1.0, value - 1.0, value + 5.0].map(|number| number.to_string()).to_vec()
+        }
+        (Kind::Vector(_), Some(Value::Array(items))) => [1.01, 0.99]
+            .map(|scale| {
+                let items: Vec<String> =
+                    items.iter().map(|item| format!("{:?}", scale * number(item) + 0.001 * (scale - 1.0))).collect();
+                format!("[{}]", items.join(","))
+            })
+            .to_vec(),
+        (Kind::Vector(_), _) => vec!["[0.5,0.25,0.125]".to_owned()],
+        (Kind::Choice(names), _) => names.iter().map(|name| (*name).to_owned()).collect(),
+        (Kind::Switch, value) => vec![(value != &Some(Value::Boolean(true))).to_string()],
+        (Kind::Switches, _) => vec!["[true,false,false]".to_owned(), "[false,false,true]".to_owned()],
+        (Kind::Text, _) => vec!["another".to_owned()],
+        (Kind::Table | Kind::Tables, _) => Vec::new(),
+    };
+    let settings = texts.iter().map(|text| format!("{}={text}", setting.path));
+    let mut allowed = settings.filter_map(|setting| scene.with_setting(&setting).ok()).filter(|other| other != scene);
+    allowed.next().unwrap_or_else(|| panic!("{}: none of {texts:?} is another value that is allowed", setting.path))
+}
+
+struct Running {
+    engine: Engine,
+    recorded: Recorded,
+}
+
+fn run(scene: &Scene, particles: Option<Emitted>) -> Running {
+    let mut resources = Resources::new();
+    let mut recorded = match particles {
+        Some(particles) => record_particles(&mut resources, scene, particles),
+        None => record(&mut resources, scene),
+    };
+    let recordings = std::mem::take(&mut recorded.recordings);
+    let wanted: Vec<_> = recorded.measure.iter().map(|measure| measure.id).collect();
+    let plan = Plan::sweep(resources, recordings, &wanted).unwrap();
+    let mut engine = Engine::new(&gpu(), plan).unwrap();
+    engine.run(&[INIT], &[]).unwrap();
+    Running { engine, recorded }
+}
+
+impl Running {
+    /// The bytes of every uniform buffer of the simulation.
+    fn uniforms(&mut self) -> Vec<(String, Vec<u8>)> {
+        let labels = ["grid_params", "kernel_params", "pbf_params", "step_params"];
+        let buffers: Vec<_> =
+            self.engine.plan().buffers().into_iter().filter(|b| labels.contains(&b.label.as_str())).collect();
+        assert_eq!(buffers.len(), labels.len());
+        let mut read = |buffer: brooklet_gpu::KeptBuffer| {
+            let bytes = self.engine.read::<u8>(&Buffer::new(buffer.id, buffer.bytes as u32)).unwrap();
+            (buffer.label, bytes)
+        };
+        buffers.into_iter().map(&mut read).collect()
+    }
+
+    /// What runs, and in what memory.
+    fn plan(&self) -> (Vec<(&'static str, &'static str, u32)>, Vec<brooklet_gpu::KeptBuffer>) {
+        let plan = self.engine.plan();
+        (plan.passes().iter().map(|pass| (pass.recording, pass.module.name, pass.count)).collect(), plan.buffers())
+    }
+
+    fn particles(&mut self) -> Emitted {
+        self.recorded.particles(&mut self.engine).unwrap()
+    }
+}
+
+fn bits(particles: &Emitted) -> (&[u8], &[u8]) {
+    (bytemuck::cast_slice(&particles.positions), bytemuck::cast_slice(&particles.velocities))
+}
+
+fn with(scene: &Scene, applied: Applied) -> Vec<(Setting, Scene)> {
+    let of =
+        scene.settings().into_iter().filter(|setting| setting.applied == applied && setting.path != "solver.method");
+    of.map(|setting| (changed(scene, &setting), setting)).map(|(other, setting)| (setting, other)).collect()
+}
+
+#[test]
+fn writing_a_live_field_is_what_a_new_engine_would_have() {
+    let scene = scene(&[]);
+    let mut running = run(&scene, None);
+    let before = running.uniforms();
+    let mut moved = BTreeSet::new();
+    for (setting, other) in with(&scene, Applied::Live) {
+        let change = scene.change_to(&other);
+        assert_eq!(change.applied, Applied::Live, "{change:?}");
+        assert_eq!(change.fields, [(setting.path.clone(), Applied::Live)]);
+        running.recorded.parameters.write(&mut running.engine, &other).unwrap();
+        let mut fresh = run(&other, None);
+        assert_eq!(running.plan(), fresh.plan(), "{}", setting.path);
+        assert!(running.uniforms() == fresh.uniforms(), "{}", setting.path);
+        if fresh.uniforms() != before {
+            moved.insert(setting.path);
+        }
+    }
+    let expected = [
+        "gravity_m_s2",
+        "solver.cfm",
+        "solver.dt_s",
+        "solver.max_speed_m_s",
+        "solver.relaxation",
+        "solver.s_corr_distance_ratio",
+        "solver.s_corr_k",
+        "solver.vorticity_m_s",
+        "solver.xsph",
+    ];
+    assert_eq!(moved.iter().map(String::as_str).collect::<Vec<_>>(), expected, "what the uniforms hold");
+    // And it steps as the new engine does.
+    let other = scene.with_setting("gravity_m_s2=[3,-5,0]").unwrap();
+    let mut fresh = run(&other, None);
+    running.recorded.parameters.write(&mut running.engine, &other).unwrap();
+    for running in [&mut running, &mut fresh] {
+        running.engine.run(&[STEP, STEP], &[]).unwrap();
+    }
+    assert!(bits(&running.particles()) == bits(&fresh.particles()));
+}
+
+#[test]
+fn a_rebuild_carries_the_particles_over_bit_for_bit() {
+    let scene = scene(&[]);
+    let mut running = run(&scene, None);
+    running.engine.run(&[STEP, STEP, STEP], &[]).unwrap();
+    let particles = running.particles();
+    let rebuilds = with(&scene, Applied::Rebuild);
+    assert!(rebuilds.len() > 10);
+    for (setting, other) in rebuilds {
+        assert_eq!(scene.change_to(&other).applied, Applied::Rebuild, "{}", setting.path);
+        assert!(running.recorded.parameters.write(&mut running.engine, &other).is_err(), "{}", setting.path);
+        let mut fresh = run(&other, Some(particles.clone()));
+        assert!(bits(&fresh.particles()) == bits(&particles), "{}", setting.path);
+        fresh.engine.run(&[STEP], &[]).unwrap();
+        assert!(fresh.particles().positions.iter().flat_map(|p| p.position_m).all(f32::is_finite));
+    }
+}
+
+#[test]
+fn a_term_that_comes_or_goes_is_a_rebuild() {
+    let on = scene(&[]);
+    for setting in ["solver.xsph", "solver.vorticity_m_s", "solver.s_corr_k", "outputs.measure_every_steps"] {
+        let off = on.with_setting(&format!("{setting}=0")).unwrap();
+        for (from, to) in [(&on, &off), (&off, &on)] {
+            let change = from.change_to(to);
+            assert_eq!(change.fields, [(setting.to_owned(), Applied::Rebuild)]);
+        }
+        assert_ne!(run(&on, None).plan(), run(&off, None).plan(), "{setting}");
+    }
+}
+
+#[test]
+fn the_worst_field_decides_and_all_are_named() {
+    let scene = scene(&[]);
+    assert!(scene.change_to(&scene).is_nothing());
+    assert_eq!(scene.change_to(&scene).applied, Applied::Live);
+    let other = scene.with_setting("solver.dt_s=0.002").unwrap().with_setting("solver.iterations=3").unwrap();
+    let change = scene.change_to(&other);
+    let expected = [("solver.dt_s", Applied::Live), ("solver.iterations", Applied::Rebuild)];
+    assert_eq!(change.fields, expected.map(|(path, applied)| (path.to_owned(), applied)));
+    assert_eq!(change.applied, Applied::Rebuild);
+    for reset in ["spacing_m=0.09", "domain.dimensions=2", "fluid.0.velocity_m_s=[1,0,0]"] {
+        assert_eq!(scene.change_to(&scene.with_setting(reset).unwrap()).applied, Applied::Reset, "{reset}");
+    }
+    let mut more = scene.clone();
+    more.fluids.push(more.fluids[0].clone());
+    let change = scene.change_to(&more);
+    assert!(change.applied == Applied::Reset && change.fields.iter().all(|(path, _)| path.starts_with("fluid.1.")));
+}
+
+#[test]
+fn a_panel_can_show_and_set_every_field_of_every_scene() {
+    for (name, _) in shipped_scenes() {
+        let scene = Scene::load(name, &[]).unwrap();
+        let settings = scene.settings();
+        assert!(settings.len() > 40);
+        for setting in &settings {
+            let doc = setting.doc;
+            assert!(doc.ends_with('.') && doc.len() > 5 && !doc.contains('\n'), "{}: {doc:?}", setting.path);
+            let Some(value) = &setting.value else { continue };
+            let same = scene.with_setting(&format!("{}={value}", setting.path)).unwrap();
+            assert_eq!(same, scene, "{}", setting.path);
+        }
+        let names: BTreeSet<&str> = settings.iter().map(|setting| setting.path.as_str()).collect();
+        assert_eq!(names.len(), settings.len(), "each once");
+    }
+    let of = |path: &str| scene(&[]).settings().into_iter().find(|setting| setting.path == path).unwrap();
+    assert_eq!(of("solver.dt_s").doc, "Time a step advances, s.");
+    assert!(matches!(of("solver.dt_s").kind, Kind::Number(limits) if limits.unit == "s" && limits.least > 0.0));
+    assert_eq!((of("solver.xsph").applied, of("solver.xsph").at_zero), (Applied::Live, Applied::Rebuild));
+    assert_eq!(of("solver.max_speed_m_s").value, None);
+}
+
+#[test]
+fn a_setting_is_checked_as_a_file_is_and_can_be_taken_back() {
+    let scene = scene(&[]);
+    for setting in [
+        "solver.xsph=3",
+        "solver.xsph=water",
+        "solver.nothing=1",
+        "solver.dt_s",
+        "camera.eye_m=[0,0,0]",
+        "spacing_m=nan",
+    ] {
+        let settings: Vec<String> = TERMS_ON.iter().chain(&[setting]).map(|&s| s.into()).collect();
+        let expected = Scene::load("dam-break", &settings).unwrap_err().to_string();
+        assert_eq!(scene.with_setting(setting).unwrap_err().to_string(), expected);
+    }
+    let fast = scene.with_setting("solver.max_speed_m_s=3").unwrap();
+    assert_eq!(fast.solver.max_speed_m_s, Some(3.0));
+    assert_eq!(fast.with_default("solver.max_speed_m_s").unwrap(), scene);
+    assert_eq!(scene.with_default("solver.vorticity_m_s").unwrap().solver.vorticity_m_s, 0.0);
+    assert_eq!(scene.with_default("no.such.field").unwrap(), scene);
+    let error = scene.with_default("spacing_m").unwrap_err().to_string();
+    assert!(error.contains("spacing_m is missing"), "{error}");
+}

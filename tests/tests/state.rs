@@ -1,0 +1,176 @@
+//! A saved state goes on as the run it was taken of, and a file that is not one is refused with a reason.
+
+use brooklet_fluid::particles::{Emitted, emit};
+use brooklet_fluid::state::{State, StateError};
+use brooklet_fluid::{Scene, Simulation};
+use brooklet_kernels::QUARANTINED;
+use brooklet_tests::{gpu, rng};
+use rand::{Rng, RngExt};
+
+fn scene(settings: &[&str]) -> Scene {
+    let settings: Vec<String> = ["spacing_m=0.08"].iter().chain(settings).map(|&s| s.into()).collect();
+    Scene::load("dam-break", &settings).unwrap()
+}
+
+fn state() -> State {
+    let scene = scene(&["fluid.0.velocity_m_s=[0.25,-1,0.5]"]);
+    State { particles: emit(&scene), scene, time_s: 0.125, steps: 30 }
+}
+
+fn bits(particles: &Emitted) -> (&[u8], &[u8]) {
+    (bytemuck::cast_slice(&particles.positions), bytemuck::cast_slice(&particles.velocities))
+}
+
+#[test]
+fn a_state_comes_back_as_it_was() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("pool.brooklet");
+    let saved = state();
+    saved.save(&path).unwrap();
+    // A second time over the first, and nothing else is left.
+    saved.save(&path).unwrap();
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
+    let loaded = State::load(&path).unwrap();
+    assert_eq!(loaded.scene, saved.scene);
+    assert_eq!((loaded.time_s, loaded.steps), (0.125, 30));
+    assert_eq!(bits(&loaded.particles), bits(&saved.particles));
+}
+
+#[test]
+fn going_on_from_a_saved_state_is_going_on() {
+    let scene = scene(&["solver.deterministic=true", "solver.vorticity_m_s=0.05"]);
+    let gpu = gpu();
+    let mut simulation = Simulation::new(&gpu, &scene).unwrap();
+    let run = |simulation: &mut Simulation| {
+        for _ in 0..12 {
+            simulation.step().unwrap();
+        }
+        let (positions, velocities) = simulation.particles().unwrap();
+        Emitted { positions, velocities }
+    };
+    let particles = run(&mut simulation);
+    let bytes = State { scene: scene.clone(), time_s: 12.0 * scene.solver.dt_s, steps: 12, particles }.to_bytes();
+    let expected = run(&mut simulation);
+
+    let restored = State::from_bytes(&bytes, "restored").unwrap();
+    let mut again = Simulation::new(&gpu, &restored.scene).unwrap();
+    again.set_particles(&restored.particles.positions, &restored.particles.velocities);
+    let got = run(&mut again);
+    assert!(bits(&got) == bits(&expected), "bit for bit");
+    let start = emit(&scene);
+    again.set_particles(&start.positions, &start.velocities);
+    assert!(bits(&run(&mut again)) != bits(&expected), "another start ends elsewhere");
+}
+
+#[test]
+fn what_is_not_finite_is_saved_as_the_next_step_would_leave_it() {
+    let mut state = state();
+    state.particles.positions[3].position_m[1] = f32::NAN;
+    state.particles.velocities[5].velocity_m_s[0] = f32::INFINITY;
+    let loaded = State::from_bytes(&state.to_bytes(), "state").unwrap();
+    for (i, (position, velocity)) in loaded.particles.positions.iter().zip(&loaded.particles.velocities).enumerate() {
+        assert_eq!(position.tag & QUARANTINED != 0, i == 3 || i == 5);
+        if i == 3 || i == 5 {
+            assert_eq!((position.position_m, velocity.velocity_m_s), ([0.0; 3], [0.0; 3]));
+        }
+    }
+}
+
+/// The file with other bytes from `at` on, and a checksum that is right again.
+fn patched(bytes: &[u8], at: usize, with: &[u8]) -> Vec<u8> {
+    let mut bytes = bytes.to_vec();
+    bytes[at..at + with.len()].copy_from_slice(with);
+    let end = bytes.len() - 4;
+    let checksum = crc32fast::hash(&bytes[..end]);
+    bytes[end..].copy_from_slice(&checksum.to_le_bytes());
+    bytes
+}
+
+fn replaced(bytes: &[u8], text: &str, with: &str) -> Vec<u8> {
+    assert_eq!(text.len(), with.len());
+    let at = bytes.windows(text.len()).position(|window| window == text.as_bytes()).unwrap();
+    patched(bytes, at, with.as_bytes())
+}
+
+#[test]
+fn every_fault_is_one_line_that_names_the_file_and_what_is_wrong() {
+    let state = state();
+    let good = state.to_bytes();
+    let count = state.particles.positions.len();
+    let particles_at = good.len() - 4 - 28 * count;
+    let mut flipped = good.clone();
+    flipped[particles_at + 5] ^= 1;
+    let mut longer = good.clone();
+    longer.push(0);
+    let mut old = good.clone();
+    old[8..12].copy_from_slice(&7u32.to_le_bytes());
+    let count_text = format!("\"particles\":{count}");
+    let more_text = format!("\"particles\":{}", count + 1);
+    let nan = f32::NAN.to_le_bytes();
+    for (bytes, words) in [
+        (Vec::new(), "it is no saved state"),
+        (b"BROOK".to_vec(), "it is no saved state"),
+        (b"\x89PNG\r\n\x1a\n and so on".to_vec(), "it is no saved state"),
+        (old, "version 7 of the format, and this program reads version 1"),
+        (good[..14].to_vec(), "it is cut off"),
+        (good[..100].to_vec(), "it is cut off: it has 100 bytes of"),
+        (good[..good.len() - 1].to_vec(), "it is cut off"),
+        (longer, "particles take"),
+        (flipped, "its checksum is another"),
+        (patched(&good, 12, &u32::MAX.to_le_bytes()), "its header has 4294967295 bytes"),
+        (patched(&good, 16, b"?"), "its header is damaged"),
+        (replaced(&good, &count_text, &more_text), "it is cut off"),
+        (replaced(&good, "\"time_s\":0.125", "\"time_s\":-1.25"), "its time is -1.25 s"),
+        (replaced(&good, "spacing_m = 0.08", "spacing_m = -.08"), "its scene"),
+        (replaced(&good, "spacing_m = 0.08", "spacing_m = 9e99"), "its scene"),
+        (patched(&good, particles_at + 16 * 2 + 4, &nan), "the position of particle 2 is"),
+        (patched(&good, particles_at + 16 * count + 12 * 7, &nan), "the velocity of particle 7 is"),
+        (patched(&good, particles_at + 12, &9u32.to_le_bytes()), "particle 9 has the id 9"),
+        (patched(&good, particles_at + 12, &0x00ff_ffffu32.to_le_bytes()), "particle 0 has the id 16777215"),
+    ] {
+        let error = State::from_bytes(&bytes, "some.brooklet").expect_err(words).to_string();
+        assert!(error.starts_with("state some.brooklet: ") && error.contains(words), "{error}");
+        assert_eq!(error.lines().count(), 1, "{error}");
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let missing = folder.path().join("none.brooklet");
+    assert!(matches!(State::load(&missing), Err(StateError::Io { doing: "read", .. })));
+    let nowhere = folder.path().join("no/such/folder.brooklet");
+    assert!(matches!(state.save(&nowhere), Err(StateError::Io { doing: "written", .. })));
+    assert!(State::load(folder.path()).is_err(), "a folder");
+}
+
+#[test]
+fn no_damage_is_taken_for_a_state_and_none_ends_the_program() {
+    let good = state().to_bytes();
+    let mut rng = rng(91);
+    for case in 0..3000 {
+        let mut bytes = good.clone();
+        match case % 3 {
+            0 => bytes.truncate(rng.random_range(0..good.len())),
+            1 => {
+                for _ in 0..rng.random_range(1..4) {
+                    let at = rng.random_range(0..bytes.len());
+                    bytes[at] ^= 1u8 << rng.random_range(0..8);
+                }
+            }
+            _ => {
+                // Damage with a right checksum: it may only be refused, or give a state that is whole.
+                let at = rng.random_range(0..good.len() - 8);
+                let mut with = [0u8; 4];
+                rng.fill_bytes(&mut with);
+                bytes = patched(&good, at, &with);
+            }
+        }
+        match State::from_bytes(&bytes, "damaged") {
+            Err(error) => assert_eq!(error.to_string().lines().count(), 1, "{error}"),
+            Ok(state) => {
+                assert!(case % 3 == 2 || bytes == good, "case {case} was taken");
+                let numbers = state.particles.positions.iter().flat_map(|p| p.position_m);
+                assert!(
+                    numbers.chain(state.particles.velocities.iter().flat_map(|v| v.velocity_m_s)).all(f32::is_finite)
+                );
+            }
+        }
+    }
+}
