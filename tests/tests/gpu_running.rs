@@ -44,6 +44,41 @@ fn making_an_engine_says_how_far_it_is_from_any_thread() {
 }
 
 #[test]
+fn engines_are_made_on_one_thread_while_another_runs_its_own() {
+    let gpu = gpu();
+    let (plan, counter, _) = counting(5000);
+    let mut running = Engine::new(&gpu, plan.clone()).expect("an engine");
+    let making = std::thread::spawn(move || {
+        (0..8)
+            .map(|_| {
+                // Modules that the device has not seen, so that each time something is built.
+                let by_ten = increment_by_ten();
+                let changed = plan
+                    .clone()
+                    .with_modules(|module| (module.name == "Increment").then_some(by_ten))
+                    .expect("it fits");
+                let broken: &'static Module = Box::leak(Box::new(Module { shared_bytes: u32::MAX, ..*by_ten }));
+                let refused = plan
+                    .clone()
+                    .with_modules(|module| (module.name == "Increment").then_some(broken))
+                    .expect("it fits");
+                assert!(Engine::new(&gpu, refused).is_err(), "an error here is this thread's own");
+                let mut made = Engine::new(&gpu, changed).expect("an engine");
+                made.run(&["step"], &[]).expect("it runs");
+                made.read(&counting(5000).1).expect("counter")
+            })
+            .all(|values| values == [20; 5000])
+    });
+    let mut frames = 0;
+    while frames < 20 || !making.is_finished() {
+        running.run(&["step"], &[]).expect("it runs");
+        frames += 1;
+    }
+    assert!(making.join().expect("the thread ends"));
+    assert_eq!(running.read(&counter).expect("counter"), vec![2 * frames; 5000]);
+}
+
+#[test]
 fn frames_in_flight_and_reports_are_all_frames() {
     let (plan, counter, _) = counting(100_000);
     let mut engine = Engine::new(&gpu(), plan).expect("an engine");

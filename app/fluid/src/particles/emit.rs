@@ -9,7 +9,8 @@ pub const MAX_PARTICLES: u32 = 1 << FLUID_SHIFT;
 /// What its bits between the id and the quarantine flag can tell apart.
 pub const MAX_FLUIDS: u32 = QUARANTINED >> FLUID_SHIFT;
 
-/// The particles at the start, in the order of their ids.
+/// Where particles are, and how they move. A start has them in the order of their ids, a running fluid in
+/// that of its cells; any will do.
 #[derive(Clone, Debug, Default)]
 pub struct Emitted {
     /// Relative to the domain's lowest corner.
