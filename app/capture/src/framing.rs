@@ -13,9 +13,14 @@ pub(crate) fn head(bytes: &[u8; HEAD]) -> (u8, u64) {
     (*opcode, u64::from_le_bytes(*length))
 }
 
-/// Whether there are records of this kind; from 128 on they are programs' own.
+/// Whether captures have records of this kind.
 pub(crate) fn is_known(opcode: u8) -> bool {
-    matches!(opcode, op::HEADER..=op::DATA_END | 0x80..)
+    matches!(opcode, op::HEADER..=op::DATA_END)
+}
+
+/// Whether records of this kind stand behind the data alone, where chunks and messages do not.
+pub(crate) fn is_of_summary(opcode: u8) -> bool {
+    matches!(opcode, op::CHUNK_INDEX | op::ATTACHMENT_INDEX | op::STATISTICS | op::METADATA_INDEX | op::SUMMARY_OFFSET)
 }
 
 /// The records of a chunk that is sound and not compressed.
@@ -48,18 +53,28 @@ pub(crate) fn chunk_is_sound(chunk: &[u8]) -> bool {
         && is_sound_chunk(content)
 }
 
-/// Whether the texts and tables of a record end inside it.
+/// Whether the texts and tables of a record end inside it, and fill it: a damaged length would swallow what
+/// follows. Kinds that are of the summary alone are not looked into.
 pub(crate) fn is_sound(opcode: u8, body: &[u8]) -> bool {
     let mut rest = Rest(body);
-    let ends_inside = match opcode {
-        op::SCHEMA => rest.skip(2).and_then(|()| rest.text()).and_then(|()| rest.text()),
-        op::CHANNEL => rest.skip(4).and_then(|()| rest.text()).and_then(|()| rest.text()).and_then(|()| rest.table()),
-        op::CHUNK => rest.skip(28).and_then(|()| rest.text()),
-        op::METADATA => rest.text().and_then(|()| rest.table()),
-        op::ATTACHMENT => rest.skip(16).and_then(|()| rest.text()).and_then(|()| rest.text()),
-        _ => Some(()),
+    let mut parts = || -> Option<()> {
+        match opcode {
+            op::HEADER => rest.text().and_then(|()| rest.text()),
+            op::SCHEMA => rest.skip(2).and_then(|()| rest.text()).and_then(|()| rest.text()).and_then(|()| rest.text()),
+            op::CHANNEL => {
+                rest.skip(4).and_then(|()| rest.text()).and_then(|()| rest.text()).and_then(|()| rest.table())
+            }
+            op::MESSAGE_INDEX => rest.skip(2).and_then(|()| rest.text()),
+            op::METADATA => rest.text().and_then(|()| rest.table()),
+            op::ATTACHMENT => {
+                rest.skip(16).and_then(|()| rest.text()).and_then(|()| rest.text())?;
+                let length = u64::from_le_bytes(rest.take(8)?.try_into().ok()?);
+                rest.skip(usize::try_from(length).ok()?).and_then(|()| rest.skip(4))
+            }
+            _ => rest.skip(body.len()),
+        }
     };
-    ends_inside.is_some()
+    parts().is_some() && rest.0.is_empty()
 }
 
 /// The compression that a sound chunk names, if it is one that other programs use.

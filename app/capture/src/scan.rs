@@ -8,7 +8,7 @@ use std::io::{self, ErrorKind, Read, Seek, SeekFrom};
 use crc32fast::Hasher;
 use mcap::{MAGIC, records::op};
 
-use crate::framing::{HEAD, chunk_is_sound, head, is_known, is_sound};
+use crate::framing::{HEAD, chunk_is_sound, head, is_known, is_of_summary, is_sound};
 
 /// A record larger than this is taken for damage: nothing of a capture comes near it.
 const MOST_BYTES: u64 = 256 << 20;
@@ -30,6 +30,8 @@ pub(crate) struct Scan<R> {
     /// Whether the proper end was reached, and that of the data before it.
     pub ended: bool,
     data_ended: bool,
+    /// Whether the summary alone is read.
+    is_summary: bool,
 }
 
 impl<R: Read + Seek> Scan<R> {
@@ -46,6 +48,7 @@ impl<R: Read + Seek> Scan<R> {
             damaged_bytes: 0,
             ended: false,
             data_ended: false,
+            is_summary: false,
         }
     }
 
@@ -62,9 +65,10 @@ impl<R: Read + Seek> Scan<R> {
         Ok(None)
     }
 
-    /// Goes to a record's place.
-    pub fn go_to(&mut self, at: u64) {
+    /// Goes to where the summary begins.
+    pub fn go_to_summary(&mut self, at: u64) {
         self.at = at;
+        self.is_summary = true;
         self.hasher = None;
     }
 
@@ -88,6 +92,7 @@ impl<R: Read + Seek> Scan<R> {
             // Elsewhere, either is what damage made of another record's kind.
             op::DATA_END => length == 4,
             op::FOOTER => length == 20 && end + MAGIC.len() as u64 == self.length,
+            _ if is_of_summary(opcode) => self.data_ended || self.is_summary,
             _ => is_known(opcode) && is_sound(opcode, &self.body),
         };
         if self.body.len() as u64 != length || !is_whole {

@@ -118,7 +118,7 @@ pub fn read(
     let mut stream = Stream { name, known: HashMap::new(), schemas: HashMap::new(), ending: Ending::default(), each };
     if let Some(at) = summary_start(&mut from, length).map_err(io)? {
         let mut summary = Scan::new(&mut from, length);
-        summary.go_to(at);
+        summary.go_to_summary(at);
         while let Some((opcode, body)) = summary.next().map_err(io)? {
             if matches!(opcode, op::SCHEMA | op::CHANNEL) {
                 stream.declare(opcode, body, true)?;

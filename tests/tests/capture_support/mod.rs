@@ -97,3 +97,14 @@ pub fn frame_report(frame: u64) -> FrameReport {
         timestamp_period_ns: 52.0,
     }
 }
+
+/// Where the chunks of a file begin.
+pub fn chunk_starts(bytes: &[u8]) -> Vec<usize> {
+    let mut starts = Vec::new();
+    let mut at = mcap::MAGIC.len();
+    while let Some((opcode, end)) = framing(bytes, at) {
+        starts.extend((opcode == CHUNK).then_some(at));
+        at = end;
+    }
+    starts
+}

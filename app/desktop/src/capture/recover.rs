@@ -2,6 +2,8 @@
 
 use std::path::PathBuf;
 
+use brooklet_capture::CaptureError;
+
 use super::options::RecoverOptions;
 use crate::failure::Failure;
 
@@ -23,7 +25,8 @@ pub fn recover(options: &RecoverOptions) -> Result<(), Failure> {
         .tempfile_in(&folder)
         .map_err(|error| Failure::Input(format!("{shown}: cannot create: {error}")))?;
     let ending = brooklet_capture::recover(&options.file, file.as_file_mut(), &shown).map_err(|error| match error {
-        brooklet_capture::CaptureError::Write { .. } => Failure::stopped(error),
+        CaptureError::Write { reason, .. } => Failure::Stopped(format!("{shown}: cannot be written: {reason}")),
+        error @ CaptureError::Io { action: "write", .. } => Failure::stopped(error),
         error => Failure::input(error),
     })?;
     if ending.messages == 0 {
