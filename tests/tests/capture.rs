@@ -50,6 +50,7 @@ fn options() -> CaptureOptions {
         start: UNIX_EPOCH + Duration::from_secs(1_700_000_000),
         // A chunk a frame, so that a small file has many.
         flush_every: Duration::ZERO,
+        ..CaptureOptions::default()
     }
 }
 
@@ -88,6 +89,21 @@ fn whole() -> Vec<u8> {
 
 fn read(bytes: &[u8]) -> Result<Capture, CaptureError> {
     Capture::read(std::io::Cursor::new(bytes), bytes.len() as u64, "test.mcap")
+}
+
+#[test]
+fn raw_ticks_may_be_of_every_so_many_frames() {
+    let disk = Disk::new(usize::MAX);
+    let options = CaptureOptions { spans_every: 4, ..options() };
+    let mut writer = CaptureWriter::new(disk.clone(), "test.mcap".into(), options).unwrap();
+    for frame in 0..FRAMES {
+        writer.frame(&frame_report(frame)).unwrap();
+    }
+    writer.finish().unwrap();
+    let capture = read(&disk.bytes.take()).unwrap();
+    assert_eq!((capture.frames.len(), capture.passes.len()), (FRAMES as usize, FRAMES as usize));
+    let with_ticks: std::collections::BTreeSet<u64> = capture.spans.iter().map(|span| span.frame).collect();
+    assert_eq!(with_ticks, [0, 4].into());
 }
 
 #[test]

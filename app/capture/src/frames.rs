@@ -105,8 +105,10 @@ impl<W: Write> CaptureWriter<W> {
             self.declare_passes()?;
         }
         if !report.spans.is_empty() {
-            let (sequence, tells) = self.sequences.number(&report.spans);
-            self.message(self.channels.span, report.wall_ns, &SpansMessage { report, sequence, tells })?;
+            if self.frames.is_multiple_of(self.spans_every) {
+                let (sequence, tells) = self.sequences.number(&report.spans);
+                self.message(self.channels.span, report.wall_ns, &SpansMessage { report, sequence, tells })?;
+            }
             let stages = std::mem::take(&mut self.stages);
             let passes = PassesMessage { frame: report.frame, wall_s, stage_ms: &stage_ms, keys: &stages.keys };
             let written = self.message(self.channels.passes, report.wall_ns, &passes);

@@ -39,13 +39,21 @@ pub struct CaptureOptions {
     /// The moment that `wall_ns == 0` stands for, in the frame reports and in every call: when the engine
     /// started, or a [`crate::CaptureClock`]'s.
     pub start: SystemTime,
+    /// Raw ticks are written of every so many frames; the other topics have every frame. 1: of each.
+    pub spans_every: u32,
     /// How long a chunk collects before it is written.
     pub flush_every: Duration,
 }
 
 impl Default for CaptureOptions {
     fn default() -> Self {
-        Self { stages: Vec::new(), stats: Vec::new(), start: SystemTime::now(), flush_every: Duration::from_secs(1) }
+        Self {
+            stages: Vec::new(),
+            stats: Vec::new(),
+            start: SystemTime::now(),
+            spans_every: 1,
+            flush_every: Duration::from_secs(1),
+        }
     }
 }
 
@@ -93,6 +101,7 @@ pub struct CaptureWriter<W: Write> {
     pub(crate) last_frame: Option<u64>,
     /// A message while it is made; kept, so that making one allocates nothing.
     buffer: Vec<u8>,
+    pub(crate) spans_every: u64,
     flush_every: Duration,
     last_flush: Instant,
     bytes: u64,
@@ -160,6 +169,7 @@ impl<W: Write> CaptureWriter<W> {
             trust: Trust::default(),
             last_frame: None,
             buffer: Vec::new(),
+            spans_every: u64::from(options.spans_every.max(1)),
             flush_every: options.flush_every,
             last_flush: Instant::now(),
             bytes: 0,

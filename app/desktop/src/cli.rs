@@ -6,6 +6,7 @@ use brooklet_gpu::Tier;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use crate::capture::CaptureCommand;
+use crate::view::ViewOptions;
 
 /// Particle fluids on the GPU, with pictures and timing captures.
 #[derive(Debug, Parser)]
@@ -21,6 +22,8 @@ pub struct Cli {
 pub enum Command {
     /// Simulate a scene; write pictures, a timing capture and a summary
     Run(RunOptions),
+    /// Open a window: look at a scene, change it, push it, record it
+    View(ViewOptions),
     /// Show what a run would do: its passes, buffers and bytes, and what is left out and why
     Plan(PlanOptions),
     /// List the shipped scenes, or print the schema of scene files
@@ -178,6 +181,40 @@ pub enum BenchStudy {
     Sorting(SortingOptions),
     /// Ways to smooth the surface in screen space: their errors against known bodies, and their cost
     Surfaces(SurfacesOptions),
+    /// What the window's panels and its capture add to a frame, in pairs; opens no window
+    Window(WindowOptions),
+}
+
+/// `brooklet bench window`.
+#[derive(Clone, Debug, Args)]
+pub struct WindowOptions {
+    /// A shipped scene's name, or the path of a scene file
+    #[arg(value_name = "SCENE", default_value = "calm-pool")]
+    pub scene: String,
+    /// Change a value of the scene; may be given again
+    #[arg(long = "set", value_name = "PATH=VALUE")]
+    pub settings: Vec<String>,
+    /// The device.
+    #[command(flatten)]
+    pub device: DeviceOptions,
+    /// Width of the window with its panels, pixels
+    #[arg(long, value_name = "PX", default_value_t = 1280, value_parser = clap::value_parser!(u32).range(700..=8192))]
+    pub width: u32,
+    /// Height of the window, pixels
+    #[arg(long, value_name = "PX", default_value_t = 800, value_parser = clap::value_parser!(u32).range(240..=8192))]
+    pub height: u32,
+    /// Pairs of turns that are timed
+    #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    pub pairs: u32,
+    /// Frames of a turn
+    #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u64).range(1..=100_000))]
+    pub frames: u64,
+    /// Keep the capture that was timed, with its cost in it
+    #[arg(long, value_name = "FILE")]
+    pub capture: Option<PathBuf>,
+    /// Print the result as JSON
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// `brooklet bench surfaces`.

@@ -1,8 +1,9 @@
 //! What `run`, `plan` and `bench` share: the scene with its changes, its plan, the device.
 
-use brooklet_fluid::{Recorded, Scene, record, record_count};
-use brooklet_gpu::{Gpu, GpuOptions, Plan, ResourceId, Resources, Tier};
+use brooklet_fluid::Scene;
+use brooklet_gpu::{Gpu, GpuOptions, Plan, ResourceId, Tier};
 use brooklet_kernels::{Buffer, Position, Velocity};
+use brooklet_render::{ScenePlan, ScenePlanError};
 
 use crate::{
     cli::{DeviceOptions, LengthOptions, MOST_STEPS, OutputOptions, SceneOptions},
@@ -62,38 +63,33 @@ pub struct Planned {
 
 /// Plans the scene for a device of `tier`: what its outputs do not need is not in the plan.
 pub fn plan(scene: &Scene, tier: Tier) -> Result<Planned, Failure> {
-    let mut resources = Resources::new();
-    let recorded = record(&mut resources, scene);
-    sweep(scene, tier, resources, recorded)
+    ScenePlan::new(scene, tier).map(Planned::from).map_err(refused)
 }
 
 /// As [`plan`] for so many particles, which are not made: for what is only looked at.
 pub fn plan_for(scene: &Scene, particles: u32, tier: Tier) -> Result<Planned, Failure> {
-    let mut resources = Resources::new();
-    let recorded = record_count(&mut resources, scene, particles);
-    sweep(scene, tier, resources, recorded)
+    ScenePlan::of_count(scene, particles, tier).map(Planned::from).map_err(refused)
 }
 
-fn sweep(scene: &Scene, tier: Tier, mut resources: Resources, mut recorded: Recorded) -> Result<Planned, Failure> {
-    let mut recordings = std::mem::take(&mut recorded.recordings);
-    let mut picture = None;
-    if scene.outputs.images > 0 {
-        let (drawn, drawing) = Picture::record(&mut resources, scene, &recorded, tier)?;
-        recordings.extend(drawing);
-        picture = Some(drawn);
+/// A picture's fault is the scene's; a mistake in a recording is the program's.
+pub fn refused(error: ScenePlanError) -> Failure {
+    match error {
+        ScenePlanError::Render { .. } => Failure::input(error),
+        ScenePlanError::Plan(_) => Failure::stopped(error),
     }
-    let measure = recorded.measure.map(|measure| measure.id);
-    let wanted: Vec<ResourceId> = measure.into_iter().chain(picture.as_ref().map(Picture::id)).collect();
-    // A mistake in a recording is the program's, not the caller's.
-    let plan = Plan::sweep(resources, recordings, &wanted).map_err(Failure::stopped)?;
-    Ok(Planned {
-        plan,
-        particles: recorded.particle_count,
-        positions: recorded.positions,
-        velocities: recorded.velocities,
-        measure,
-        picture,
-    })
+}
+
+impl From<ScenePlan> for Planned {
+    fn from(ScenePlan { plan, recorded, passes }: ScenePlan) -> Self {
+        Self {
+            plan,
+            particles: recorded.particle_count,
+            positions: recorded.positions,
+            velocities: recorded.velocities,
+            measure: recorded.measure.map(|measure| measure.id),
+            picture: passes.map(|passes| Picture::new(passes.color)),
+        }
+    }
 }
 
 /// Opens the device; `timing` false makes no timestamp query.

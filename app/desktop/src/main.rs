@@ -15,7 +15,6 @@ mod failure;
 mod fit;
 mod interrupt;
 mod job;
-mod left_out;
 mod measured;
 mod out_dir;
 mod pictures;
@@ -31,6 +30,7 @@ mod summary;
 mod table;
 mod timings;
 mod tune;
+mod view;
 
 use std::{io::Write, process::ExitCode};
 
@@ -42,6 +42,7 @@ fn main() -> ExitCode {
     let cli = Cli::parse();
     let result = match &cli.command {
         Command::Run(options) => run::run(options),
+        Command::View(options) => view::view(options),
         Command::Plan(options) => plan::plan(options),
         Command::Scenes(options) => scenes::scenes(options),
         Command::Bench(options) => bench::bench(options),

@@ -1,7 +1,7 @@
 //! What was measured of the fluid over a run: the last state, the worst, and what was counted.
 
 use brooklet_capture::StatField;
-use brooklet_fluid::{Stats, measure};
+use brooklet_fluid::{STAT_FIELDS, Stats, measure};
 use serde::Serialize;
 
 /// Mean, 99th percentile and largest value over the particles.
@@ -90,53 +90,20 @@ impl Measured {
     }
 }
 
-/// What `/sim/stats` says: name, unit, description, and where it is in a measurement.
-type Field = (&'static str, &'static str, &'static str, fn(&Stats) -> f64);
-
-const FIELDS: &[Field] = &[
-    ("density_error_mean", "1", "Mean of |rho/rho0 - 1|", |s| s.density_error.mean),
-    ("density_error_p99", "1", "99th percentile of |rho/rho0 - 1|", |s| s.density_error.p99),
-    ("density_error_max", "1", "Largest |rho/rho0 - 1|", |s| s.density_error.max),
-    ("compression_mean", "1", "Mean of max(rho/rho0 - 1, 0)", |s| s.compression.mean),
-    ("compression_p99", "1", "99th percentile of max(rho/rho0 - 1, 0)", |s| s.compression.p99),
-    ("compression_max", "1", "Largest rho/rho0 - 1", |s| s.compression.max),
-    ("max_speed_m_s", "m/s", "Largest speed", |s| s.max_speed_m_s),
-    ("kinetic_j", "J", "Kinetic energy", |s| s.kinetic_j),
-    ("potential_j", "J", "Energy against gravity, from the domain's lowest corner", |s| s.potential_j),
-    ("energy_j", "J", "Kinetic and potential energy", |s| s.kinetic_j + s.potential_j),
-    ("centre_of_mass_x_m", "m", "Centre of mass along x", |s| s.centre_of_mass_m[0]),
-    ("centre_of_mass_y_m", "m", "Centre of mass along y, up", |s| s.centre_of_mass_m[1]),
-    ("centre_of_mass_z_m", "m", "Centre of mass along z", |s| s.centre_of_mass_m[2]),
-    ("momentum_x_kg_m_s", "kg m/s", "Momentum along x", |s| s.momentum_kg_m_s[0]),
-    ("momentum_y_kg_m_s", "kg m/s", "Momentum along y", |s| s.momentum_kg_m_s[1]),
-    ("momentum_z_kg_m_s", "kg m/s", "Momentum along z", |s| s.momentum_kg_m_s[2]),
-    ("front_m", "m", "Largest x of the fluid", |s| s.front_m),
-    ("particles", "1", "Particles measured", |s| f64::from(s.particles)),
-    ("quarantined", "1", "Particles whose state was not finite", |s| f64::from(s.quarantined)),
-    ("escaped", "1", "Particles outside an open domain", |s| f64::from(s.escaped)),
-    ("neighbour_overflow", "1", "Neighbours without a slot since the last measurement", |s| {
-        f64::from(s.counters.neighbour_overflow)
-    }),
-    ("speed_clamps", "1", "Speeds clamped since the last measurement", |s| f64::from(s.counters.speed_clamps)),
-    ("correction_clamps", "1", "Corrections clamped since the last measurement", |s| {
-        f64::from(s.counters.correction_clamps)
-    }),
-];
-
 /// The fields of `/sim/stats`: which step it was, when in the simulation, and the measurement.
 pub fn fields() -> Vec<StatField> {
     let clock = [
         StatField::new("step", "1", "Number of the step that was measured"),
         StatField::new("simulated_s", "s", "Simulated time"),
     ];
-    let stats = FIELDS.iter().map(|(name, unit, description, _)| StatField::new(name, unit, description));
+    let stats = STAT_FIELDS.iter().map(|field| StatField::new(field.name, field.unit, field.description));
     clock.into_iter().chain(stats).collect()
 }
 
 /// The values of [`fields`], in their order.
 pub fn values(step: u64, simulated_s: f64, stats: &Stats) -> Vec<f64> {
     let clock = [step as f64, simulated_s];
-    let stats = FIELDS.iter().map(|(.., value)| value(stats));
+    let stats = STAT_FIELDS.iter().map(|field| (field.value)(stats));
     clock.into_iter().chain(stats).collect()
 }
 

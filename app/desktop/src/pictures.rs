@@ -1,10 +1,10 @@
-//! The run's pictures: the render room's recordings beside the simulation's.
+//! The run's pictures: from the GPU to files.
 
 use std::path::Path;
 
-use brooklet_fluid::{Recorded, Scene};
-use brooklet_gpu::{Engine, Recording, ResourceId, Resources, Texture, Tier};
-use brooklet_render::{FrameOptions, Particles, View, png};
+use brooklet_gpu::Engine;
+use brooklet_kernels::Texture;
+use brooklet_render::png;
 
 use crate::failure::Failure;
 
@@ -14,28 +14,9 @@ pub struct Picture {
 }
 
 impl Picture {
-    /// Records how the scene is drawn from its own camera; the recordings are that of the
-    /// uniforms, which runs once first, and that of a picture.
-    pub fn record(
-        resources: &mut Resources,
-        scene: &Scene,
-        recorded: &Recorded,
-        tier: Tier,
-    ) -> Result<(Self, [Recording; 2]), Failure> {
-        let passes = brooklet_render::record(
-            resources,
-            &View::of_scene(scene),
-            &Particles::of(recorded),
-            &FrameOptions::for_scene(scene, tier),
-        )
-        .map_err(|error| Failure::Input(format!("scene {}: {error}", scene.name)))?;
-        let picture = Self { color: passes.color };
-        Ok((picture, [passes.init, passes.recording]))
-    }
-
-    /// What a plan with pictures wants.
-    pub fn id(&self) -> ResourceId {
-        self.color.id
+    /// The picture that is drawn to `color`.
+    pub fn new(color: Texture) -> Self {
+        Self { color }
     }
 
     /// Waits for the last picture that was drawn, and copies it to the host.

@@ -2,6 +2,7 @@
 
 use brooklet_fluid::{INIT, MEASURE, STEP, Scene, particles};
 use brooklet_gpu::{Plan, Tier};
+use brooklet_render::left_out::{self, Absent, Recorded, timestamp_memory};
 use serde::Serialize;
 use serde_json::json;
 
@@ -9,7 +10,6 @@ use crate::{
     cli::{OutputOptions, PlanOptions},
     failure::Failure,
     job::{self, Planned},
-    left_out::{self, Absent, Recorded, timestamp_memory},
     table::{bytes, table},
 };
 
@@ -31,7 +31,7 @@ pub fn plan(options: &PlanOptions) -> Result<(), Failure> {
     let planned = job::plan_for(&scene, particles, tier)?;
     let OutputOptions { no_capture, no_timing, .. } = options.outputs;
     let recorded = Recorded { no_times: no_timing.then_some("--no-timing"), no_capture };
-    let absent = left_out::list(&scene, particles, tier, &planned.plan, &recorded)?;
+    let absent = left_out::list(&scene, particles, tier, &planned.plan, &recorded).map_err(job::refused)?;
     if options.json {
         print_json(&scene, &planned, &absent, no_timing)
     } else {

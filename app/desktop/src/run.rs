@@ -9,6 +9,7 @@ use std::{
 use brooklet_capture::{CaptureError, CaptureOptions, CaptureWriter};
 use brooklet_fluid::Scene;
 use brooklet_gpu::{Gpu, Plan, TimingStatus, tier_name};
+use brooklet_render::left_out::{self, Recorded};
 
 use crate::{
     cli::RunOptions,
@@ -17,7 +18,6 @@ use crate::{
     fit,
     interrupt::Interrupt,
     job::{self, Planned},
-    left_out::{self, Recorded},
     measured,
     out_dir::{self, OutDir},
     progress,
@@ -39,7 +39,7 @@ pub fn run(options: &RunOptions) -> Result<(), Failure> {
         TimingStatus::PassPerStage | TimingStatus::InsidePasses | TimingStatus::OwnPasses => None,
     };
     let recorded = Recorded { no_times, no_capture: options.outputs.no_capture };
-    let left_out = left_out::list(&scene, particles, gpu.tier(), &plan, &recorded)?;
+    let left_out = left_out::list(&scene, particles, gpu.tier(), &plan, &recorded).map_err(job::refused)?;
     let plan_bytes = plan.bytes();
     let start = SystemTime::now();
     let mut engine = fit::engine(&gpu, &scene, particles, plan.clone())?;

@@ -2,12 +2,12 @@
 
 use brooklet_fluid::Scene;
 use brooklet_gpu::{Gpu, Plan, TimingStatus, tier_name};
+use brooklet_render::left_out::Absent;
 use serde::Serialize;
 use serde_json::{Map, Value};
 
 use crate::{
     commit::{COMMIT, VERSION},
-    left_out::Absent,
     measured::{Counted, Measured, Spread, Worst},
     plan::simulation_bytes_per_particle,
     table::{bytes, ms, table},

@@ -14,6 +14,7 @@ pub mod particles;
 pub mod scene;
 mod simulation;
 pub mod solver;
+mod stat_fields;
 pub mod state;
 mod step;
 
@@ -22,4 +23,5 @@ pub use measure::{SAMPLE, Stats};
 pub use parameters::Parameters;
 pub use scene::{Scene, SceneError, shipped_scenes};
 pub use simulation::{Simulation, SimulationError};
+pub use stat_fields::{STAT_FIELDS, StatField};
 pub use step::{INIT, MEASURE, Recorded, STEP, record, record_count, record_particles, step_params};

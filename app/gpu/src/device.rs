@@ -60,6 +60,7 @@ struct Inner {
     info: DeviceInfo,
     timing: TimingStatus,
     formats: AdapterFormats,
+    adapter: wgpu::Adapter,
     pool: Mutex<Pool>,
     pipelines: Mutex<Pipelines>,
 }
@@ -70,7 +71,26 @@ impl Gpu {
     /// # Errors
     /// If there is no Vulkan, no such device, or it lacks what Brooklet needs.
     pub fn open(options: &GpuOptions) -> Result<Gpu, GpuError> {
-        let adapter = choose(vulkan_adapters(), options.device_name.as_deref())?;
+        Self::open_on(&vulkan_instance(), None, options)
+    }
+
+    /// As [`Gpu::open`], on an instance of [`vulkan_instance`], a device that shows its pictures on `surface`.
+    ///
+    /// # Errors
+    /// As [`Gpu::open`], or if none of the devices can show anything there.
+    pub fn open_on(
+        instance: &wgpu::Instance,
+        surface: Option<&wgpu::Surface<'_>>,
+        options: &GpuOptions,
+    ) -> Result<Gpu, GpuError> {
+        let all = adapters_of(instance);
+        let is_there = !all.is_empty();
+        let shows = |adapter: &wgpu::Adapter| surface.is_none_or(|surface| adapter.is_surface_supported(surface));
+        let able: Vec<wgpu::Adapter> = all.into_iter().filter(shows).collect();
+        if is_there && able.is_empty() {
+            return Err(GpuError::ShowsNothing);
+        }
+        let adapter = choose(able, options.device_name.as_deref())?;
         let info = adapter.get_info();
         require_passthrough(&info, adapter.features())?;
         let tier = match options.tier {
@@ -144,6 +164,7 @@ impl Gpu {
                 info,
                 timing,
                 formats: AdapterFormats::of(adapter),
+                adapter: adapter.clone(),
                 pool: Mutex::new(pool),
                 pipelines: Mutex::new(pipelines),
             }),
@@ -173,6 +194,11 @@ impl Gpu {
     /// How its GPU times are taken.
     pub fn timing(&self) -> TimingStatus {
         self.inner.timing
+    }
+
+    /// wgpu's adapter.
+    pub fn adapter(&self) -> &wgpu::Adapter {
+        &self.inner.adapter
     }
 
     /// wgpu's device.
@@ -293,12 +319,21 @@ fn require_passthrough(info: &wgpu::AdapterInfo, features: wgpu::Features) -> Re
 
 /// Every Vulkan device of this machine.
 pub(crate) fn vulkan_adapters() -> Vec<wgpu::Adapter> {
+    adapters_of(&vulkan_instance())
+}
+
+fn adapters_of(instance: &wgpu::Instance) -> Vec<wgpu::Adapter> {
+    pollster::block_on(instance.enumerate_adapters(wgpu::Backends::VULKAN))
+}
+
+/// What devices, and surfaces for [`Gpu::open_on`], come from.
+pub fn vulkan_instance() -> wgpu::Instance {
     // VALIDATION_INDIRECT_CALL stays off: it would add a hidden dispatch to every indirect one.
     let mut flags = wgpu::InstanceFlags::empty();
     if std::env::var_os("BROOKLET_VALIDATION").is_some_and(|value| value == "1") {
         flags |= wgpu::InstanceFlags::VALIDATION | wgpu::InstanceFlags::DEBUG;
     }
-    let instance = wgpu::Instance::new(wgpu::InstanceDescriptor {
+    wgpu::Instance::new(wgpu::InstanceDescriptor {
         backends: wgpu::Backends::VULKAN,
         flags,
         // Refuse an allocation just before the driver would fail or swap: where the driver tells
@@ -308,8 +343,7 @@ pub(crate) fn vulkan_adapters() -> Vec<wgpu::Adapter> {
             for_device_loss: None,
         },
         ..wgpu::InstanceDescriptor::new_without_display_handle()
-    });
-    pollster::block_on(instance.enumerate_adapters(wgpu::Backends::VULKAN))
+    })
 }
 
 fn choose(adapters: Vec<wgpu::Adapter>, wanted: Option<&str>) -> Result<wgpu::Adapter, GpuError> {

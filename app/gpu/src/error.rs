@@ -20,6 +20,9 @@ pub enum GpuError {
         /// Names of the adapters there are.
         present: Vec<String>,
     },
+    /// No adapter can present to the window's surface.
+    #[error("no Vulkan device of this machine can show pictures in a window here; `brooklet run` needs no window")]
+    ShowsNothing,
     /// The caller's own device lacks a feature.
     #[error(
         "{device} was opened without the wgpu feature {feature}; \

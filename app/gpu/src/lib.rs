@@ -29,7 +29,7 @@ mod timing;
 pub use adapters::{AdapterReport, Missing, adapters};
 pub use brooklet_kernels::{Buffer, Format, ResourceId, Texture, Tier};
 pub use cache::CacheStatus;
-pub use device::{DeviceInfo, Gpu, GpuOptions};
+pub use device::{DeviceInfo, Gpu, GpuOptions, vulkan_instance};
 pub use draw::{Blend, Cull, DepthTest, DrawState, Load, RecordedTargets, Targets, Topology, texture_format};
 pub use engine::{Engine, FRAMES_IN_FLIGHT};
 pub use error::{GpuError, tier_name};

@@ -66,7 +66,11 @@ impl Arena {
         let mut dirty = Vec::new();
         for kept in plan.buffers() {
             progress(&kept.label);
-            let uses = uses.get(&kept.id).copied().unwrap_or_default();
+            let mut uses = uses.get(&kept.id).copied().unwrap_or_default();
+            if plan.wanted().contains(&kept.id) {
+                // A host program may show it.
+                uses.texture |= TextureUsages::TEXTURE_BINDING;
+            }
             let allocated = match plan.resources().get(kept.id).map(|entry| entry.shape) {
                 Some(Shape::Texture { format, size_px }) => arena.texture(&kept.label, format, size_px, uses.texture),
                 _ => arena.buffer(&kept.label, kept.bytes, uses.buffer, &mut dirty),

@@ -7,10 +7,13 @@
 pub mod camera;
 pub mod error;
 pub mod frame;
+pub mod left_out;
 pub mod png;
+mod scene_plan;
 pub mod surface;
 
 pub use camera::{Camera, View};
 pub use error::RenderError;
 pub use frame::{Coloring, FrameOptions, FramePasses, FrameUniforms, record};
+pub use scene_plan::{ScenePlan, ScenePlanError};
 pub use surface::{Particles, ScreenSpaceOptions, SmoothedSurface, SurfaceOptions};

@@ -21,6 +21,7 @@ pub fn everything() -> Vec<u8> {
         stats: vec![StatField::new("front_m", "m", "Largest x")],
         start: UNIX_EPOCH + Duration::from_nanos(ZERO_NS),
         flush_every: Duration::ZERO,
+        ..CaptureOptions::default()
     };
     let mut writer = CaptureWriter::new(&mut bytes, "test.mcap".into(), options).unwrap();
     writer.metadata("build", [("version", "0.1.0".to_string())]).unwrap();

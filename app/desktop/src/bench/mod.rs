@@ -12,6 +12,7 @@ mod stepping;
 mod surfaces;
 mod targets;
 mod traffic;
+mod window;
 mod workload;
 
 use std::path::Path;
@@ -29,6 +30,7 @@ pub fn bench(options: &BenchOptions) -> Result<(), Failure> {
     match (&options.study, &options.scene) {
         (Some(BenchStudy::Sorting(options)), _) => sorting::bench(options),
         (Some(BenchStudy::Surfaces(options)), _) => surfaces::bench(options),
+        (Some(BenchStudy::Window(options)), _) => window::bench(options),
         (None, Some(scene)) => single::bench(scene, options),
         (None, None) => scaling::bench(options),
     }

@@ -10,10 +10,10 @@ use std::collections::{BTreeMap, BTreeSet};
 use brooklet_fluid::scene::{Smoothing, SurfaceMethod};
 use brooklet_fluid::{MEASURE, STEP, Scene};
 use brooklet_gpu::{FRAMES_IN_FLIGHT, LeftOutKind, Plan, Tier, timestamp_bytes};
-use brooklet_render::frame::DRAW;
 use serde::Serialize;
 
-use crate::{failure::Failure, job};
+use crate::frame::DRAW;
+use crate::{ScenePlan, ScenePlanError};
 
 /// Something that does not run, or that there is no memory of.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -123,7 +123,7 @@ pub fn list(
     tier: Tier,
     plan: &Plan,
     recorded: &Recorded,
-) -> Result<Vec<Absent>, Failure> {
+) -> Result<Vec<Absent>, ScenePlanError> {
     let mut absent: Vec<Absent> = plan
         .left_out()
         .iter()
@@ -142,7 +142,7 @@ pub fn list(
     for term in TERMS.iter().filter(|term| (term.is_off)(scene, tier)) {
         let mut other = scene.clone();
         (term.turn_on)(&mut other);
-        absent.extend(difference(plan, &job::plan_for(&other, particles, tier)?.plan, term.reason));
+        absent.extend(difference(plan, &ScenePlan::of_count(&other, particles, tier)?.plan, term.reason));
     }
     if let Some(reason) = recorded.no_times {
         let (name, kind, bytes) = ("timestamps".into(), "timestamps", timestamp_memory(plan));
@@ -196,7 +196,6 @@ fn difference(plan: &Plan, fuller: &Plan, reason: &str) -> Vec<Absent> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::job::Planned;
 
     fn scene(settings: &[&str]) -> Scene {
         let settings: Vec<String> = settings.iter().map(|s| s.to_string()).collect();
@@ -213,8 +212,9 @@ mod tests {
         let base = ["spacing_m=0.1", "outputs.images=0"];
         let off = scene(&[&base[..], &["solver.vorticity_m_s=0"]].concat());
         let on = scene(&[&base[..], &["solver.vorticity_m_s=0.5"]].concat());
-        let Planned { plan: plan_off, particles, .. } = job::plan(&off, Tier::Desktop).unwrap();
-        let plan_on = job::plan(&on, Tier::Desktop).unwrap().plan;
+        let ScenePlan { plan: plan_off, recorded, .. } = ScenePlan::new(&off, Tier::Desktop).unwrap();
+        let particles = recorded.particle_count;
+        let plan_on = ScenePlan::new(&on, Tier::Desktop).unwrap().plan;
         let vorticity: Vec<Absent> = list(&off, particles, Tier::Desktop, &plan_off, &Recorded::default())
             .unwrap()
             .into_iter()
@@ -231,12 +231,13 @@ mod tests {
     #[test]
     fn without_measurements_nothing_measures() {
         let scene = scene(&["spacing_m=0.1", "outputs.images=0", "outputs.measure_every_steps=0"]);
-        let planned = job::plan(&scene, Tier::Desktop).unwrap();
-        assert!(planned.measure.is_none() && planned.picture.is_none());
+        let planned = ScenePlan::new(&scene, Tier::Desktop).unwrap();
+        assert!(planned.recorded.measure.is_none() && planned.passes.is_none());
         let stages: Vec<_> = planned.plan.passes().iter().map(|pass| pass.stage).collect();
         assert!(stages.iter().all(|stage| !stage.starts_with("measure")), "{stages:?}");
         assert!(stages.iter().all(|stage| !stage.starts_with("draw")), "{stages:?}");
-        let absent = list(&scene, planned.particles, Tier::Desktop, &planned.plan, &Recorded::default()).unwrap();
+        let absent =
+            list(&scene, planned.recorded.particle_count, Tier::Desktop, &planned.plan, &Recorded::default()).unwrap();
         let passes = names(&absent, "pass");
         assert!(passes.contains(&"measure_totals".into()), "{passes:?}");
         assert!(passes.iter().any(|name| name.starts_with("draw")), "{passes:?}");

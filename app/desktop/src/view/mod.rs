@@ -1,0 +1,51 @@
+//! `brooklet view`: the desktop window.
+
+mod open;
+mod options;
+mod reload;
+mod surface;
+mod tell;
+mod window;
+
+pub use options::ViewOptions;
+
+use std::panic;
+use std::sync::{Arc, Mutex, PoisonError};
+
+use winit::error::EventLoopError;
+use winit::event_loop::EventLoop;
+
+use crate::{failure::Failure, job};
+use window::Window;
+
+/// Opens a window, and comes back when it is closed.
+pub fn view(options: &ViewOptions) -> Result<(), Failure> {
+    // What is wrong with the scene is said before there is a window.
+    let scene = job::scene(&options.scene, None)?;
+    let events = event_loop()?;
+    let mut window = Window::new(options, scene)?;
+    events.run_app(&mut window).map_err(|error| Failure::Stopped(format!("the window system ended: {error}")))?;
+    window.end()
+}
+
+/// The window system. Where one of its libraries is missing, winit panics: that is no fault of the program's.
+fn event_loop() -> Result<EventLoop<()>, Failure> {
+    let said = Arc::new(Mutex::new(String::new()));
+    let heard = Arc::clone(&said);
+    let before = panic::take_hook();
+    panic::set_hook(Box::new(move |panicked| {
+        let text = panicked.payload_as_str().unwrap_or("a library of it is missing");
+        text.clone_into(&mut heard.lock().unwrap_or_else(PoisonError::into_inner));
+    }));
+    let made = panic::catch_unwind(EventLoop::new);
+    panic::set_hook(before);
+    let reason = match made {
+        Ok(Ok(events)) => return Ok(events),
+        Ok(Err(EventLoopError::Os(error))) => error.to_string(),
+        Ok(Err(error)) => error.to_string(),
+        Err(_) => said.lock().unwrap_or_else(PoisonError::into_inner).clone(),
+    };
+    Err(Failure::Input(format!(
+        "no window can be opened here: {reason}; `brooklet run` simulates and writes pictures without one"
+    )))
+}

@@ -1,0 +1,234 @@
+//! Doing what was asked for.
+
+use std::path::{Path, PathBuf};
+
+use brooklet_capture::StateRow;
+use brooklet_fluid::particles::Emitted;
+use brooklet_fluid::state::{self, State};
+use brooklet_fluid::{Scene, SceneError};
+use brooklet_gpu::tier_name;
+
+use crate::action::Action;
+use crate::files::free_name;
+use crate::ladder::{Governor, RUNGS};
+use crate::messages::Kind;
+use crate::recorder::Recorder;
+use crate::viewer::Viewer;
+use crate::world::{Start, needs_reset};
+
+impl Viewer {
+    /// Does what is asked for; gives back what only the window can do.
+    pub fn act(&mut self, action: Action) -> Option<Action> {
+        match action {
+            Action::Fullscreen | Action::Quit | Action::Tier(_) => return Some(action),
+            Action::Pause => {
+                self.running.paused = !self.running.paused;
+                self.note(if self.running.paused { "paused" } else { "goes on" });
+            }
+            Action::Step => self.running.step_once(),
+            Action::Reset => self.reset(),
+            Action::Open(name) => self.open(&name),
+            Action::Apply(scene) => self.apply(*scene),
+            Action::Speed(speed) => self.running.clock.speed = speed,
+            Action::Screenshot => {
+                self.running.screenshot = Some(free_name(&self.settings.folder, &self.name(), "png"));
+            }
+            Action::Capture => self.toggle_capture(),
+            Action::SaveState => self.save_state(),
+            Action::RestoreState(path) => {
+                let path = path.unwrap_or_else(|| self.state_file());
+                self.restore_state(&path);
+            }
+            Action::Rung(rung) => self.take_rung(rung),
+            Action::Auto(auto) => self.auto = auto,
+            Action::Budget(budget_ms) => self.governor = Governor::new(budget_ms),
+            Action::ResetCamera => self.steered = false,
+            Action::Panels => self.panels.shown = !self.panels.shown,
+            Action::Overlay => self.panels.overlay = !self.panels.overlay,
+            Action::Help => self.panels.help = !self.panels.help,
+        }
+        None
+    }
+
+    /// Opens a shipped scene by its name, or a file: a scene, or a saved state. An error is said, and the
+    /// scene that runs goes on.
+    pub fn open(&mut self, name_or_path: &str) {
+        if name_or_path.ends_with(&format!(".{}", state::EXTENSION)) {
+            return self.restore_state(Path::new(name_or_path));
+        }
+        match Scene::load(name_or_path, &[]) {
+            Ok(scene) => {
+                (self.orbit, self.steered) = (None, false);
+                self.load(scene, Start::Scene, "scene");
+            }
+            Err(error) => self.refuse(&error),
+        }
+    }
+
+    fn refuse(&mut self, error: &SceneError) {
+        self.messages.say(Kind::Error, error.to_string());
+    }
+
+    fn reset(&mut self) {
+        let draft = self.panels.draft.as_ref().map(|draft| draft.scene.clone());
+        if let Some(scene) = draft.or_else(|| self.world.as_ref().map(|world| world.scene.clone())) {
+            self.load(scene, Start::Scene, "reset");
+        }
+    }
+
+    /// Takes other settings: at once where only numbers change, with another plan and the same
+    /// particles where more does, and where the particles themselves would be others, at the next reset.
+    pub fn apply(&mut self, scene: Scene) {
+        let Some(world) = &mut self.world else { return };
+        if needs_reset(&world.scene, &scene) {
+            let (running, wanted) = (&world.scene, &scene);
+            let parts = [
+                ("spacing", running.spacing_m != wanted.spacing_m),
+                ("domain", running.domain != wanted.domain),
+                ("fluids", running.fluids != wanted.fluids),
+            ];
+            self.waiting = parts.iter().filter(|(_, waits)| *waits).map(|(name, _)| (*name).to_owned()).collect();
+            return;
+        }
+        self.waiting.clear();
+        match world.apply_live(&scene, &RUNGS[self.rung]) {
+            Ok(true) => self.note("settings"),
+            Ok(false) => {
+                let start = Start::Carry(world.particles);
+                self.load(scene, start, "settings");
+            }
+            Err(error) => self.messages.say(Kind::Error, error.to_string()),
+        }
+    }
+
+    pub(crate) fn take_rung(&mut self, rung: usize) {
+        let rung = rung.min(RUNGS.len() - 1);
+        if rung == self.rung {
+            return;
+        }
+        self.rung = rung;
+        self.governor.settle();
+        let Some(world) = &mut self.world else { return };
+        let simulated = RUNGS[rung].scene(&world.scene);
+        let scene = world.scene.clone();
+        let start = if needs_reset(&world.simulated, &simulated) {
+            match world.read_particles() {
+                Ok((positions, velocities)) => Start::Resampled {
+                    from: Box::new(world.simulated.clone()),
+                    particles: Emitted { positions, velocities },
+                    steps: world.steps,
+                    simulated_s: world.simulated_s,
+                },
+                Err(error) => return self.messages.say(Kind::Error, error.to_string()),
+            }
+        } else {
+            Start::Carry(world.particles)
+        };
+        self.load(scene, start, &format!("quality: {}", RUNGS[rung].name));
+    }
+
+    /// Tells the capture what is computed and drawn from now on, and what changed.
+    pub(crate) fn note(&mut self, event: &str) {
+        let Some(world) = &self.world else { return };
+        let solver = &world.simulated.solver;
+        let name = |value: &dyn std::fmt::Debug| format!("{value:?}").to_lowercase();
+        let state = StateRow {
+            event: event.to_owned(),
+            scene: Some(world.scene.name.clone()),
+            tier: tier_name(self.gpu.tier()).to_owned(),
+            precision: name(&solver.precision),
+            surface: name(&world.simulated.surface.method),
+            rung: self.rung as i32,
+            rung_name: RUNGS[self.rung].name.to_owned(),
+            paused: self.running.paused,
+            particles: Some(u64::from(world.particles)),
+            substeps: Some(solver.substeps),
+            iterations: Some(solver.iterations),
+            ..StateRow::default()
+        };
+        self.running.note(&state, &mut self.messages);
+    }
+
+    /// A name for files of the running scene.
+    fn name(&self) -> String {
+        self.world.as_ref().map_or_else(|| "brooklet".to_owned(), |world| world.scene.name.clone())
+    }
+
+    fn toggle_capture(&mut self) {
+        if self.running.recorder.is_some() {
+            self.end_capture();
+            return;
+        }
+        let Some(world) = &self.world else { return };
+        let path = free_name(&self.settings.folder, &self.name(), "mcap");
+        let begun = std::fs::create_dir_all(&self.settings.folder)
+            .map_err(|error| format!("{}: {error}", self.settings.folder.display()))
+            .and_then(|()| Recorder::begin(path, &self.gpu, world).map_err(|error| error.to_string()));
+        match begun {
+            Ok(recorder) => {
+                self.running.recorder = Some(recorder);
+                self.note("the capture begins");
+            }
+            Err(reason) => self.messages.say(Kind::Error, reason),
+        }
+    }
+
+    /// Writes the capture's end, if there is one.
+    pub fn end_capture(&mut self) {
+        let Some(recorder) = self.running.recorder.take() else { return };
+        let path = recorder.path().display().to_string();
+        match recorder.finish() {
+            Ok(totals) => self.messages.say(Kind::Done, format!("capture {path}: {} frames", totals.frames)),
+            Err(error) => self.messages.say(Kind::Error, error.to_string()),
+        }
+    }
+
+    fn state_file(&self) -> PathBuf {
+        self.settings.folder.join(format!("state.{}", state::EXTENSION))
+    }
+
+    fn save_state(&mut self) {
+        let path = self.state_file();
+        let Some(world) = &mut self.world else { return };
+        let (positions, velocities) = match world.read_particles() {
+            Ok(read) => read,
+            Err(error) => return self.messages.say(Kind::Error, error.to_string()),
+        };
+        let state = State {
+            scene: world.simulated.clone(),
+            time_s: world.simulated_s,
+            steps: world.steps,
+            particles: Emitted { positions, velocities },
+        };
+        self.running.jobs.begin(&mut self.messages, move || {
+            let folder = path.parent().unwrap_or(&path);
+            std::fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
+            state.save(&path).map_err(|error| error.to_string())?;
+            Ok(format!("state {}", path.display()))
+        });
+    }
+
+    /// The running scene with its particles, to go on on another device; none before there is one.
+    pub fn take_state(&mut self) -> Option<State> {
+        let world = self.world.as_mut()?;
+        let (positions, velocities) = world.read_particles().ok()?;
+        Some(State {
+            scene: world.scene.clone(),
+            time_s: world.simulated_s,
+            steps: world.steps,
+            particles: Emitted { positions, velocities },
+        })
+    }
+
+    fn restore_state(&mut self, path: &Path) {
+        match State::load(path) {
+            Ok(State { scene, time_s, steps, particles }) => {
+                // The state is of the scene as the ladder had it: on top of that nothing is given up.
+                self.rung = 0;
+                (self.orbit, self.steered) = (None, false);
+                self.load(scene, Start::Particles { particles, steps, simulated_s: time_s }, "state restored");
+            }
+            Err(error) => self.messages.say(Kind::Error, error.to_string()),
+        }
+    }
+}

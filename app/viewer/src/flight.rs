@@ -1,0 +1,71 @@
+//! Frames handed to the GPU that have not come back yet.
+
+use std::collections::VecDeque;
+use std::time::Instant;
+
+use crate::world::Doing;
+
+/// A frame under way.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Flying {
+    /// The engine's number of it.
+    pub frame: u64,
+    /// What it does.
+    pub doing: Doing,
+    /// Steps done at its end.
+    pub steps: u64,
+    /// Simulated time at its end, s.
+    pub simulated_s: f64,
+    /// When it was handed over.
+    pub handed: Instant,
+    /// The painter's number of the frame in which it is shown.
+    pub painted: Option<u64>,
+}
+
+/// Frames under way, the oldest first.
+#[derive(Debug, Default)]
+pub struct Flight {
+    frames: VecDeque<Flying>,
+}
+
+/// More of them would only make the picture older than the hand that moves it.
+pub const MOST_FLYING: usize = 2;
+
+impl Flight {
+    /// Whether another one may begin.
+    pub fn has_room(&self) -> bool {
+        self.frames.len() < MOST_FLYING
+    }
+
+    /// One begins.
+    pub fn begin(&mut self, flying: Flying) {
+        self.frames.push_back(flying);
+    }
+
+    /// The one that came back; those before it never will.
+    pub fn end(&mut self, frame: u64) -> Option<Flying> {
+        while let Some(flying) = self.frames.pop_front() {
+            if flying.frame >= frame {
+                return (flying.frame == frame).then_some(flying);
+            }
+        }
+        None
+    }
+
+    /// The newest is shown in a frame of the painter's.
+    pub fn painted_as(&mut self, frame: u64) {
+        if let Some(newest) = self.frames.back_mut() {
+            newest.painted = Some(frame);
+        }
+    }
+
+    /// Whether none is under way.
+    pub fn is_empty(&self) -> bool {
+        self.frames.is_empty()
+    }
+
+    /// Forgets all: their engine is gone.
+    pub fn clear(&mut self) {
+        self.frames.clear();
+    }
+}

@@ -1,0 +1,76 @@
+//! Builds worlds on a thread of its own, so that the window never stands still.
+
+use std::sync::mpsc::{Receiver, Sender, channel};
+use std::thread;
+use std::time::Instant;
+
+use brooklet_gpu::Gpu;
+
+use crate::WorldError;
+use crate::world::{Order, World};
+
+/// How far a world is.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Progress {
+    /// Parts that are done.
+    pub done: usize,
+    /// Parts in all; 0 if that is not known.
+    pub all: usize,
+    /// What is being done.
+    pub what: String,
+}
+
+/// A world in the making.
+pub struct Loading {
+    /// What it will be.
+    pub order: Order,
+    /// How far it is.
+    pub progress: Progress,
+    /// Since when.
+    pub begun: Instant,
+    news: Receiver<News>,
+}
+
+enum News {
+    Progress(Progress),
+    Done(Box<Result<World, WorldError>>),
+}
+
+impl Loading {
+    /// Begins.
+    ///
+    /// # Errors
+    /// If the system has no thread left.
+    pub fn begin(gpu: &Gpu, order: Order) -> Result<Self, WorldError> {
+        let (sender, news) = channel();
+        let (gpu, wanted) = (gpu.clone(), order.clone());
+        thread::Builder::new()
+            .name("loading".into())
+            .spawn(move || build(&gpu, wanted, &sender))
+            .map_err(|error| WorldError::NoThread { reason: error.to_string() })?;
+        Ok(Self { order, progress: Progress::default(), begun: Instant::now(), news })
+    }
+
+    /// The world, or why there is none, once it is ready.
+    pub fn poll(&mut self) -> Option<Result<World, WorldError>> {
+        loop {
+            match self.news.try_recv() {
+                Ok(News::Progress(progress)) => self.progress = progress,
+                Ok(News::Done(result)) => return Some(*result),
+                Err(std::sync::mpsc::TryRecvError::Empty) => return None,
+                Err(std::sync::mpsc::TryRecvError::Disconnected) => {
+                    return Some(Err(WorldError::NoThread { reason: "it ended early".into() }));
+                }
+            }
+        }
+    }
+}
+
+fn build(gpu: &Gpu, order: Order, news: &Sender<News>) {
+    // Where nobody listens any more, the window was closed or something else was opened.
+    let mut tell = |done, all, what: &str| {
+        let _ = news.send(News::Progress(Progress { done, all, what: what.to_owned() }));
+    };
+    let result = World::build(gpu, order, &mut tell);
+    let _ = news.send(News::Done(Box::new(result)));
+}

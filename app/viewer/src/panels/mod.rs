@@ -1,0 +1,115 @@
+//! What stands round the picture.
+
+mod bar;
+mod help;
+mod messages;
+mod picture;
+mod quality;
+pub mod settings;
+mod side;
+mod times;
+
+use std::path::Path;
+
+use brooklet_gpu::Gpu;
+use brooklet_render::left_out::Absent;
+use egui::{Context, Panel, TextureId};
+
+use crate::action::Action;
+use crate::ladder::Governor;
+use crate::loading::Progress;
+use crate::messages::Messages;
+use crate::pointer::Pointing;
+use crate::style;
+use crate::times::Times;
+use crate::world::World;
+
+/// What the panels show.
+pub struct Shown<'a> {
+    /// The device.
+    pub gpu: &'a Gpu,
+    /// The running world.
+    pub world: Option<&'a World>,
+    /// What is being loaded, and how far it is.
+    pub loading: Option<(&'a str, &'a Progress)>,
+    /// The picture, and its size in pixels.
+    pub picture: Option<(TextureId, [u32; 2])>,
+    /// Whether the simulation stands.
+    pub paused: bool,
+    /// Simulated seconds a second that are wanted.
+    pub speed: f64,
+    /// Rung of the quality ladder.
+    pub rung: usize,
+    /// Whether the ladder moves by itself.
+    pub auto: bool,
+    /// What holds the budget.
+    pub governor: &'a Governor,
+    /// What frames took.
+    pub times: &'a Times,
+    /// What the plan does without.
+    pub left_out: &'a [Absent],
+    /// The capture being written, and its bytes so far.
+    pub capture: Option<(&'a Path, u64)>,
+    /// What there is to say.
+    pub messages: &'a Messages,
+    /// Settings that wait for the next reset.
+    pub waiting: &'a [String],
+}
+
+/// What of the panels is open, and what is being edited.
+pub struct Panels {
+    /// Whether there are any.
+    pub shown: bool,
+    /// Whether times and plots are among them.
+    pub overlay: bool,
+    /// Whether the help is.
+    pub help: bool,
+    /// The settings as they are being edited.
+    pub draft: Option<settings::Draft>,
+}
+
+impl Default for Panels {
+    fn default() -> Self {
+        Self { shown: true, overlay: true, help: false, draft: None }
+    }
+}
+
+/// What a frame of the panels asks for.
+#[derive(Default)]
+pub struct Asked {
+    /// Buttons and fields.
+    pub actions: Vec<Action>,
+    /// The pointer on the picture.
+    pub pointing: Pointing,
+    /// Room for the picture, pixels.
+    pub room_px: [u32; 2],
+}
+
+impl Panels {
+    /// One frame.
+    pub fn show(&mut self, ui: &mut egui::Ui, shown: &Shown<'_>) -> Asked {
+        let mut asked = Asked::default();
+        let context: Context = ui.ctx().clone();
+        if self.shown {
+            Panel::top("bar").frame(style::bar()).show(ui, |ui| bar::show(ui, shown, &mut asked.actions));
+            if self.overlay {
+                Panel::left("times")
+                    .frame(style::panel())
+                    .resizable(false)
+                    .exact_size(286.0)
+                    .show(ui, |ui| times::show(ui, shown));
+            }
+            Panel::right("settings")
+                .frame(style::panel())
+                .resizable(false)
+                .exact_size(322.0)
+                .show(ui, |ui| side::show(ui, shown, &mut self.draft, &mut asked.actions));
+        }
+        picture::show(ui, shown, &mut asked);
+        messages::show(&context, shown);
+        if self.help {
+            help::show(&context, &mut self.help);
+        }
+        asked
+    }
+}

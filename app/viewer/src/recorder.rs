@@ -1,0 +1,171 @@
+//! The window's capture: every frame, what was measured, what was changed, a picture a second.
+
+use std::fs::File;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+use brooklet_capture::{
+    CaptureClock, CaptureCost, CaptureError, CaptureOptions, CaptureTotals, CaptureWriter, DeviceState, Level,
+    StatField, StateRow,
+};
+use brooklet_fluid::{STAT_FIELDS, Stats};
+use brooklet_gpu::{FrameReport, Gpu, tier_name};
+
+use crate::flight::Flying;
+use crate::messages::Kind;
+use crate::thumbnail::{Picture, Thumbnails};
+use crate::world::World;
+
+/// Pictures, points and heat are recorded so often.
+const SLOWLY: Duration = Duration::from_secs(1);
+
+/// Raw ticks are recorded of every so many frames: with several steps a frame they are most of a capture,
+/// and ten minutes of it stay below 100 MB.
+const SPANS_EVERY: u32 = 4;
+
+/// A capture being written.
+pub struct Recorder {
+    /// Its file.
+    pub path: PathBuf,
+    writer: CaptureWriter<File>,
+    clock: CaptureClock,
+    heat: DeviceState,
+    thumbnails: Thumbnails,
+    frames: u64,
+    heat_read: Option<Instant>,
+    picture_taken: Option<Instant>,
+}
+
+impl Recorder {
+    /// Creates the file and writes what holds for all of it.
+    pub fn begin(path: PathBuf, gpu: &Gpu, world: &World) -> Result<Self, CaptureError> {
+        let clock = CaptureClock::new();
+        let clock_fields = [
+            StatField::new("step", "1", "Number of the step that was measured"),
+            StatField::new("simulated_s", "s", "Simulated time"),
+        ];
+        let stats = STAT_FIELDS.iter().map(|field| StatField::new(field.name, field.unit, field.description));
+        let options = CaptureOptions {
+            stats: clock_fields.into_iter().chain(stats).collect(),
+            start: clock.start(),
+            spans_every: SPANS_EVERY,
+            ..CaptureOptions::default()
+        };
+        let mut writer = CaptureWriter::create(&path, options)?;
+        writer.device(gpu.info(), tier_name(gpu.tier()))?;
+        let build = [("program", "brooklet view".to_owned()), ("version", env!("CARGO_PKG_VERSION").to_owned())];
+        writer.metadata("build", build)?;
+        let mut recorder = Self {
+            path,
+            writer,
+            clock,
+            heat: DeviceState::find(),
+            thumbnails: Thumbnails::new(),
+            frames: 0,
+            heat_read: None,
+            picture_taken: None,
+        };
+        recorder.world(world)?;
+        Ok(recorder)
+    }
+
+    /// Another world is recorded from now on.
+    pub fn world(&mut self, world: &World) -> Result<(), CaptureError> {
+        self.writer.plan(world.engine.plan())?;
+        let name = format!("{}.toml", world.simulated.name);
+        self.writer.attach(&name, "application/toml", world.simulated.to_toml().as_bytes())
+    }
+
+    /// A frame that came back.
+    pub fn frame(
+        &mut self,
+        mut report: FrameReport,
+        flying: &Flying,
+        stats: Option<&Stats>,
+    ) -> Result<(), CaptureError> {
+        report.frame = self.frames;
+        report.wall_ns = self.clock.ns_at(flying.handed);
+        self.frames += 1;
+        self.writer.frame(&report)?;
+        if let Some(stats) = stats {
+            let clock = [flying.steps as f64, flying.simulated_s];
+            let values: Vec<f64> =
+                clock.into_iter().chain(STAT_FIELDS.iter().map(|field| (field.value)(stats))).collect();
+            self.writer.stats(report.frame, report.wall_ns, &values)?;
+        }
+        Ok(())
+    }
+
+    /// What is done about once a second, and what was made of the last picture.
+    pub fn now_and_then(&mut self) -> Result<(), CaptureError> {
+        if is_due(self.heat_read) {
+            self.heat_read = Some(Instant::now());
+            self.writer.thermal(self.clock.ns(), &self.heat.read())?;
+        }
+        while let Some((taken, jpeg)) = self.thumbnails.ready() {
+            self.writer.image(self.clock.ns_at(taken), "jpeg", &jpeg)?;
+        }
+        Ok(())
+    }
+
+    /// Whether the next picture should come back to the host.
+    pub fn wants_picture(&mut self) -> bool {
+        let is_due = is_due(self.picture_taken);
+        if is_due {
+            self.picture_taken = Some(Instant::now());
+        }
+        is_due
+    }
+
+    /// A picture that came back: it is made small on another thread, and written when that is done.
+    pub fn picture(&mut self, size_px: [u32; 2], rgba: &[u8], taken: Instant) {
+        self.thumbnails.give(Picture { size_px, rgba: rgba.to_vec(), taken });
+    }
+
+    /// Points of the fluid: x, y, z in m and speed in m/s.
+    pub fn particles(&mut self, points: &[[f32; 4]], handed: Instant) -> Result<(), CaptureError> {
+        self.writer.particles(self.clock.ns_at(handed), points)
+    }
+
+    /// What is computed and drawn from now on.
+    pub fn state(&mut self, state: &StateRow) -> Result<(), CaptureError> {
+        self.writer.state(self.clock.ns(), state)
+    }
+
+    /// Something was said in the window.
+    pub fn log(&mut self, kind: Kind, text: &str) -> Result<(), CaptureError> {
+        let level = match kind {
+            Kind::Done => Level::Info,
+            Kind::Warning => Level::Warning,
+            Kind::Error => Level::Error,
+        };
+        self.writer.log(self.clock.ns(), level, text)
+    }
+
+    /// What capturing costs, where somebody measured it.
+    pub fn cost(&mut self, cost: &CaptureCost) -> Result<(), CaptureError> {
+        self.writer.cost(cost)
+    }
+
+    /// Bytes written so far.
+    pub fn bytes(&self) -> u64 {
+        self.writer.bytes_written()
+    }
+
+    /// Its file.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Writes the end.
+    pub fn finish(mut self) -> Result<CaptureTotals, CaptureError> {
+        for (taken, jpeg) in self.thumbnails.finish() {
+            self.writer.image(self.clock.ns_at(taken), "jpeg", &jpeg)?;
+        }
+        self.writer.finish()
+    }
+}
+
+fn is_due(last: Option<Instant>) -> bool {
+    last.is_none_or(|last| last.elapsed() >= SLOWLY)
+}

@@ -1,0 +1,302 @@
+//! The simulation's own time: hands frames to the GPU, and takes what comes back.
+
+use std::collections::VecDeque;
+use std::path::PathBuf;
+use std::time::Instant;
+
+use brooklet_capture::StateRow;
+use brooklet_fluid::{MEASURE, STEP, Stats};
+use brooklet_gpu::FrameReport;
+use brooklet_render::frame::DRAW;
+use brooklet_render::png;
+
+use crate::WorldError;
+use crate::clock::{Clock, steps_within};
+use crate::flight::{Flight, Flying};
+use crate::hand::Pull;
+use crate::jobs::Jobs;
+use crate::messages::{Kind, Messages};
+use crate::recorder::Recorder;
+use crate::times::Times;
+use crate::world::{Doing, World};
+
+/// A world's course.
+pub struct Running {
+    /// Whether it stands.
+    pub paused: bool,
+    /// Its time.
+    pub clock: Clock,
+    /// What its frames took.
+    pub times: Times,
+    /// The last measurement.
+    pub stats: Option<Stats>,
+    /// Where the next picture is kept.
+    pub screenshot: Option<PathBuf>,
+    /// The capture being written.
+    pub recorder: Option<Recorder>,
+    /// What is being written beside the frames.
+    pub jobs: Jobs,
+    /// How the fluid is pushed in the next frame.
+    pub pull: Option<Pull>,
+    flight: Flight,
+    /// Came back, and wait for the times of what was painted over them.
+    returned: VecDeque<(FrameReport, Flying)>,
+    painted: VecDeque<FrameReport>,
+    started: Instant,
+    last_advance: Instant,
+    single_steps: u32,
+    is_stale: bool,
+    measured_step: u64,
+    fresh_times: bool,
+}
+
+/// Reports that wait for another one no longer than this many frames.
+const MOST_WAITING: usize = 4;
+
+impl Running {
+    pub(crate) fn new() -> Self {
+        Self {
+            paused: false,
+            clock: Clock::default(),
+            times: Times::default(),
+            stats: None,
+            screenshot: None,
+            recorder: None,
+            jobs: Jobs::default(),
+            pull: None,
+            flight: Flight::default(),
+            returned: VecDeque::new(),
+            painted: VecDeque::new(),
+            started: Instant::now(),
+            last_advance: Instant::now(),
+            single_steps: 0,
+            is_stale: true,
+            measured_step: 0,
+            fresh_times: false,
+        }
+    }
+
+    /// Another world from now on; `carries` says whether it goes on with the state of the one before.
+    pub fn begin(&mut self, world: &World, carries: bool, messages: &mut Messages) {
+        self.flight.clear();
+        self.returned.clear();
+        self.is_stale = true;
+        let density_error = std::mem::take(&mut self.times.density_error);
+        let passes = world.engine.plan().passes();
+        self.times.restart([STEP, MEASURE, DRAW].into_iter().flat_map(|recording| {
+            passes.iter().filter(move |pass| pass.recording == recording).map(|pass| pass.stage)
+        }));
+        if carries {
+            self.times.density_error = density_error;
+        }
+        self.measured_step = world.steps;
+        self.last_advance = Instant::now();
+        self.record(messages, |recorder| recorder.world(world));
+    }
+
+    /// One step more, and then stand.
+    pub fn step_once(&mut self) {
+        self.paused = true;
+        self.single_steps += 1;
+    }
+
+    /// The next frame is drawn even if nothing moves.
+    pub fn redraw(&mut self) {
+        self.is_stale = true;
+    }
+
+    /// Something changed that a capture tells of.
+    pub fn note(&mut self, state: &StateRow, messages: &mut Messages) {
+        self.is_stale = true;
+        self.record(messages, |recorder| recorder.state(state));
+    }
+
+    /// Notes in the capture what capturing costs.
+    pub fn tell_cost(&mut self, cost: &brooklet_capture::CaptureCost, messages: &mut Messages) {
+        self.record(messages, |recorder| recorder.cost(cost));
+    }
+
+    /// Whether frames come without anybody asking.
+    pub fn is_moving(&self) -> bool {
+        !self.paused || self.single_steps > 0 || self.is_stale || !self.flight.is_empty() || self.screenshot.is_some()
+    }
+
+    /// Whether another frame may be handed to the GPU.
+    pub fn has_room(&self) -> bool {
+        self.flight.has_room()
+    }
+
+    /// Does something with the capture, if there is one. Its first failure is said, and ends it: what was
+    /// written stays readable, and the window goes on.
+    fn record(
+        &mut self,
+        messages: &mut Messages,
+        job: impl FnOnce(&mut Recorder) -> Result<(), brooklet_capture::CaptureError>,
+    ) {
+        if let Some(recorder) = &mut self.recorder
+            && let Err(error) = job(recorder)
+        {
+            self.recorder = None;
+            messages.say(Kind::Error, error.to_string());
+        }
+    }
+
+    /// Takes the frames that came back, and the times of what was painted over them.
+    ///
+    /// # Errors
+    /// If the device is lost.
+    pub fn take_reports(
+        &mut self,
+        world: &mut World,
+        painted: Vec<FrameReport>,
+        messages: &mut Messages,
+    ) -> Result<(), WorldError> {
+        self.painted.extend(painted);
+        for report in world.engine.reports() {
+            if let Some(flying) = self.flight.end(report.frame) {
+                self.returned.push_back((report, flying));
+            }
+        }
+        while let Some((_, flying)) = self.returned.front() {
+            let wanted = flying.painted;
+            let is_there = wanted.is_none_or(|frame| self.painted.back().is_some_and(|report| report.frame >= frame));
+            if !is_there && self.returned.len() <= MOST_WAITING {
+                break;
+            }
+            let Some((mut report, flying)) = self.returned.pop_front() else { break };
+            while let Some(painted) =
+                self.painted.pop_front_if(|painted| wanted.is_some_and(|frame| painted.frame <= frame))
+            {
+                if Some(painted.frame) == wanted {
+                    report.append(painted);
+                }
+            }
+            self.take(report, &flying, world, messages);
+        }
+        while self.painted.len() > 8 * MOST_WAITING {
+            self.painted.pop_front();
+        }
+        for (kind, text) in messages.take_unlogged() {
+            self.record(messages, |recorder| recorder.log(kind, &text));
+        }
+        self.record(messages, Recorder::now_and_then);
+        match world.engine.gpu().is_lost() {
+            Some(reason) => Err(WorldError::Gpu(brooklet_gpu::GpuError::DeviceLost { reason })),
+            None => Ok(()),
+        }
+    }
+
+    fn take(&mut self, report: FrameReport, flying: &Flying, world: &World, messages: &mut Messages) {
+        let time_s = (flying.handed - self.started).as_secs_f64();
+        self.times.take(&report, flying.doing.steps, time_s);
+        self.fresh_times = true;
+        let mut measured = None;
+        for (id, bytes) in &report.readbacks {
+            if Some(*id) == world.measure_id() {
+                let stats = Stats::new(bytes, &world.simulated);
+                self.times.density_error.push(time_s, 100.0 * stats.density_error.mean);
+                measured = Some(stats);
+            } else if *id == world.picture_id() {
+                self.keep_picture(bytes, flying, world, messages);
+            } else if *id == world.points_id() {
+                let points = points(bytes, world);
+                self.record(messages, |recorder| recorder.particles(&points, flying.handed));
+            }
+        }
+        self.stats = measured.or(self.stats);
+        self.record(messages, |recorder| recorder.frame(report, flying, measured.as_ref()));
+    }
+
+    fn keep_picture(&mut self, rgba: &[u8], flying: &Flying, world: &World, messages: &mut Messages) {
+        let size_px = world.view().size_px;
+        if flying.doing.records
+            && let Some(recorder) = &mut self.recorder
+        {
+            recorder.picture(size_px, rgba, flying.handed);
+        }
+        if flying.doing.screenshot
+            && let Some(path) = self.screenshot.take()
+        {
+            let rgba = rgba.to_vec();
+            self.jobs.begin(messages, move || {
+                let folder = path.parent().unwrap_or(&path);
+                std::fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
+                png::save(&path, size_px, &rgba).map_err(|error| error.to_string())?;
+                Ok(format!("screenshot {}", path.display()))
+            });
+        }
+    }
+
+    /// What a frame would have to take for the simulation to keep real time at the budget's rate, ms;
+    /// once for each frame that came back.
+    pub fn take_needed_ms(&mut self, world: Option<&World>, budget_ms: f64) -> Option<f64> {
+        if !std::mem::take(&mut self.fresh_times) {
+            return None;
+        }
+        let (step_ms, draw_ms) = (self.times.step_ms.last()?, self.times.draw_ms.last()?);
+        let dt_s = world?.simulated.solver.dt_s;
+        Some(draw_ms + step_ms * self.clock.speed * 1e-3 * budget_ms / dt_s)
+    }
+
+    /// Hands the next frame to the GPU if it has room for one and something is to be done; says whether it did.
+    ///
+    /// # Errors
+    /// If the device is lost.
+    pub fn advance(&mut self, world: &mut World, budget_ms: f64) -> Result<bool, WorldError> {
+        if !self.flight.has_room() {
+            return Ok(false);
+        }
+        let elapsed_s = self.last_advance.elapsed().as_secs_f64();
+        self.last_advance = Instant::now();
+        let most = self.times.cost_ms().map_or(1, |(step_ms, draw_ms)| steps_within(budget_ms, draw_ms, step_ms));
+        let steps = match (std::mem::take(&mut self.single_steps), self.paused) {
+            (0, true) => 0,
+            (0, false) => self.clock.steps(elapsed_s, world.simulated.solver.dt_s, most),
+            (single, _) => single,
+        };
+        let screenshot = self.screenshot.is_some();
+        if steps == 0 && !self.is_stale && !screenshot {
+            return Ok(false);
+        }
+        let every = u64::from(world.simulated.outputs.measure_every_steps);
+        let measures = every > 0 && steps > 0 && world.steps + u64::from(steps) >= self.measured_step + every;
+        let records = self.recorder.as_mut().is_some_and(Recorder::wants_picture);
+        let advance_s = f64::from(steps) * world.simulated.solver.dt_s;
+        let pull = if steps > 0 { self.pull.take() } else { None };
+        if let Some(pull) = pull {
+            world.push(&pull.over(advance_s));
+        }
+        let doing = Doing { steps, measures, draws: true, pushes: pull.is_some(), screenshot, records };
+        let frame = world.run(doing)?;
+        if measures {
+            self.measured_step = world.steps;
+        }
+        self.is_stale = false;
+        let now = Instant::now();
+        let time_s = (now - self.started).as_secs_f64();
+        self.times.frame_ms.push(time_s, 1e3 * elapsed_s);
+        if elapsed_s > 0.0 && !self.paused {
+            self.times.speed.push(time_s, advance_s / elapsed_s);
+        }
+        let (steps, simulated_s) = (world.steps, world.simulated_s);
+        self.flight.begin(Flying { frame, doing, steps, simulated_s, handed: now, painted: None });
+        Ok(true)
+    }
+
+    /// Which frame of the painter shows the one that was just handed over.
+    pub fn painted_as(&mut self, frame: u64) {
+        self.flight.painted_as(frame);
+    }
+}
+
+/// Points in the world's coordinates; what is quarantined has none.
+fn points(bytes: &[u8], world: &World) -> Vec<[f32; 4]> {
+    let samples: Vec<[f32; 4]> = bytemuck::pod_collect_to_vec(bytes);
+    let min_m = world.view().domain_min_m.as_vec3();
+    let is_whole = |sample: &[f32; 4]| sample.iter().all(|value| value.is_finite());
+    samples
+        .into_iter()
+        .filter(is_whole)
+        .map(|[x, y, z, speed]| [x + min_m.x, y + min_m.y, z + min_m.z, speed])
+        .collect()
+}
