@@ -41,11 +41,28 @@ fn event_loop() -> Result<EventLoop<()>, Failure> {
     panic::set_hook(before);
     let reason = match made {
         Ok(Ok(events)) => return Ok(events),
-        Ok(Err(EventLoopError::Os(error))) => error.to_string(),
+        Ok(Err(EventLoopError::Os(error))) => without_place(&error.to_string()).to_owned(),
         Ok(Err(error)) => error.to_string(),
         Err(_) => said.lock().unwrap_or_else(PoisonError::into_inner).clone(),
     };
     Err(Failure::Input(format!(
         "no window can be opened here: {reason}; `brooklet run` simulates and writes pictures without one"
     )))
+}
+
+/// winit begins with where in its own source it noticed: `os error at mod.rs:788: no connection`.
+fn without_place(text: &str) -> &str {
+    let reason = text.strip_prefix("os error at ").and_then(|rest| rest.split_once(": "));
+    reason.map_or(text, |(_, reason)| reason)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_reason_comes_without_winits_own_lines() {
+        assert_eq!(without_place("os error at /x/winit/mod.rs:788: Failed to open: no"), "Failed to open: no");
+        assert_eq!(without_place("Exit Failure: 1"), "Exit Failure: 1");
+    }
 }
