@@ -2,11 +2,12 @@
 
 use std::path::PathBuf;
 
-use brooklet_gpu::Tier;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use crate::capture::CaptureCommand;
-use crate::view::ViewOptions;
+use crate::view_options::ViewOptions;
+
+pub use crate::shared_options::{DeviceOptions, SceneOptions, TierName};
 
 /// Particle fluids on the GPU, with pictures and timing captures.
 #[derive(Debug, Parser)]
@@ -39,28 +40,6 @@ pub enum Command {
     Capture(CaptureCommand),
     /// List this machine's devices: their tier, what they lack, and what that costs
     Doctor(ListOptions),
-}
-
-/// Which scene, and what to change in it.
-#[derive(Clone, Debug, Args)]
-pub struct SceneOptions {
-    /// A shipped scene's name (see `brooklet scenes`), or the path of a scene file
-    #[arg(value_name = "SCENE", default_value = "dam-break")]
-    pub scene: String,
-    /// Change a value of the scene, as solver.iterations=8; may be given again
-    #[arg(long = "set", value_name = "PATH=VALUE")]
-    pub settings: Vec<String>,
-}
-
-/// Which device, and how to use it.
-#[derive(Clone, Debug, Args)]
-pub struct DeviceOptions {
-    /// Use the device whose name contains this (see `brooklet doctor`); the best one if not given
-    #[arg(long, value_name = "NAME", env = "BROOKLET_DEVICE")]
-    pub device: Option<String>,
-    /// Use the device as one of this tier, asking only for that tier's limits
-    #[arg(long, value_enum, env = "BROOKLET_TIER")]
-    pub tier: Option<TierName>,
 }
 
 /// How much to simulate.
@@ -391,27 +370,6 @@ pub struct ListOptions {
     /// Print the list as JSON
     #[arg(long)]
     pub json: bool,
-}
-
-/// A device tier on the command line.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum TierName {
-    /// Discrete and integrated desktop GPUs
-    Desktop,
-    /// Adreno 6xx/7xx, Mali
-    Mobile,
-    /// Adreno 540, SwiftShader
-    Floor,
-}
-
-impl From<TierName> for Tier {
-    fn from(name: TierName) -> Self {
-        match name {
-            TierName::Desktop => Tier::Desktop,
-            TierName::Mobile => Tier::Mobile,
-            TierName::Floor => Tier::Floor,
-        }
-    }
 }
 
 /// File format of particles.

@@ -25,12 +25,14 @@ mod recorder;
 mod run;
 mod running;
 mod scenes;
+mod shared_options;
 mod study;
 mod summary;
 mod table;
 mod timings;
 mod tune;
 mod view;
+mod view_options;
 
 use std::{io::Write, process::ExitCode};
 

@@ -17,6 +17,7 @@ pub mod solver;
 mod stat_fields;
 pub mod state;
 mod step;
+mod step_params;
 
 pub use interact::PUSH;
 pub use measure::{SAMPLE, Stats};
@@ -24,4 +25,5 @@ pub use parameters::Parameters;
 pub use scene::{Scene, SceneError, shipped_scenes};
 pub use simulation::{Simulation, SimulationError};
 pub use stat_fields::{STAT_FIELDS, StatField};
-pub use step::{INIT, MEASURE, Recorded, STEP, record, record_count, record_particles, step_params};
+pub use step::{INIT, MEASURE, Recorded, STEP, record, record_count, record_particles};
+pub use step_params::step_params;

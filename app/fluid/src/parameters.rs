@@ -5,7 +5,8 @@ use brooklet_kernels::{Buffer, GridParams, KernelParams, PbfParams, StepParams};
 
 use crate::scene::{Applied, Change, Scene};
 use crate::solver::pbf;
-use crate::{grid, kernel, step};
+use crate::step_params::step_params;
+use crate::{grid, kernel};
 
 /// The uniform buffers of a recorded scene.
 pub struct Parameters {
@@ -29,7 +30,7 @@ impl Parameters {
             return Err(change);
         }
         engine.write(&self.grid, &[grid::params(scene, self.particle_count)]);
-        engine.write(&self.step, &[step::step_params(scene, self.particle_count)]);
+        engine.write(&self.step, &[step_params(scene, self.particle_count)]);
         engine.write(&self.kernel, &[kernel::params(scene)]);
         engine.write(&self.pbf, &[pbf::params(scene)]);
         Ok(())

@@ -1,7 +1,7 @@
 //! The chain of one step, top to bottom: predict, sort, list, solve; and its measurement.
 
 use brooklet_gpu::{Engine, GpuError, Recording, Resources};
-use brooklet_kernels::{Buffer, Measure, Position, PrecisionKeyword, Predict, PredictVariant, StepParams, Velocity};
+use brooklet_kernels::{Buffer, Measure, Position, PrecisionKeyword, Predict, PredictVariant, Velocity};
 
 use crate::grid::{self, Grid, Neighbours, Sorted};
 use crate::kernel;
@@ -10,6 +10,7 @@ use crate::parameters::Parameters;
 use crate::particles::{Emitted, emit};
 use crate::scene::{Precision, Scene};
 use crate::solver::pbf::{self, Pbf, Shared};
+use crate::step_params::step_params;
 
 /// Name of the recording that uploads the scene; run it once, first.
 pub const INIT: &str = "init";
@@ -150,30 +151,3 @@ fn predict(
         count,
     );
 }
-
-/// What the shaders are given.
-pub fn step_params(scene: &Scene, particle_count: u32) -> StepParams {
-    let (size_m, period_m) = (scene.domain.size_m(), scene.period_m());
-    let has_walls = |axis| scene.domain.has_walls_along(axis);
-    StepParams {
-        gravity_m_s2: scene.gravity_m_s2.map(|g| g as f32),
-        dt_s: scene.substep_s() as f32,
-        domain_size_m: size_m.map(|size_m| size_m as f32),
-        wall_offset_m: (WALL_OFFSET_RATIO * scene.spacing_m) as f32,
-        wall_min_m: std::array::from_fn(|axis| if has_walls(axis) { 0.0 } else { -FAR_M }),
-        max_speed_m_s: scene.max_speed_m_s() as f32,
-        wall_max_m: std::array::from_fn(|axis| if has_walls(axis) { size_m[axis] as f32 } else { FAR_M }),
-        particle_count,
-        period_m: period_m.map(|period_m| period_m as f32),
-        list_chunks: grid::list_chunks(scene),
-        inverse_period_per_m: period_m.map(|period_m| if period_m > 0.0 { (1.0 / period_m) as f32 } else { 0.0 }),
-        reserved: 0.0,
-    }
-}
-
-/// Where the walls of an axis without walls stand: finite in f32 even over the smallest support.
-const FAR_M: f32 = 1.0e30;
-
-/// How near a wall a particle's middle may come, over the spacing. The lattice starts at a half;
-/// what is nearer than this the walls' density alone did not hold back.
-const WALL_OFFSET_RATIO: f64 = 0.5;

@@ -1,13 +1,10 @@
 //! `brooklet view`: the desktop window.
 
 mod open;
-mod options;
 mod reload;
 mod surface;
 mod tell;
 mod window;
-
-pub use options::ViewOptions;
 
 use std::panic;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -15,7 +12,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use winit::error::EventLoopError;
 use winit::event_loop::EventLoop;
 
-use crate::{failure::Failure, job};
+use crate::{failure::Failure, job, view_options::ViewOptions};
 use window::Window;
 
 /// Opens a window, and comes back when it is closed.

@@ -9,11 +9,8 @@ use brooklet_viewer::{Painted, Settings, Target, Viewer, WorldError};
 use egui_winit::State;
 use winit::window::Window;
 
-use super::{
-    options::ViewOptions,
-    surface::{Status, configuration, format_of},
-};
-use crate::failure::Failure;
+use super::surface::{Status, configuration, format_of};
+use crate::{failure::Failure, view_options::ViewOptions};
 
 /// All that goes when the device goes.
 pub struct Open {

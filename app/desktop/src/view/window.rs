@@ -21,11 +21,10 @@ use winit::{
 
 use super::{
     open::{Open, Went},
-    options::ViewOptions,
     reload::Reload,
     tell::Tell,
 };
-use crate::failure::Failure;
+use crate::{failure::Failure, view_options::ViewOptions};
 
 /// A device that is lost again within this time is not opened a third time.
 const LOST_AGAIN: Duration = Duration::from_secs(20);

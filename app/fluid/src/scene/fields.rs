@@ -3,7 +3,7 @@
 
 use std::fmt::{Display, Formatter, Result};
 
-use super::change::{Applied, Applies};
+use super::applied::{Applied, Applies};
 
 /// What a field takes.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,6 +1,7 @@
 //! The scene: what a TOML file says, with defaults for everything optional. SI units throughout,
 //! y up. Camera and picture settings live here too and are read by whoever needs them.
 
+mod applied;
 mod change;
 mod check;
 mod domain;
@@ -18,7 +19,8 @@ mod surface;
 #[cfg(test)]
 mod tests;
 
-pub use change::{Applied, Change};
+pub use applied::Applied;
+pub use change::Change;
 pub use domain::Domain;
 pub use error::SceneError;
 pub use fields::{Kind, Limits};

@@ -4,7 +4,7 @@ use std::sync::OnceLock;
 
 use toml::{Table, Value};
 
-use super::change::{Applied, Applies};
+use super::applied::{Applied, Applies};
 use super::fields::{FIELDS, Kind};
 use super::{Scene, SceneError, explain, settings};
 

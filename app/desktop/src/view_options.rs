@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use crate::cli::{DeviceOptions, SceneOptions};
+use crate::shared_options::{DeviceOptions, SceneOptions};
 
 /// `brooklet view`.
 #[derive(Clone, Debug, Args)]

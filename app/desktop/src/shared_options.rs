@@ -1,0 +1,47 @@
+//! What most commands take: which scene, and on which device.
+
+use brooklet_gpu::Tier;
+use clap::{Args, ValueEnum};
+
+/// Which scene, and what to change in it.
+#[derive(Clone, Debug, Args)]
+pub struct SceneOptions {
+    /// A shipped scene's name (see `brooklet scenes`), or the path of a scene file
+    #[arg(value_name = "SCENE", default_value = "dam-break")]
+    pub scene: String,
+    /// Change a value of the scene, as solver.iterations=8; may be given again
+    #[arg(long = "set", value_name = "PATH=VALUE")]
+    pub settings: Vec<String>,
+}
+
+/// Which device, and how to use it.
+#[derive(Clone, Debug, Args)]
+pub struct DeviceOptions {
+    /// Use the device whose name contains this (see `brooklet doctor`); the best one if not given
+    #[arg(long, value_name = "NAME", env = "BROOKLET_DEVICE")]
+    pub device: Option<String>,
+    /// Use the device as one of this tier, asking only for that tier's limits
+    #[arg(long, value_enum, env = "BROOKLET_TIER")]
+    pub tier: Option<TierName>,
+}
+
+/// A device tier on the command line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum TierName {
+    /// Discrete and integrated desktop GPUs
+    Desktop,
+    /// Adreno 6xx/7xx, Mali
+    Mobile,
+    /// Adreno 540, SwiftShader
+    Floor,
+}
+
+impl From<TierName> for Tier {
+    fn from(name: TierName) -> Self {
+        match name {
+            TierName::Desktop => Tier::Desktop,
+            TierName::Mobile => Tier::Mobile,
+            TierName::Floor => Tier::Floor,
+        }
+    }
+}
