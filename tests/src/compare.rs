@@ -1,5 +1,5 @@
 //! Comparators of a kernel's output with its twin's, each fed a wrong input once in
-//! `tests/comparators.rs`.
+//! `tests/tests/fluid/comparators.rs`.
 
 use brooklet_kernels::{CellSlot, GridParams, Position, QUARANTINED};
 use brooklet_reference::grid::count_cells::{cell_of, check_ranks, count_cells};

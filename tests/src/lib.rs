@@ -1,13 +1,16 @@
-//! Shared helpers of the integration tests: the device, single kernels, seeded random numbers,
-//! sizes around block edges.
+//! Shared helpers of the integration tests: the device, single kernels, the built program, captures, seeded
+//! random numbers, sizes around block edges.
 
+pub mod captures;
 pub mod cases;
 pub mod column;
 pub mod compare;
 mod device;
 pub mod extreme;
+pub mod full_disk;
 pub mod harness;
 pub mod peers;
+pub mod program;
 pub mod scan;
 pub mod twin;
 pub mod validation;

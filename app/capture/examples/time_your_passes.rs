@@ -3,12 +3,18 @@
 //!     cargo run -p brooklet-capture --example time_your_passes -- mine.mcap
 
 use std::error::Error;
+use std::path::Path;
 
 use brooklet_capture::{CaptureClock, CaptureOptions, CaptureWriter};
 use brooklet_gpu::PassTimer;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let path = std::env::args().nth(1).unwrap_or("mine.mcap".into());
+    let path = std::env::args_os().nth(1).unwrap_or("mine.mcap".into());
+    capture_to(path.as_ref())
+}
+
+/// Draws sixty frames of two passes, and writes when each pass ran.
+pub fn capture_to(path: &Path) -> Result<(), Box<dyn Error>> {
     let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
     let adapter = pollster::block_on(instance.request_adapter(&wgpu::RequestAdapterOptions::default()))?;
     let (device, queue) = pollster::block_on(adapter.request_device(&wgpu::DeviceDescriptor {
@@ -32,7 +38,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let clock = CaptureClock::new();
     let mut timer = PassTimer::new(&device, &queue, 16, clock.zero());
     let options = CaptureOptions { start: clock.start(), ..CaptureOptions::default() };
-    let mut capture = CaptureWriter::create(path.as_ref(), options)?;
+    let mut capture = CaptureWriter::create(path, options)?;
     for _ in 0..60 {
         timer.begin_frame();
         let mut commands = device.create_command_encoder(&Default::default());
@@ -56,6 +62,6 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     timer.finish().iter().try_for_each(|report| capture.frame(report))?;
     let totals = capture.finish()?;
-    println!("{path}: {} frames, {} dropped", totals.frames, timer.dropped_frames());
+    println!("{}: {} frames, {} dropped", path.display(), totals.frames, timer.dropped_frames());
     Ok(())
 }

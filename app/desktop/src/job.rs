@@ -6,9 +6,10 @@ use brooklet_kernels::{Buffer, Position, Velocity};
 use brooklet_render::{ScenePlan, ScenePlanError};
 
 use crate::{
-    cli::{DeviceOptions, LengthOptions, MOST_STEPS, OutputOptions, SceneOptions},
+    cli::{LengthOptions, OutputOptions},
     failure::Failure,
     pictures::Picture,
+    shared_options::{DeviceOptions, MOST_STEPS, SceneOptions},
 };
 
 /// Reads the scene and changes what the command line changes.

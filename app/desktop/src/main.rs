@@ -6,7 +6,9 @@
 #[macro_use]
 mod stdout;
 
+#[cfg(feature = "bench")]
 mod bench;
+#[cfg(feature = "captures")]
 mod capture;
 mod cli;
 mod commit;
@@ -15,6 +17,8 @@ mod failure;
 mod fit;
 mod interrupt;
 mod job;
+#[cfg(not(all(feature = "window", feature = "bench", feature = "study", feature = "captures")))]
+mod left_out;
 mod measured;
 mod out_dir;
 mod pictures;
@@ -26,12 +30,18 @@ mod run;
 mod running;
 mod scenes;
 mod shared_options;
+#[cfg(feature = "study")]
 mod study;
+#[cfg(feature = "study")]
+mod study_options;
 mod summary;
 mod table;
 mod timings;
+#[cfg(feature = "study")]
 mod tune;
+#[cfg(feature = "window")]
 mod view;
+#[cfg(feature = "window")]
 mod view_options;
 
 use std::{io::Write, process::ExitCode};
@@ -44,14 +54,21 @@ fn main() -> ExitCode {
     let cli = Cli::parse();
     let result = match &cli.command {
         Command::Run(options) => run::run(options),
+        #[cfg(feature = "window")]
         Command::View(options) => view::view(options),
         Command::Plan(options) => plan::plan(options),
         Command::Scenes(options) => scenes::scenes(options),
+        #[cfg(feature = "bench")]
         Command::Bench(options) => bench::bench(options),
+        #[cfg(feature = "study")]
         Command::Study(options) => study::study(options),
+        #[cfg(feature = "study")]
         Command::Tune(options) => tune::tune(options),
+        #[cfg(feature = "captures")]
         Command::Capture(command) => capture::capture(command),
         Command::Doctor(options) => doctor::doctor(options),
+        #[cfg(not(all(feature = "window", feature = "bench", feature = "study", feature = "captures")))]
+        Command::LeftOut(words) => left_out::left_out(words),
     };
     // The job's own failure says more than that of its table.
     match result.and(stdout::finish()) {

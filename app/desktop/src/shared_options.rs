@@ -45,3 +45,19 @@ impl From<TierName> for Tier {
         }
     }
 }
+
+/// The most steps of a run: what a step's number in the capture and a picture's in its name hold.
+pub const MOST_STEPS: u64 = 1_000_000_000;
+
+/// A number of steps, `least` or more.
+pub fn steps_from(least: u64) -> clap::builder::RangedU64ValueParser {
+    clap::value_parser!(u64).range(least..=MOST_STEPS)
+}
+
+/// A positive, finite time.
+pub fn seconds(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(seconds) if seconds > 0.0 && seconds.is_finite() => Ok(seconds),
+        _ => Err("must be a positive number of seconds".into()),
+    }
+}

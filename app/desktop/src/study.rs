@@ -14,12 +14,13 @@ use brooklet_study::{
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::{
-    cli::{CurveOptions, DeviceOptions, MergeOptions, StudyMerge, StudyOptions, StudyPart},
     commit::{COMMIT, VERSION},
     failure::Failure,
     interrupt::Interrupt,
     job,
     out_dir::OutDir,
+    shared_options::DeviceOptions,
+    study_options::{CurveOptions, MergeOptions, StudyMerge, StudyOptions, StudyPart},
 };
 
 /// Runs what is asked for and has no outcome yet, and writes the report.

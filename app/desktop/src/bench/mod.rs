@@ -2,6 +2,7 @@
 
 mod bandwidth;
 mod figures;
+mod options;
 mod pictures;
 mod plot;
 mod report;
@@ -12,6 +13,7 @@ mod stepping;
 mod surfaces;
 mod targets;
 mod traffic;
+#[cfg(feature = "window")]
 mod window;
 mod workload;
 
@@ -19,10 +21,13 @@ use std::path::Path;
 
 use brooklet_gpu::Gpu;
 
+pub use options::BenchOptions;
+use options::BenchStudy;
+
 use crate::{
-    cli::{BenchOptions, BenchStudy, DeviceOptions},
     failure::Failure,
     job,
+    shared_options::DeviceOptions,
 };
 
 /// Runs and prints the benchmark that is asked for.
@@ -30,6 +35,7 @@ pub fn bench(options: &BenchOptions) -> Result<(), Failure> {
     match (&options.study, &options.scene) {
         (Some(BenchStudy::Sorting(options)), _) => sorting::bench(options),
         (Some(BenchStudy::Surfaces(options)), _) => surfaces::bench(options),
+        #[cfg(feature = "window")]
         (Some(BenchStudy::Window(options)), _) => window::bench(options),
         (None, Some(scene)) => single::bench(scene, options),
         (None, None) => scaling::bench(options),

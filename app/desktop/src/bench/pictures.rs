@@ -5,9 +5,8 @@ use brooklet_gpu::{Gpu, Plan};
 use brooklet_render::frame::{DRAW, DRAW_INIT};
 use serde::Serialize;
 
-use super::{stepping::Stepping, traffic::drawn_bytes};
+use super::{BenchOptions, stepping::Stepping, traffic::drawn_bytes};
 use crate::{
-    cli::BenchOptions,
     failure::Failure,
     fit,
     interrupt::Interrupt,

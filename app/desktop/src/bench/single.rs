@@ -5,12 +5,11 @@ use brooklet_gpu::{TimingStatus, tier_name};
 use serde_json::json;
 
 use super::{
-    open,
+    BenchOptions, open,
     pictures::{self, picture_cost},
     stepping::Stepping,
 };
 use crate::{
-    cli::BenchOptions,
     commit::COMMIT,
     failure::Failure,
     fit,

@@ -2,7 +2,8 @@
 
 use brooklet_kernels::{FLUID_SHIFT, Position, QUARANTINED, Velocity};
 
-use crate::scene::{Fluid, Scene};
+use super::lattice::{WHOLE, steps_m};
+use crate::scene::{Block, Fluid, Scene};
 
 /// What a tag's bits below the fluid's number can tell apart.
 pub const MAX_PARTICLES: u32 = 1 << FLUID_SHIFT;
@@ -20,8 +21,8 @@ pub struct Emitted {
 }
 
 /// Puts a cubic lattice of spacing d into each fluid. A block's lattice starts half a spacing
-/// inside it, so that fluid against a wall is where the wall expects it; a ball's is centred on
-/// it. Where fluids overlap, the first has the place. In two dimensions the lattice is one layer, in
+/// inside it, so that fluid against a wall is where the wall expects it, and fills it from wall to wall
+/// (`lattice.rs`); a ball's is centred on it. Where fluids overlap, the first has the place. In two dimensions the lattice is one layer, in
 /// the domain's plane.
 pub fn emit(scene: &Scene) -> Emitted {
     let mut emitted = Emitted::default();
@@ -34,6 +35,13 @@ pub fn emit(scene: &Scene) -> Emitted {
         emitted.velocities.push(Velocity { velocity_m_s: fluid.velocity_m_s.map(|v| v as f32), reserved: 0.0 });
     });
     emitted
+}
+
+/// The smallest step of the scene's lattices along any axis, m: the spacing, or less where a block is squeezed
+/// between walls.
+pub(crate) fn smallest_step_m(scene: &Scene) -> f64 {
+    let lattices = scene.fluids.iter().filter_map(|fluid| Lattice::of(fluid, scene));
+    lattices.flat_map(|lattice| lattice.steps_m).fold(scene.spacing_m, f64::min)
 }
 
 /// How many particles [`emit`] makes, without making them.
@@ -74,28 +82,53 @@ fn for_each(scene: &Scene, mut visit: impl FnMut(usize, &Fluid, [f64; 3])) {
 /// Lattice points around one fluid, x fastest.
 struct Lattice {
     first_m: [f64; 3],
-    spacing_m: f64,
+    steps_m: [f64; 3],
     counts: [usize; 3],
 }
 
 impl Lattice {
     fn of(fluid: &Fluid, scene: &Scene) -> Option<Self> {
         let spacing_m = scene.spacing_m;
-        let (mut first_m, mut counts) = if let Some(block) = &fluid.block {
-            // A side within a hundredth of a spacing of a whole number of spacings counts as that
-            // number, so that 0.3 / 0.1 is 3.
-            let along = |axis: usize| ((block.max_m[axis] - block.min_m[axis]) / spacing_m + 0.01).floor() as usize;
-            (block.min_m.map(|x| x + 0.5 * spacing_m), std::array::from_fn(along))
+        let mut lattice = if let Some(block) = &fluid.block {
+            Self::of_block(block, scene)
         } else {
             let sphere = fluid.sphere.as_ref()?;
             let half = (sphere.radius_m / spacing_m).floor();
-            (sphere.centre_m.map(|x| x - half * spacing_m), [2 * half as usize + 1; 3])
+            Self {
+                first_m: sphere.centre_m.map(|x| x - half * spacing_m),
+                steps_m: [spacing_m; 3],
+                counts: [2 * half as usize + 1; 3],
+            }
         };
         if scene.domain.is_flat() {
-            first_m[2] = scene.domain.plane_z_m();
-            counts[2] = 1;
+            lattice.first_m[2] = scene.domain.plane_z_m();
+            lattice.counts[2] = 1;
         }
-        Some(Self { first_m, spacing_m, counts })
+        Some(lattice)
+    }
+
+    fn of_block(block: &Block, scene: &Scene) -> Self {
+        let (spacing_m, domain) = (scene.spacing_m, &scene.domain);
+        let side_m = |axis: usize| block.max_m[axis] - block.min_m[axis];
+        let touches = |face_m: f64, at_m: f64| (face_m - at_m).abs() <= WHOLE * spacing_m;
+        let low = |axis: usize| touches(block.min_m[axis], domain.min_m[axis]);
+        let high = |axis: usize| touches(block.max_m[axis], domain.max_m[axis]);
+        let is_closed = |axis: usize| domain.has_walls_along(axis) || domain.periodic[axis];
+        let filled_m = std::array::from_fn(|axis| {
+            (is_closed(axis) && low(axis) && high(axis)).then(|| side_m(axis))
+        });
+        let steps_m = steps_m(spacing_m, domain.dimensions, filled_m);
+        let counts = std::array::from_fn(|axis| (side_m(axis) / steps_m[axis] + WHOLE).floor() as usize);
+        let first_m = std::array::from_fn(|axis| {
+            let over_m = side_m(axis) - counts[axis] as f64 * steps_m[axis];
+            // What is over lies away from a wall that the block stands against.
+            let shift_m = match domain.has_walls_along(axis) && high(axis) && !low(axis) {
+                true if over_m > WHOLE * spacing_m => over_m,
+                _ => 0.0,
+            };
+            block.min_m[axis] + 0.5 * steps_m[axis] + shift_m
+        });
+        Self { first_m, steps_m, counts }
     }
 
     fn for_each(&self, mut visit: impl FnMut([f64; 3])) {
@@ -103,7 +136,7 @@ impl Lattice {
             for y in 0..self.counts[1] {
                 for x in 0..self.counts[0] {
                     let steps = [x, y, z];
-                    visit(std::array::from_fn(|axis| self.first_m[axis] + steps[axis] as f64 * self.spacing_m));
+                    visit(std::array::from_fn(|axis| self.first_m[axis] + steps[axis] as f64 * self.steps_m[axis]));
                 }
             }
         }

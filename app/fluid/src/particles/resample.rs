@@ -11,6 +11,7 @@ use std::collections::HashMap;
 
 use brooklet_kernels::{FLUID_SHIFT, Position, QUARANTINED, Velocity};
 
+use super::lattice::{WHOLE, steps_m};
 use super::{Emitted, MAX_FLUIDS, MAX_PARTICLES};
 use crate::kernel::{lattice, wendland};
 use crate::scene::Scene;
@@ -25,30 +26,40 @@ const RATIO_STEP: f32 = 1.0 / 64.0;
 /// `particles` of scene `from` as particles of scene `to`, which has another spacing, and the same domain
 /// and dimensions. What is quarantined is left out. The particle count is the old one times the ratio of
 /// the particles' volumes, to within half a particle; at most [`MAX_PARTICLES`], and fewer where spray is
-/// finer than the new lattice. Between walls the lattice is stretched or squeezed by up to 2 % to fit;
-/// elsewhere it lies as [`super::emit`] puts a block at the domain's corner.
+/// finer than the new lattice. Fluid that reaches from wall to wall gets a lattice that does, too
+/// (`lattice.rs`); elsewhere it lies as [`super::emit`] puts a block at the domain's corner.
 ///
-/// What it costs a fluid at rest or in smooth motion (`tests/resample.rs`, 0.7 to 1.6 times the spacing): no
+/// What it costs a fluid at rest or in smooth motion (`tests/tests/fluid/resample.rs`, 0.7 to 1.6 times the spacing): no
 /// volume, up to 3 % of the momentum, and less than 0.3 spacings of its place where it is two layers thin.
 pub fn resample(from: &Scene, particles: &Emitted, to: &Scene) -> Emitted {
-    let points = Points::of(to);
     let support_m = SUPPORT_RATIO * from.spacing_m.max(to.spacing_m);
     let dimensions = to.domain.dimensions;
     let cell_ratio = (from.spacing_m / to.spacing_m).powi(dimensions as i32);
     // Each particle's share of a density ratio: the kernel's sum over a lattice of `from`.
     let scale = (lattice(dimensions, support_m / from.spacing_m).weight) as f32;
     let moved_m: [f64; 3] = std::array::from_fn(|axis| from.domain.min_m[axis] - to.domain.min_m[axis]);
+    let placed_m = |position: &Position| -> [f64; 3] {
+        std::array::from_fn(|axis| f64::from(position.position_m[axis]) + moved_m[axis])
+    };
+    let is_kept = |(position, velocity): &(&Position, &Velocity)| {
+        let numbers = position.position_m.iter().chain(&velocity.velocity_m_s);
+        position.tag & QUARANTINED == 0 && numbers.copied().all(f32::is_finite)
+    };
+    let kept = || particles.positions.iter().zip(&particles.velocities).filter(is_kept);
+    let mut extent_m = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
+    for (position, _) in kept() {
+        for (axis, x_m) in placed_m(position).into_iter().enumerate() {
+            extent_m[0][axis] = extent_m[0][axis].min(x_m);
+            extent_m[1][axis] = extent_m[1][axis].max(x_m);
+        }
+    }
+    let points = Points::of(to, extent_m);
     let mut field = Field::default();
     let mut count = 0u64;
-    for (position, velocity) in particles.positions.iter().zip(&particles.velocities) {
-        let position_m: [f64; 3] = std::array::from_fn(|axis| f64::from(position.position_m[axis]) + moved_m[axis]);
-        let numbers = position_m.iter().copied().chain(velocity.velocity_m_s.map(f64::from));
-        if position.tag & QUARANTINED != 0 || !numbers.into_iter().all(f64::is_finite) {
-            continue;
-        }
+    for (position, velocity) in kept() {
         count += 1;
         let fluid = position.tag >> FLUID_SHIFT & (MAX_FLUIDS - 1);
-        for_each_image(to, position_m, support_m, |image_m, mirrored| {
+        for_each_image(to, placed_m(position), support_m, |image_m, mirrored| {
             let velocity_m_s = std::array::from_fn(|axis| match mirrored[axis] {
                 true => -velocity.velocity_m_s[axis],
                 false => velocity.velocity_m_s[axis],
@@ -90,50 +101,50 @@ fn for_each_image(scene: &Scene, position_m: [f64; 3], reach_m: f64, mut visit: 
 /// The lattice of a scene: the middles of cells of its spacing, from the domain's lowest corner on.
 struct Points {
     first_m: [f64; 3],
-    step_m: [f64; 3],
+    steps_m: [f64; 3],
     /// Lowest and one past the highest number along each axis; a lattice without an end is cut where
     /// numbers would no longer be exact.
     bounds: [[i32; 2]; 3],
 }
 
-/// So much a lattice is stretched or squeezed along an axis to fit between two walls.
-const MOST_STRAIN: f64 = 0.02;
-
 impl Points {
-    fn of(scene: &Scene) -> Self {
+    /// For fluid whose particles lie within `extent_m`, lowest and highest along each axis: where it reaches
+    /// from wall to wall, so does the lattice; where it stands against one wall, the lattice begins there.
+    fn of(scene: &Scene, extent_m: [[f64; 3]; 2]) -> Self {
         const FAR: i32 = 1 << 24;
-        let (spacing_m, size_m) = (scene.spacing_m, scene.domain.size_m());
-        let mut points = Self { first_m: [0.5 * spacing_m; 3], step_m: [spacing_m; 3], bounds: [[-FAR, FAR]; 3] };
+        let (domain, spacing_m, size_m) = (&scene.domain, scene.spacing_m, scene.domain.size_m());
+        let low = |axis: usize| extent_m[0][axis] < spacing_m;
+        let high = |axis: usize| extent_m[1][axis] > size_m[axis] - spacing_m;
+        let filled_m = std::array::from_fn(|axis| {
+            let is_filled = domain.periodic[axis] || domain.has_walls_along(axis) && low(axis) && high(axis);
+            is_filled.then(|| size_m[axis])
+        });
+        let steps_m = steps_m(spacing_m, domain.dimensions, filled_m);
+        let mut points = Self { first_m: steps_m.map(|step_m| 0.5 * step_m), steps_m, bounds: [[-FAR, FAR]; 3] };
         for (axis, size_m) in size_m.into_iter().enumerate() {
-            let cells = size_m / spacing_m;
-            let fitting = cells.round().max(1.0);
-            if axis == 2 && scene.domain.is_flat() {
-                points.first_m[axis] = scene.domain.plane_z_m() - scene.domain.min_m[axis];
+            if axis == 2 && domain.is_flat() {
+                points.first_m[axis] = domain.plane_z_m() - domain.min_m[axis];
                 points.bounds[axis] = [0, 1];
-            } else if scene.domain.periodic[axis] || (cells / fitting - 1.0).abs() <= MOST_STRAIN {
-                if scene.domain.periodic[axis] || scene.domain.has_walls_along(axis) {
-                    points.step_m[axis] = size_m / fitting;
-                    points.first_m[axis] = 0.5 * points.step_m[axis];
-                    points.bounds[axis] = [0, fitting as i32];
+            } else if domain.periodic[axis] || domain.has_walls_along(axis) {
+                let count = (size_m / steps_m[axis] + WHOLE).floor();
+                points.bounds[axis] = [0, count as i32];
+                if high(axis) && !low(axis) {
+                    points.first_m[axis] += size_m - count * steps_m[axis];
                 }
-            } else if scene.domain.has_walls_along(axis) {
-                // What is left over, half at each wall.
-                points.first_m[axis] += 0.5 * (cells - cells.floor()) * spacing_m;
-                points.bounds[axis] = [0, cells.floor() as i32];
             }
         }
         points
     }
 
     fn place_m(&self, point: [i32; 3]) -> [f64; 3] {
-        std::array::from_fn(|axis| self.first_m[axis] + f64::from(point[axis]) * self.step_m[axis])
+        std::array::from_fn(|axis| self.first_m[axis] + f64::from(point[axis]) * self.steps_m[axis])
     }
 
     /// Numbers along an axis of the points within `reach_m` of `x`.
     fn near(&self, axis: usize, x: f64, reach_m: f64) -> std::ops::Range<i32> {
         let [first, end] = self.bounds[axis];
-        let low = ((x - reach_m - self.first_m[axis]) / self.step_m[axis]).ceil() as i32;
-        let high = ((x + reach_m - self.first_m[axis]) / self.step_m[axis]).floor() as i32;
+        let low = ((x - reach_m - self.first_m[axis]) / self.steps_m[axis]).ceil() as i32;
+        let high = ((x + reach_m - self.first_m[axis]) / self.steps_m[axis]).floor() as i32;
         low.max(first)..high.saturating_add(1).min(end)
     }
 }

@@ -15,7 +15,8 @@ use super::{
     open,
     workload::{EDGES, LOADS, jittered},
 };
-use crate::{cli::SortingOptions, commit::COMMIT, failure::Failure, interrupt::Interrupt, table::table};
+use super::options::SortingOptions;
+use crate::{commit::COMMIT, failure::Failure, interrupt::Interrupt, table::table};
 use contest::{Outcome, Ring};
 use scan::Inner;
 

@@ -14,9 +14,8 @@ use brooklet_render::{Camera, View};
 use glam::DVec3;
 use serde::Serialize;
 
-use super::{check_folder, open};
+use super::{check_folder, open, options::SurfacesOptions};
 use crate::{
-    cli::SurfacesOptions,
     commit::COMMIT,
     failure::Failure,
     interrupt::Interrupt,

@@ -1,0 +1,154 @@
+//! The command line of `brooklet bench`.
+
+use std::path::PathBuf;
+
+use clap::{Args, Subcommand};
+
+use crate::shared_options::{DeviceOptions, seconds, steps_from};
+
+/// `brooklet bench`.
+#[derive(Clone, Debug, Args)]
+#[command(args_conflicts_with_subcommands = true)]
+pub struct BenchOptions {
+    /// What else can be timed.
+    #[command(subcommand)]
+    pub study: Option<BenchStudy>,
+    /// Time this scene alone: a shipped scene's name, or the path of a scene file
+    #[arg(value_name = "SCENE")]
+    pub scene: Option<String>,
+    /// Change a value of the scene or of the table's workload, as solver.neighbour_slots=40; may be given again
+    #[arg(long = "set", value_name = "PATH=VALUE")]
+    pub settings: Vec<String>,
+    /// The device.
+    #[command(flatten)]
+    pub device: DeviceOptions,
+    /// Steps of SCENE that are timed
+    #[arg(long, value_name = "N", default_value_t = 100, requires = "scene", value_parser = steps_from(1))]
+    pub steps: u64,
+    /// Steps of SCENE before them that are not
+    #[arg(long, value_name = "N", default_value_t = 20, requires = "scene", value_parser = steps_from(0))]
+    pub warm_up: u64,
+    /// Then also time so many pictures of SCENE, pass by pass
+    #[arg(long, value_name = "N", default_value_t = 0, requires = "scene", value_parser = clap::value_parser!(u32).range(0..=10_000))]
+    pub pictures: u32,
+    /// The table's largest size; sizes go on to 16777216
+    #[arg(long, value_name = "N", default_value_t = 1_000_000, conflicts_with = "scene", value_parser = clap::value_parser!(u32).range(4096..))]
+    pub max_particles: u32,
+    /// Time for the whole table, in seconds: what would take longer is left out, and said
+    #[arg(long, value_name = "S", default_value_t = 240.0, conflicts_with = "scene", value_parser = seconds)]
+    pub budget: f64,
+    /// Also draw the table, as an SVG picture
+    #[arg(long, value_name = "FILE", conflicts_with = "scene")]
+    pub plot: Option<PathBuf>,
+    /// Print the result as JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// What else `brooklet bench` times.
+#[derive(Clone, Debug, Subcommand)]
+pub enum BenchStudy {
+    /// Ways to sort the particles: the product's against others, in pairs
+    Sorting(SortingOptions),
+    /// Ways to smooth the surface in screen space: their errors against known bodies, and their cost
+    Surfaces(SurfacesOptions),
+    /// What the window's panels and its capture add to a frame, in pairs; opens no window
+    Window(WindowOptions),
+}
+
+/// `brooklet bench window`.
+#[derive(Clone, Debug, Args)]
+pub struct WindowOptions {
+    /// A shipped scene's name, or the path of a scene file
+    #[arg(value_name = "SCENE", default_value = "calm-pool")]
+    pub scene: String,
+    /// Change a value of the scene; may be given again
+    #[arg(long = "set", value_name = "PATH=VALUE")]
+    pub settings: Vec<String>,
+    /// The device.
+    #[command(flatten)]
+    pub device: DeviceOptions,
+    /// Width of the window with its panels, pixels
+    #[arg(long, value_name = "PX", default_value_t = 1280, value_parser = clap::value_parser!(u32).range(700..=8192))]
+    pub width: u32,
+    /// Height of the window, pixels
+    #[arg(long, value_name = "PX", default_value_t = 800, value_parser = clap::value_parser!(u32).range(240..=8192))]
+    pub height: u32,
+    /// Pairs of turns that are timed
+    #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    pub pairs: u32,
+    /// Frames of a turn
+    #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u64).range(1..=100_000))]
+    pub frames: u64,
+    /// Keep the capture that was timed, with its cost in it
+    #[arg(long, value_name = "FILE")]
+    pub capture: Option<PathBuf>,
+    /// Print the result as JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// `brooklet bench surfaces`.
+#[derive(Clone, Debug, Args)]
+pub struct SurfacesOptions {
+    /// The device.
+    #[command(flatten)]
+    pub device: DeviceOptions,
+    /// Width of the pictures, pixels
+    #[arg(long, value_name = "PX", default_value_t = 640, value_parser = clap::value_parser!(u32).range(64..=4096))]
+    pub width: u32,
+    /// Height of the pictures, pixels
+    #[arg(long, value_name = "PX", default_value_t = 360, value_parser = clap::value_parser!(u32).range(64..=4096))]
+    pub height: u32,
+    /// Pictures that are timed of each
+    #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    pub repeats: u32,
+    /// Also write the table as CSV
+    #[arg(long, value_name = "FILE")]
+    pub csv: Option<PathBuf>,
+    /// Also draw it, as an SVG picture
+    #[arg(long, value_name = "FILE")]
+    pub plot: Option<PathBuf>,
+    /// Also write what was seen as a PNG: normals as colours, a row for each body, a column for each
+    /// filter, then the marched density field and the known surface
+    #[arg(long, value_name = "FILE")]
+    pub picture: Option<PathBuf>,
+    /// Print the result as JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// `brooklet bench sorting`.
+#[derive(Clone, Debug, Args)]
+pub struct SortingOptions {
+    /// The device.
+    #[command(flatten)]
+    pub device: DeviceOptions,
+    /// Particles, rounded down to a size of the table
+    #[arg(long, value_name = "N", default_value_t = 125_000, value_parser = clap::value_parser!(u32).range(4096..))]
+    pub particles: u32,
+    /// Pairs of runs of each comparison
+    #[arg(long, value_name = "N", default_value_t = 40, value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    pub pairs: u32,
+    /// Print the result as JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::Parser;
+
+    use crate::cli::Cli;
+
+    #[test]
+    fn lengths_are_of_a_scene_and_sizes_of_the_table() {
+        for arguments in [["--steps", "9"], ["--warm-up", "1"]] {
+            let of_the_table = ["brooklet", "bench"].into_iter().chain(arguments);
+            assert!(Cli::try_parse_from(of_the_table).is_err(), "{arguments:?} are a scene's");
+            let of_a_scene = ["brooklet", "bench", "x"].into_iter().chain(arguments);
+            assert!(Cli::try_parse_from(of_a_scene).is_ok());
+        }
+        assert!(Cli::try_parse_from(["brooklet", "bench", "x", "--max-particles", "5000"]).is_err());
+    }
+}

@@ -1,0 +1,29 @@
+//! Scenes on the GPU against laws, closed forms, experiments and published figures.
+
+mod column_law;
+mod comparators;
+mod dam_break_front;
+mod determinism;
+mod domains;
+mod domains_lists;
+mod extreme_capacity;
+mod extreme_column;
+mod extreme_corner;
+mod extreme_counts;
+mod extreme_jet;
+mod extreme_long_run;
+mod extreme_not_finite;
+mod extreme_one_point;
+mod extreme_origin;
+mod extreme_scale;
+mod extreme_sheet;
+mod extreme_thin_domain;
+mod extreme_wrapped_grid;
+mod peers;
+mod physics;
+mod plan;
+mod precision;
+mod resample;
+mod scene_schema;
+mod settings;
+mod state;

@@ -1,0 +1,8 @@
+//! Devices, plans, engines and the ears for the validation layers.
+
+mod cache;
+mod draw;
+mod engine;
+mod running;
+mod support;
+mod validation;

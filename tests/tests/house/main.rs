@@ -1,0 +1,6 @@
+//! The repository keeps its own rules, and its shaders are fresh.
+
+mod project;
+mod reload;
+mod shaders;
+mod shaders_unity;

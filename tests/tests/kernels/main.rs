@@ -1,0 +1,16 @@
+//! Every kernel against its f64 twin.
+
+mod anisotropy;
+mod bench;
+mod boundary;
+mod grid;
+mod measure;
+mod particles;
+mod periodic;
+mod push;
+mod sample;
+mod scan;
+mod solver;
+mod step;
+mod surface;
+mod velocity;

@@ -1,0 +1,153 @@
+//! `brooklet bench` as a person uses it: the table over the number of particles.
+
+use brooklet_tests::program::Workshop;
+use serde_json::Value;
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap_or_else(|| panic!("no number: {value}"))
+}
+
+#[test]
+fn the_table_has_every_load_and_its_figures_belong_together() {
+    let workshop = Workshop::new();
+    let arguments = ["bench", "--max-particles", "4096", "--budget", "2", "--json", "--plot", "table.svg"];
+    let table = workshop.succeed(&arguments).json();
+    let rows = table["rows"].as_array().unwrap();
+    let loads: Vec<_> =
+        rows.iter().map(|row| (row["iterations"].as_u64().unwrap(), row["terms"].as_str().unwrap())).collect();
+    assert_eq!(loads, [(4, "default terms"), (6, "default terms"), (4, "every term, measuring")]);
+    let copy_gb_per_s = number(&table["copy_gb_per_s"]);
+    for row in rows {
+        assert_eq!(row["particles"], 4096);
+        // What is at rest keeps the neighbours of a slightly disordered lattice.
+        assert!((24.0..32.0).contains(&number(&row["neighbours_mean"])), "{row}");
+        let ms = number(&row["step_ms"]["median"]) + number(&row["measure_ms"]);
+        let work = 4096.0 * number(&row["iterations"]);
+        assert!((number(&row["particle_iterations_per_s"]) * ms * 1e-3 / work - 1.0).abs() < 1e-9, "{row}");
+        let passes = row["passes"].as_object().unwrap();
+        assert!(number(&row["grid_share"]) < 1.0 && passes.contains_key("constrain_density"), "{row}");
+        for (stage, pass) in passes {
+            let (median, bound) = (number(&pass["median_ms"]), number(&pass["bound_ms"]));
+            let bytes = number(&pass["compulsory_bytes"]);
+            assert!(bytes > 0.0, "{stage} moves nothing");
+            assert!((bytes / (copy_gb_per_s * 1e6) / bound - 1.0).abs() < 1e-9, "{stage}: {pass}");
+            assert!((number(&pass["gb_per_s"]) * median * 1e6 / bytes - 1.0).abs() < 1e-9, "{stage}: {pass}");
+        }
+        let every_term = row["terms"] != "default terms";
+        for stage in ["curl", "confine_vorticity", "measure_particles"] {
+            assert_eq!(passes.contains_key(stage), every_term, "{stage}");
+        }
+        assert_eq!(number(&row["measure_ms"]) > 0.0, every_term);
+    }
+    // Targets are about larger sizes.
+    assert_eq!(table["targets"].as_array().unwrap().len(), 0);
+    let plot = std::fs::read_to_string(workshop.path("table.svg")).unwrap();
+    for text in ["<svg", "constrain_density", "4k", "default terms, 6 iterations"] {
+        assert!(plot.contains(text), "no {text:?} in the plot");
+    }
+}
+
+#[test]
+fn a_picture_is_timed_pass_by_pass() {
+    let workshop = Workshop::new();
+    let arguments = ["bench", "scene.toml", "--steps", "2", "--warm-up", "1", "--pictures", "3", "--json"];
+    let picture = workshop.succeed(&arguments).json()["picture"].take();
+    assert_eq!((&picture["pictures"], &picture["size_px"]), (&3.into(), &vec![64, 36].into()));
+    let passes = picture["passes"].as_object().unwrap();
+    let mut shares = 0.0;
+    for (stage, pass) in passes {
+        assert!(number(&pass["bytes"]) > 0.0, "{stage}: {pass}");
+        shares += pass["share"].as_f64().unwrap_or(0.0);
+    }
+    for stage in ["anisotropy", "draw_fluid_depth", "draw_smooth_narrow_range", "draw_thickness", "draw_water"] {
+        assert!(passes.contains_key(stage), "{stage}");
+    }
+    // Radiance and depth of 128 x 72 drawn pixels are drawn to, 12 bytes each, and a uniform or more is bound.
+    let sky = number(&passes["draw_sky"]["bytes"]);
+    assert!((12.0 * 128.0 * 72.0..12.1 * 128.0 * 72.0).contains(&sky), "{sky}");
+    assert!((shares - 1.0).abs() < 1e-9, "{shares}");
+    assert!((0.0..1.0).contains(&number(&picture["smoothing_share"])) && number(&picture["bytes"]) > 0.0);
+    // What is not asked for is not drawn.
+    let none = workshop.succeed(&["bench", "scene.toml", "--steps", "2", "--json"]).json();
+    assert!(none["picture"].is_null());
+}
+
+#[test]
+fn ways_to_sort_are_compared_in_pairs() {
+    let workshop = Workshop::new();
+    let arguments = ["bench", "sorting", "--particles", "5000", "--pairs", "3", "--json"];
+    let compared = workshop.succeed(&arguments).json();
+    assert_eq!(compared["particles"], 4096);
+    let outcomes = compared["comparisons"].as_array().unwrap();
+    for optimisation in ["locality", "aggregated atomics", "shared-memory scan", "bank-conflict padding"] {
+        assert!(outcomes.iter().any(|outcome| outcome["optimisation"] == optimisation), "no {optimisation}");
+    }
+    for outcome in outcomes {
+        assert_eq!(outcome["pairs"], 3, "{outcome}");
+        let [low, median, high] = ["ratio_p10", "ratio", "ratio_p90"].map(|key| number(&outcome[key]));
+        assert!(0.0 < low && low <= median && median <= high, "{outcome}");
+        assert!(number(&outcome["baseline_ms"]) > 0.0 && number(&outcome["alternative_ms"]) > 0.0, "{outcome}");
+    }
+}
+
+#[test]
+fn surfaces_are_held_against_known_bodies() {
+    let workshop = Workshop::new();
+    let size = ["--width", "192", "--height", "108", "--repeats", "1"];
+    let files = ["--csv", "s.csv", "--plot", "s.svg", "--picture", "s.png", "--json"];
+    let study = workshop.succeed(&[&["bench", "surfaces"], &size[..], &files].concat()).json();
+    let rows = study["rows"].as_array().unwrap();
+    // Four bodies, three distances, nine ways to draw and the marched density field.
+    assert_eq!(rows.len(), 4 * 3 * 10);
+    let mean_deg = |filter: &str, shape: &str| -> f64 {
+        let of = |row: &&Value| row["filter"] == filter && row["shape"] == shape;
+        rows.iter().filter(of).map(|row| number(&row["normal_mean_deg"])).sum::<f64>() / 3.0
+    };
+    for shape in ["sphere", "box", "torus", "calm pool"] {
+        let bare = mean_deg("none", shape);
+        for filter in ["gaussian", "bilateral", "bilateral-2d", "narrow-range", "curvature-flow 60", "density field"] {
+            assert!(mean_deg(filter, shape) < bare, "{filter} leaves the {shape} rougher than it found it");
+        }
+    }
+    // The filter that scenes have by default follows a round body closely.
+    assert!(mean_deg("narrow-range", "sphere") < 8.0, "{}", mean_deg("narrow-range", "sphere"));
+    // Ellipsoids take away most of the bumps, and of what spheres stand out by.
+    let outline = |filter: &str| -> f64 {
+        let of = |row: &&Value| row["filter"] == filter && row["shape"] == "sphere";
+        rows.iter().filter(of).map(|row| number(&row["outline_spacings"])).sum::<f64>() / 3.0
+    };
+    assert!(mean_deg("ellipsoids", "sphere") < 0.7 * mean_deg("none", "sphere"));
+    assert!(outline("ellipsoids, narrow-range") < 0.5 * outline("narrow-range"));
+    for row in rows {
+        let drawn = row["filter"] != "density field";
+        assert_eq!(row["surface_ms"].as_f64().is_some_and(|ms| ms > 0.0), drawn, "{row}");
+        let smooths = drawn && row["filter"] != "none" && row["filter"] != "ellipsoids";
+        assert_eq!(row["smoothing_ms"].as_f64().is_some_and(|ms| ms > 0.0), smooths, "{row}");
+        assert!(number(&row["outline_spacings"]) < 1.0, "{row}");
+    }
+    let csv = std::fs::read_to_string(workshop.path("s.csv")).unwrap();
+    assert_eq!(csv.lines().count(), 1 + rows.len());
+    let plot = std::fs::read_to_string(workshop.path("s.svg")).unwrap();
+    assert!(plot.contains("<svg") && plot.contains("narrow-range") && plot.contains("torus"));
+    assert!(std::fs::metadata(workshop.path("s.png")).unwrap().len() > 10_000);
+}
+
+#[test]
+fn a_wrong_wish_is_told_before_anything_is_timed() {
+    let workshop = Workshop::new();
+    let cases: [(&[&str], &str); 8] = [
+        (&["bench", "surfaces", "--width", "3"], "--width"),
+        (&["bench", "surfaces", "--csv", "no/such/folder.csv"], "no/such/folder.csv"),
+        (&["bench", "sorting", "--pairs", "0"], "--pairs"),
+        (&["bench", "--plot", "no/such/folder.svg"], "no/such/folder.svg"),
+        (&["bench", "--set", "solver.xsph=7"], "solver.xsph"),
+        (&["bench", "--max-particles", "10"], "--max-particles"),
+        (&["bench", "--steps", "3"], "SCENE"),
+        (&["bench", "scene.toml", "--plot", "a.svg"], "--plot"),
+    ];
+    for (arguments, word) in cases {
+        let ended = workshop.run(arguments);
+        assert_eq!(ended.code, Some(2), "{arguments:?}: {}", ended.stderr);
+        assert!(ended.stderr.contains(word) && ended.stdout.is_empty(), "{arguments:?}: {}", ended.stderr);
+    }
+}

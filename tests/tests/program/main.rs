@@ -1,0 +1,9 @@
+//! The `brooklet` program as its users call it.
+
+mod bad_input;
+mod bench;
+mod capture_cli;
+mod cli;
+mod cli_surfaces;
+mod ended_early;
+mod study;

@@ -1,0 +1,3 @@
+//! The study finds what is wrong.
+
+mod faults;

@@ -1,0 +1,5 @@
+//! The window under a display of its own.
+
+mod person;
+mod soak;
+mod support;
