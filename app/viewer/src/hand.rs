@@ -10,6 +10,7 @@ use crate::pointer::Pointing;
 /// What was dragged.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Hand {
+    at: DVec2,
     moved: DVec2,
 }
 
@@ -30,14 +31,17 @@ const TAU_S: f64 = 0.02;
 const MOST_M_S: f64 = 4.0;
 
 impl Hand {
-    /// What the pointer drags in a view; nothing while it is still.
+    /// What the pointer dragged in a view since the last restart, though it may be let go by now; nothing while
+    /// it is still.
     pub fn pull(&mut self, pointing: &Pointing, view: &View) -> Option<Pull> {
-        let (at, moved) = pointing.push?;
-        self.moved += moved;
+        if let Some((at, moved)) = pointing.push {
+            self.at = at;
+            self.moved += moved;
+        }
         if self.moved == DVec2::ZERO {
             return None;
         }
-        let ray = ray(view, at);
+        let ray = ray(view, self.at);
         let axes = view.camera.axes();
         let height_m = 2.0 * (view.camera.eye_m - view.camera.target_m).length() * view.tan_half().y;
         Some(Pull {
@@ -94,7 +98,9 @@ mod tests {
         assert_eq!(hand.pull(&push(0.0, 0.0), &view()), None);
         // What is dragged while the simulation has no time adds up.
         hand.pull(&push(0.01, 0.0), &view());
-        let pull = hand.pull(&push(0.01, -0.005), &view()).unwrap();
+        hand.pull(&push(0.01, -0.005), &view());
+        // Let go before that: the drag waits.
+        let pull = hand.pull(&Pointing::default(), &view()).unwrap();
         let height_m = 2.0 * 3.5 * 20f64.to_radians().tan();
         assert!(pull.moved_m.abs_diff_eq(height_m * DVec3::new(0.02, 0.005, 0.0), 1e-12), "{pull:?}");
         let drag = pull.over(0.1);

@@ -1,6 +1,6 @@
 //! What mouse, trackpad and fingers do on the picture.
 
-use egui::{PointerButton, Response, Vec2};
+use egui::{Event, Modifiers, PointerButton, Pos2, Rect, Response};
 use glam::DVec2;
 
 use crate::orbit::Orbit;
@@ -15,44 +15,106 @@ pub struct Pointing {
     pub panned: DVec2,
     /// Nearer by a factor; 1: not.
     pub zoomed: f64,
-    /// Where the fluid is pushed, and by how much the hand moved.
+    /// Where the fluid is pushed (the middle of the way), and by how much the hand moved.
     pub push: Option<(DVec2, DVec2)>,
 }
 
 /// Points of a mouse wheel that come nearer by a factor of e.
 const POINTS_A_FACTOR: f32 = 400.0;
 
+/// Drags on the picture, followed from event to event. What egui says of a drag holds at the end of a frame: one
+/// that begins and ends between two frames would be none, and at two frames a second that is what a person does.
+#[derive(Clone, Debug, Default)]
+pub struct Strokes {
+    held: Option<Held>,
+}
+
+/// A button that went down on the picture.
+#[derive(Clone, Copy, Debug)]
+struct Held {
+    button: PointerButton,
+    shift: bool,
+    at: Pos2,
+}
+
+/// One way of a button that is held.
+struct Stroke {
+    held: Held,
+    to: Pos2,
+}
+
+impl Strokes {
+    /// The ways of a frame. `is_free` says of a place whether the picture is what is there.
+    fn follow(&mut self, events: &[Event], is_free: impl Fn(Pos2) -> bool) -> Vec<Stroke> {
+        let mut strokes = Vec::new();
+        for event in events {
+            let to = match *event {
+                Event::PointerMoved(to) => to,
+                Event::PointerButton { pos, button, pressed: true, modifiers: Modifiers { shift, .. } } => {
+                    if self.held.is_none() && is_free(pos) {
+                        self.held = Some(Held { button, shift, at: pos });
+                    }
+                    continue;
+                }
+                Event::PointerButton { pos, .. } => pos,
+                Event::PointerGone => {
+                    self.held = None;
+                    continue;
+                }
+                _ => continue,
+            };
+            let Some(held) = self.held else { continue };
+            strokes.push(Stroke { held, to });
+            let ends = matches!(event, Event::PointerButton { button, .. } if *button == held.button);
+            self.held = (!ends).then_some(Held { at: to, ..held });
+        }
+        strokes
+    }
+}
+
 impl Pointing {
     /// Reads the pointer over the picture: the main button (or one finger) pushes the fluid, the second
     /// turns, the third (or the second with Shift) moves sideways, the wheel comes nearer; two fingers do
     /// the last three at once.
-    pub fn on(response: &Response) -> Self {
+    pub fn on(response: &Response, strokes: &mut Strokes) -> Self {
         let rect = response.rect;
-        let height = rect.height().max(1.0);
-        let parts = |moved: Vec2| DVec2::new(f64::from(moved.x / height), f64::from(moved.y / height));
         let mut pointing = Self { zoomed: 1.0, ..Self::default() };
-        let moved = parts(response.drag_delta());
-        let shift = response.ctx.input(|input| input.modifiers.shift);
         if let Some(touch) = response.ctx.multi_touch() {
+            *strokes = Strokes::default();
             pointing.zoomed = f64::from(touch.zoom_delta);
-            pointing.turned = parts(touch.translation_delta);
+            pointing.turned = parts(rect, touch.translation_delta);
             return pointing;
         }
-        if response.dragged_by(PointerButton::Middle) || (shift && response.dragged_by(PointerButton::Secondary)) {
-            pointing.panned = moved;
-        } else if response.dragged_by(PointerButton::Secondary) {
-            pointing.turned = moved;
-        } else if response.dragged_by(PointerButton::Primary)
-            && let Some(at) = response.interact_pointer_pos()
-        {
-            let place = (at - rect.min) / rect.size();
-            pointing.push = Some((DVec2::new(f64::from(place.x), f64::from(place.y)), moved));
-        }
+        let is_free = |at: Pos2| {
+            let is_covered = response.ctx.layer_id_at(at).is_some_and(|layer| layer != response.layer_id);
+            rect.contains(at) && !is_covered
+        };
+        let events = response.ctx.input(|input| input.events.clone());
+        pointing.take(rect, &strokes.follow(&events, is_free));
         if response.hovered() {
             let (wheel, pinch) = response.ctx.input(|input| (input.smooth_scroll_delta.y, input.zoom_delta()));
             pointing.zoomed = f64::from((wheel / POINTS_A_FACTOR).exp() * pinch);
         }
         pointing
+    }
+
+    fn take(&mut self, rect: Rect, strokes: &[Stroke]) {
+        let is_push = |stroke: &&Stroke| stroke.held.button == PointerButton::Primary;
+        for Stroke { held, to } in strokes {
+            let moved = parts(rect, *to - held.at);
+            match held.button {
+                PointerButton::Secondary if !held.shift => self.turned += moved,
+                PointerButton::Secondary | PointerButton::Middle => self.panned += moved,
+                _ => {}
+            }
+        }
+        let mut pushes = strokes.iter().filter(is_push);
+        if let Some(first) = pushes.next() {
+            let last = pushes.next_back().unwrap_or(first);
+            let middle = (first.held.at + (last.to - first.held.at) * 0.5 - rect.min) / rect.size();
+            let moved = strokes.iter().filter(is_push).map(|stroke| parts(rect, stroke.to - stroke.held.at)).sum();
+            self.push = Some((DVec2::new(f64::from(middle.x), f64::from(middle.y)), moved));
+        }
     }
 
     /// Moves the camera; whether it moved.
@@ -68,5 +130,65 @@ impl Pointing {
             orbit.zoom(self.zoomed);
         }
         before != *orbit
+    }
+}
+
+/// In parts of a rectangle's height.
+fn parts(rect: Rect, moved: egui::Vec2) -> DVec2 {
+    let height = rect.height().max(1.0);
+    DVec2::new(f64::from(moved.x / height), f64::from(moved.y / height))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use egui::pos2;
+
+    const RECT: Rect = Rect { min: pos2(100.0, 50.0), max: pos2(500.0, 250.0) };
+
+    fn button(button: PointerButton, at: Pos2, pressed: bool) -> Event {
+        Event::PointerButton { pos: at, button, pressed, modifiers: Modifiers::NONE }
+    }
+
+    fn pointed(strokes: &mut Strokes, events: &[Event]) -> Pointing {
+        let mut pointing = Pointing::default();
+        pointing.take(RECT, &strokes.follow(events, |at| RECT.contains(at)));
+        pointing
+    }
+
+    #[test]
+    fn a_drag_between_two_frames_is_a_drag() {
+        let mut strokes = Strokes::default();
+        let [from, to] = [pos2(200.0, 150.0), pos2(300.0, 130.0)];
+        let quick = [button(PointerButton::Primary, from, true), Event::PointerMoved(to), button(PointerButton::Primary, to, false)];
+        let (at, moved) = pointed(&mut strokes, &quick).push.unwrap();
+        assert!(at.abs_diff_eq(DVec2::new(0.375, 0.45), 1e-6), "the middle of the way: {at}");
+        assert!(moved.abs_diff_eq(DVec2::new(0.5, -0.1), 1e-6), "{moved}");
+        assert!(strokes.held.is_none());
+        assert_eq!(pointed(&mut strokes, &[Event::PointerMoved(from)]), Pointing::default());
+    }
+
+    #[test]
+    fn a_slow_drag_goes_on_from_frame_to_frame() {
+        let mut strokes = Strokes::default();
+        let at = |x: f32| pos2(x, 150.0);
+        pointed(&mut strokes, &[button(PointerButton::Secondary, at(200.0), true)]);
+        // Beyond the picture, too, once it began there; another button changes nothing.
+        let events = [Event::PointerMoved(at(250.0)), button(PointerButton::Primary, at(250.0), true)];
+        assert_eq!(pointed(&mut strokes, &events).turned, DVec2::new(0.25, 0.0));
+        assert_eq!(pointed(&mut strokes, &[Event::PointerMoved(at(650.0))]).turned, DVec2::new(2.0, 0.0));
+        let end = pointed(&mut strokes, &[button(PointerButton::Secondary, at(650.0), false)]);
+        assert_eq!((end.turned, end.push), (DVec2::ZERO, None));
+        assert!(strokes.held.is_none());
+    }
+
+    #[test]
+    fn what_begins_beside_the_picture_or_loses_the_pointer_is_none() {
+        let mut strokes = Strokes::default();
+        let [beside, on] = [pos2(50.0, 150.0), pos2(200.0, 150.0)];
+        let events = [button(PointerButton::Primary, beside, true), Event::PointerMoved(on)];
+        assert_eq!(pointed(&mut strokes, &events).push, None);
+        pointed(&mut strokes, &[button(PointerButton::Primary, beside, false), button(PointerButton::Primary, on, true)]);
+        assert_eq!(pointed(&mut strokes, &[Event::PointerGone, Event::PointerMoved(beside)]).push, None);
     }
 }

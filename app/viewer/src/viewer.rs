@@ -395,7 +395,8 @@ impl Viewer {
     fn advance(&mut self) -> Result<bool, WorldError> {
         let Some(world) = &mut self.world else { return Ok(false) };
         let advanced = self.running.advance(world, self.governor.budget_ms)?;
-        if self.running.pull.is_none() {
+        // While the simulation stands nothing is moved by hand, nor later for it.
+        if self.running.pull.is_none() || self.running.paused {
             self.hand.restart();
         }
         Ok(advanced)

@@ -19,7 +19,7 @@ use crate::action::Action;
 use crate::ladder::Governor;
 use crate::loading::Progress;
 use crate::messages::Messages;
-use crate::pointer::Pointing;
+use crate::pointer::{Pointing, Strokes};
 use crate::style;
 use crate::times::Times;
 use crate::world::World;
@@ -66,11 +66,12 @@ pub struct Panels {
     pub help: bool,
     /// The settings as they are being edited.
     pub draft: Option<settings::Draft>,
+    strokes: Strokes,
 }
 
 impl Default for Panels {
     fn default() -> Self {
-        Self { shown: true, overlay: true, help: false, draft: None }
+        Self { shown: true, overlay: true, help: false, draft: None, strokes: Strokes::default() }
     }
 }
 
@@ -105,7 +106,7 @@ impl Panels {
                 .exact_size(322.0)
                 .show(ui, |ui| side::show(ui, shown, &mut self.draft, &mut asked.actions));
         }
-        picture::show(ui, shown, &mut asked);
+        picture::show(ui, shown, &mut self.strokes, &mut asked);
         messages::show(&context, shown);
         if self.help {
             help::show(&context, &mut self.help);

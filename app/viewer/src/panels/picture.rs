@@ -4,10 +4,10 @@ use egui::{CentralPanel, Color32, Frame, ProgressBar, Rect, RichText, Sense, Ui,
 
 use super::{Asked, Shown};
 use crate::marks::mark;
-use crate::pointer::Pointing;
+use crate::pointer::{Pointing, Strokes};
 use crate::style;
 
-pub(super) fn show(ui: &mut Ui, shown: &Shown<'_>, asked: &mut Asked) {
+pub(super) fn show(ui: &mut Ui, shown: &Shown<'_>, strokes: &mut Strokes, asked: &mut Asked) {
     CentralPanel::default().frame(Frame::new().fill(Color32::from_rgb(10, 12, 15))).show(ui, |ui| {
         let room = ui.max_rect();
         let pixels_per_point = ui.ctx().pixels_per_point();
@@ -17,7 +17,7 @@ pub(super) fn show(ui: &mut Ui, shown: &Shown<'_>, asked: &mut Asked) {
         }
         let response = ui.interact(room, ui.scope_id().with("picture"), Sense::click_and_drag());
         mark(&response, "picture");
-        asked.pointing = Pointing::on(&response);
+        asked.pointing = Pointing::on(&response, strokes);
         if let Some((what, progress)) = shown.loading {
             loading(ui, room, what, progress, shown.picture.is_none());
         }
