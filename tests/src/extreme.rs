@@ -215,7 +215,13 @@ impl Case {
 pub fn at_rest(stats: &Stats, spacing_m: f64) -> Result<(), String> {
     let limit_m_s = (2.0 * 9.81 * spacing_m).sqrt();
     let counters = stats.counters;
-    let cut = [counters.neighbour_overflow, counters.speed_clamps, counters.correction_clamps];
+    let cut = [
+        counters.neighbour_overflow,
+        counters.crowded,
+        counters.speed_clamps,
+        counters.correction_clamps,
+        counters.displacement_clamps,
+    ];
     if stats.max_speed_m_s > limit_m_s {
         return Err(format!("moves at {} m/s, {limit_m_s} is allowed", stats.max_speed_m_s));
     }
@@ -223,8 +229,10 @@ pub fn at_rest(stats: &Stats, spacing_m: f64) -> Result<(), String> {
         return Err(format!("compressed by {:?}, a p99 of 0.1 is allowed", stats.compression));
     }
     match cut {
-        [0, 0, 0] => Ok(()),
-        _ => Err(format!("neighbours without a slot, clamped speeds, clamped corrections: {cut:?}")),
+        [0, 0, 0, 0, 0] => Ok(()),
+        _ => Err(format!(
+            "neighbours without a slot, crowded searches, clamped speeds, corrections and displacements: {cut:?}"
+        )),
     }
 }
 

@@ -17,8 +17,15 @@ pub mod validation;
 
 pub use device::gpu;
 
+use std::path::{Path, PathBuf};
+
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
+
+/// The repository's top.
+pub fn top() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
+}
 
 /// Generator whose numbers are the same in every run and on every machine.
 pub fn rng(seed: u64) -> ChaCha8Rng {

@@ -61,6 +61,12 @@ impl StatField {
     }
 }
 
+impl From<(&str, &str, &str)> for StatField {
+    fn from((name, unit, description): (&str, &str, &str)) -> Self {
+        Self::new(name, unit, description)
+    }
+}
+
 fn number(unit: &str, description: &str) -> Value {
     json!({ "type": "number", "unit": unit, "description": format!("{description} [{unit}]") })
 }

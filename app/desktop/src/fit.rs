@@ -34,9 +34,9 @@ fn within_limits(gpu: &Gpu, scene: &Scene, particles: u32) -> String {
             .into();
     }
     let most = largest(particles, |particles| allows(scene, particles));
-    let slots = largest(scene.solver.neighbour_slots, |slots| {
+    let slots = largest(scene.neighbour_slots(), |slots| {
         let mut other = scene.clone();
-        other.solver.neighbour_slots = slots;
+        other.solver.neighbour_slots = Some(slots);
         allows(&other, particles)
     });
     let fewer_slots = match slots {
@@ -64,7 +64,7 @@ fn without_format(gpu: &Gpu, scene: &Scene, particles: u32) -> String {
 /// What of the scene the device's memory may hold: as much as it gave before it refused.
 fn within_memory(scene: &Scene, particles: u32, bytes: u64, allocated: u64) -> String {
     let most = (f64::from(particles) * allocated as f64 / bytes.max(1) as f64) as u32;
-    let slots = scene.solver.neighbour_slots;
+    let slots = scene.neighbour_slots();
     format!(
         "the scene takes {bytes} bytes; about {most} of {particles} particles fit, as with {}; fewer than {slots} \
          solver.neighbour_slots save memory too",

@@ -1,7 +1,6 @@
 //! What was measured of the fluid over a run: the last state, the worst, and what was counted.
 
-use brooklet_capture::StatField;
-use brooklet_fluid::{STAT_FIELDS, Stats, measure};
+use brooklet_fluid::{Stats, measure};
 use serde::Serialize;
 
 /// Mean, 99th percentile and largest value over the particles.
@@ -41,7 +40,7 @@ pub struct Worst {
     pub max_speed_m_s: f64,
 }
 
-/// Everything that was counted instead of hidden. The first three are sums over the run, the last
+/// Everything that was counted instead of hidden. The first five are sums over the run, the last
 /// two are how many particles it was at the end.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Counted {
@@ -51,6 +50,10 @@ pub struct Counted {
     pub speed_clamps: u64,
     /// Corrections that were clamped.
     pub correction_clamps: u64,
+    /// Displacements of a substep that were held below the support radius.
+    pub displacement_clamps: u64,
+    /// Searches for neighbours among too many candidates to look at all.
+    pub crowded: u64,
     /// Particles whose state was not finite.
     pub quarantined: u64,
     /// Particles outside an open domain.
@@ -85,26 +88,11 @@ impl Measured {
         self.counted.neighbour_overflow += u64::from(counters.neighbour_overflow);
         self.counted.speed_clamps += u64::from(counters.speed_clamps);
         self.counted.correction_clamps += u64::from(counters.correction_clamps);
+        self.counted.displacement_clamps += u64::from(counters.displacement_clamps);
+        self.counted.crowded += u64::from(counters.crowded);
         self.counted.quarantined = u64::from(stats.quarantined);
         self.counted.escaped = u64::from(stats.escaped);
     }
-}
-
-/// The fields of `/sim/stats`: which step it was, when in the simulation, and the measurement.
-pub fn fields() -> Vec<StatField> {
-    let clock = [
-        StatField::new("step", "1", "Number of the step that was measured"),
-        StatField::new("simulated_s", "s", "Simulated time"),
-    ];
-    let stats = STAT_FIELDS.iter().map(|field| StatField::new(field.name, field.unit, field.description));
-    clock.into_iter().chain(stats).collect()
-}
-
-/// The values of [`fields`], in their order.
-pub fn values(step: u64, simulated_s: f64, stats: &Stats) -> Vec<f64> {
-    let clock = [step as f64, simulated_s];
-    let stats = STAT_FIELDS.iter().map(|field| (field.value)(stats));
-    clock.into_iter().chain(stats).collect()
 }
 
 #[cfg(test)]
@@ -116,20 +104,6 @@ mod tests {
         stats.compression.max = compression;
         stats.counters.speed_clamps = speed_clamps;
         stats
-    }
-
-    #[test]
-    fn fields_and_values_go_together() {
-        let mut measured = stats(0.25, 7, 0);
-        measured.front_m = 1.5;
-        let (fields, values) = (fields(), values(12, 0.05, &measured));
-        assert_eq!(fields.len(), values.len());
-        let value = |name: &str| values[fields.iter().position(|f| f.name == name).unwrap()];
-        assert_eq!(value("step"), 12.0);
-        assert_eq!(value("simulated_s"), 0.05);
-        assert_eq!(value("compression_max"), 0.25);
-        assert_eq!(value("front_m"), 1.5);
-        assert_eq!(value("speed_clamps"), 7.0);
     }
 
     #[test]

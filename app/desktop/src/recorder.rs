@@ -4,11 +4,11 @@
 use std::{collections::VecDeque, fs::File};
 
 use brooklet_capture::{CaptureError, CaptureTotals, CaptureWriter};
-use brooklet_fluid::{STEP, Scene, Stats};
+use brooklet_fluid::{STEP, Scene, Stats, captured_values};
 use brooklet_gpu::{FrameReport, ResourceId};
 
 use crate::{
-    measured::{self, Measured},
+    measured::Measured,
     timings::Timings,
 };
 
@@ -73,7 +73,7 @@ impl Recorder {
             if Some(*id) == self.measure {
                 let stats = Stats::new(bytes, &self.scene);
                 let simulated_s = step as f64 * self.scene.solver.dt_s;
-                let values = measured::values(step, simulated_s, &stats);
+                let values = captured_values(step, simulated_s, &stats);
                 self.record(|capture| capture.stats(report.frame, report.wall_ns, &values));
                 self.measured.add(step, stats);
             }

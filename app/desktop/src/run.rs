@@ -6,8 +6,8 @@ use std::{
     time::{Instant, SystemTime},
 };
 
-use brooklet_capture::{CaptureError, CaptureOptions, CaptureWriter};
-use brooklet_fluid::Scene;
+use brooklet_capture::{CaptureError, CaptureOptions, CaptureWriter, StatField};
+use brooklet_fluid::{Scene, captured_fields};
 use brooklet_gpu::{Gpu, Plan, TimingStatus, tier_name};
 use brooklet_render::left_out::{self, Recorded};
 
@@ -18,7 +18,6 @@ use crate::{
     fit,
     interrupt::Interrupt,
     job::{self, Planned},
-    measured,
     out_dir::{self, OutDir},
     progress,
     recorder::Recorder,
@@ -53,7 +52,7 @@ pub fn run(options: &RunOptions) -> Result<(), Failure> {
     } else {
         let capture_options = CaptureOptions {
             stages: stages(&plan).into_iter().map(|(stage, _)| stage.into()).collect(),
-            stats: if measure.is_some() { measured::fields() } else { Vec::new() },
+            stats: if measure.is_some() { captured_fields().map(StatField::from).collect() } else { Vec::new() },
             start,
             ..CaptureOptions::default()
         };

@@ -297,11 +297,13 @@ impl Summary {
             energy.total,
         );
         say!(
-            "counted: {} neighbours without a slot, {} clamped speeds, {} clamped corrections, \
-             {} quarantined, {} escaped",
+            "counted: {} neighbours without a slot, {} crowded searches, {} clamped speeds, {} clamped corrections, \
+             {} held displacements, {} quarantined, {} escaped",
             counted.neighbour_overflow,
+            counted.crowded,
             counted.speed_clamps,
             counted.correction_clamps,
+            counted.displacement_clamps,
             counted.quarantined,
             counted.escaped,
         );

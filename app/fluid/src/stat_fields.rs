@@ -53,4 +53,46 @@ pub const STAT_FIELDS: &[StatField] = &[
     field("correction_clamps", "1", "Corrections clamped since the last measurement", |s| {
         f64::from(s.counters.correction_clamps)
     }),
+    field("displacement_clamps", "1", "Displacements of a substep held below h since the last measurement", |s| {
+        f64::from(s.counters.displacement_clamps)
+    }),
+    field("crowded", "1", "Searches among too many candidates to look at all since the last measurement", |s| {
+        f64::from(s.counters.crowded)
+    }),
 ];
+
+/// What a capture tells of a measurement (`/sim/stats`): name, unit and description of each value, first those that
+/// say which step it was and when in the simulation.
+pub fn captured_fields() -> impl Iterator<Item = (&'static str, &'static str, &'static str)> {
+    let clock = [
+        ("step", "1", "Number of the step that was measured"),
+        ("simulated_s", "s", "Simulated time"),
+    ];
+    clock.into_iter().chain(STAT_FIELDS.iter().map(|field| (field.name, field.unit, field.description)))
+}
+
+/// The values of [`captured_fields`], in their order.
+pub fn captured_values(step: u64, simulated_s: f64, stats: &Stats) -> Vec<f64> {
+    let clock = [step as f64, simulated_s];
+    clock.into_iter().chain(STAT_FIELDS.iter().map(|field| (field.value)(stats))).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn fields_and_values_go_together() {
+        let mut stats = Stats { front_m: 1.5, ..Stats::default() };
+        stats.compression.max = 0.25;
+        stats.counters.speed_clamps = 7;
+        let values = captured_values(12, 0.05, &stats);
+        assert_eq!(captured_fields().count(), values.len());
+        let value = |wanted: &str| values[captured_fields().position(|(name, ..)| name == wanted).unwrap()];
+        assert_eq!(value("step"), 12.0);
+        assert_eq!(value("simulated_s"), 0.05);
+        assert_eq!(value("compression_max"), 0.25);
+        assert_eq!(value("front_m"), 1.5);
+        assert_eq!(value("speed_clamps"), 7.0);
+    }
+}

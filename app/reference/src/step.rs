@@ -42,7 +42,7 @@ impl Fluid {
         let neighbours = self.neighbours();
         let mut positions_m = predicted_m.clone();
         for _ in 0..self.iterations {
-            positions_m = self.iterate(&positions_m, &neighbours);
+            positions_m = self.iterate(&predicted_m, &positions_m, &neighbours);
         }
         for (i, particle) in self.particles.iter_mut().enumerate() {
             if !particle.quarantined {
@@ -83,7 +83,7 @@ impl Fluid {
         self.particles.iter().map(|p| p.velocity_m_s).collect()
     }
 
-    fn iterate(&self, positions_m: &[DVec3], neighbours: &Neighbours) -> Vec<DVec3> {
+    fn iterate(&self, predicted_m: &[DVec3], positions_m: &[DVec3], neighbours: &Neighbours) -> Vec<DVec3> {
         let walls = self.walls.as_ref();
         let (smoothing, pbf) = (&self.smoothing, &self.pbf);
         let count = positions_m.len();
@@ -91,8 +91,9 @@ impl Fluid {
             parallel::map(count, |i| constrain_density(i, positions_m, &neighbours[i], smoothing, pbf, walls).lambda);
         parallel::map(count, |i| {
             let none = |_, _| DVec3::ZERO;
-            let list = &neighbours[i];
-            correct_positions(i, positions_m, &lambdas, list, &self.step, smoothing, pbf, walls, none).position_m
+            let (start_m, list) = (predicted_m[i], &neighbours[i]);
+            correct_positions(i, positions_m, start_m, &lambdas, list, &self.step, smoothing, pbf, walls, none)
+                .position_m
         })
     }
 

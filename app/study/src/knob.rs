@@ -1,8 +1,6 @@
 //! Knobs: what one curve of a work-precision plot turns.
 
-use std::f64::consts::PI;
 
-use brooklet_fluid::scene::Solver;
 
 use crate::case::Case;
 
@@ -92,23 +90,9 @@ pub const PBF: &[Knob] = &[
 ];
 
 impl Knob {
-    /// Room for the neighbours of a wide support, where the default has none.
-    fn slots(&self, case: &dyn Case, value: &str) -> Option<String> {
-        let ratio: f64 = value.parse().ok().filter(|_| self.path == "solver.support_ratio")?;
-        let flat = case.setup(&[]).ok()?.scene.domain.is_flat();
-        let lattice = if flat { PI * ratio.powi(2) } else { 4.0 / 3.0 * PI * ratio.powi(3) };
-        // Half as many again: compressed, and crowded at an impact.
-        let slots = (1.5 * lattice / 4.0).ceil() * 4.0;
-        (slots > f64::from(Solver::default().neighbour_slots) * 1.1).then(|| format!("solver.neighbour_slots={slots}"))
-    }
-
     /// Its positions for a case.
     pub fn positions(&self, case: &dyn Case, quick: bool) -> Vec<Position> {
-        let at = |label: String, value: String| {
-            let mut settings = vec![format!("{}={value}", self.path)];
-            settings.extend(self.slots(case, &value));
-            Position { label, settings }
-        };
+        let at = |label: String, value: String| Position { label, settings: vec![format!("{}={value}", self.path)] };
         let all: Vec<Position> = match self.values {
             Values::OfSpacing(factors) => factors
                 .iter()

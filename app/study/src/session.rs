@@ -6,7 +6,7 @@ use std::collections::HashMap;
 use brooklet_gpu::{Gpu, Plan, TIERS, Tier, tier_name};
 use thiserror::Error;
 
-use crate::backend::{Cache, GpuRun, Options, Origin, converged};
+use crate::backend::{Cache, Counted, GpuRun, Options, Origin, converged};
 use crate::store::StoreError;
 use crate::{Sample, Setup, State, Task};
 
@@ -154,12 +154,12 @@ pub fn state_of(run: &GpuRun) -> (State, String) {
         let stats = measured.stats;
         stats.quarantined > 0 || !stats.density_error.mean.is_finite()
     });
-    let [overflow, speeds, corrections] = run.counted();
-    let counts = format!("{overflow} neighbours without a slot, {speeds} speeds and {corrections} corrections clamped");
+    let counted = run.counted();
+    let counts = counted.to_string();
     match (sound, said) {
         (false, true) => (State::Unstable, "particles that are not finite, and quarantined".into()),
         (false, false) => (State::Silent, "particles are lost or not finite, and nothing says so".into()),
-        (true, _) if overflow + speeds + corrections > 0 => (State::Clamped, counts),
+        (true, _) if counted != Counted::default() => (State::Clamped, counts),
         (true, _) => (State::Stable, String::new()),
     }
 }

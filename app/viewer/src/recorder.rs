@@ -5,10 +5,9 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use brooklet_capture::{
-    CaptureClock, CaptureCost, CaptureError, CaptureOptions, CaptureTotals, CaptureWriter, DeviceState, Level,
-    StatField, StateRow,
+    CaptureClock, CaptureCost, CaptureError, CaptureOptions, CaptureTotals, CaptureWriter, DeviceState, Level, StatField, StateRow,
 };
-use brooklet_fluid::{STAT_FIELDS, Stats};
+use brooklet_fluid::{Stats, captured_fields, captured_values};
 use brooklet_gpu::{FrameReport, Gpu, tier_name};
 
 use crate::flight::Flying;
@@ -40,13 +39,8 @@ impl Recorder {
     /// Creates the file and writes what holds for all of it.
     pub fn begin(path: PathBuf, gpu: &Gpu, world: &World) -> Result<Self, CaptureError> {
         let clock = CaptureClock::new();
-        let clock_fields = [
-            StatField::new("step", "1", "Number of the step that was measured"),
-            StatField::new("simulated_s", "s", "Simulated time"),
-        ];
-        let stats = STAT_FIELDS.iter().map(|field| StatField::new(field.name, field.unit, field.description));
         let options = CaptureOptions {
-            stats: clock_fields.into_iter().chain(stats).collect(),
+            stats: captured_fields().map(StatField::from).collect(),
             start: clock.start(),
             spans_every: SPANS_EVERY,
             ..CaptureOptions::default()
@@ -88,9 +82,7 @@ impl Recorder {
         self.frames += 1;
         self.writer.frame(&report)?;
         if let Some(stats) = stats {
-            let clock = [flying.steps as f64, flying.simulated_s];
-            let values: Vec<f64> =
-                clock.into_iter().chain(STAT_FIELDS.iter().map(|field| (field.value)(stats))).collect();
+            let values = captured_values(flying.steps, flying.simulated_s, stats);
             self.writer.stats(report.frame, report.wall_ns, &values)?;
         }
         Ok(())

@@ -6,7 +6,6 @@ use std::time::Instant;
 use brooklet_fluid::Scene;
 use brooklet_gpu::Gpu;
 use brooklet_render::View;
-use brooklet_render::left_out::{self, Absent, Recorded};
 use egui::{Context, FullOutput, PlatformOutput, RawInput, TextureId, TexturesDelta};
 
 use crate::WorldError;
@@ -74,7 +73,6 @@ pub struct Viewer {
     pub(crate) rung: usize,
     pub(crate) auto: bool,
     pub(crate) governor: Governor,
-    left_out: Vec<Absent>,
     pub(crate) waiting: Vec<String>,
     hand: Hand,
     modules: NewModules,
@@ -111,7 +109,6 @@ impl Viewer {
             rung: settings.rung.min(RUNGS.len() - 1),
             auto: settings.auto,
             governor: Governor::new(settings.budget_ms),
-            left_out: Vec::new(),
             waiting: Vec::new(),
             hand: Hand::default(),
             modules: NewModules::default(),
@@ -256,7 +253,7 @@ impl Viewer {
             auto: self.auto,
             governor: &self.governor,
             times: &self.running.times,
-            left_out: &self.left_out,
+            left_out: self.world.as_ref().map_or(&[], |world| &world.left_out),
             capture: self.running.recorder.as_ref().map(|recorder| (recorder.path(), recorder.bytes())),
             messages: &self.messages,
             waiting: &self.waiting,
@@ -323,10 +320,6 @@ impl Viewer {
                 }
                 self.running.begin(&world, carries, &mut self.messages);
                 self.picture = world.picture().map(|picture| self.presenter.show(picture));
-                let tier = self.gpu.tier();
-                let plan = world.engine.plan();
-                self.left_out = left_out::list(&world.simulated, world.particles, tier, plan, &Recorded::default())
-                    .unwrap_or_default();
                 self.panels.draft = Some(Draft::new(world.scene.clone()));
                 self.waiting.clear();
                 self.world = Some(world);

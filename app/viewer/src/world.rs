@@ -9,6 +9,7 @@ use brooklet_fluid::{INIT, MEASURE, Recorded, STEP, Scene, record_count};
 use brooklet_gpu::{Command, Engine, Gpu, Plan, ResourceId, Resources};
 use brooklet_kernels::{Position, Velocity};
 use brooklet_render::frame::{DRAW, DRAW_INIT, FrameValues};
+use brooklet_render::left_out::{self, Absent};
 use brooklet_render::{Camera, FrameOptions, FramePasses, ScenePlan, View};
 
 use crate::WorldError;
@@ -97,6 +98,8 @@ pub struct World {
     pub steps: u64,
     /// Simulated time, s.
     pub simulated_s: f64,
+    /// What its plan does without.
+    pub left_out: Vec<Absent>,
     view: View,
     options: FrameOptions,
     recorded: Recorded,
@@ -140,6 +143,8 @@ impl World {
         let ScenePlan { plan, recorded, passes } = planned;
         let passes = passes.ok_or(WorldError::NoPicture)?;
         let plan = order.modules.put_into(plan).map_err(WorldError::Shader)?;
+        let left_out = left_out::list(&simulated, particles, gpu.tier(), &plan, &left_out::Recorded::default())
+            .unwrap_or_default();
         let mut engine = Engine::new_with_progress(gpu, plan, progress)?;
         if let Some(emitted) = emitted {
             engine.write(&recorded.positions, &emitted.positions);
@@ -153,6 +158,7 @@ impl World {
             particles,
             steps,
             simulated_s,
+            left_out,
             view,
             options,
             recorded,

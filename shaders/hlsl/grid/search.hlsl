@@ -1,5 +1,5 @@
 // Finds the particles within h of one, for the kernels that say what a sorted place holds and how a
-// list is written: they define `Found`, CandidateAt, BeginRow and Add before they include this.
+// list is written: they define `Found`, CandidateAt, BeginRow, Add and Crowd before they include this.
 // Rows of cells along x are cut to the chord of the support sphere and are one range of sorted
 // places each, so about half as many candidates are looked at as in the 27 cells of width h of the
 // mobile deck.
@@ -13,6 +13,7 @@ void Search(uint i, float3 here_m, inout Found found)
 {
     Rows rows = RowsNear(here_m);
     uint3 here = Coordinates(places[i]);
+    uint left = MOST_CANDIDATES;
     for (int z = rows.low.z; z <= rows.high.z; ++z)
     {
         float dz_m = DistanceToCell(here_m.z, z);
@@ -24,6 +25,12 @@ void Search(uint i, float3 here_m, inout Found found)
             uint row = (uint(z) * grid.cells.y + uint(y)) * grid.cells.x;
             uint start = cell_starts[row + uint(ends.x)];
             uint end = cell_starts[row + uint(ends.y) + 1];
+            if (end - start > left)
+            {
+                end = start + left;
+                Crowd(found);
+            }
+            left -= end - start;
             BeginRow(found, start);
             for (uint sorted = start; sorted < end; ++sorted)
             {

@@ -61,6 +61,7 @@ void Search(uint i, float3 here_m, inout Found found)
 {
     Rows rows = RowsNear(here_m);
     uint3 here = Coordinates(places[i]);
+    uint left = MOST_CANDIDATES;
     int2 counts = rows.high.yz - rows.low.yz + 1;
     for (int nz = 0; nz < counts.y; ++nz)
     {
@@ -81,6 +82,12 @@ void Search(uint i, float3 here_m, inout Found found)
                     continue;
                 uint start = cell_starts[row + Onto(first, grid.cells.x, grid.seam_cells.x)];
                 uint end = cell_starts[row + Onto(last, grid.cells.x, grid.seam_cells.x) + 1];
+                if (end - start > left)
+                {
+                    end = start + left;
+                    Crowd(found);
+                }
+                left -= end - start;
                 BeginRow(found, start);
                 for (uint sorted = start; sorted < end; ++sorted)
                 {

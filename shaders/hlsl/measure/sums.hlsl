@@ -32,7 +32,7 @@ MeasureSums SumOf(MeasureSums a, MeasureSums b)
     return sum;
 }
 
-// In thread 0: the sum over the group.
+// The sum over the group, in every thread.
 MeasureSums SumOfGroup(MeasureSums mine, uint thread)
 {
     shared_measures[thread] = mine;

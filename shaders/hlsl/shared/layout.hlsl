@@ -15,6 +15,9 @@ static const uint LIST_CHUNK = 4;
 // A neighbour's gap that stands for nobody, and moves on by the widest gap there is.
 static const uint LIST_NOBODY = 0;
 static const uint LIST_WIDEST_GAP = 65535;
+// Candidates that a search for neighbours looks at, at most: forty times those of fluid at rest. With all
+// particles in one cell it would take their number squared, which no driver's watchdog waits for.
+static const uint MOST_CANDIDATES = 2048;
 // Bins of a histogram, 32 to an octave.
 static const uint HISTOGRAM_BINS = 512;
 // The bit of Position::tag that parks a particle whose state is not finite.
@@ -136,7 +139,11 @@ struct Counters
     uint neighbour_overflow;    // neighbours that had no slot
     uint speed_clamps;
     uint correction_clamps;
-    uint reserved;
+    uint displacement_clamps;   // that iterations would have moved by a support radius or more
+    uint crowded;               // particles around which not all candidates were looked at
+    uint reserved0;
+    uint reserved1;
+    uint reserved2;
 };
 
 // Sums and extremes of one group of particles; the last stage reduces them to one of these.

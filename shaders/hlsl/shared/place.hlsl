@@ -12,6 +12,10 @@
 // Support radii in one unit of a coordinate: 2^32 units are 4 h.
 static const float SUPPORTS_A_UNIT = 1.0 / 1073741824.0;
 
+// Iterations move no particle further than this, in h: two that were neighbours and part then stay closer
+// than three supports. Coordinates of a particle that went on would come round to its other side.
+static const float MOST_DISPLACEMENT = 0.999;
+
 #if defined(PACKED)
 #define PLACE_BITS 16
 #else

@@ -1,5 +1,6 @@
 //! Scenes on the GPU against laws, closed forms, experiments and published figures.
 
+mod at_rest;
 mod column_law;
 mod comparators;
 mod dam_break_front;
@@ -10,6 +11,8 @@ mod extreme_capacity;
 mod extreme_column;
 mod extreme_corner;
 mod extreme_counts;
+mod extreme_crowded;
+mod extreme_iterations;
 mod extreme_jet;
 mod extreme_long_run;
 mod extreme_not_finite;

@@ -68,7 +68,7 @@ fn check(scene: &Scene, before: &Emitted, to: &Scene, after: &Emitted) -> Result
     let losses = [
         // To half a particle.
         ("volume", (new_volume / volume - 1.0).abs(), 0.5001 * cell(to) / volume),
-        ("momentum", (new_momentum - momentum).length() / momentum.length(), 0.03),
+        ("momentum", (new_momentum - momentum).length() / momentum.length(), 0.035),
         ("centre", (new_centre_m - centre_m).length() / scene.spacing_m.max(to.spacing_m), 0.3),
         ("velocities", off / speed, 0.035),
     ];

@@ -236,6 +236,49 @@ fn check_percentile(got: f32, expected: f64) -> Result<(), String> {
 }
 
 #[test]
+fn percentiles_are_those_of_a_walk_from_the_highest_bin_down() {
+    // The middle of a bin, as `measure/histogram.hlsl` has it.
+    let value = |bin: usize| if bin == 0 { 0.0 } else { f32::from_bits(((0x3880_0000 >> 18) + bin as u32) << 18 | 1 << 17) };
+    let walked = |histogram: &[u32], particles: u32| {
+        let mut passed = 0;
+        (1..BINS).rev().find(|&bin| {
+            passed += histogram[bin];
+            passed > particles / 100
+        })
+    };
+    let mut rng = rng(44);
+    let one = |fill: &mut dyn FnMut(&mut [u32])| {
+        let mut histograms = vec![0; 2 * BINS];
+        fill(&mut histograms[..BINS]);
+        // The other histogram has them the other way round.
+        let reversed: Vec<u32> = histograms[..BINS].iter().rev().copied().collect();
+        histograms[BINS..].copy_from_slice(&reversed);
+        let particles: u32 = histograms[..BINS].iter().sum();
+        let group = MeasureSums { particles, ..MeasureSums::default() };
+        let params = StepParams { particle_count: particles, ..StepParams::default() };
+        let groups = (particles as usize).div_ceil(MeasureParticles::GROUP_SIZE[0] as usize).max(1);
+        let mut groups = vec![MeasureSums::default(); groups];
+        groups[0] = group;
+        let measure = run_totals(&groups, &histograms, Counters::default(), params);
+        for (got, histogram) in
+            [(measure.density_error_p99, &histograms[..BINS]), (measure.compression_p99, &histograms[BINS..])]
+        {
+            assert_eq!(got, value(walked(histogram, particles).unwrap_or(0)), "{particles} particles");
+        }
+    };
+    one(&mut |_| {});
+    for bin in [0, 1, 7, 8, 9, 255, 256, 503, 504, 510, 511] {
+        one(&mut |bins| bins[bin] = 1000);
+        // One particle in a hundred lies above: not one more.
+        one(&mut |bins| (bins[bin / 2], bins[bin]) = (99 * 5, bins[bin] + 5));
+        one(&mut |bins| (bins[bin / 2], bins[bin]) = (99 * 5, bins[bin] + 6));
+    }
+    for _ in 0..8 {
+        one(&mut |bins| bins.iter_mut().for_each(|count| *count = rng.random_range(0..20)));
+    }
+}
+
+#[test]
 fn percentile_comparator_fails() {
     assert!(check_percentile(0.1, 0.1).is_ok());
     assert!(check_percentile(0.103, 0.1).is_err());

@@ -5,11 +5,11 @@
 
 use brooklet_kernels::{
     ConstrainDensity, ConstrainDensityVariant, Constrained, CorrectPositions, CorrectPositionsVariant, Counters,
-    Kernel, PbfParams, PrecisionKeyword, StepParams, UpdateVelocity, UpdateVelocityVariant, Velocity,
+    Kernel, PbfParams, Position, PrecisionKeyword, StepParams, UpdateVelocity, UpdateVelocityVariant, Velocity,
 };
 use brooklet_reference::shared::place::Places;
 use brooklet_reference::solver::pbf::constrain_density::constrain_density;
-use brooklet_reference::solver::pbf::correct_positions::correct_positions;
+use brooklet_reference::solver::pbf::correct_positions::{MOST_DISPLACEMENT, correct_positions};
 use brooklet_reference::solver::pbf::update_velocity::update_velocity;
 use brooklet_tests::cases::{
     Around, Case, SUPPORT_M, fluid, kernel_params, pbf_of, pbf_params, precisions, sizes, smoothing_of, step_of,
@@ -163,9 +163,23 @@ struct Corrected {
     /// How far each particle went, in h, if that is less than two along each axis.
     moved: Vec<DVec3>,
     clamps: u32,
+    held: u32,
 }
 
 fn run_correct(case: &Case, lambdas: &[f32], pbf: PbfParams, walls: Around, s_corr: bool, pairs: Pairs) -> Corrected {
+    run_correct_from(&case.positions, case, lambdas, pbf, walls, s_corr, pairs)
+}
+
+/// As [`run_correct`], of particles that earlier iterations have moved to where they are from `predicted`.
+fn run_correct_from(
+    predicted: &[Position],
+    case: &Case,
+    lambdas: &[f32],
+    pbf: PbfParams,
+    walls: Around,
+    s_corr: bool,
+    pairs: Pairs,
+) -> Corrected {
     let mut bench = Bench::new();
     let start = case.places(pairs.places);
     let with_lambdas = || start.iter().zip(lambdas);
@@ -175,7 +189,7 @@ fn run_correct(case: &Case, lambdas: &[f32], pbf: PbfParams, walls: Around, s_co
         with_lambdas().map(|(&[x_y, z], &lambda)| [x_y, z | u32::from(f16::from_f32(lambda).to_bits())]).collect();
     let constrained = bench.input("constrained", &full);
     let packed_constrained = bench.input("packed_constrained", &packed);
-    let sorted_positions = bench.input("sorted_positions", &case.positions);
+    let sorted_positions = bench.input("sorted_positions", predicted);
     let (neighbours, list_heads) = case.upload_neighbours(&mut bench);
     let mut places = bench.output("places", case.count());
     let mut counters = bench.input("counters", &[Counters::default()]);
@@ -192,7 +206,7 @@ fn run_correct(case: &Case, lambdas: &[f32], pbf: PbfParams, walls: Around, s_co
             },
             constrained: (!pairs.packed()).then(|| constrained.read()),
             packed_constrained: pairs.packed().then(|| packed_constrained.read()),
-            sorted_positions: walls.has_walls().then(|| sorted_positions.read()),
+            sorted_positions: sorted_positions.read(),
             neighbours: neighbours.read(),
             list_heads: list_heads.read(),
             places: places.write(),
@@ -206,7 +220,8 @@ fn run_correct(case: &Case, lambdas: &[f32], pbf: PbfParams, walls: Around, s_co
     let mut done = bench.run();
     let after: Vec<[u32; 2]> = done.read(&places, case.count());
     let moved = start.iter().zip(&after).map(|(&before, &after)| pairs.places.apart(after, before)).collect();
-    Corrected { after, moved, clamps: done.read(&counters, 1)[0].correction_clamps }
+    let counters = done.read(&counters, 1)[0];
+    Corrected { after, moved, clamps: counters.correction_clamps, held: counters.displacement_clamps }
 }
 
 #[test]
@@ -238,6 +253,7 @@ fn correct_positions_matches_its_twin() {
                     let expected = correct_positions(
                         i,
                         &placed_m,
+                        placed_m[i],
                         &lambdas,
                         &case.neighbours[i],
                         &step,
@@ -266,6 +282,56 @@ fn correct_positions_matches_its_twin() {
             }
         }
         assert!(all_clamps > 0, "no case met the limit of a correction");
+        worst.report();
+    }
+}
+
+#[test]
+fn corrections_hold_the_whole_displacement_below_the_support() {
+    let (smoothing, pbf) = (smoothing_of(&kernel_params()), pbf_of(&pbf_params()));
+    for (pairs, rounding) in all_pairs() {
+        let tolerance = ROUNDINGS * rounding;
+        let mut worst = Worst::new(format!("{}, held", pairs.name(CorrectPositions::STAGE)), tolerance);
+        let mut rng = rng(35);
+        let mut held = 0;
+        for size in pairs.sizes() {
+            let case = case_for(&mut rng, size, Around::Nothing);
+            let lambdas: Vec<f32> = (0..size).map(|_| -(rng.random_range(0..1024) as f32) / 1024.0).collect();
+            // Where they were predicted: up to a support away, a third of them all but that.
+            let predicted: Vec<Position> = case
+                .positions
+                .iter()
+                .map(|position| {
+                    let share: f64 = rng.random::<f64>().max(if rng.random_range(0..3) == 0 { 0.998 } else { 0.0 });
+                    let way: DVec3 = DVec3::from_array([0; 3].map(|_| rng.random::<f64>() - 0.5)).normalize_or(DVec3::X);
+                    let at_m = vector(position.position_m) + 0.998 * share * smoothing.support_m * way;
+                    Position { position_m: at_m.to_array().map(|x| x as f32), tag: position.tag }
+                })
+                .collect();
+            let got = run_correct_from(&predicted, &case, &lambdas, pbf_params(), Around::Nothing, true, pairs);
+            let from = Case { positions: predicted, velocities: Vec::new(), neighbours: Vec::new(), size_m: case.size_m };
+            let (predicted_m, placed_m) = (from.placed_m(pairs.places), case.placed_m(pairs.places));
+            let step = step_of(&case.step_params(), false);
+            let lambdas: Vec<f64> = lambdas.iter().map(|&l| f64::from(l)).collect();
+            let (mut expected_held, mut doubtful) = (0, 0);
+            for i in 0..size {
+                let none = |_, _| DVec3::ZERO;
+                let list = &case.neighbours[i];
+                let expected =
+                    correct_positions(i, &placed_m, predicted_m[i], &lambdas, list, &step, &smoothing, &pbf, None, none);
+                expected_held += u32::from(expected.held);
+                let rounded = tolerance * expected.terms_m / smoothing.support_m + 2.0 * pairs.places.step();
+                doubtful += u32::from((expected.displacement - MOST_DISPLACEMENT).abs() < rounded.max(1e-5));
+                let steps_m = 2.0 * pairs.places.step() * smoothing.support_m;
+                let scale = expected.terms_m + placed_m[i].length() + steps_m / tolerance;
+                let got_m = pairs.places.near(got.after[i], expected.position_m / smoothing.support_m);
+                let error_m = got_m * smoothing.support_m - expected.position_m;
+                worst.check3(error_m.to_array().map(|x| x as f32), DVec3::ZERO, scale).unwrap();
+            }
+            assert!(got.held.abs_diff(expected_held) <= doubtful, "{} held, expected {expected_held} but for {doubtful}", got.held);
+            held += expected_held;
+        }
+        assert!(held > 0, "no case met the limit");
         worst.report();
     }
 }

@@ -129,7 +129,7 @@ fn each_path_of_the_layout_is_in_a_capture() {
     let mut known = BTreeSet::new();
     declared(&fs::read(workshop.path("result/capture.mcap")).unwrap(), &mut known);
     declared(&everything(), &mut known);
-    let layout = Path::new(env!("CARGO_MANIFEST_DIR")).join("../app/capture/foxglove-layout.json");
+    let layout = brooklet_tests::top().join("app/capture/foxglove-layout.json");
     let layout: serde_json::Value = serde_json::from_slice(&fs::read(layout).unwrap()).unwrap();
     let panels = layout["configById"].as_object().unwrap();
     let mut wanted = BTreeSet::new();

@@ -12,7 +12,7 @@ use crate::scene::Scene;
 
 /// Room for neighbours a particle, in runs of `LIST_CHUNK`.
 pub fn list_chunks(scene: &Scene) -> u32 {
-    scene.solver.neighbour_slots.div_ceil(LIST_CHUNK)
+    scene.neighbour_slots().div_ceil(LIST_CHUNK)
 }
 
 /// Runs of four neighbours in the lists of `particle_count` particles, whole slices.

@@ -30,7 +30,7 @@ const RATIO_STEP: f32 = 1.0 / 64.0;
 /// (`lattice.rs`); elsewhere it lies as [`super::emit`] puts a block at the domain's corner.
 ///
 /// What it costs a fluid at rest or in smooth motion (`tests/tests/fluid/resample.rs`, 0.7 to 1.6 times the spacing): no
-/// volume, up to 3 % of the momentum, and less than 0.3 spacings of its place where it is two layers thin.
+/// volume, up to 3.3 % of the momentum, and less than 0.3 spacings of its place where it is two layers thin.
 pub fn resample(from: &Scene, particles: &Emitted, to: &Scene) -> Emitted {
     let support_m = SUPPORT_RATIO * from.spacing_m.max(to.spacing_m);
     let dimensions = to.domain.dimensions;

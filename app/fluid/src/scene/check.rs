@@ -201,7 +201,7 @@ impl Scene {
                 rounded_up(1.01 * self.spacing_m * (count / most).powf(1.0 / f64::from(self.domain.dimensions)))
             ),
         )?;
-        let slots = f64::from(self.solver.neighbour_slots);
+        let slots = f64::from(self.neighbour_slots());
         check.require(
             count * slots <= f64::from(u32::MAX),
             "solver.neighbour_slots",

@@ -30,6 +30,8 @@ pub use schema::schema;
 pub use shipped::shipped_scenes;
 pub use surface::{PointColor, Smoothing, Surface, SurfaceMethod};
 
+use std::f64::consts::PI;
+
 use serde::{Deserialize, Serialize};
 
 /// A whole scene. [`Scene::load`] reads one, [`shipped_scenes`] lists those that come along.
@@ -175,8 +177,10 @@ pub struct Solver {
     /// No particle goes faster; clamps are counted. Default: 0.6 h a substep; above
     /// about 0.7 h two bodies are inside each other before four iterations can part them.
     pub max_speed_m_s: Option<f64>,
-    /// Room for neighbours a particle, rounded up to fours; what does not fit is counted.
-    pub neighbour_slots: u32,
+    /// Room for neighbours a particle, rounded up to fours; what does not fit is counted. Default: 1.43 times
+    /// what the support holds at rest, 48 at h = 2 d, 164 at
+    /// h = 3 d, 44 at h = 3 d in two dimensions; 24 at least.
+    pub neighbour_slots: Option<u32>,
     /// Sorts the particles of a cell by id, so that runs repeat bit for bit on a device; else they
     /// come in the order that atomics give.
     pub deterministic: bool,
@@ -203,7 +207,7 @@ impl Default for Solver {
             xsph: 0.01,
             vorticity_m_s: 0.0,
             max_speed_m_s: None,
-            neighbour_slots: 48,
+            neighbour_slots: None,
             deterministic: false,
             precision: Precision::Full,
             packed_positions: false,
@@ -262,6 +266,17 @@ impl Scene {
     /// Speed no particle exceeds, m/s: what the scene says, else 0.6 h a substep.
     pub fn max_speed_m_s(&self) -> f64 {
         self.solver.max_speed_m_s.unwrap_or(0.6 * self.support_m() / self.substep_s())
+    }
+
+    /// Room for neighbours a particle: what the scene says, else half as many again, nearly, as lattice points
+    /// lie within the support: compressed fluid, and fluid that is crowded at an impact, has more.
+    pub fn neighbour_slots(&self) -> u32 {
+        let ratio = self.solver.support_ratio;
+        let within = match self.domain.is_flat() {
+            true => PI * ratio.powi(2),
+            false => 4.0 / 3.0 * PI * ratio.powi(3),
+        };
+        self.solver.neighbour_slots.unwrap_or_else(|| ((1.43 * within).ceil() as u32).next_multiple_of(4).max(24))
     }
 
     /// Density at rest of the scene's fluids, kg/m³.

@@ -85,5 +85,5 @@ static CONSTRAIN_DENSITY_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/constrain_density_by_index.compute",
-    hash: "e39f0e6d905076576f379a09f69029dfdc4ae3e05f5639b753eb63740510a36c",
+    hash: "2b6f7b00bfabc8a579c87a08b531af752364315cec8eba0debbd2e51f06b88d5",
 };

@@ -57,5 +57,5 @@ static COPY_ELEMENTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/copy.compute",
-    hash: "3210eab14fa1b26a61ff989e4607e5b871d299a8dbe70b243229f91e69ed61d9",
+    hash: "2f95ca4097b40a1888621f7bd5fe6d91fadfd900eba5eef85b6dd86b47b451f6",
 };

@@ -70,5 +70,5 @@ static COUNT_CELLS_AGGREGATED: Module = Module {
     shared_bytes: 512,
     tier: Tier::Floor,
     source: "bench/count_cells_aggregated.compute",
-    hash: "32355a1368806792d8a6b793f79eb4ef53bec613277dc2473b836c3730f09b98",
+    hash: "ed4baa8473263c0e5e7b06399dc481b45250b95868f5e595adafcc2fe150b3a9",
 };

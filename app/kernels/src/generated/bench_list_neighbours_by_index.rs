@@ -86,5 +86,5 @@ static LIST_NEIGHBOURS_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/list_neighbours_by_index.compute",
-    hash: "80fd43d1cafed447486c5686d3f92f59eca5099df7b494ec3190b491ffd61374",
+    hash: "e8da46f99aafe8239032efc1232ec2978baa6ebedf23ee910fa7c97ba67ce790",
 };

@@ -74,5 +74,5 @@ static REORDER_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/reorder_index.compute",
-    hash: "4f673f6bc88314a2ef9b540949627c1ffd685c54f600bbe62ed560f5dbe2ac58",
+    hash: "892f64f969c7bc8103a825f0ebb5703fbea740b22f85dac2c70e30a90c6c56ec",
 };

@@ -88,7 +88,7 @@ static SCAN_GROUPS_TREE: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "36dea50946e3af848167cff5b363313a94d6a0967f5c50549a4d8718be4fa830",
+    hash: "cf7bc0516b0dddfa42facdf8b4318ea82c4a092175810a62a99b17fa86178813",
 };
 
 static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
@@ -101,7 +101,7 @@ static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "11421d7b978604c99033bd4cdffbbf104596f57bfef4c4cc2f3f8fb6636f984d",
+    hash: "0014c9314057964f8fdf39d6a568527c706708457405e73592c435f8bb843ec6",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
@@ -114,7 +114,7 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "0fc9a05c5fd2be44eba37158fc88661e19a1d7bd6a1ac3f8c5c80a6fe63b423b",
+    hash: "bf130adf32dcfc8762b8de276fa5cea2906db10c0e621fa9638577c2d81d09b8",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
@@ -127,5 +127,5 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "fdd9c787bec4f3d3c5af56e0c738325c817ca3ab870dae1eb9ccd75979033070",
+    hash: "22ae1823bc701338af6a8f90ae5b1dd5ed6265b14db33cb861ce2c85fda4850d",
 };

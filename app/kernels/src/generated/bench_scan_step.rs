@@ -54,5 +54,5 @@ static SCAN_STEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/scan_step.compute",
-    hash: "685ed49b2ff760f0de0faa9e7af12d584c539a66438d181e58ee10458fe771a1",
+    hash: "8ae4db7a393937aa6a6aa30caddd690723a8ff85c486a248b6ec5ca8dce60b78",
 };

@@ -62,7 +62,7 @@ static DRAW_PARTICLES_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "72502c5765a690c0581529387d04cbb1e62f743090795c0e1591c7774e16de3d",
+    hash: "043ebb9d44b8d931a4a3dbab5e3b4212a44bc7592475baa21392fcd65a7e5729",
 };
 
 static DRAW_PARTICLES_FRAGMENT: Module = Module {
@@ -75,5 +75,5 @@ static DRAW_PARTICLES_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "0712738a669bab8c7746ebb188f0f9f7f3d1665923d9fb5d2bb3b6df61c126be",
+    hash: "df252c15a25eb524d34fb7c68dbd7a1a0797c0db1ce1b1cbb17a0b618ea0355d",
 };

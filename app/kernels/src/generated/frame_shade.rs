@@ -130,7 +130,7 @@ static DRAW_SHADE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "c2e06e69a991964e4a7c97c22e8a0d599f609398785fbd812fed116c1817f46a",
+    hash: "da4797c24ff603797cfbadca5cf8163959bee71b1c8d69938b5eb6e2a533477b",
 };
 
 static DRAW_SHADE_FRAGMENT: Module = Module {
@@ -143,7 +143,7 @@ static DRAW_SHADE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "9ce3d86ea6cbd16a0f5dd81de81275cbaab171e6128611b14541960ff52b52f6",
+    hash: "453aa4cd564435e9cee4496036b10f4fd57f3077800bd963ce9ac2e0f382982d",
 };
 
 static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
@@ -156,7 +156,7 @@ static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "5d43e946828806d39afa73d0da400ffcc7a4a4bf1a6be3d4a75c94f077575d54",
+    hash: "a1e0a034e154d0f042e5fa2a645a17a4180e47b5a27d757d88c04bab6ad2f2e9",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
@@ -169,7 +169,7 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "be9a8676d32f966826944774434d8fa456a6c4d4891e2a0bd8a4a05d13bafc9d",
+    hash: "52cb9a0e2edf17d4575610329bd3347b56d7cf5b9a7736b23250e213e44c98dd",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
@@ -182,5 +182,5 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "a5cb9c9bde2381d732b793badbb41908b1de14c32a465ef7fde3920b724976ac",
+    hash: "2cc8a9b95d2a238135cf7e5aee97a41f9ea1fdecd68658090ecec8206c14baae",
 };

@@ -55,7 +55,7 @@ static DRAW_SHADOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "1203e3d1343048c8a3c0722d64d4eec01a3622c06bbd4db315452ef573bd588b",
+    hash: "f9ff0534ce513617593af842d4d6e4f618ea9257260f573756523a5b23f850ed",
 };
 
 static DRAW_SHADOW_FRAGMENT: Module = Module {
@@ -68,5 +68,5 @@ static DRAW_SHADOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "f1525466ea75a3458e4a31b5e319e5a08bc3e8f4c3d2ec0cf2d0737012074541",
+    hash: "eae8edb32ef85e6cc8e572a9c421f2de9a15f756dd428dba8a4a77a7c1a8d47a",
 };

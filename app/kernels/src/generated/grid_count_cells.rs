@@ -86,7 +86,7 @@ static COUNT_CELLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "b16d10f982b1565c5fb9ba1087c97efd4d91cc14f952e588dce34790868938af",
+    hash: "13b8941fd1935f91b4b9854d80db0526a8b053568656dd3c14bddac5c322407b",
 };
 
 static COUNT_CELLS_WITH_PERIODIC: Module = Module {
@@ -99,7 +99,7 @@ static COUNT_CELLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "5f6d3a843db8541b30d6baca28a5ba0f278471d0ecb21bcdf59fbf2bd5910123",
+    hash: "e7c43f01b5eb4dc607e6dd151765beae78eca088a88ac6ec764cfeec9e5d597b",
 };
 
 static COUNT_CELLS_WITH_WRAPPED: Module = Module {
@@ -112,7 +112,7 @@ static COUNT_CELLS_WITH_WRAPPED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "023e14feac25be0f82de539d69743a5e3f361d08557af461dfee44074ecc91e5",
+    hash: "7b17ba91c4f475ce53e80962586a3593740ca50f04dbc57dae4afb150f4f3f66",
 };
 
 static COUNT_CELLS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
@@ -125,5 +125,5 @@ static COUNT_CELLS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "1e090314a3a862b7d2a16a6425e4518f49cf8f5c4eac44b3c2e54daab37d4f0a",
+    hash: "5e135bb5673f50ab0063ac2afa7a697b66965cfb8e423938ef3401b86e3a408c",
 };

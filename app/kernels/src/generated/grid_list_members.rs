@@ -65,5 +65,5 @@ static LIST_MEMBERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_members.compute",
-    hash: "22d803d9eb003d3649afd9dfea013f97b61f1f128fa778fba489c4ca46eda9bb",
+    hash: "3becc4faa23e303001af57d81107dfc332433113960a9e504a66fa0bca88f9f7",
 };

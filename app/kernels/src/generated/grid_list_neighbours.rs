@@ -104,7 +104,7 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo {
         name: "counters",
         slot: 5,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 32 },
     },
     BindingInfo { name: "grid", slot: 6, kind: BindingKind::Uniform { bytes: 80 } },
 ];
@@ -119,7 +119,7 @@ static LIST_NEIGHBOURS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "4a396f6e58a59a395000b87f5437e08b7a8125d3e94e7a492e15851d63f8723a",
+    hash: "52873028123b3fdbc0e4ae457c5f410f3f8085b511346d317051597d9be04bb5",
 };
 
 static LIST_NEIGHBOURS_WITH_PACKED: Module = Module {
@@ -132,7 +132,7 @@ static LIST_NEIGHBOURS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "71ecb6242ae84702b9f02ca9ebd1f29871678f042b9e3c354eebd5aab5cbe9be",
+    hash: "48ca0bc024379e014de6674f51162a9200f32ed034c493ca4b0b1025e3a4d560",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
@@ -145,7 +145,7 @@ static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "9a2e9c7af055d329eabb435b773818fce35891e89a9188a3581a00af1250fc7c",
+    hash: "2ff3de483a668d80adba77a6dda695ab1a450e337165b8d1f90293a47a4dd62e",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_PACKED: Module = Module {
@@ -158,7 +158,7 @@ static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "9ebcf0822a1fbb8cfee5f405fec438bf51de10085cafd6f5e02c993b7588a593",
+    hash: "b0f314ebd1d9837baa230ab61de1a8d6799d724f98f7317625eb5a00426ebeca",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
@@ -171,7 +171,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "d8560a52d829730ecdf2d02356cbebe626441814f539a81a808663adf97070e6",
+    hash: "0c261887bd4d96ad3f5ec5e42bcb20e47cca7724cd72e941db53618c5323468d",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PACKED: Module = Module {
@@ -184,7 +184,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "df5b9c27cfe67587fa7678825c8252e6ef35c2a68cb6ec121e6b85337cbf6692",
+    hash: "b1b9277cd95359ee788182da86433becd5757a4b3a7995ef701f455d5f58b862",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
@@ -197,7 +197,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "1b768406055edf2a36330cf981dbe6e20139c5b3b4e3546b903cc346761ac558",
+    hash: "5d7cbf1ae1a81ad69507d9e3ff6c0e33891dcc5f9d88e2766bf148021ff8cbac",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_PACKED: Module = Module {
@@ -210,5 +210,5 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "5b37638b2c4356ec285e718319e87307bd86cd1bea854df18e3fffcb2e72ecd6",
+    hash: "e200a2cd6c07ba8d463b4ce758940427a639291067f949a36bf46a472c0d755e",
 };

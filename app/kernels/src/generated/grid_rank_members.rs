@@ -10,7 +10,8 @@ use crate::{
 /// Second pass of the deterministic order: a particle's rank in its cell becomes the number of the
 /// cell's particles with a lower id. Every sum over neighbours then runs in the same order in every
 /// run, and for every order of the input. Cells of h/2 hold a few particles, so each looks at few;
-/// the cell of what lies outside may hold many, is nobody's neighbour, and keeps its order.
+/// the cell of what lies outside may hold many, is nobody's neighbour, and keeps its order. So does a cell
+/// of more than MOST\_CANDIDATES: a search does not look at all of it either, and counts that.
 #[derive(Debug)]
 pub struct RankMembers<'a> {
     /// `StructuredBuffer<Position> positions`.
@@ -71,5 +72,5 @@ static RANK_MEMBERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/rank_members.compute",
-    hash: "8fc985c84106e6be0b477e7e265785ddb2b940fc63e0b4aa78f0bd236c6950e5",
+    hash: "2eb39d0ec99adeec24bdabf841ba6ada80abbe2faafcfef055c579f1061ff174",
 };

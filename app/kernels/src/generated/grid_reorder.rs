@@ -94,7 +94,7 @@ static REORDER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "5ab50cb71f8178c5ee82686ebb0d9828b7def267dd140aa78f6efc86aa5b2afd",
+    hash: "298a9e980d40f154e70413c68e1eac3b9ea14536407d09c119a6ab6f8579f63c",
 };
 
 static REORDER_WITH_PACKED: Module = Module {
@@ -107,5 +107,5 @@ static REORDER_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "314713398182cc901c87522f9f9cf027edb7645ee16846bcf368bb29919b0e7b",
+    hash: "64ad0ab88d4d1e59d4c449d74dc813df602e7f26fe4185889183d5ba18bc1727",
 };

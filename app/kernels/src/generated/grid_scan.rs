@@ -109,7 +109,7 @@ static REDUCE_GROUPS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "0321993ee08187e6dbb921151bb4504ee0666694347e0bf50a756aefd6ba499a",
+    hash: "279672ae879b440a7f9f720a269102380cfb17c268556f988cb7de40195ccd23",
 };
 
 static SCAN_GROUPS: Module = Module {
@@ -122,7 +122,7 @@ static SCAN_GROUPS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "8513284c3ddd94d8605ae9c14e1457a899016fd9ad8271f508d4416eafaea1e4",
+    hash: "baff955e38cf23049bac2bc017115afa621c403215bfd3c69a06bbddb7b8a21e",
 };
 
 static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
@@ -135,5 +135,5 @@ static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "935fdcf63dfaeeb499bcc6f4f9e853084bf307282f4627ff109aa84ee63acf2a",
+    hash: "1d265dfd92da1b1fcd26f061867bb805d0b7755d853d1ff3c79e9aaf457b95d8",
 };

@@ -93,7 +93,7 @@ static DENSITY_RATIOS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "95b573508ac0fbd42cc1751dee7bffb8ef2447b23d9f643b6b6f57e4a7d6ff37",
+    hash: "8b77455ed1f61467a1d16488b06b6ed602dd9fab8d07c8e10a41714d624dc4f6",
 };
 
 static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
@@ -106,7 +106,7 @@ static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "8cc144b11801ab7baa793439993ddf9b841c9042dc6edd637ab735407e381724",
+    hash: "4103a6e1a35ffc3dc7ce89f98aebcdf51607e7dcd76083c753a0844ee462f373",
 };
 
 static DENSITY_RATIOS_WITH_WALLS: Module = Module {
@@ -119,7 +119,7 @@ static DENSITY_RATIOS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "6bff0a2cf31b392f3f5a205cf87ede65fec8bb44a2105b52a6199fa2c5021023",
+    hash: "1ddbb011f353698189371c49a7c3fe057b343e1d2ce77bf0aaab260d1bb718c4",
 };
 
 static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -132,5 +132,5 @@ static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "ce021b91491e53747a648863b8b31623cdaa7c27756aefcc510d1ce021a74a81",
+    hash: "f827294a08051fa05a92ae8e33eabded6345ebdf94c76d14fabceb9f0ad16b94",
 };

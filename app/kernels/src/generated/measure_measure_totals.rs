@@ -54,11 +54,11 @@ static BINDINGS_0: &[BindingInfo] = &[
         kind: BindingKind::Storage { access: Access::Read, stride_bytes: 64 },
     },
     BindingInfo { name: "histograms", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 } },
-    BindingInfo { name: "counters", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
+    BindingInfo { name: "counters", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 32 } },
     BindingInfo {
         name: "measure",
         slot: 3,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 96 },
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 112 },
     },
     BindingInfo { name: "step_params", slot: 4, kind: BindingKind::Uniform { bytes: 96 } },
 ];
@@ -70,8 +70,8 @@ static MEASURE_TOTALS: Module = Module {
     spirv: include_bytes!("../../spirv/measure_totals.spv"),
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
-    shared_bytes: 4096,
+    shared_bytes: 4612,
     tier: Tier::Floor,
     source: "measure/measure_totals.compute",
-    hash: "8b60db94e871c9895f6e2249b70a00861b3b00b4f56feceb2e0c1afafb3e5463",
+    hash: "2b45752aef8ee53baa524cd89c8ace0524e46e7e341abce2f19bb426d4fcbe1f",
 };

@@ -67,5 +67,5 @@ static SAMPLE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/sample_particles.compute",
-    hash: "4874e59fb4422f903bc2ca52ac1d742b4c4c1539435151acecf55348e253cf74",
+    hash: "96b316aba4c06437f7d4e1c9ccf42ff3f59c4a88a4ef82a4f04f43f16b49aa28",
 };

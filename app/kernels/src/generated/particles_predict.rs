@@ -75,7 +75,7 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo {
         name: "counters",
         slot: 2,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 32 },
     },
     BindingInfo { name: "step_params", slot: 3, kind: BindingKind::Uniform { bytes: 96 } },
 ];
@@ -90,7 +90,7 @@ static PREDICT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "7ad1d580c78ec0bd65c2c811981557f1096b3a96fe71ff2d836ee67455bec0b3",
+    hash: "1fb3aa1a7a42db2fc36cd5a27468fed1c6ddbdaed3ca7211bc2d9cbe9ad672ec",
 };
 
 static PREDICT_WITH_PERIODIC: Module = Module {
@@ -103,7 +103,7 @@ static PREDICT_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "3226c1514892c12666fa225b0eb1e312d06b9826fce01bbc0745633eab71b3e5",
+    hash: "c59ce7ef31a2fd5edaf6e67e9f3883fd36e5996b3a3882c7953cdb7369aa6658",
 };
 
 static PREDICT_WITH_WALLS: Module = Module {
@@ -116,7 +116,7 @@ static PREDICT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "a08d7369f17da1e1263bf1f821eaf401f67d1f5bbd2130866d739d73b47ec256",
+    hash: "718b69a826730d3747d9753855f4cb5824bc0a5e19e5d97dddf683729d5666d9",
 };
 
 static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -129,5 +129,5 @@ static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "cc5f4c6b9b689fd81a5966a37f9c5ff326b650e8eed55d99ac6d1f208435f803",
+    hash: "0473099d8464949a835df263a35f9983e927fb3ce7007ab012c24df20c355a98",
 };

@@ -62,5 +62,5 @@ static PUSH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/push.compute",
-    hash: "a7bc0151a36be0a13e692f66afaf08cfe5dc2ca5477c4ddcb69bc875b52eb71b",
+    hash: "e8d08ae54b4c9d706bff2c3ccc26e6a5486ddcb49ee2f4ffc2c580d0c4bfecee",
 };

@@ -24,6 +24,10 @@ pub const LIST_NOBODY: u32 = 0;
 /// `LIST_WIDEST_GAP`.
 pub const LIST_WIDEST_GAP: u32 = 65535;
 
+/// Candidates that a search for neighbours looks at, at most: forty times those of fluid at rest. With all
+/// particles in one cell it would take their number squared, which no driver's watchdog waits for.
+pub const MOST_CANDIDATES: u32 = 2048;
+
 /// Bins of a histogram, 32 to an octave.
 pub const HISTOGRAM_BINS: u32 = 512;
 
@@ -304,15 +308,27 @@ pub struct Counters {
     pub speed_clamps: u32,
     /// `uint`.
     pub correction_clamps: u32,
+    /// that iterations would have moved by a support radius or more
+    pub displacement_clamps: u32,
+    /// particles around which not all candidates were looked at
+    pub crowded: u32,
     /// `uint`.
-    pub reserved: u32,
+    pub reserved0: u32,
+    /// `uint`.
+    pub reserved1: u32,
+    /// `uint`.
+    pub reserved2: u32,
 }
 const _: () = {
     assert!(offset_of!(Counters, neighbour_overflow) == 0);
     assert!(offset_of!(Counters, speed_clamps) == 4);
     assert!(offset_of!(Counters, correction_clamps) == 8);
-    assert!(offset_of!(Counters, reserved) == 12);
-    assert!(size_of::<Counters>() == 16);
+    assert!(offset_of!(Counters, displacement_clamps) == 12);
+    assert!(offset_of!(Counters, crowded) == 16);
+    assert!(offset_of!(Counters, reserved0) == 20);
+    assert!(offset_of!(Counters, reserved1) == 24);
+    assert!(offset_of!(Counters, reserved2) == 28);
+    assert!(size_of::<Counters>() == 32);
 };
 
 /// Sums and extremes of one group of particles; the last stage reduces them to one of these.
@@ -384,7 +400,7 @@ const _: () = {
     assert!(offset_of!(Measure, reserved0) == 72);
     assert!(offset_of!(Measure, reserved1) == 76);
     assert!(offset_of!(Measure, counters) == 80);
-    assert!(size_of::<Measure>() == 96);
+    assert!(size_of::<Measure>() == 112);
 };
 
 /// A drag through the fluid: what is near a ray is drawn toward a velocity.

@@ -102,7 +102,7 @@ static CONFINE_VORTICITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "48b66533048207f34d8cb75a72450aae41cbf637ef4694f054a081315ec6d184",
+    hash: "e39a7700b8ce3d74e48aa1eab7db17d7b63fa4d15d70b95c7646ec11436154b6",
 };
 
 static CONFINE_VORTICITY_WITH_PACKED: Module = Module {
@@ -115,7 +115,7 @@ static CONFINE_VORTICITY_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "fc4ba9aa7a7f8806ff44b68ccfcf57cda4f68a5b8354b7d2c1cfa910857538f5",
+    hash: "472028b141ac22496b2523eaf0f13fcffb6b5aeb15c43662844cbb539ebc6dc1",
 };
 
 static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -128,7 +128,7 @@ static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "7a3cc0d6330a247d14073c9359ab35e40a801841bc87afff285b8f07341ab81b",
+    hash: "3c3ec5ff27c06228a75af936312ae4825ff01502032a6d81679af42fbd42ad04",
 };
 
 static CONFINE_VORTICITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -141,7 +141,7 @@ static CONFINE_VORTICITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "ab0423fb1f1960f6bb54b8f5993db9e3f2152ebe85841217fad7523f755859d0",
+    hash: "a198687d8e5736bc86db08606a8715bcf858bab1ce67b14cee0aa34a2a0a3c2d",
 };
 
 static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
@@ -154,7 +154,7 @@ static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "e5821c813e078c34c750bcf6b4a063896ee925f156ec281586f471e47253841e",
+    hash: "f3267aafb232f0352ef002b5ea97025c7a1c2c00149046b4ce15ad1a4e3017b3",
 };
 
 static CONFINE_VORTICITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -167,5 +167,5 @@ static CONFINE_VORTICITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "385185608e6d41930eb77522fc71e963c0720b67a38fca68118e509e6897645a",
+    hash: "ad1def7c03c99b2a95fe3849292506391ad7fc128d9703c2c3b37a0e0d153875",
 };

@@ -177,7 +177,7 @@ static CONSTRAIN_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "15dd237f8f5bb0d399a26fed67ae507d8edcd673115aca74bfc9e57f832512a0",
+    hash: "43d2e16097db7ebfa5f9935ff3f3c65beba7d6313a3f32fb3e46059870e16dbb",
 };
 
 static CONSTRAIN_DENSITY_WITH_PACKED: Module = Module {
@@ -190,7 +190,7 @@ static CONSTRAIN_DENSITY_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "9cd857984cc6894171a20caa504e7ced4c3e1ca21ccad235543b551a57c1a736",
+    hash: "61574ce4aa9f01bad6a6ed871cfe9863223c818679b169f759c9e27fa5eb0312",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -203,7 +203,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "5936318a46ca161fe3292f363eacb4aa13a8623d24b00bc64579ae35c9d9e207",
+    hash: "1202fdf9f5a6d6c970e2f55697523ae2883190ee379b178427052c75f0ea9e5e",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -216,7 +216,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "3ead7c73e6aaffa90666fa746ae68ae86f35173013834d23ebfeb695a5967f2c",
+    hash: "807fee69866bfeede8159d76f852c9e91d83f2b50a34c690cec8553fda0fb296",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -229,7 +229,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "a23749213d9f5904c44662fede45689f1b05d9fa1d410b88717d512a503860ca",
+    hash: "c9183146c46fdcedb97e0b048ac0a6f817b741844d38d4a77429fcc3e0846727",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -242,7 +242,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "bf1c480d13da256f12fb654a63bd078fa80dfed8e1e675a1f4b9421bf162819e",
+    hash: "5b8b3b82447548f3753812a1fed267c2ee6e292149c3f20265abb65fbd461efe",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
@@ -255,7 +255,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "7150be5b24533bedca101e8b317a371cf4ea5ef27eedfdd446b4964a980fd1d8",
+    hash: "18a5461a3a53aba97fdf97df0f1a3e6b7f74c8bcca2978116e63d807170d1c32",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_PACKED: Module = Module {
@@ -268,7 +268,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "d4ea960e135bd8d1157a778be506c5cdd220d3489036439ef111b6dad527c7ad",
+    hash: "754b0ae83f259ccb804b5ed59d26ad239fde74f70305b746767e8c388a78cbb1",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -281,7 +281,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "cf1f955cd57af28ee080b550a2e16684b1d79c6aa247e2815d1497981b2c26b1",
+    hash: "aa95bf21d9e5dedaa2ccbea980b9f7b9fe91b57354006157603a8934b094646e",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -294,7 +294,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "fe63aafd0eb9562ce608787f3c2a6ac57542ac65b9e36bd2e9a537d3d807908d",
+    hash: "0a2a208995e5d42c2caf7f693350fa0a0454c5e9b85a0efc87467cabf6feede9",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -307,7 +307,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "981418ae89db78bddeaac1238e12ba2881b0fd94076f322b8c36ca32cf69d539",
+    hash: "a1f5ca2305668732f08da464ed5a87df33e3677ca42fe8046b60daac6703b50a",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -320,5 +320,5 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "e8d827691c8e1cfeb10c4a172e6956616f247f32496d80c4143491abd384a84b",
+    hash: "40cf9d4163ab634f7122ba3e6be5bd9fa625e740701b95164ee410e2dd40e719",
 };

@@ -29,6 +29,8 @@ pub struct CorrectPositions<'a> {
     pub variant: CorrectPositionsVariant,
     /// `StructuredBuffer<Constrained> constrained`.
     pub constrained: Option<Buf<'a, Constrained>>,
+    /// `StructuredBuffer<Position> sorted_positions`.
+    pub sorted_positions: Buf<'a, Position>,
     /// `StructuredBuffer<uint2> neighbours`.
     pub neighbours: Buf<'a, [u32; 2]>,
     /// `StructuredBuffer<ListHead> list_heads`.
@@ -45,8 +47,6 @@ pub struct CorrectPositions<'a> {
     pub pbf: Uniform<'a, PbfParams>,
     /// `StructuredBuffer<uint2> packed_constrained`.
     pub packed_constrained: Option<Buf<'a, [u32; 2]>>,
-    /// `StructuredBuffer<Position> sorted_positions`.
-    pub sorted_positions: Option<Buf<'a, Position>>,
 }
 
 impl Kernel for CorrectPositions<'_> {
@@ -108,6 +108,7 @@ impl Kernel for CorrectPositions<'_> {
             self.module(),
             &[
                 ("constrained", self.constrained.as_ref().map(|bound| bound.id)),
+                ("sorted_positions", Some(self.sorted_positions.id)),
                 ("neighbours", Some(self.neighbours.id)),
                 ("list_heads", Some(self.list_heads.id)),
                 ("places", Some(self.places.id)),
@@ -116,7 +117,6 @@ impl Kernel for CorrectPositions<'_> {
                 ("kernel", Some(self.kernel.id)),
                 ("pbf", Some(self.pbf.id)),
                 ("packed_constrained", self.packed_constrained.as_ref().map(|bound| bound.id)),
-                ("sorted_positions", self.sorted_positions.as_ref().map(|bound| bound.id)),
             ],
         )
     }
@@ -152,17 +152,22 @@ pub(super) static MODULES: &[&Module] = &[
 
 static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "constrained", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
-    BindingInfo { name: "neighbours", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
-    BindingInfo { name: "list_heads", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
-    BindingInfo { name: "places", slot: 3, kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 } },
+    BindingInfo {
+        name: "sorted_positions",
+        slot: 1,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+    },
+    BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo { name: "list_heads", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo { name: "places", slot: 4, kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 } },
     BindingInfo {
         name: "counters",
-        slot: 4,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
+        slot: 5,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 32 },
     },
-    BindingInfo { name: "step_params", slot: 5, kind: BindingKind::Uniform { bytes: 96 } },
-    BindingInfo { name: "kernel", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "pbf", slot: 7, kind: BindingKind::Uniform { bytes: 32 } },
+    BindingInfo { name: "step_params", slot: 6, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "pbf", slot: 8, kind: BindingKind::Uniform { bytes: 32 } },
 ];
 
 static BINDINGS_1: &[BindingInfo] = &[
@@ -171,21 +176,6 @@ static BINDINGS_1: &[BindingInfo] = &[
         slot: 0,
         kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 },
     },
-    BindingInfo { name: "neighbours", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
-    BindingInfo { name: "list_heads", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
-    BindingInfo { name: "places", slot: 3, kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 } },
-    BindingInfo {
-        name: "counters",
-        slot: 4,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
-    },
-    BindingInfo { name: "step_params", slot: 5, kind: BindingKind::Uniform { bytes: 96 } },
-    BindingInfo { name: "kernel", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "pbf", slot: 7, kind: BindingKind::Uniform { bytes: 32 } },
-];
-
-static BINDINGS_2: &[BindingInfo] = &[
-    BindingInfo { name: "constrained", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
     BindingInfo {
         name: "sorted_positions",
         slot: 1,
@@ -197,31 +187,7 @@ static BINDINGS_2: &[BindingInfo] = &[
     BindingInfo {
         name: "counters",
         slot: 5,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
-    },
-    BindingInfo { name: "step_params", slot: 6, kind: BindingKind::Uniform { bytes: 96 } },
-    BindingInfo { name: "kernel", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "pbf", slot: 8, kind: BindingKind::Uniform { bytes: 32 } },
-];
-
-static BINDINGS_3: &[BindingInfo] = &[
-    BindingInfo {
-        name: "packed_constrained",
-        slot: 0,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 },
-    },
-    BindingInfo {
-        name: "sorted_positions",
-        slot: 1,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
-    },
-    BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
-    BindingInfo { name: "list_heads", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
-    BindingInfo { name: "places", slot: 4, kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 } },
-    BindingInfo {
-        name: "counters",
-        slot: 5,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 32 },
     },
     BindingInfo { name: "step_params", slot: 6, kind: BindingKind::Uniform { bytes: 96 } },
     BindingInfo { name: "kernel", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
@@ -238,7 +204,7 @@ static CORRECT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "5393ad97f8d1530009403f2cbe22c41ceb8d6769910b5eb0a3e67b847fe10e0f",
+    hash: "fb4e95042f36b4c8e49f2ea1a47361c6e6daef1fee003aba6e8a3cd834555276",
 };
 
 static CORRECT_POSITIONS_WITH_PACKED: Module = Module {
@@ -251,7 +217,7 @@ static CORRECT_POSITIONS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "acb01e644bc05dd7aa663f1d09e21056b6beda22759f666f0c4cf95207505ebd",
+    hash: "d2930770f16014fe741ed1efc6c3c1d98a9ee8e83649a158cdc0820adf225b62",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
@@ -264,7 +230,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "61f2638079542c9c9317f5ab13962808695ed2b1b18cb4050c1cff851b8a1c93",
+    hash: "59cce908c01425006b4e86eabecae8dda49c9b995c57d5d92a378a4d5fb5c213",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -277,7 +243,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "d13ca001b8e750752bcf7418d292ed09e8bed3e381322b591fa024ac35a21141",
+    hash: "8d07b2e3364e92bf711bbeed07774fd919547ece371d2197a89f17d4fc730b6a",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
@@ -290,7 +256,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "b7fcca86f22036290bd3991447b4dbdc2348433b9ea75f7346cf94ff04ab64ae",
+    hash: "c1cfe5524f1b79dd4e26a8eff6975eb3a6070d34184b9de8e4878d72849a1d38",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -303,7 +269,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "f8bef678627c255c8f6e8aee49e8ad13aa139ec6b2f6ac12dd3e07f9d3c92f57",
+    hash: "8778cac8708703f23373d5062e49a0876b9ac7cf2aba0c89967404a0378f8efc",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
@@ -316,7 +282,7 @@ static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "63674506a8d501666e909e9f7bc5d56b3166429d9d772194106f146fec8eefe1",
+    hash: "86431ecd81e61d363b82643862359bc4fc3e4cf429b20377c80cef03c00837dd",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_PACKED: Module = Module {
@@ -329,7 +295,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "1cf5b494e0d7773db825848473826ee6f73af888a294ab9aacbcadf91bd441fd",
+    hash: "cfb85bb9bb6962afbdecbafae084730217aa9831df863df3cb31459899dacfe8",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -342,7 +308,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "4329a95e702cace6b83dd2e9d1eab75a2b5a3fd056eeaa5956709f2616c70ad8",
+    hash: "48468b0a8d08aad9831f4c61d7dc2155261f9fa2e2548d8cdc026c13324a01e0",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -355,7 +321,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "945fa1bd54d941456d730fbb91af770110b4209bb1f60f72938e51cb1b4e5065",
+    hash: "e85f2d0135c72350b781063f1b148f0f93b16d71cf64c47e5824bfab8310cd3b",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -368,7 +334,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "fc2a50eabe6b18528f3404cd7ee74fe0ceb358cb368fec26f6b53f8f9be7c533",
+    hash: "628c9d77767a25b92060fdc0efd50382a9ebe4a089b24b237acd1d4a8a61b991",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -381,7 +347,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = M
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "008e7d65f44e02332580c236354f83de2cb8c73d493aafaaf5ab9efcaccc9d3c",
+    hash: "154ab4e001ece73303babad84fdaed15d07f5227684a0fbf4c7b74f52a4b3807",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
@@ -389,12 +355,12 @@ static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
     entry: "CorrectPositions",
     stage: StageKind::Compute,
     spirv: include_bytes!("../../spirv/correct_positions+walls.spv"),
-    bindings: BINDINGS_2,
+    bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "d66908c8cfb07accab07c5410d8760d310864b000f40e96cd0043e07182012f6",
+    hash: "baa3a2d3b3f0b7efc69d6c02dfbd4cdbad25822a242936fcac758b44dc73afb5",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_PACKED: Module = Module {
@@ -402,12 +368,12 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_PACKED: Module = Module {
     entry: "CorrectPositions",
     stage: StageKind::Compute,
     spirv: include_bytes!("../../spirv/correct_positions+walls+packed.spv"),
-    bindings: BINDINGS_3,
+    bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "a9d5ea0db22a3f6158d24856e352af63f1952eec55dc5af1f9a2632984179d5f",
+    hash: "c0e4205c16f4770f740873a6fc58babc62aa88557e3d320f7b28e69bf32b74df",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -415,12 +381,12 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     entry: "CorrectPositions",
     stage: StageKind::Compute,
     spirv: include_bytes!("../../spirv/correct_positions+walls+relaxed_precision.spv"),
-    bindings: BINDINGS_2,
+    bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "d27b26881d8767c1002573ceee74292bd66329e9bde1a60ef227c316e3a47547",
+    hash: "d93fd4cc29e8e9b51857edb13da7a78ff1a5d829e5fcdf31501daad13f2e5a6e",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -428,12 +394,12 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module =
     entry: "CorrectPositions",
     stage: StageKind::Compute,
     spirv: include_bytes!("../../spirv/correct_positions+walls+relaxed_precision+packed.spv"),
-    bindings: BINDINGS_3,
+    bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "e354d40c8b6df4eced92cba916759cf870097aef8ee38e026ee83d10696b609d",
+    hash: "5c1e719c0e6dc470242ca4e5f6e44706cb7f6528714945c2c7eeee2dd8fef135",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -441,12 +407,12 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     entry: "CorrectPositions",
     stage: StageKind::Compute,
     spirv: include_bytes!("../../spirv/correct_positions+walls+half_precision.spv"),
-    bindings: BINDINGS_2,
+    bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "c3b879e2025656fd6407ef8d853453866495423fc7d55a9449a2e196f7e16e4a",
+    hash: "2b0d54703f8570d26bdc2162c1e8062effcebb1420fe3a1e042e90e7f3b6da53",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -454,12 +420,12 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Mo
     entry: "CorrectPositions",
     stage: StageKind::Compute,
     spirv: include_bytes!("../../spirv/correct_positions+walls+half_precision+packed.spv"),
-    bindings: BINDINGS_3,
+    bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "027e49756e8e3e79c44b5f69d5bcb7fd2a568fd3e48de0b52ee8669ea2bf7eb9",
+    hash: "07a887525739f2b896ecd7f49f9f9e8542ae8963219dfa3a011556454de02039",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
@@ -467,12 +433,12 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
     entry: "CorrectPositions",
     stage: StageKind::Compute,
     spirv: include_bytes!("../../spirv/correct_positions+walls+s_corr.spv"),
-    bindings: BINDINGS_2,
+    bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "fa6df5f56b9c29259cf1a93dd8b77ce388b7466c1565f6a6fa62cfb5edd3b790",
+    hash: "7680e2ddb1dcde95f355802a6ccb4c40d0cdfeeb8973f3ec4b68e2cfd1c90db5",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_PACKED: Module = Module {
@@ -480,12 +446,12 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_PACKED: Module = Module {
     entry: "CorrectPositions",
     stage: StageKind::Compute,
     spirv: include_bytes!("../../spirv/correct_positions+walls+s_corr+packed.spv"),
-    bindings: BINDINGS_3,
+    bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "4e0c4ffb1b2361079d459b555c22cb55e4dba54206f868549ea0ab57d4e18e74",
+    hash: "b8d0f8c2b079fa4cd26d157ffcca456d14b0cb6c3dc319830b593aa780806619",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -493,12 +459,12 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module =
     entry: "CorrectPositions",
     stage: StageKind::Compute,
     spirv: include_bytes!("../../spirv/correct_positions+walls+s_corr+relaxed_precision.spv"),
-    bindings: BINDINGS_2,
+    bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "55d646279a0f43992f87d4d4fdaae1b1362e126d61665b80db48e4e9ee21bd38",
+    hash: "404efdc1d82da14f093b5198517596d819a57789c89450f8c51df9bbccaa7acb",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -506,12 +472,12 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACK
     entry: "CorrectPositions",
     stage: StageKind::Compute,
     spirv: include_bytes!("../../spirv/correct_positions+walls+s_corr+relaxed_precision+packed.spv"),
-    bindings: BINDINGS_3,
+    bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "ea93436b18ff92ab40fcbb7ed0bb099ddf7d700ef989b9c82bc42eb13459072a",
+    hash: "2aa9d40194b0f61349f19250dc1859e77c8a6bb7ab89d0762695651effb6beb2",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -519,12 +485,12 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Mo
     entry: "CorrectPositions",
     stage: StageKind::Compute,
     spirv: include_bytes!("../../spirv/correct_positions+walls+s_corr+half_precision.spv"),
-    bindings: BINDINGS_2,
+    bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "218d148d934b9ba895f7404907a4b419708b0331117a2ca82c286052bbbe8e8f",
+    hash: "e6ef8fb23f27b9960e88867c1b5f3a426e12af92a963a8e18f00b05b8bac606a",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -532,10 +498,10 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED:
     entry: "CorrectPositions",
     stage: StageKind::Compute,
     spirv: include_bytes!("../../spirv/correct_positions+walls+s_corr+half_precision+packed.spv"),
-    bindings: BINDINGS_3,
+    bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "3ae534b83d621e76e572cf72e3552102b35eb3fe2f53e0e2a1d53e9bd22d8dfa",
+    hash: "f85e9cb987f5e0a3ba527b42ba4bac25a7481e984b7fbb9c62647390c081ee1e",
 };

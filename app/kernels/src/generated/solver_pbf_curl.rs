@@ -101,7 +101,7 @@ static CURL: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/curl.compute",
-    hash: "e0f406bfa53b9579fb1821c96a590b8328e11f9e95a7c602c29db3b457e1a460",
+    hash: "8b9bfb18ef7f1fa8e39a9908ce9ffa933f3dba4de6f0bc4275478ab82180f498",
 };
 
 static CURL_WITH_PACKED: Module = Module {
@@ -114,7 +114,7 @@ static CURL_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/curl.compute",
-    hash: "ffbbd1b6328478869a8f8bdada886bc3809f9ae9151b18171c066aaaf69108e9",
+    hash: "d18bc9ca2beda3b8fe912a31433f4326594c1975ddf37a02b983939c58d43f4e",
 };
 
 static CURL_WITH_RELAXED_PRECISION: Module = Module {
@@ -127,7 +127,7 @@ static CURL_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/curl.compute",
-    hash: "f9defc90f4363b441b17cbee9b85633e780932116f0d3b585ea2146c24218bf0",
+    hash: "a7a7c87c732ab14260a75e0461111de5fbf9c0c4b3cb493822c42be854fd8ee9",
 };
 
 static CURL_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -140,7 +140,7 @@ static CURL_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/curl.compute",
-    hash: "3f738657dd9972a78cc2b407cc0e5fa732a42937442211fd9bf45f3949ab9234",
+    hash: "35f3e1301e6b3d2f6a5423ad5343cff0263300938699304c674360b91dbe8dbd",
 };
 
 static CURL_WITH_HALF_PRECISION: Module = Module {
@@ -153,7 +153,7 @@ static CURL_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/curl.compute",
-    hash: "2bf1da91134dbc1e08d0620d73543ea65308d88de6f017b23657ebe98da07df0",
+    hash: "33755e76ec895f5cf528efec5daeffe5cdaa0fcad917f0705499f867adfe487a",
 };
 
 static CURL_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -166,5 +166,5 @@ static CURL_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/curl.compute",
-    hash: "091199fe4306b4539b45be96d62fcff1444277852832c5d5f343bda3aaf1f692",
+    hash: "f4eaae748eae14d30721b2e971ad022a5634edf834d90253d92e398c0c2d3bd6",
 };

@@ -103,7 +103,7 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo {
         name: "counters",
         slot: 5,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 32 },
     },
     BindingInfo { name: "step_params", slot: 6, kind: BindingKind::Uniform { bytes: 96 } },
     BindingInfo { name: "kernel", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
@@ -119,7 +119,7 @@ static UPDATE_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "b7048ad1ede26a7713fbf3b66d1d89a2c82a950ac220c1c6ad31249904ac691b",
+    hash: "2ad9be5aebcf67ee20d529cd3696b96cae26371937eadf0a32f0277a6a1da797",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
@@ -132,7 +132,7 @@ static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "5f8b4e68643cd9651a224673af5fa85c3f21bbe1cd4afa285a0386d30965f35a",
+    hash: "9316a94e7d2767707c9297d58f1645596654300720a21271bc5ae8e351437755",
 };
 
 static UPDATE_VELOCITY_WITH_PACKED: Module = Module {
@@ -145,7 +145,7 @@ static UPDATE_VELOCITY_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "091b8fa13b0fc2330eb4cb35a10f7a028997d877cff56bbd19807b2f42a26125",
+    hash: "bf680d9c9d0f73b971de93d54e433bf8f44cefe417e7df746df26e9f92e863ef",
 };
 
 static UPDATE_VELOCITY_WITH_PACKED_WITH_PERIODIC: Module = Module {
@@ -158,5 +158,5 @@ static UPDATE_VELOCITY_WITH_PACKED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "9e224eaf039f498a5e204e6915e76cd97502b826737b4771526ab44d208ef8f4",
+    hash: "3a4943cf14971ddd957b6b3a4639edf0c14e18981eebbde575e96597d6c8100a",
 };

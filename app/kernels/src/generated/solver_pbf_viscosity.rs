@@ -106,7 +106,7 @@ static VISCOSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/viscosity.compute",
-    hash: "2cc9ac242480b09123c66dab36222fdf8cf93e715dd31048c54ee615927a0872",
+    hash: "86c8e870d59899d86be5e2adb00f6b9943fb28eccc2fce8d5b4c2d59c4ba769d",
 };
 
 static VISCOSITY_WITH_PACKED: Module = Module {
@@ -119,7 +119,7 @@ static VISCOSITY_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/viscosity.compute",
-    hash: "677f4929d833cb8969d476a38cfafa56a75140bc3cb183cdc30020b75982e50a",
+    hash: "57015386896f0b17fe04d65ca44d5b9b0cf8cfcb8aed83426fd690069a1dd185",
 };
 
 static VISCOSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -132,7 +132,7 @@ static VISCOSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/viscosity.compute",
-    hash: "f5ced068638c5d49a36ea6d84e10a5ef6926c1e28ee08989a81c64f15e820d02",
+    hash: "48ddce4678af9a9008adb301ed498f74ea17224c71271ee07fcaeba9c9ebb76d",
 };
 
 static VISCOSITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -145,7 +145,7 @@ static VISCOSITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/viscosity.compute",
-    hash: "ccd4850187642c90602210b5a8bac757fd4ec0bf9b49765874e1ddd0ddfa1692",
+    hash: "57a82fade53042fe4b096eb2279a278d5b75cd34d8c7792cf9b9dea41a7c20dd",
 };
 
 static VISCOSITY_WITH_HALF_PRECISION: Module = Module {
@@ -158,7 +158,7 @@ static VISCOSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/viscosity.compute",
-    hash: "2be95680d63a01825f4803248c216123ea322365d13863ab0c43f123030b2fa5",
+    hash: "97b9e48836a276ea0025bceb1e04e5860e11713d3bb21119ab1af0d569a3cc73",
 };
 
 static VISCOSITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -171,5 +171,5 @@ static VISCOSITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/viscosity.compute",
-    hash: "0e7d9819c1d8b36b1810677c1ef0078f7ccc5dbf9985fd9ffc982ab0520dab1d",
+    hash: "a3aa19af55e991f14b561ed14f82f8a701ca969d5777f582570d3945c17e98e2",
 };

@@ -69,5 +69,5 @@ static ANISOTROPY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/anisotropy.compute",
-    hash: "083ad9f24d0fdd767d7b2167c5f83e935c30cbe1a1d420c4ddae5e04dfa7eee5",
+    hash: "a29fd2f5f2d491829d74578a6385f1fa85b3809fa0794d71f64f082b94916648",
 };

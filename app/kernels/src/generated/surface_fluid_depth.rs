@@ -112,7 +112,7 @@ static DRAW_FLUID_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "72e49007cbbc951a816013b30fd84e7582f9bdb9b77497e1ec7d6a1101849385",
+    hash: "e7832310babb347f19471849c11b29b3e00de99d8a124352e456b2fc47e16b7d",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
@@ -125,7 +125,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "4d679cb34d8e11ec991d88d7a080c1a2c8b3b49f1cfef79687892fb436ff53e5",
+    hash: "c0aa12bb08c329b1daf2bebd170609474d780b3d96cb9f1cca36650cadf2d865",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -138,7 +138,7 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "406a7e59fdc249bb9d861407d4655def730821433e89f43b1a62a5da0436121a",
+    hash: "cc80e4a0dc86c2221dec0c6f66a05310cceda8107ac0a75ca52fedb2f58a3dc3",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -151,7 +151,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "e4a06540b555d5f9b1c23d52aa0d6e611d8790295ee1f7b3067bed26de20c7f6",
+    hash: "919b8f517cfbd9259f868de0f4f13b27083d16bc23319ff46bb75fd6f6bcd47f",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -164,5 +164,5 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "cf1e745130556154ae8de4fa5be84a6fea62fe1d9040d3d44486d4457f4f816f",
+    hash: "af6f35178bb20eabcdadd9b81c48e32a055767f90f1ee86c3f92dbd50754f861",
 };

@@ -70,5 +70,5 @@ static REFRACT_PHOTONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refract_photons.compute",
-    hash: "409dfb7694948b0a32714df031e5cf83561a90e1ca091d76f41c2f941948728f",
+    hash: "4f858228f9dfe1c2ec3e9f6dbed094bfcc90e006aea89b8af1f2b927902728f6",
 };

@@ -114,7 +114,7 @@ static DRAW_SUN_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "03d2ae04af9b04a356b5dd0c46a0fbdf9b2fd134409cbdfcf2aadbdd9b4a5fe1",
+    hash: "c3e226366312f7a986e32229b703d345cb1f1bbb68fb84361409ced8b7841a27",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
@@ -127,7 +127,7 @@ static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "17295124d705e9c1d665bae6abb47e052e1d2ca1c47b1105883370208dcd6d09",
+    hash: "3731f544752da8527e10dbec6d9f0c22b913364b245a5133df7c0c5d6779107e",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -140,7 +140,7 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "765f35ed6cb138874cc9fd1ac5b809c28c7550e23c13d072e0ca12ee8007db44",
+    hash: "5dcb36f494a901d8e789286b9b60bba5cff6404db608ddddc6aea5009c2bea94",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -153,7 +153,7 @@ static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "6e3c8edb88eaf69ffd4b1f3346f16a859931a8e3f4780571e3f4ca8cdb86aae5",
+    hash: "44a32d71f63b714815ae58bcd588ed55636187935e4684bd3c28392eb9bd8014",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -166,5 +166,5 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "ea631f7cf907620c670bf717659f89476ad1b59b9cf329cabef118d7e380769e",
+    hash: "30d59534c4379ece5358da496bbce83368085b0681888e4a272fad2a422b3f8e",
 };

@@ -85,7 +85,7 @@ static DRAW_SUN_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "21bbb3211e6ba5f3eec559b5a4ec06ea97e88c566a8803244f41653f26c37df1",
+    hash: "0491afbe8607d612346d0299377ef31bd74fc36fd7d78cc49112ebb2a1cbd6af",
 };
 
 static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
@@ -98,7 +98,7 @@ static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "16822159030eeddc850db200dd72d7e443f1f2b922b287501c1c188fcb86666f",
+    hash: "800989b345d7c2b25b32927628ff09cb19b7ac228be796dada022a43d4803ce9",
 };
 
 static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -111,5 +111,5 @@ static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "e73dcede0ce2d650c68eaa1782c0f317f242204efb96ca5d70f409b2725327da",
+    hash: "9008eda316dd80794e5b3fdd2d8f31ec9757a84b8750260b4003b8cfe4aa81cb",
 };

@@ -86,7 +86,7 @@ static DRAW_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "5c39318d8c2b320bc74cc8be4989b53eb71970c233174f60fde56dcf94517338",
+    hash: "0c29699a9a141405c2c0e396f4d7fbc8c1f4cb2359aee829b02d6defa0af6dff",
 };
 
 static DRAW_THICKNESS_FRAGMENT: Module = Module {
@@ -99,7 +99,7 @@ static DRAW_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "41fb820ce87626983ac8f0dc246043f184dc6f58feb84006ed56ae1898335ec8",
+    hash: "d846ff9dd60c9243515d4d6cfb72341ec100b35985856394982c7cf8ad600e06",
 };
 
 static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -112,5 +112,5 @@ static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "ff6183c7befd59146a77b9bec0c0ae37853026d47c1e17bc460691b043c1130f",
+    hash: "1a516f900bf99d9a91cf22fd92249067c1018585096dd6843a05cc29c5668ee6",
 };

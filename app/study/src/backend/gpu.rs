@@ -7,6 +7,7 @@ use brooklet_kernels::{Position, QUARANTINED, Velocity};
 use glam::DVec3;
 use thiserror::Error;
 
+use super::Counted;
 use crate::setup::{position_m, velocity_m_s};
 use crate::{Cost, Sample, Setup};
 
@@ -144,14 +145,9 @@ impl GpuRun {
         })
     }
 
-    /// Events that were counted over the whole run: neighbours without a slot, clamped speeds,
-    /// clamped corrections.
-    pub fn counted(&self) -> [u64; 3] {
-        self.measured.iter().fold([0; 3], |sum, measured| {
-            let counters = measured.stats.counters;
-            let now = [counters.neighbour_overflow, counters.speed_clamps, counters.correction_clamps];
-            std::array::from_fn(|i| sum[i] + u64::from(now[i]))
-        })
+    /// Events that were counted over the whole run.
+    pub fn counted(&self) -> Counted {
+        self.measured.iter().fold(Counted::default(), |sum, measured| sum.and(&measured.stats.counters))
     }
 }
 

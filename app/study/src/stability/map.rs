@@ -61,14 +61,10 @@ impl Map {
         let (path_x, path_y) = self.paths();
         let (xs, ys) = self.values(quick);
         let one = |x: f64, y: f64| {
-            let mut settings = vec![format!("{path_x}={x}"), format!("{path_y}={y}")];
+            let settings = vec![format!("{path_x}={x}"), format!("{path_y}={y}")];
             let case: &dyn Case = match self {
                 Self::Compression => &HYDROSTATIC,
-                Self::Relaxation => {
-                    // Three spacings hold 122 neighbours, and more where it is compressed.
-                    settings.push("solver.neighbour_slots=200".into());
-                    &SHALLOW
-                }
+                Self::Relaxation => &SHALLOW,
             };
             ((x, y), task(MAP_PART, case, settings, 1))
         };

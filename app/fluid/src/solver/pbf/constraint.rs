@@ -61,7 +61,7 @@ pub(super) fn correct_positions(
             },
             constrained,
             packed_constrained,
-            sorted_positions: shared.walls.then(|| sorted.positions.read()),
+            sorted_positions: sorted.positions.read(),
             neighbours: neighbours.gaps.read(),
             list_heads: neighbours.heads.read(),
             places: sorted.places.write(),

@@ -16,14 +16,22 @@ pub struct Corrected {
     pub terms_m: f64,
     /// How long the correction was before it was shortened.
     pub asked_m: f64,
+    /// Whether the substep's whole displacement was shortened.
+    pub held: bool,
+    /// How long it was before, in h.
+    pub displacement: f64,
 }
 
-/// Corrects particle `i`. `separation` gives two particles at one point, which have no gradient,
+/// Iterations move no particle further than this from where it was predicted, in h.
+pub const MOST_DISPLACEMENT: f64 = 0.999;
+
+/// Corrects particle `i`, which was predicted at `predicted_m`. `separation` gives two particles at one point, which have no gradient,
 /// a short offset (in h) from the second to the first; zero leaves them together.
 #[allow(clippy::too_many_arguments)]
 pub fn correct_positions(
     i: usize,
     positions_m: &[DVec3],
+    predicted_m: DVec3,
     lambdas: &[f64],
     neighbours: &[usize],
     step: &Step,
@@ -67,9 +75,14 @@ pub fn correct_positions(
     }
     let correction_m = correction * (pbf.relaxation * smoothing.support_m);
     let asked_m = correction_m.length();
+    let displacement_m = here_m + correction_m.clamp_length_max(pbf.max_correction_m) - predicted_m;
+    let displacement = displacement_m.length() / smoothing.support_m;
+    let held_m = displacement_m.clamp_length_max(MOST_DISPLACEMENT * smoothing.support_m);
     Corrected {
-        position_m: step.inside(here_m + correction_m.clamp_length_max(pbf.max_correction_m)),
+        position_m: step.inside(predicted_m + held_m),
         clamped: asked_m > pbf.max_correction_m,
+        held: displacement > MOST_DISPLACEMENT,
+        displacement,
         terms_m: terms * pbf.relaxation * smoothing.support_m,
         asked_m,
     }
@@ -126,7 +139,8 @@ mod tests {
         let corrected: Vec<DVec3> = (0..points.len())
             .map(|i| {
                 let none = |_, _| DVec3::ZERO;
-                correct_positions(i, &points, &lambdas, &lists[i], &step, &smoothing, &pbf, None, none).position_m
+                let list = &lists[i];
+                correct_positions(i, &points, points[i], &lambdas, list, &step, &smoothing, &pbf, None, none).position_m
             })
             .collect();
         let moved: DVec3 = corrected.iter().zip(&points).map(|(a, b)| *a - *b).sum();

@@ -1,9 +1,10 @@
 //! The extreme cases (rows of a table with fixed numbers) over precisions, tiers and layouts.
 //!
 //! Of every row: states are finite, no particle is lost, all are inside the walls, none is faster than
-//! the limit; and what the row itself expects. What fails and is counted or measured by the program is
-//! unstable and said; what fails and is not is SILENT, a defect.
+//! the limit; and what the row itself expects. What fails and is said by the program, of this failure
+//! (`said.rs`), is unstable and said; what fails and is not is SILENT, a defect.
 
+mod said;
 mod setups;
 mod table;
 
@@ -38,8 +39,6 @@ pub struct Row {
 /// What a row is judged by, beside what all rows are.
 #[derive(Clone, Copy)]
 pub enum Also {
-    /// Nothing else: bounded is enough.
-    Bounded,
     /// At the end it is slower than falling a spacing makes it, and hardly compressed.
     Rests,
     /// Figures of its own.
@@ -126,7 +125,7 @@ pub fn run_row(session: &Session<'_>, task: &Task) -> Result<Option<Outcome>, St
     };
     let mut figures = every_row(&setup, &run, row.injected);
     match row.also {
-        Also::Bounded | Also::Refused | Also::Waits(_) => {}
+        Also::Refused | Also::Waits(_) => {}
         Also::Rests => figures.extend(rests(&setup, &run)),
         Also::Figures(of) => figures.extend(of(&setup, &run)),
         Also::Equals(make, scale, limit) => {
@@ -177,12 +176,11 @@ fn judge(row: &Row, run: &GpuRun, figures: &[Figure]) -> (State, String) {
     if failed.is_empty() {
         return (state, if as_injected { format!("{quarantined} quarantined") } else { counts });
     }
-    let stats = run.measured.iter().map(|measured| measured.stats);
-    let measured = stats.clone().any(|s| s.compression.p99 > 0.1 || s.escaped > 0)
-        || run.measured.last().is_some_and(|last| last.stats.max_speed_m_s > 0.5);
-    let said = run.counted().iter().sum::<u64>() > 0 || measured || quarantined > row.injected;
-    let what = format!("{} beyond limits; {counts}", failed.join(", "));
-    (if said { State::Unstable } else { State::Silent }, what)
+    let silent: Vec<&str> = failed.iter().copied().filter(|name| !said::is_said(name, run, row.injected)).collect();
+    match silent.is_empty() {
+        true => (State::Unstable, format!("{} beyond limits, and said; {counts}", failed.join(", "))),
+        false => (State::Silent, format!("{} beyond limits, {} not said; {counts}", failed.join(", "), silent.join(", "))),
+    }
 }
 
 /// What every row keeps.
@@ -271,14 +269,26 @@ mod tests {
 
     #[test]
     fn what_fails_without_a_word_is_silent() {
-        let row = ROWS.iter().find(|row| matches!(row.also, Also::Bounded)).unwrap();
-        let wrong = [Figure::judged("x", 2.0, "", 1.0, "")];
+        let row = ROWS.iter().find(|row| matches!(row.also, Also::Rests)).unwrap();
+        let wrong = [Figure::judged("momentum drift", 2.0, "", 1.0, "")];
         let mut run = GpuRun::default();
         run.measured.push(crate::backend::Measured { time_s: 1.0, stats: brooklet_fluid::Stats::default() });
         assert_eq!(judge(row, &run, &wrong).0, State::Silent);
         assert_eq!(judge(row, &run, &[]).0, State::Stable);
+        // A count of something else is no word of it.
         run.measured[0].stats.counters.speed_clamps = 1;
-        assert_eq!(judge(row, &run, &wrong).0, State::Unstable);
+        assert_eq!(judge(row, &run, &wrong).0, State::Silent);
         assert_eq!(judge(row, &run, &[]).0, State::Clamped);
+        run.measured[0].stats.counters.neighbour_overflow = 1;
+        assert_eq!(judge(row, &run, &wrong).0, State::Unstable);
+        // Of two failures both have to be said.
+        let [drift] = wrong;
+        assert_eq!(judge(row, &run, &[drift, Figure::judged("passed", 1.0, "", 0.0, "")]).0, State::Silent);
+        let fast = [Figure::judged("speed at the end", 1.0, "", 0.5, "")];
+        assert_eq!(judge(row, &run, &fast).0, State::Unstable, "measured, so said");
+        run.measured[0].stats.quarantined = 2;
+        let lost = [Figure::judged("lost or not finite", 2.0, "", 0.0, "")];
+        assert_eq!(judge(row, &run, &lost).0, State::Unstable);
+        assert_eq!(judge(&Row { injected: 2, ..*row }, &run, &lost).0, State::Silent, "those put in are no word");
     }
 }

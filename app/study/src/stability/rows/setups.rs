@@ -45,7 +45,7 @@ pub(super) fn list_overflow(settings: &[String]) -> Made {
 }
 
 pub(super) fn overflow_counted(_: &Setup, run: &GpuRun) -> Vec<Figure> {
-    let counted = run.counted()[0] as f64;
+    let counted = run.counted().neighbour_overflow as f64;
     vec![Figure::at_least(
         "neighbours counted",
         counted,
@@ -102,6 +102,14 @@ pub(super) fn long_steps(settings: &[String]) -> Made {
 pub(super) fn viscous(settings: &[String]) -> Made {
     let more = "[solver]\nxsph = 1.0";
     Setup::new("viscosity-times-1000", &pool([0.4, 0.5, 0.16], [0.16, 0.32, 0.16], more), settings, 4.0, 8)
+}
+
+/// The law of ten times the step, 16 layers: past its range it says more than there is, so it bounds.
+pub(super) fn within_the_law(setup: &Setup, run: &GpuRun) -> Vec<Figure> {
+    let law = Column { layers: 16, dimensions: 3, ..column(setup.scene.substep_s()) }.bottom_compression();
+    let Some(last) = run.measured.last() else { return Vec::new() };
+    let ratio = last.stats.compression.p99 / law;
+    vec![Figure::judged("compression over the law's", ratio, "", 1.0, "p99 at the end over the law's bottom compression")]
 }
 
 /// A column of 200 layers in two dimensions, eight particles wide, whose bottom the law squeezes by .15.
@@ -211,7 +219,7 @@ pub(super) fn nothing_passes(_: &Setup, run: &GpuRun) -> Vec<Figure> {
         jet.iter().filter(|at| at.x > middle_m).count()
     };
     let most = run.samples.iter().map(passed).max().unwrap_or(usize::MAX);
-    let clamps = run.counted()[1] as f64;
+    let clamps = run.counted().speed_clamps as f64;
     vec![
         Figure::judged("passed", most as f64, "", 0.0, "particles of the jet past the plug's middle"),
         Figure::at_least("clamps counted", clamps, "", JET as f64, "the limit is far below 100 m/s: short by so many"),
