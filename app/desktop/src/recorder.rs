@@ -7,10 +7,7 @@ use brooklet_capture::{CaptureError, CaptureTotals, CaptureWriter};
 use brooklet_fluid::{STEP, Scene, Stats, captured_values};
 use brooklet_gpu::{FrameReport, ResourceId};
 
-use crate::{
-    measured::Measured,
-    timings::Timings,
-};
+use crate::{measured::Measured, timings::Timings};
 
 /// Where a run's reports go.
 pub struct Recorder {

@@ -6,7 +6,9 @@ use brooklet_study::tune::{Found, Goal, MOST_TRIED, Tried, TuneError, tune as se
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::json;
 
-use crate::{failure::Failure, interrupt::Interrupt, job, out_dir::write_file, study_options::TuneOptions, table::table};
+use crate::{
+    failure::Failure, interrupt::Interrupt, job, out_dir::write_file, study_options::TuneOptions, table::table,
+};
 
 /// Searches, checks, prints and writes the scene.
 pub fn tune(options: &TuneOptions) -> Result<(), Failure> {

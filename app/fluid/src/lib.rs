@@ -24,6 +24,6 @@ pub use measure::{SAMPLE, Stats};
 pub use parameters::Parameters;
 pub use scene::{Scene, SceneError, shipped_scenes};
 pub use simulation::{Simulation, SimulationError};
-pub use stat_fields::{captured_fields, captured_values, STAT_FIELDS, StatField};
+pub use stat_fields::{STAT_FIELDS, StatField, captured_fields, captured_values};
 pub use step::{INIT, MEASURE, Recorded, STEP, record, record_count, record_particles};
 pub use step_params::step_params;

@@ -181,7 +181,7 @@ impl Stats {
         let origin_m = scene.domain.min_m;
         let present = sums.particles > 0;
         let furthest_m = if scene.domain.has_walls_along(0) { scene.domain.max_m[0] } else { f64::INFINITY };
-        let front_m = (origin_m[0] + f64::from(sums.front_m) + 0.5 * scene.spacing_m).min(furthest_m);
+        let front_m = (origin_m[0] + f64::from(sums.front_m) + 0.5 * scene.fitted_spacing_m()).min(furthest_m);
         Self {
             density_error: spread(sums.density_error_sum, measure.density_error_p99, sums.density_error_max),
             compression: spread(sums.compression_sum, measure.compression_p99, sums.compression_max),

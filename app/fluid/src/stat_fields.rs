@@ -64,10 +64,7 @@ pub const STAT_FIELDS: &[StatField] = &[
 /// What a capture tells of a measurement (`/sim/stats`): name, unit and description of each value, first those that
 /// say which step it was and when in the simulation.
 pub fn captured_fields() -> impl Iterator<Item = (&'static str, &'static str, &'static str)> {
-    let clock = [
-        ("step", "1", "Number of the step that was measured"),
-        ("simulated_s", "s", "Simulated time"),
-    ];
+    let clock = [("step", "1", "Number of the step that was measured"), ("simulated_s", "s", "Simulated time")];
     clock.into_iter().chain(STAT_FIELDS.iter().map(|field| (field.name, field.unit, field.description)))
 }
 

@@ -3,7 +3,6 @@
 use brooklet_kernels::StepParams;
 
 use crate::grid;
-use crate::particles;
 use crate::scene::Scene;
 
 /// What the shaders are given.
@@ -14,7 +13,7 @@ pub fn step_params(scene: &Scene, particle_count: u32) -> StepParams {
         gravity_m_s2: scene.gravity_m_s2.map(|g| g as f32),
         dt_s: scene.substep_s() as f32,
         domain_size_m: size_m.map(|size_m| size_m as f32),
-        wall_offset_m: (WALL_OFFSET_RATIO * particles::smallest_step_m(scene)) as f32,
+        wall_offset_m: (WALL_OFFSET_RATIO * scene.fitted_spacing_m()) as f32,
         wall_min_m: std::array::from_fn(|axis| if has_walls(axis) { 0.0 } else { -FAR_M }),
         max_speed_m_s: scene.max_speed_m_s() as f32,
         wall_max_m: std::array::from_fn(|axis| if has_walls(axis) { size_m[axis] as f32 } else { FAR_M }),
@@ -29,6 +28,6 @@ pub fn step_params(scene: &Scene, particle_count: u32) -> StepParams {
 /// Where the walls of an axis without walls stand: finite in f32 even over the smallest support.
 const FAR_M: f32 = 1.0e30;
 
-/// How near a wall a particle's middle may come, over the lattice's step. The lattice starts at a half;
+/// How near a wall a particle's middle may come, over the spacing. The lattice starts at a half;
 /// what is nearer than this the walls' density alone did not hold back.
 const WALL_OFFSET_RATIO: f64 = 0.5;

@@ -133,9 +133,19 @@ mod tests {
             };
             let none = |_, _| DVec3::ZERO;
             let lists = &lists[middle];
-            let corrected =
-                correct_positions(middle, &points, points[middle], &lambdas, lists, &step, &smoothing, &pbf, None, none)
-                    .position_m;
+            let corrected = correct_positions(
+                middle,
+                &points,
+                points[middle],
+                &lambdas,
+                lists,
+                &step,
+                &smoothing,
+                &pbf,
+                None,
+                none,
+            )
+            .position_m;
             let rise = corrected - points[middle];
             let expected = kappa(dimensions, support_ratio, 0.01) * pbf.relaxation * 0.01;
             println!("{dimensions}-D, h = {support_ratio} d: kappa {:.4}", kappa(dimensions, support_ratio, 0.0));

@@ -1,7 +1,5 @@
 //! Knobs: what one curve of a work-precision plot turns.
 
-
-
 use crate::case::Case;
 
 /// A setting that is turned while everything else stays.

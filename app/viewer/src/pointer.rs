@@ -160,7 +160,11 @@ mod tests {
     fn a_drag_between_two_frames_is_a_drag() {
         let mut strokes = Strokes::default();
         let [from, to] = [pos2(200.0, 150.0), pos2(300.0, 130.0)];
-        let quick = [button(PointerButton::Primary, from, true), Event::PointerMoved(to), button(PointerButton::Primary, to, false)];
+        let quick = [
+            button(PointerButton::Primary, from, true),
+            Event::PointerMoved(to),
+            button(PointerButton::Primary, to, false),
+        ];
         let (at, moved) = pointed(&mut strokes, &quick).push.unwrap();
         assert!(at.abs_diff_eq(DVec2::new(0.375, 0.45), 1e-6), "the middle of the way: {at}");
         assert!(moved.abs_diff_eq(DVec2::new(0.5, -0.1), 1e-6), "{moved}");
@@ -188,7 +192,10 @@ mod tests {
         let [beside, on] = [pos2(50.0, 150.0), pos2(200.0, 150.0)];
         let events = [button(PointerButton::Primary, beside, true), Event::PointerMoved(on)];
         assert_eq!(pointed(&mut strokes, &events).push, None);
-        pointed(&mut strokes, &[button(PointerButton::Primary, beside, false), button(PointerButton::Primary, on, true)]);
+        pointed(
+            &mut strokes,
+            &[button(PointerButton::Primary, beside, false), button(PointerButton::Primary, on, true)],
+        );
         assert_eq!(pointed(&mut strokes, &[Event::PointerGone, Event::PointerMoved(beside)]).push, None);
     }
 }

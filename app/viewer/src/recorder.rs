@@ -5,7 +5,8 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use brooklet_capture::{
-    CaptureClock, CaptureCost, CaptureError, CaptureOptions, CaptureTotals, CaptureWriter, DeviceState, Level, StatField, StateRow,
+    CaptureClock, CaptureCost, CaptureError, CaptureOptions, CaptureTotals, CaptureWriter, DeviceState, Level,
+    StatField, StateRow,
 };
 use brooklet_fluid::{Stats, captured_fields, captured_values};
 use brooklet_gpu::{FrameReport, Gpu, tier_name};

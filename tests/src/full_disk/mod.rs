@@ -68,7 +68,8 @@ pub fn run_on(disk: FullDisk, shop: &Workshop, kib: u32, arguments: &[&str]) -> 
             command
         }
         FullDisk::Interposed => {
-            let script = format!("LD_PRELOAD={} \"$0\" \"$@\"; code=$?; cp -r {DISK}/. {KEPT}; exit $code", shim().display());
+            let script =
+                format!("LD_PRELOAD={} \"$0\" \"$@\"; code=$?; cp -r {DISK}/. {KEPT}; exit $code", shim().display());
             let mut command = Command::new("sh");
             command.arg("-c").arg(script).arg(program());
             command.env("FULL_DISK_PATH", shop.path(DISK).canonicalize().expect("it is there"));

@@ -38,7 +38,10 @@ fn chunks(bytes: &[u8]) -> Vec<(usize, usize)> {
 
 /// Messages of the chunk at a place of the whole file, by the library's own reader.
 fn messages_of(bytes: &[u8], chunk: (usize, usize)) -> usize {
-    brooklet_tests::captures::records(bytes).iter().find(|record| record.end == chunk.1).map_or(0, |record| record.messages)
+    brooklet_tests::captures::records(bytes)
+        .iter()
+        .find(|record| record.end == chunk.1)
+        .map_or(0, |record| record.messages)
 }
 
 struct Case {

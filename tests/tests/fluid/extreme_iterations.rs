@@ -12,7 +12,12 @@ fn a_thousand_iterations_move_no_particle_by_a_support() {
         let scene = "spacing_m = 0.02\ngravity_m_s2 = [0, 0, 0]\n[domain]\nmin_m = [0, 0, 0]\nmax_m = [1, 1, 1]\n\
              [[fluid]]\nblock = { min_m = [0.2, 0.2, 0.2], max_m = [0.36, 0.36, 0.36] }\n\
              [outputs]\nmeasure_every_steps = 1\n";
-        let settings = ["solver.iterations=1000", "solver.xsph=0", "solver.neighbour_slots=512", &format!("solver.packed_positions={packed}")];
+        let settings = [
+            "solver.iterations=1000",
+            "solver.xsph=0",
+            "solver.neighbour_slots=512",
+            &format!("solver.packed_positions={packed}"),
+        ];
         let mut case = Case::new(scene, &settings);
         assert_eq!(case.count(), 512);
         // All but one point, each the neighbour of all others: a ball of them is 2.5 h in radius.

@@ -8,12 +8,12 @@
 
 use std::path::Path;
 
+use crate::support::{Budget, Fuzz, damage, scenes};
 use brooklet_capture::Capture;
 use brooklet_fluid::{Scene, particles, record_count, scene::schema};
 use brooklet_gpu::{Plan, Resources, Tier};
 use brooklet_render::{FrameOptions, Particles, View};
 use brooklet_tests::program::Workshop;
-use crate::support::{Budget, Fuzz, damage, scenes};
 use jsonschema::Validator;
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;

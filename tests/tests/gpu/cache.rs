@@ -1,7 +1,7 @@
 //! The pipeline cache: kept between runs, and never believed when it is damaged.
 
-use brooklet_gpu::{CacheStatus, Engine, Gpu, GpuOptions, Plan, Recording, Resources};
 use crate::support::{Increment, options};
+use brooklet_gpu::{CacheStatus, Engine, Gpu, GpuOptions, Plan, Recording, Resources};
 use std::path::{Path, PathBuf};
 
 fn open(folder: &Path) -> Gpu {

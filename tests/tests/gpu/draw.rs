@@ -1,7 +1,7 @@
 //! Render passes of the engine, on pictures small enough to check every pixel.
 
-use brooklet_gpu::{Blend, DepthTest, DrawState, Engine, Format, Load, Plan, Recording, Resources, Targets};
 use crate::support::{DrawHalf, DrawSwapped, gpu};
+use brooklet_gpu::{Blend, DepthTest, DrawState, Engine, Format, Load, Plan, Recording, Resources, Targets};
 
 const SIZE: [u32; 2] = [20, 12];
 

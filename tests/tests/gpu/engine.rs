@@ -1,12 +1,12 @@
 //! The engine on a real driver: recordings give the right numbers, what is left out does not
 //! exist, results come back in order, and every failure is an error that says what to do.
 
+use crate::support::{Any, Arguments, Increment, Scale, compute, gpu, options, words};
 use brooklet_gpu::{
     Engine, FrameReport, Gpu, GpuError, GpuOptions, LeftOutKind, Plan, Recording, Resources, SpanFlag, Tier,
     TimingStatus,
 };
 use brooklet_kernels::{Access, Module};
-use crate::support::{Any, Arguments, Increment, Scale, compute, gpu, options, words};
 
 /// `counter += 1` over `len` words in recording `step`.
 struct Counting {

@@ -1,11 +1,11 @@
 //! What a window asks of the engine while it runs: progress, few frames in flight, pictures that come
 //! back without a stall, and other shaders over the same memory.
 
+use crate::support::{DrawHalf, Increment, Scale, compute, gpu, words};
 use brooklet_gpu::{
     DrawState, Engine, FRAMES_IN_FLIGHT, Format, Gpu, GpuError, Load, Plan, Recording, Resources, Targets, Texture,
 };
 use brooklet_kernels::{Access, Buffer, Module};
-use crate::support::{DrawHalf, Increment, Scale, compute, gpu, words};
 
 /// `counter += 1` twice over `len` words, of which `scaled` is three times as much and one.
 fn counting(len: u32) -> (Plan, Buffer<u32>, Buffer<u32>) {

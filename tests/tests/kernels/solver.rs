@@ -303,13 +303,15 @@ fn corrections_hold_the_whole_displacement_below_the_support() {
                 .iter()
                 .map(|position| {
                     let share: f64 = rng.random::<f64>().max(if rng.random_range(0..3) == 0 { 0.998 } else { 0.0 });
-                    let way: DVec3 = DVec3::from_array([0; 3].map(|_| rng.random::<f64>() - 0.5)).normalize_or(DVec3::X);
+                    let way: DVec3 =
+                        DVec3::from_array([0; 3].map(|_| rng.random::<f64>() - 0.5)).normalize_or(DVec3::X);
                     let at_m = vector(position.position_m) + 0.998 * share * smoothing.support_m * way;
                     Position { position_m: at_m.to_array().map(|x| x as f32), tag: position.tag }
                 })
                 .collect();
             let got = run_correct_from(&predicted, &case, &lambdas, pbf_params(), Around::Nothing, true, pairs);
-            let from = Case { positions: predicted, velocities: Vec::new(), neighbours: Vec::new(), size_m: case.size_m };
+            let from =
+                Case { positions: predicted, velocities: Vec::new(), neighbours: Vec::new(), size_m: case.size_m };
             let (predicted_m, placed_m) = (from.placed_m(pairs.places), case.placed_m(pairs.places));
             let step = step_of(&case.step_params(), false);
             let lambdas: Vec<f64> = lambdas.iter().map(|&l| f64::from(l)).collect();
@@ -317,8 +319,18 @@ fn corrections_hold_the_whole_displacement_below_the_support() {
             for i in 0..size {
                 let none = |_, _| DVec3::ZERO;
                 let list = &case.neighbours[i];
-                let expected =
-                    correct_positions(i, &placed_m, predicted_m[i], &lambdas, list, &step, &smoothing, &pbf, None, none);
+                let expected = correct_positions(
+                    i,
+                    &placed_m,
+                    predicted_m[i],
+                    &lambdas,
+                    list,
+                    &step,
+                    &smoothing,
+                    &pbf,
+                    None,
+                    none,
+                );
                 expected_held += u32::from(expected.held);
                 let rounded = tolerance * expected.terms_m / smoothing.support_m + 2.0 * pairs.places.step();
                 doubtful += u32::from((expected.displacement - MOST_DISPLACEMENT).abs() < rounded.max(1e-5));
@@ -328,7 +340,11 @@ fn corrections_hold_the_whole_displacement_below_the_support() {
                 let error_m = got_m * smoothing.support_m - expected.position_m;
                 worst.check3(error_m.to_array().map(|x| x as f32), DVec3::ZERO, scale).unwrap();
             }
-            assert!(got.held.abs_diff(expected_held) <= doubtful, "{} held, expected {expected_held} but for {doubtful}", got.held);
+            assert!(
+                got.held.abs_diff(expected_held) <= doubtful,
+                "{} held, expected {expected_held} but for {doubtful}",
+                got.held
+            );
             held += expected_held;
         }
         assert!(held > 0, "no case met the limit");

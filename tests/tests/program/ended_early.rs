@@ -160,7 +160,11 @@ fn a_disk_that_is_full_at_the_start_is_bad_input() {
     for kib in [0, 4] {
         on_full_disks(kib, &["run", "scene.toml", "--steps", "4"], |shop, ended| {
             assert_eq!(ended.code, Some(2), "{}", ended.stderr);
-            assert!(ended.stderr.contains("disk/result/capture.mcap: the capture cannot be begun: "), "{}", ended.stderr);
+            assert!(
+                ended.stderr.contains("disk/result/capture.mcap: the capture cannot be begun: "),
+                "{}",
+                ended.stderr
+            );
             assert!(!shop.has("kept/result"), "at {kib} KiB");
         });
     }

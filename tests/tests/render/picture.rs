@@ -1,11 +1,11 @@
 //! Pictures against what geometry says must be in them.
 
-use brooklet_gpu::{Resources, Tier};
-use brooklet_render::{Coloring, FrameOptions, Particles, View, frame};
-use glam::DVec3;
 use crate::support::{
     Picture, QUARANTINED, Sphere, compare_colors, compare_depth, draw, draw_moving, options, sphere, view,
 };
+use brooklet_gpu::{Resources, Tier};
+use brooklet_render::{Coloring, FrameOptions, Particles, View, frame};
+use glam::DVec3;
 
 /// Relative, of reversed depth, beyond what a device may displace: roundings of f32, most of them
 /// in interpolating the floor's two huge triangles.

@@ -1,13 +1,13 @@
 //! Pictures of water: a perceptual metric between pictures that must look alike, calm water over
 //! time, and what must not break them.
 
+use crate::support::{Picture, QUARANTINED, Sphere, draw, options, sphere, view};
 use brooklet_fluid::scene::Smoothing;
 use brooklet_fluid::{Recorded, Scene, record};
 use brooklet_gpu::{Engine, Plan, Resources, Tier};
 use brooklet_render::{Camera, FrameOptions, Particles, ScreenSpaceOptions, SurfaceOptions, View, frame};
 use brooklet_tests::{gpu, rng};
 use glam::DVec3;
-use crate::support::{Picture, QUARANTINED, Sphere, draw, options, sphere, view};
 use rand::RngExt;
 
 /// Structural similarity (Wang et al. 2004, in windows of 8 pixels) of pictures that differ in the

@@ -6,11 +6,11 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::Duration;
 
-use brooklet_capture::Capture;
-use brooklet_tests::program::Workshop;
 use crate::support::User;
 use crate::support::dropping::drop_file;
 use crate::support::screen::{F1, LEFT, RIGHT, SPACE, WHEEL_UP};
+use brooklet_capture::Capture;
+use brooklet_tests::program::Workshop;
 
 /// A pool of some 100 particles: a software driver draws some frames of it a second.
 const POOL: &[&str] =

@@ -5,8 +5,8 @@
 
 use std::time::{Duration, Instant};
 
-use brooklet_tests::program::Workshop;
 use crate::support::User;
+use brooklet_tests::program::Workshop;
 
 /// From scene to scene the window builds another engine, of other sizes.
 const SCENES: [&str; 4] = ["falling-ball", "calm-pool", "colliding-drops", "dam-break"];

@@ -24,11 +24,7 @@ use brooklet_gpu::Gpu;
 pub use options::BenchOptions;
 use options::BenchStudy;
 
-use crate::{
-    failure::Failure,
-    job,
-    shared_options::DeviceOptions,
-};
+use crate::{failure::Failure, job, shared_options::DeviceOptions};
 
 /// Runs and prints the benchmark that is asked for.
 pub fn bench(options: &BenchOptions) -> Result<(), Failure> {

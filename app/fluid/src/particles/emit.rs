@@ -2,7 +2,7 @@
 
 use brooklet_kernels::{FLUID_SHIFT, Position, QUARANTINED, Velocity};
 
-use super::lattice::{WHOLE, steps_m};
+use super::lattice::{self, WHOLE, steps_m};
 use crate::scene::{Block, Fluid, Scene};
 
 /// What a tag's bits below the fluid's number can tell apart.
@@ -37,11 +37,32 @@ pub fn emit(scene: &Scene) -> Emitted {
     emitted
 }
 
-/// The smallest step of the scene's lattices along any axis, m: the spacing, or less where a block is squeezed
-/// between walls.
-pub(crate) fn smallest_step_m(scene: &Scene) -> f64 {
-    let lattices = scene.fluids.iter().filter_map(|fluid| Lattice::of(fluid, scene));
-    lattices.flat_map(|lattice| lattice.steps_m).fold(scene.spacing_m, f64::min)
+/// The spacing that the scene's particles have, m: the one it asks for, or the nearest of which a whole number fit
+/// where blocks reach from wall to wall (`lattice.rs`). A periodic side fits the one asked for alone.
+pub(crate) fn fitted_spacing_m(scene: &Scene) -> f64 {
+    let filled = scene.fluids.iter().filter_map(|fluid| fluid.block.as_ref()).map(|block| filled_m(block, scene));
+    let any = filled.fold([None; 3], |any, filled_m| std::array::from_fn(|axis| any[axis].or(filled_m[axis])));
+    match scene.domain.is_periodic() {
+        true => scene.spacing_m,
+        false => lattice::fitted_spacing_m(scene.spacing_m, scene.domain.dimensions, any),
+    }
+}
+
+/// Along which axes a block stands against the domain's lowest face, and its highest.
+fn faces(block: &Block, scene: &Scene) -> [[bool; 3]; 2] {
+    let touches = |face_m: f64, at_m: f64| (face_m - at_m).abs() <= WHOLE * scene.spacing_m;
+    [
+        std::array::from_fn(|axis| touches(block.min_m[axis], scene.domain.min_m[axis])),
+        std::array::from_fn(|axis| touches(block.max_m[axis], scene.domain.max_m[axis])),
+    ]
+}
+
+/// The sides of a block along axes on which it reaches from wall to wall, or around a periodic domain, m.
+fn filled_m(block: &Block, scene: &Scene) -> [Option<f64>; 3] {
+    let [low, high] = faces(block, scene);
+    let is_closed = |axis: usize| scene.domain.has_walls_along(axis) || scene.domain.periodic[axis];
+    let side_m = |axis: usize| block.max_m[axis] - block.min_m[axis];
+    std::array::from_fn(|axis| (is_closed(axis) && low[axis] && high[axis]).then(|| side_m(axis)))
 }
 
 /// How many particles [`emit`] makes, without making them.
@@ -88,7 +109,7 @@ struct Lattice {
 
 impl Lattice {
     fn of(fluid: &Fluid, scene: &Scene) -> Option<Self> {
-        let spacing_m = scene.spacing_m;
+        let spacing_m = fitted_spacing_m(scene);
         let mut lattice = if let Some(block) = &fluid.block {
             Self::of_block(block, scene)
         } else {
@@ -108,21 +129,15 @@ impl Lattice {
     }
 
     fn of_block(block: &Block, scene: &Scene) -> Self {
-        let (spacing_m, domain) = (scene.spacing_m, &scene.domain);
+        let (spacing_m, domain) = (fitted_spacing_m(scene), &scene.domain);
         let side_m = |axis: usize| block.max_m[axis] - block.min_m[axis];
-        let touches = |face_m: f64, at_m: f64| (face_m - at_m).abs() <= WHOLE * spacing_m;
-        let low = |axis: usize| touches(block.min_m[axis], domain.min_m[axis]);
-        let high = |axis: usize| touches(block.max_m[axis], domain.max_m[axis]);
-        let is_closed = |axis: usize| domain.has_walls_along(axis) || domain.periodic[axis];
-        let filled_m = std::array::from_fn(|axis| {
-            (is_closed(axis) && low(axis) && high(axis)).then(|| side_m(axis))
-        });
-        let steps_m = steps_m(spacing_m, domain.dimensions, filled_m);
+        let [low, high] = faces(block, scene);
+        let steps_m = steps_m(spacing_m, domain.dimensions, filled_m(block, scene));
         let counts = std::array::from_fn(|axis| (side_m(axis) / steps_m[axis] + WHOLE).floor() as usize);
         let first_m = std::array::from_fn(|axis| {
             let over_m = side_m(axis) - counts[axis] as f64 * steps_m[axis];
             // What is over lies away from a wall that the block stands against.
-            let shift_m = match domain.has_walls_along(axis) && high(axis) && !low(axis) {
+            let shift_m = match domain.has_walls_along(axis) && high[axis] && !low[axis] {
                 true if over_m > WHOLE * spacing_m => over_m,
                 _ => 0.0,
             };

@@ -4,6 +4,6 @@ mod emit;
 mod lattice;
 mod resample;
 
-pub(crate) use emit::{fits, smallest_step_m};
 pub use emit::{Emitted, MAX_FLUIDS, MAX_PARTICLES, count, emit};
+pub(crate) use emit::{fits, fitted_spacing_m};
 pub use resample::resample;

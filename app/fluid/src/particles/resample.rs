@@ -32,11 +32,12 @@ const RATIO_STEP: f32 = 1.0 / 64.0;
 /// What it costs a fluid at rest or in smooth motion (`tests/tests/fluid/resample.rs`, 0.7 to 1.6 times the spacing): no
 /// volume, up to 3.3 % of the momentum, and less than 0.3 spacings of its place where it is two layers thin.
 pub fn resample(from: &Scene, particles: &Emitted, to: &Scene) -> Emitted {
-    let support_m = SUPPORT_RATIO * from.spacing_m.max(to.spacing_m);
+    let [from_m, to_m] = [from, to].map(Scene::fitted_spacing_m);
+    let support_m = SUPPORT_RATIO * from_m.max(to_m);
     let dimensions = to.domain.dimensions;
-    let cell_ratio = (from.spacing_m / to.spacing_m).powi(dimensions as i32);
+    let cell_ratio = (from_m / to_m).powi(dimensions as i32);
     // Each particle's share of a density ratio: the kernel's sum over a lattice of `from`.
-    let scale = (lattice(dimensions, support_m / from.spacing_m).weight) as f32;
+    let scale = (lattice(dimensions, support_m / from_m).weight) as f32;
     let moved_m: [f64; 3] = std::array::from_fn(|axis| from.domain.min_m[axis] - to.domain.min_m[axis]);
     let placed_m = |position: &Position| -> [f64; 3] {
         std::array::from_fn(|axis| f64::from(position.position_m[axis]) + moved_m[axis])
@@ -112,7 +113,7 @@ impl Points {
     /// from wall to wall, so does the lattice; where it stands against one wall, the lattice begins there.
     fn of(scene: &Scene, extent_m: [[f64; 3]; 2]) -> Self {
         const FAR: i32 = 1 << 24;
-        let (domain, spacing_m, size_m) = (&scene.domain, scene.spacing_m, scene.domain.size_m());
+        let (domain, spacing_m, size_m) = (&scene.domain, scene.fitted_spacing_m(), scene.domain.size_m());
         let low = |axis: usize| extent_m[0][axis] < spacing_m;
         let high = |axis: usize| extent_m[1][axis] > size_m[axis] - spacing_m;
         let filled_m = std::array::from_fn(|axis| {

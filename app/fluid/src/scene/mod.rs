@@ -34,6 +34,8 @@ use std::f64::consts::PI;
 
 use serde::{Deserialize, Serialize};
 
+use crate::particles;
+
 /// A whole scene. [`Scene::load`] reads one, [`shipped_scenes`] lists those that come along.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -45,7 +47,8 @@ pub struct Scene {
     /// One line that says what happens.
     #[serde(default)]
     pub summary: String,
-    /// Particle spacing d of the initial lattice, m.
+    /// Particle spacing d of the initial lattice, m. Where a block reaches from wall to wall, the nearest of which a
+    /// whole number fit is taken.
     pub spacing_m: f64,
     /// Acceleration of gravity, m/s².
     #[serde(default = "default_gravity")]
@@ -253,9 +256,15 @@ impl Default for Outputs {
 }
 
 impl Scene {
+    /// The spacing that its particles have, m: `spacing_m`, or the nearest of which a whole number fit where a block
+    /// reaches from wall to wall, so that it is at rest there.
+    pub fn fitted_spacing_m(&self) -> f64 {
+        particles::fitted_spacing_m(self)
+    }
+
     /// Support radius h of the kernel, m.
     pub fn support_m(&self) -> f64 {
-        self.spacing_m * self.solver.support_ratio
+        self.fitted_spacing_m() * self.solver.support_ratio
     }
 
     /// Time a substep advances, s.
@@ -287,7 +296,7 @@ impl Scene {
     /// Mass of a particle, kg: what its lattice cell holds. In two dimensions kg per metre along z, and
     /// so are the energies and momenta made of it.
     pub fn particle_mass_kg(&self) -> f64 {
-        self.rest_density_kg_m3() * self.spacing_m.powi(self.domain.dimensions as i32)
+        self.rest_density_kg_m3() * self.fitted_spacing_m().powi(self.domain.dimensions as i32)
     }
 
     /// Side of the domain along each axis that is periodic, m; 0 along others. A whole number of

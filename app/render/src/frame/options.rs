@@ -49,7 +49,7 @@ impl FrameOptions {
         Self {
             tier,
             surface: SurfaceOptions::for_scene(scene, tier),
-            radius_m: 0.55 * scene.spacing_m,
+            radius_m: 0.55 * scene.fitted_spacing_m(),
             coloring: match scene.surface.color_by {
                 PointColor::Speed => Coloring::Speed { foam_m_s: foam_m_s(scene) },
                 PointColor::Fluid => Coloring::Fluid,

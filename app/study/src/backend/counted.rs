@@ -37,11 +37,7 @@ impl fmt::Display for Counted {
         write!(
             f,
             "{} neighbours without a slot, {} crowded searches, {} speeds, {} corrections and {} displacements clamped",
-            self.neighbour_overflow,
-            self.crowded,
-            self.speed_clamps,
-            self.correction_clamps,
-            self.displacement_clamps
+            self.neighbour_overflow, self.crowded, self.speed_clamps, self.correction_clamps, self.displacement_clamps
         )
     }
 }

@@ -55,7 +55,7 @@ pub fn reference_fluid(setup: &Setup) -> Fluid {
             domain_size_m: size_m,
             walls: axes,
             period_m,
-            wall_offset_m: 0.5 * scene.spacing_m,
+            wall_offset_m: 0.5 * scene.fitted_spacing_m(),
             max_speed_m_s: scene.max_speed_m_s(),
         },
         smoothing,

@@ -89,7 +89,7 @@ fn facts(ui: &mut Ui, shown: &Shown<'_>) {
     let [width_px, height_px] = world.view().size_px;
     let rows = [
         ("particles", world.particles.to_string()),
-        ("spacing", format!("{:.4} m", world.simulated.spacing_m)),
+        ("spacing", format!("{:.4} m", world.simulated.fitted_spacing_m())),
         ("steps", world.steps.to_string()),
         ("GPU memory", megabytes(world.engine.allocated_bytes())),
         ("picture", format!("{width_px} × {height_px}")),

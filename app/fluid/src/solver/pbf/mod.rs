@@ -62,7 +62,7 @@ pub fn params(scene: &Scene) -> PbfParams {
         xsph: solver.xsph as f32,
         vorticity: solver.vorticity_m_s as f32,
         // Half a spacing: further, and two particles a correction drives together pass each other.
-        max_correction_m: (0.5 * scene.spacing_m) as f32,
+        max_correction_m: (0.5 * scene.fitted_spacing_m()) as f32,
         // Half a spacing: fluid at rest, however dense, keeps further apart.
         separation: (0.5 / solver.support_ratio) as f32,
     }

@@ -65,7 +65,7 @@ const SUN_SMOOTHING_RATIO: f64 = 4.0;
 impl ScreenSpaceOptions {
     /// What a scene asks for, on a device of `tier`.
     pub fn for_scene(scene: &Scene, tier: Tier) -> Self {
-        let (surface, spacing_m) = (&scene.surface, scene.spacing_m);
+        let (surface, spacing_m) = (&scene.surface, scene.fitted_spacing_m());
         let size_m = DVec3::from(scene.domain.size_m());
         let radius_m = surface.radius_ratio * spacing_m;
         Self {

@@ -179,7 +179,9 @@ fn judge(row: &Row, run: &GpuRun, figures: &[Figure]) -> (State, String) {
     let silent: Vec<&str> = failed.iter().copied().filter(|name| !said::is_said(name, run, row.injected)).collect();
     match silent.is_empty() {
         true => (State::Unstable, format!("{} beyond limits, and said; {counts}", failed.join(", "))),
-        false => (State::Silent, format!("{} beyond limits, {} not said; {counts}", failed.join(", "), silent.join(", "))),
+        false => {
+            (State::Silent, format!("{} beyond limits, {} not said; {counts}", failed.join(", "), silent.join(", ")))
+        }
     }
 }
 

@@ -109,7 +109,13 @@ pub(super) fn within_the_law(setup: &Setup, run: &GpuRun) -> Vec<Figure> {
     let law = Column { layers: 16, dimensions: 3, ..column(setup.scene.substep_s()) }.bottom_compression();
     let Some(last) = run.measured.last() else { return Vec::new() };
     let ratio = last.stats.compression.p99 / law;
-    vec![Figure::judged("compression over the law's", ratio, "", 1.0, "p99 at the end over the law's bottom compression")]
+    vec![Figure::judged(
+        "compression over the law's",
+        ratio,
+        "",
+        1.0,
+        "p99 at the end over the law's bottom compression",
+    )]
 }
 
 /// A column of 200 layers in two dimensions, eight particles wide, whose bottom the law squeezes by .15.
