@@ -104,6 +104,20 @@ impl User {
         frame(self);
     }
 
+    /// Drags on a running scene as a person does, who waits for no frame; then for two, which show what came of it.
+    pub fn flick(&mut self, button: u8, from: [i16; 2], to: [i16; 2]) {
+        self.screen.point(from);
+        self.screen.button(button, true);
+        for number in 1..=4 {
+            self.screen.point([0, 1].map(|axis: usize| from[axis] + (to[axis] - from[axis]) * number / 4));
+        }
+        self.screen.button(button, false);
+        for _ in 0..2 {
+            let steps = self.fact("steps").as_u64();
+            self.wait("a frame", |user| (user.fact("steps").as_u64() > steps).then_some(()));
+        }
+    }
+
     /// Clicks on a control.
     pub fn click(&mut self, name: &str) {
         let at = self.control(name);
