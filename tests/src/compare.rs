@@ -6,6 +6,13 @@ use brooklet_reference::grid::count_cells::{cell_of, check_ranks, count_cells};
 use brooklet_reference::params::Grid;
 use glam::DVec3;
 
+/// What sums of some 30 terms of pairs may be off by, relative to the sum of the terms' lengths. In f32 each term has
+/// a handful of roundings: 64. In f16 (`rounding` larger than f32's), where the sums are f32 all the same, terms'
+/// roundings cancel: so many `half_roundings`, within four times of what is measured.
+pub fn tolerance_of_pairs(rounding: f64, half_roundings: f64) -> f64 {
+    if rounding > ROUNDING { half_roundings * rounding } else { 64.0 * rounding }
+}
+
 /// Half the distance of 1 to the next f32: the largest relative error of one rounding.
 pub const ROUNDING: f64 = 5.960_464_477_539_063e-8;
 

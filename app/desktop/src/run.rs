@@ -72,6 +72,7 @@ pub fn run(options: &RunOptions) -> Result<(), Failure> {
         writes_particles: options.outputs.particles.is_some(),
         files: Files::default(),
         troubles: Vec::new(),
+        told_first: false,
     };
     let begun = Instant::now();
     let bar = progress::bar(steps);

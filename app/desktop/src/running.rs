@@ -44,6 +44,8 @@ pub struct Running<'a> {
     pub files: Files,
     /// Why it could not, once for all of a kind.
     pub troubles: Vec<String>,
+    /// Whether the first picture was told.
+    pub told_first: bool,
 }
 
 impl Running<'_> {
@@ -70,6 +72,12 @@ impl Running<'_> {
         while self.done < self.steps && !interrupt.is_pressed() {
             self.step(engine, self.done + 1)?;
             bar.inc(1);
+            // Whoever watches need not wait for the end to look.
+            if let [first] = self.files.images.as_slice()
+                && !std::mem::replace(&mut self.told_first, true)
+            {
+                bar.println(format!("first picture: {first}"));
+            }
             if let Some(stats) = self.recorder.measured.last {
                 bar.set_message(format!("density error {:.2} %", 100.0 * stats.density_error.mean));
             }

@@ -8,8 +8,8 @@ use brooklet_tests::column::{Settled, Setup};
 
 const COLUMN: Setup = Setup { layers: 60, width: 4, iterations: 4, substeps: 1, dt_s: 1.0 / 240.0 };
 
-/// The law holds to this where it says 0.05 to 0.15; fixed before the first run.
-const TOLERANCE: f64 = 0.25;
+/// The law holds to this where it says .015 to .15: 1.5 times the largest error measured, 4.5 %.
+const TOLERANCE: f64 = 0.07;
 
 fn check(settled: &Settled, law: f64) -> Result<(), String> {
     let off = settled.bottom / law - 1.0;

@@ -32,10 +32,10 @@ fn front_follows_martin_and_moyce() {
     let compared = compare(&front, &experiment()).unwrap();
     println!("dam break front: {compared:?}");
     // Digitised data agree among themselves within 0.06; particle methods of this resolution lead
-    // or lag by a few tenths of a base over a run of fourteen. Fixed before the first run.
-    assert!(compared.rmse < 1.0, "{compared:?}");
-    assert!(compared.shifted_rmse < 0.8, "{compared:?}");
-    assert!((compared.slope / compared.expected_slope - 1.0).abs() < 0.15, "{compared:?}");
+    // or lag by a few tenths of a base over a run of fourteen. 1.5 times what is measured: .44, .18 and 5.9 %.
+    assert!(compared.rmse < 0.65, "{compared:?}");
+    assert!(compared.shifted_rmse < 0.27, "{compared:?}");
+    assert!((compared.slope / compared.expected_slope - 1.0).abs() < 0.088, "{compared:?}");
 }
 
 #[test]
@@ -43,7 +43,7 @@ fn a_front_that_is_wrong_is_noticed() {
     let slow: Vec<Sample> = experiment().iter().map(|&(t, z)| (t, 1.0 + 0.7 * (z - 1.0))).collect();
     let compared = compare(&slow, &experiment()).unwrap();
     assert!(
-        compared.shifted_rmse > 0.8 && (compared.slope / compared.expected_slope - 1.0).abs() > 0.15,
+        compared.shifted_rmse > 0.27 && (compared.slope / compared.expected_slope - 1.0).abs() > 0.088,
         "{compared:?}"
     );
 }

@@ -168,8 +168,9 @@ fn columns_between_seams_and_in_tanks_are_compressed_as_the_law_says() {
         let loss = 1.0 - middle(&end) / middle(&start);
         println!("{name}: {loss:.4} of the height lost, compression {:.4}, law {law:.4}", stats.compression.max);
         // Half of the bottom's compression is the mean's; the rest is the free surface's layer.
+        // 1.5 times the error measured, 5.6 %.
         assert!(loss > 0.0 && loss < law, "{name}: {loss}");
-        assert!((stats.compression.max / law - 1.0).abs() < 0.1, "{name}: {} {law}", stats.compression.max);
+        assert!((stats.compression.max / law - 1.0).abs() < 0.085, "{name}: {} {law}", stats.compression.max);
         assert_eq!((stats.escaped, stats.quarantined), (0, 0));
         // In two dimensions all keep to their plane, exactly.
         let depth_m = case.scene().domain.size_m()[2] as f32;

@@ -64,6 +64,7 @@ fn neighbours_beyond_the_slots_are_counted_and_the_drift_is_known() {
         case.run(40);
         let stats = case.run(20);
         assert_eq!(stats.counters.neighbour_overflow, 0);
+        println!("capacity: {:?}", stats.compression);
         assert!(stats.compression.p99 < 0.01, "{:?}", stats.compression);
     }
     // Whose lists are whole push each other equally, up to rounding; others do not, and are told.

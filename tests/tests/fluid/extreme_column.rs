@@ -11,12 +11,14 @@ fn two_hundred_layers_follow_the_law() {
         "case 12: 200 layers: law {:.4}, measured {:.4}, swinging by {:.4}; the middle sank by {:.3} of the height",
         settled.law, settled.bottom, settled.unrest, settled.sunk
     );
-    assert!((settled.bottom / settled.law - 1.0).abs() < 0.2, "{settled:?}");
-    assert!(settled.unrest < 0.02, "{settled:?}");
+    // 1.5 times the error measured, 7.6 %.
+    assert!((settled.bottom / settled.law - 1.0).abs() < 0.115, "{settled:?}");
+    assert!(settled.unrest < 0.001, "{settled:?}");
     // A quarter and half way up, too: compression falls evenly.
     for layer in [50, 100, 150] {
         let law = settled.law * (1.0 - layer as f64 / 200.0);
         let near = settled.layers[layer - 2..layer + 2].iter().sum::<f64>() / 4.0;
-        assert!((near / law - 1.0).abs() < 0.2, "layer {layer}: {near}, the law says {law}");
+        println!("layer {layer}: {near:.4}, the law says {law:.4}");
+        assert!((near / law - 1.0).abs() < 0.115, "layer {layer}: {near}, the law says {law}");
     }
 }

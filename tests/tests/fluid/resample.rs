@@ -40,7 +40,7 @@ fn stirred(scene: &Scene) -> Emitted {
 
 /// What a particle takes.
 fn cell(scene: &Scene) -> f64 {
-    scene.spacing_m.powi(scene.domain.dimensions as i32)
+    scene.fitted_spacing_m().powi(scene.domain.dimensions as i32)
 }
 
 /// Volume (area in two dimensions), centre of mass, and momentum over density.

@@ -39,7 +39,7 @@ const ROOMS: &[(&str, &[&str])] = &[
     // The window compiles a changed shader while it runs.
     ("brooklet", &["kernels", "gpu", "fluid", "render", "capture", "viewer", "study", "compiler"]),
     ("brooklet-mobile", &["kernels", "gpu", "fluid", "render", "capture", "viewer"]),
-    ("brooklet-tests", &["kernels", "gpu", "fluid", "render", "capture", "reference", "study", "viewer"]),
+    ("brooklet-tests", &["kernels", "gpu", "fluid", "render", "capture", "reference", "study", "compiler"]),
     // A broken generated file must never keep the shader compiler from being built.
     ("brooklet-compiler", &[]),
 ];

@@ -3,6 +3,8 @@
 mod anisotropy;
 mod bench;
 mod boundary;
+mod drawn_caustics;
+mod drawn_thickness;
 mod grid;
 mod measure;
 mod particles;

@@ -155,7 +155,7 @@ fn scene_files_with_wrong_values() {
         (
             scene("spacing_m = 0.05", "spacing_m = 0.0013").replace("[1.2, 2.2, 3.2]", "[1.4, 2.4, 3.4]"),
             "spacing_m = 0.0013",
-            &["2.912e7 particles", "16777216 fit", "make it 0.00158 or more"],
+            &["2.922e7 particles", "16777216 fit", "make it 0.00158 or more"],
         ),
         (camera, "camera.eye_m = [1, 0, 0]", &["away from target_m"]),
     ];

@@ -132,6 +132,17 @@ fn a_dropped_range_of_neighbours_is_found() {
 }
 
 #[test]
+fn compression_of_three_per_cent_that_is_overlooked_is_found() {
+    let deaf = [(
+        "solver/pbf/density_sums.hlsl",
+        "float constraint = max(sums.density - 1.0, 0.0);",
+        "float constraint = sums.density < 1.03 ? 0.0 : sums.density - 1.0;",
+    )];
+    let faulty = Faulty::compile("solver/pbf/constrain_density.compute", &deaf);
+    check(&validated("hydrostatic"), Fault { plan: &|plan| faulty.put_into(plan), ..SOUND });
+}
+
+#[test]
 fn an_overflow_of_f16_is_found() {
     // 70,000 is infinity in f16, and infinity over itself is none.
     let large = [(

@@ -95,7 +95,7 @@ mod tests {
     use super::*;
     use crate::bench::workload::{LOADS, plan};
     use brooklet_fluid::{MEASURE, STEP};
-    use brooklet_kernels::modules;
+    use brooklet_kernels::{Counters, modules};
     use std::collections::BTreeSet;
 
     #[test]
@@ -115,7 +115,7 @@ mod tests {
         assert_eq!(constrain.gathered_bytes, 4 * 27 * n * 8);
         // Nothing is gathered where nothing is listed.
         let update = of(&planned.plan, STEP, "update_velocity", 27 * n);
-        assert_eq!(update, Traffic { compulsory_bytes: n * 72 + 16, gathered_bytes: 0 });
+        assert_eq!(update, Traffic { compulsory_bytes: n * 72 + size_of::<Counters>() as u64, gathered_bytes: 0 });
         assert!(of(&planned.plan, MEASURE, "measure_particles", 27 * n).gathered_bytes > 0);
         assert_eq!(of(&planned.plan, MEASURE, "constrain_density", 27 * n), Traffic::default());
     }

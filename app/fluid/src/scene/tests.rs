@@ -119,6 +119,7 @@ fn the_table_has_every_field() {
         &format!("{SMALL}{sphere}{camera}"),
         &[
             "solver.max_speed_m_s=5",
+            "solver.neighbour_slots=64",
             "surface.iterations=3",
             "surface.absorption_per_m=[3, 1, 0.5]",
             "surface.caustics=true",

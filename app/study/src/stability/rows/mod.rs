@@ -59,7 +59,7 @@ const SWITCHES: [&str; 2] = ["false", "true"];
 const TIERS: [Tier; 3] = [Tier::Desktop, Tier::Mobile, Tier::Floor];
 
 /// Rows that a quick look takes.
-const QUICK: [u32; 5] = [2, 13, 14, 17, 21];
+const QUICK: [u32; 6] = [2, 8, 13, 14, 17, 21];
 
 /// Every pair of row, precision, tier, packing and order; real f16 is of the desktop tier alone.
 pub fn row_tasks(quick: bool) -> Vec<Task> {
