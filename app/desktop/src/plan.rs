@@ -9,6 +9,7 @@ use serde_json::json;
 use crate::{
     cli::{OutputOptions, PlanOptions},
     failure::Failure,
+    fit,
     job::{self, Planned},
     table::{bytes, table},
 };
@@ -85,7 +86,11 @@ fn timestamps(plan: &Plan, no_timing: bool) -> Vec<(String, serde_json::Value)> 
 }
 
 fn print_tables(scene: &Scene, planned: &Planned, absent: &[Absent], no_timing: bool) {
-    say!("{}: {} particles\n", scene.name, planned.particles);
+    say!("{}: {} particles", scene.name, planned.particles);
+    if let Some(other) = fit::other_spacing(scene) {
+        say!("{other}");
+    }
+    say!();
     let mut list = table(&["recording", "pass", "variant", "shader", "runs"], &[4]);
     for pass in passes(&planned.plan) {
         list.add_row([pass.recording, pass.stage, pass.variant, pass.source, &pass.dispatches.to_string()]);

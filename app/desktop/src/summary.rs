@@ -8,6 +8,7 @@ use serde_json::{Map, Value};
 
 use crate::{
     commit::{COMMIT, VERSION},
+    fit,
     measured::{Counted, Measured, Spread, Worst},
     plan::simulation_bytes_per_particle,
     table::{bytes, ms, table},
@@ -19,6 +20,10 @@ use crate::{
 pub struct Summary {
     scene: String,
     particles: u32,
+    /// Of its particles, m.
+    spacing_m: f64,
+    #[serde(skip)]
+    other_spacing: Option<String>,
     steps: u64,
     simulated_s: f64,
     /// From the first step to the end of the last one, pictures included.
@@ -166,6 +171,8 @@ impl Summary {
         Self {
             scene: scene.name.clone(),
             particles: facts.particles,
+            spacing_m: scene.fitted_spacing_m(),
+            other_spacing: fit::other_spacing(scene),
             steps: facts.steps,
             simulated_s: facts.steps as f64 * scene.solver.dt_s,
             wall_s: facts.wall_s,
@@ -233,6 +240,9 @@ impl Summary {
             self.device.name,
             self.device.tier,
         );
+        if let Some(other) = &self.other_spacing {
+            say!("{other}");
+        }
         match &self.gpu_ms_per_step {
             Some(step) => say!(
                 "GPU time of a step: {:.3} ms (median), {:.3} ms (95 of 100); \

@@ -46,5 +46,6 @@ fn ten_thousand_steps_at_rest() {
         assert!(drift_m.abs() < 0.05 * 0.02, "the middle drifts by {drift_m} m along axis {axis}");
     }
     println!("case 20: compression {:?}", last.compression);
-    assert!(last.compression.p99 < 0.05, "{:?}", last.compression);
+    // 1.5 times what is measured.
+    assert!(last.compression.p99 < 0.025, "{:?}", last.compression);
 }
