@@ -70,8 +70,8 @@ static MEASURE_TOTALS: Module = Module {
     spirv: include_bytes!("../../spirv/measure_totals.spv"),
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
-    shared_bytes: 4612,
+    shared_bytes: 4616,
     tier: Tier::Floor,
     source: "measure/measure_totals.compute",
-    hash: "2b45752aef8ee53baa524cd89c8ace0524e46e7e341abce2f19bb426d4fcbe1f",
+    hash: "6b6eeffdff4bc2edf3327304110950370196ddd24c20926b4d3683c366457353",
 };
