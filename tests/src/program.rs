@@ -50,6 +50,12 @@ pub struct Workshop {
     folder: TempDir,
 }
 
+impl Default for Workshop {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
 impl Workshop {
     /// An empty folder but for `scene.toml`.
     pub fn new() -> Self {

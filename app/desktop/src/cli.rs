@@ -1,5 +1,7 @@
 //! The command line.
 
+#[cfg(not(all(feature = "window", feature = "bench", feature = "study", feature = "captures")))]
+use std::ffi::OsString;
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -53,7 +55,7 @@ pub enum Command {
     /// A command that this build leaves out, or none at all.
     #[cfg(not(all(feature = "window", feature = "bench", feature = "study", feature = "captures")))]
     #[command(external_subcommand)]
-    LeftOut(Vec<std::ffi::OsString>),
+    LeftOut(Vec<OsString>),
 }
 
 /// How much to simulate.

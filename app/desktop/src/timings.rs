@@ -135,6 +135,7 @@ impl Timings {
     }
 
     /// A stage's shortest frame after the warm-up, ms.
+    #[cfg(any(feature = "bench", test))]
     pub fn least_ms(&self, stage: &str) -> Option<f64> {
         let frames = self.stages.get(stage)?.iter();
         frames.filter(|(frame, ms)| *frame >= self.warm_up && *ms > 0.0).map(|(_, ms)| *ms).min_by(f64::total_cmp)
@@ -156,6 +157,7 @@ impl Timings {
     }
 
     /// How the times were taken.
+    #[cfg(feature = "bench")]
     pub fn status(&self) -> TimingStatus {
         self.status
     }
