@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 #[cfg(feature = "bench")]
-use crate::bench::BenchOptions;
+use crate::bench_options::BenchOptions;
 #[cfg(feature = "captures")]
 use crate::capture::CaptureCommand;
 use crate::shared_options::{DeviceOptions, SceneOptions, TierName, seconds, steps_from};

@@ -8,6 +8,8 @@ mod stdout;
 
 #[cfg(feature = "bench")]
 mod bench;
+#[cfg(feature = "bench")]
+mod bench_options;
 #[cfg(feature = "captures")]
 mod capture;
 mod cli;

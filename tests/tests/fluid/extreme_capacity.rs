@@ -42,6 +42,22 @@ fn drift(case: &mut Case) -> f64 {
     velocities.iter().sum::<DVec3>().length() / velocities.iter().map(|v| v.length()).sum::<f64>()
 }
 
+/// A support of 3 spacings holds 122 lattice points: 48 slots would lose half of them, of one in a pair or the other.
+#[test]
+fn a_wide_support_has_room_by_default() {
+    let dam = "spacing_m = 0.02\n[domain]\nmin_m = [0, 0, 0]\nmax_m = [0.4, 0.4, 0.16]\n\
+         [[fluid]]\nblock = { min_m = [0, 0, 0], max_m = [0.2, 0.24, 0.16] }\n\
+         [outputs]\nmeasure_every_steps = 1\n";
+    let overflow = |settings: &[&str]| {
+        let counters = Case::new(dam, settings).run(120).counters;
+        println!("{settings:?}: {counters:?}");
+        counters.neighbour_overflow
+    };
+    assert_eq!(overflow(&["solver.support_ratio=3"]), 0);
+    assert_eq!(overflow(&["solver.support_ratio=2.5"]), 0);
+    assert!(overflow(&["solver.support_ratio=3", "solver.neighbour_slots=48"]) > 0);
+}
+
 #[test]
 fn neighbours_beyond_the_slots_are_counted_and_the_drift_is_known() {
     let mut drifts = Vec::new();

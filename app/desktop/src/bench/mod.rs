@@ -2,7 +2,6 @@
 
 mod bandwidth;
 mod figures;
-mod options;
 mod pictures;
 mod plot;
 mod report;
@@ -21,10 +20,12 @@ use std::path::Path;
 
 use brooklet_gpu::Gpu;
 
-pub use options::BenchOptions;
-use options::BenchStudy;
-
-use crate::{failure::Failure, job, shared_options::DeviceOptions};
+use crate::{
+    bench_options::{BenchOptions, BenchStudy},
+    failure::Failure,
+    job,
+    shared_options::DeviceOptions,
+};
 
 /// Runs and prints the benchmark that is asked for.
 pub fn bench(options: &BenchOptions) -> Result<(), Failure> {

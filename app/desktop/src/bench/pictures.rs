@@ -5,8 +5,9 @@ use brooklet_gpu::{Gpu, Plan};
 use brooklet_render::frame::{DRAW, DRAW_INIT};
 use serde::Serialize;
 
-use super::{BenchOptions, stepping::Stepping, traffic::drawn_bytes};
+use super::{stepping::Stepping, traffic::drawn_bytes};
 use crate::{
+    bench_options::BenchOptions,
     failure::Failure,
     fit,
     interrupt::Interrupt,

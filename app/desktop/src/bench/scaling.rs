@@ -6,7 +6,7 @@ use brooklet_fluid::{INIT, MEASURE, STEP, Scene};
 use brooklet_gpu::{Engine, Gpu, ResourceId, tier_name};
 
 use super::{
-    BenchOptions, bandwidth, check_folder,
+    bandwidth, check_folder,
     figures::{LeftOut, Pass, Row, Scaling},
     open, plot, report,
     stepping::Stepping,
@@ -14,6 +14,7 @@ use super::{
     workload::{self, EDGES, LOADS, Load, Planned},
 };
 use crate::{
+    bench_options::BenchOptions,
     commit::COMMIT,
     failure::Failure,
     fit,

@@ -5,11 +5,12 @@ use brooklet_gpu::{TimingStatus, tier_name};
 use serde_json::json;
 
 use super::{
-    BenchOptions, open,
+    open,
     pictures::{self, picture_cost},
     stepping::Stepping,
 };
 use crate::{
+    bench_options::BenchOptions,
     commit::COMMIT,
     failure::Failure,
     fit,

@@ -15,8 +15,7 @@ use brooklet_viewer::{Settings, Target, Viewer};
 use egui::{Pos2, RawInput, Rect, vec2};
 use serde::Serialize;
 
-use super::options::WindowOptions;
-use crate::{failure::Failure, interrupt::Interrupt, job, progress, table::table};
+use crate::{bench_options::WindowOptions, failure::Failure, interrupt::Interrupt, job, progress, table::table};
 
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Bgra8Unorm;
 /// So little that no frame has more than one step: all frames do the same.

@@ -110,6 +110,16 @@ fn limits_are_within_what_is_allowed() {
     }
 }
 
+#[test]
+fn room_for_neighbours_follows_the_support_and_the_dimensions() {
+    let slots = |settings: &[&str]| load(SMALL, settings).unwrap().neighbour_slots();
+    assert_eq!(slots(&[]), 48);
+    assert_eq!(slots(&["solver.support_ratio=3"]), 164);
+    assert_eq!(slots(&["solver.support_ratio=1.5"]), 24);
+    assert_eq!(slots(&["domain.dimensions=2", "fluid.0.block.max_m.2=1", "solver.support_ratio=3"]), 44);
+    assert_eq!(slots(&["solver.support_ratio=3", "solver.neighbour_slots=50"]), 50);
+}
+
 /// A field that is added to a scene has to be added to the table as well.
 #[test]
 fn the_table_has_every_field() {

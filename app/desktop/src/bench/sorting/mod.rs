@@ -11,12 +11,11 @@ use brooklet_gpu::tier_name;
 use brooklet_kernels::{GridParams, Position};
 use serde_json::json;
 
-use super::options::SortingOptions;
 use super::{
     open,
     workload::{EDGES, LOADS, jittered},
 };
-use crate::{commit::COMMIT, failure::Failure, interrupt::Interrupt, table::table};
+use crate::{bench_options::SortingOptions, commit::COMMIT, failure::Failure, interrupt::Interrupt, table::table};
 use contest::{Outcome, Ring};
 use scan::Inner;
 

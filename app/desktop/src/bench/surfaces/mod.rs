@@ -14,8 +14,9 @@ use brooklet_render::{Camera, View};
 use glam::DVec3;
 use serde::Serialize;
 
-use super::{check_folder, open, options::SurfacesOptions};
+use super::{check_folder, open};
 use crate::{
+    bench_options::SurfacesOptions,
     commit::COMMIT,
     failure::Failure,
     interrupt::Interrupt,

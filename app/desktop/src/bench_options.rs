@@ -53,10 +53,12 @@ pub enum BenchStudy {
     /// Ways to smooth the surface in screen space: their errors against known bodies, and their cost
     Surfaces(SurfacesOptions),
     /// What the window's panels and its capture add to a frame, in pairs; opens no window
+    #[cfg(feature = "window")]
     Window(WindowOptions),
 }
 
 /// `brooklet bench window`.
+#[cfg(feature = "window")]
 #[derive(Clone, Debug, Args)]
 pub struct WindowOptions {
     /// A shipped scene's name, or the path of a scene file
