@@ -10,7 +10,7 @@ use serde_json::Value;
 const RUN: [&str; 10] = ["run", "scene.toml", "--steps", "8", "--images", "2", "--particles", "ply", "--out", "result"];
 
 /// Every key of `summary.json`, as scripts rely on it.
-const SUMMARY_KEYS: [&str; 26] = [
+const SUMMARY_KEYS: [&str; 27] = [
     "scene",
     "particles",
     "steps",
@@ -18,6 +18,7 @@ const SUMMARY_KEYS: [&str; 26] = [
     "wall_s",
     "interrupted",
     "solver",
+    "spacing_m",
     "gpu_ms_per_step",
     "passes",
     "timing",
@@ -58,7 +59,7 @@ fn a_run_writes_pictures_particles_capture_and_summary() {
 
     let summary = workshop.json("result/summary.json");
     assert_eq!(keys(&summary), BTreeSet::from(SUMMARY_KEYS));
-    assert_eq!(summary["scene"], "scene");
+    assert_eq!((&summary["scene"], summary["spacing_m"].as_f64()), (&"scene".into(), Some(0.05)));
     assert_eq!((summary["particles"].as_u64(), summary["steps"].as_u64()), (Some(64), Some(8)));
     let simulated_s = summary["simulated_s"].as_f64().unwrap();
     assert!((simulated_s - 8.0 * summary["solver"]["dt_s"].as_f64().unwrap()).abs() < 1e-12);
