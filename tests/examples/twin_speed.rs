@@ -1,6 +1,6 @@
 //! Prints how fast the f64 twin of the whole chain is: `cargo run -p brooklet-tests --example twin_speed`.
 
-use brooklet_fluid::{Scene, particles::emit};
+use brooklet_fluid::{Scene, particles::sample_lattice};
 use brooklet_tests::twin::twin;
 use std::time::Instant;
 
@@ -19,7 +19,7 @@ fn main() {
             Ok(scene) => scene,
             Err(error) => panic!("{error}"),
         };
-        let emitted = emit(&scene);
+        let emitted = sample_lattice(&scene);
         let mut fluid = twin(&scene, &emitted.positions, &emitted.velocities);
         let start = Instant::now();
         let steps = 20;

@@ -7,12 +7,13 @@ use crate::harness::{Bench, small};
 use brooklet_fluid::grid::NO_SEAM;
 use brooklet_gpu::Tier;
 use brooklet_kernels::{
-    Buffer, GridParams, KernelParams, LIST_CHUNK, ListHead, PbfParams, Position, PrecisionKeyword, StepParams, Velocity,
+    Buffer, GridParams, LIST_CHUNK, ListHead, PbfParams, Position, PrecisionKeyword, SmoothingKernelParams, StepParams,
+    Velocity,
 };
 use brooklet_reference::boundary::walls::{DomainWalls, WallScales};
 use brooklet_reference::grid::list_neighbours::{Neighbours, list_neighbours};
 use brooklet_reference::params::{Pbf, Smoothing, Step};
-use brooklet_reference::shared::place::Places;
+use brooklet_reference::shared::quantized_position::Quantization;
 use brooklet_reference::shared::{lattice, list};
 use glam::{BVec3, DVec3};
 use rand::{Rng, RngExt};
@@ -105,17 +106,18 @@ impl Case {
         self.velocities.iter().map(|v| vector(v.velocity_m_s)).collect()
     }
 
-    /// Places as the sort makes them.
-    pub fn places(&self, places: Places) -> Vec<[u32; 2]> {
+    /// Quantized positions as the sort makes them.
+    pub fn quantized_positions(&self, quantization: Quantization) -> Vec<[u32; 2]> {
         let inverse_support_per_m = kernel_params().inverse_support_per_m;
-        self.positions.iter().map(|p| places.place_of(p.position_m.map(|x| x * inverse_support_per_m))).collect()
+        self.positions.iter().map(|p| quantization.quantize(p.position_m.map(|x| x * inverse_support_per_m))).collect()
     }
 
-    /// Where those places are, m: the positions, rounded to steps.
-    pub fn placed_m(&self, places: Places) -> Vec<DVec3> {
+    /// Where those quantized positions are, m: the positions, rounded to steps.
+    pub fn quantized_m(&self, quantization: Quantization) -> Vec<DVec3> {
         let support_m = f64::from(kernel_params().support_m);
-        let near = |(place, position_m): (_, DVec3)| places.near(place, position_m / support_m) * support_m;
-        self.places(places).into_iter().zip(self.positions_m()).map(near).collect()
+        let near =
+            |(quantized, position_m): (_, DVec3)| quantization.near(quantized, position_m / support_m) * support_m;
+        self.quantized_positions(quantization).into_iter().zip(self.positions_m()).map(near).collect()
     }
 
     /// The neighbour lists as the GPU has them, and where each begins.
@@ -141,9 +143,9 @@ impl Case {
 }
 
 /// Scale of the smoothing kernel.
-pub fn kernel_params() -> KernelParams {
+pub fn kernel_params() -> SmoothingKernelParams {
     let walls = WallScales::new(3, SUPPORT_RATIO);
-    KernelParams {
+    SmoothingKernelParams {
         support_m: SUPPORT_M as f32,
         inverse_support_per_m: (1.0 / SUPPORT_M) as f32,
         weight: lattice::weight(3, SUPPORT_RATIO) as f32,
@@ -151,8 +153,8 @@ pub fn kernel_params() -> KernelParams {
         wall_edge: walls.edge as f32,
         wall_corner: walls.corner as f32,
         along_z: 1.0,
-        wall_share: brooklet_fluid::boundary::wall_share(3).map(|c| c as f32),
-        ..KernelParams::default()
+        wall_kernel_fraction: brooklet_fluid::boundary::wall_kernel_fraction(3).map(|c| c as f32),
+        ..SmoothingKernelParams::default()
     }
 }
 
@@ -203,7 +205,7 @@ pub fn step_of(params: &StepParams, walls: bool) -> Step {
 }
 
 /// The twin's smoothing kernel.
-pub fn smoothing_of(params: &KernelParams) -> Smoothing {
+pub fn smoothing_of(params: &SmoothingKernelParams) -> Smoothing {
     Smoothing::new(f64::from(params.support_m), f64::from(params.weight))
 }
 
@@ -243,7 +245,7 @@ impl Around {
 }
 
 /// The walls of a box whose kernel has these scales, for the twin.
-pub fn walls_of(kernel: &KernelParams, domain_size_m: DVec3) -> DomainWalls {
+pub fn walls_of(kernel: &SmoothingKernelParams, domain_size_m: DVec3) -> DomainWalls {
     let flat = kernel.along_z == 0.0;
     DomainWalls {
         dimensions: if flat { 2 } else { 3 },

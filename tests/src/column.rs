@@ -121,7 +121,7 @@ impl Setup {
         Settled { layers, bottom, unrest, law: column.bottom_compression(), sunk }
     }
 
-    /// Emitted x fastest, then y.
+    /// ParticleSet x fastest, then y.
     fn layer(&self, id: usize) -> usize {
         id / self.width as usize % self.layers as usize
     }
@@ -138,7 +138,8 @@ impl Setup {
     }
 
     fn layers_of(&self, scene: &Scene, state: &State) -> Vec<f64> {
-        let walls = walls_of(&brooklet_fluid::kernel::params(scene), DVec3::from_array(scene.domain.size_m()));
+        let walls =
+            walls_of(&brooklet_fluid::smoothing_kernel::params(scene), DVec3::from_array(scene.domain.size_m()));
         let smoothing = Smoothing::new(scene.support_m(), lattice::weight(3, scene.solver.support_ratio));
         let at_m = state.at_m();
         let lists = list_neighbours(&at_m, |_| false, smoothing.support_m);

@@ -48,7 +48,7 @@ impl Bench {
 
     /// A buffer of `len` zeros.
     pub fn output<T>(&mut self, label: &str, len: usize) -> Buffer<T> {
-        let mut buffer = self.resources.state(label, len.max(1) as u32);
+        let mut buffer = self.resources.persistent(label, len.max(1) as u32);
         // Without a command that touches it the plan would leave it out: no items, no dispatch.
         self.recording.clear(&mut buffer);
         buffer

@@ -41,7 +41,7 @@ pub struct Push {
 /// [`Push::write`] it moves nothing. A scene that nobody drags does without it, and then has neither its
 /// pass nor its buffer.
 pub fn record_push(resources: &mut Resources, recorded: &mut Recorded) -> Push {
-    let mut params = resources.state("push_params", 1);
+    let mut params = resources.persistent("push_params", 1);
     let particle_count = recorded.particle_count;
     let idle = PushParams { particle_count, ..PushParams::default() };
     recorded.recordings[0].upload(&mut params, &[idle]);

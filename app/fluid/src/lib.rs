@@ -7,12 +7,12 @@
 pub mod boundary;
 pub mod grid;
 pub mod interact;
-pub mod kernel;
 pub mod measure;
 mod parameters;
 pub mod particles;
 pub mod scene;
 mod simulation;
+pub mod smoothing_kernel;
 pub mod solver;
 mod stat_fields;
 pub mod state;

@@ -6,8 +6,8 @@ pub use sample_particles::{SAMPLE, Sample, record_sample};
 
 use brooklet_gpu::{Recording, Resources};
 use brooklet_kernels::{
-    Buffer, Counters, DensityRatios, DensityRatiosVariant, HISTOGRAM_BINS, Kernel, KernelParams, Measure,
-    MeasureParticles, MeasureParticlesVariant, MeasureSums, MeasureTotals, Position, StepParams, Velocity,
+    Buffer, Counters, DensityRatios, DensityRatiosVariant, HISTOGRAM_BINS, Kernel, Measure, MeasureParticles,
+    MeasureParticlesVariant, MeasureSums, MeasureTotals, Position, SmoothingKernelParams, StepParams, Velocity,
 };
 
 use crate::grid::Neighbours;
@@ -50,7 +50,7 @@ impl Measuring {
                 variant: MeasureParticlesVariant { walls: shared.walls, periodic: shared.periodic },
                 positions: positions.read(),
                 velocities: velocities.read(),
-                neighbours: neighbours.gaps.read(),
+                neighbours: neighbours.deltas.read(),
                 list_heads: neighbours.heads.read(),
                 group_measures: self.group_measures.write(),
                 histograms: self.histograms.write(),
@@ -77,7 +77,7 @@ impl Measuring {
 /// What every particle's density ratio is computed from.
 pub struct Densities {
     step: Buffer<StepParams>,
-    kernel: Buffer<KernelParams>,
+    kernel: Buffer<SmoothingKernelParams>,
     walls: bool,
     periodic: bool,
 }
@@ -108,7 +108,7 @@ impl Densities {
             &DensityRatios {
                 variant: DensityRatiosVariant { walls: self.walls, periodic: self.periodic },
                 positions: positions.read(),
-                neighbours: neighbours.gaps.read(),
+                neighbours: neighbours.deltas.read(),
                 list_heads: neighbours.heads.read(),
                 density_ratios: density_ratios.write(),
                 step_params: self.step.uniform(),

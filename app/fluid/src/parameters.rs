@@ -1,12 +1,12 @@
 //! The settings that a running simulation takes without a new plan.
 
 use brooklet_gpu::Engine;
-use brooklet_kernels::{Buffer, GridParams, KernelParams, PbfParams, StepParams};
+use brooklet_kernels::{Buffer, GridParams, PbfParams, SmoothingKernelParams, StepParams};
 
 use crate::scene::{Applied, Change, Scene};
 use crate::solver::pbf;
 use crate::step_params::step_params;
-use crate::{grid, kernel};
+use crate::{grid, smoothing_kernel};
 
 /// The uniform buffers of a recorded scene.
 pub struct Parameters {
@@ -14,7 +14,7 @@ pub struct Parameters {
     pub(crate) particle_count: u32,
     pub(crate) grid: Buffer<GridParams>,
     pub(crate) step: Buffer<StepParams>,
-    pub(crate) kernel: Buffer<KernelParams>,
+    pub(crate) kernel: Buffer<SmoothingKernelParams>,
     pub(crate) pbf: Buffer<PbfParams>,
 }
 
@@ -31,7 +31,7 @@ impl Parameters {
         }
         engine.write(&self.grid, &[grid::params(scene, self.particle_count)]);
         engine.write(&self.step, &[step_params(scene, self.particle_count)]);
-        engine.write(&self.kernel, &[kernel::params(scene)]);
+        engine.write(&self.kernel, &[smoothing_kernel::params(scene)]);
         engine.write(&self.pbf, &[pbf::params(scene)]);
         Ok(())
     }

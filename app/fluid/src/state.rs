@@ -13,7 +13,7 @@ use brooklet_kernels::{FLUID_SHIFT, Position, QUARANTINED, Velocity};
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-use crate::particles::{Emitted, MAX_PARTICLES};
+use crate::particles::{MAX_PARTICLES, ParticleSet};
 use crate::scene::{Scene, SceneError};
 
 /// The format's version; a file of another one is not read.
@@ -39,7 +39,7 @@ pub struct State {
     /// Steps done.
     pub steps: u64,
     /// The particles, in any order.
-    pub particles: Emitted,
+    pub particles: ParticleSet,
 }
 
 /// Why a state cannot be saved or read.
@@ -205,7 +205,7 @@ impl State {
         let mut scene = Scene::from_toml(&header.scene, &header.name, &[])
             .map_err(|error| StateError::Scene { path: path.to_owned(), error: Box::new(error) })?;
         scene.name = header.name;
-        let particles = Emitted {
+        let particles = ParticleSet {
             positions: content[particles_at..velocities_at].chunks_exact(16).map(position).collect(),
             velocities: content[velocities_at..].chunks_exact(12).map(velocity).collect(),
         };
@@ -215,7 +215,7 @@ impl State {
 }
 
 /// Finite numbers, and each id once and below the number of particles: sorts and samples count on it.
-fn check(particles: &Emitted) -> Result<(), String> {
+fn check(particles: &ParticleSet) -> Result<(), String> {
     let mut seen = vec![false; particles.positions.len()];
     for (index, (position, velocity)) in particles.positions.iter().zip(&particles.velocities).enumerate() {
         for (what, value) in [("position", position.position_m), ("velocity", velocity.velocity_m_s)] {

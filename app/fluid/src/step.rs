@@ -4,11 +4,11 @@ use brooklet_gpu::{Engine, GpuError, Recording, Resources};
 use brooklet_kernels::{Buffer, Measure, Position, PrecisionKeyword, Predict, PredictVariant, Velocity};
 
 use crate::grid::{self, Grid, Neighbours, Sorted};
-use crate::kernel;
 use crate::measure::{Densities, Measuring};
 use crate::parameters::Parameters;
-use crate::particles::{Emitted, emit};
+use crate::particles::{ParticleSet, sample_lattice};
 use crate::scene::{Precision, Scene};
+use crate::smoothing_kernel;
 use crate::solver::pbf::{self, Pbf, Shared};
 use crate::step_params::step_params;
 
@@ -46,18 +46,18 @@ impl Recorded {
     ///
     /// # Errors
     /// If the device is lost.
-    pub fn particles(&self, engine: &mut Engine) -> Result<Emitted, GpuError> {
-        Ok(Emitted { positions: engine.read(&self.positions)?, velocities: engine.read(&self.velocities)? })
+    pub fn particles(&self, engine: &mut Engine) -> Result<ParticleSet, GpuError> {
+        Ok(ParticleSet { positions: engine.read(&self.positions)?, velocities: engine.read(&self.velocities)? })
     }
 }
 
 /// Declares the scene's buffers in `resources` and records its chain.
 pub fn record(resources: &mut Resources, scene: &Scene) -> Recorded {
-    record_particles(resources, scene, emit(scene))
+    record_particles(resources, scene, sample_lattice(scene))
 }
 
 /// As [`record`], with particles of the caller's instead of the scene's fluids.
-pub fn record_particles(resources: &mut Resources, scene: &Scene, emitted: Emitted) -> Recorded {
+pub fn record_particles(resources: &mut Resources, scene: &Scene, emitted: ParticleSet) -> Recorded {
     let mut recorded = record_count(resources, scene, emitted.positions.len() as u32);
     let init = &mut recorded.recordings[0];
     init.upload(&mut recorded.positions, &emitted.positions);
@@ -70,15 +70,15 @@ pub fn record_particles(resources: &mut Resources, scene: &Scene, emitted: Emitt
 /// `Engine::write` puts them elsewhere.
 pub fn record_count(resources: &mut Resources, scene: &Scene, particle_count: u32) -> Recorded {
     let grid_params = grid::params(scene, particle_count);
-    let mut positions = resources.state("positions", particle_count);
-    let mut velocities = resources.state("velocities", particle_count);
+    let mut positions = resources.persistent("positions", particle_count);
+    let mut velocities = resources.persistent("velocities", particle_count);
     let mut grid = Grid::declare(resources, scene, &grid_params);
     let mut neighbours = Neighbours::declare(resources, &grid_params);
     let mut sorted = Sorted::declare(resources, scene, particle_count);
     let mut pbf = Pbf::declare(resources, scene, particle_count);
     let mut shared = Shared {
-        step: resources.state("step_params", 1),
-        kernel: resources.state("kernel_params", 1),
+        step: resources.persistent("step_params", 1),
+        kernel: resources.persistent("smoothing_kernel_params", 1),
         walls: scene.domain.has_walls(),
         periodic: scene.domain.is_periodic(),
         precision: match scene.solver.precision {
@@ -86,13 +86,13 @@ pub fn record_count(resources: &mut Resources, scene: &Scene, particle_count: u3
             Precision::Relaxed => PrecisionKeyword::RelaxedPrecision,
             Precision::Half => PrecisionKeyword::HalfPrecision,
         },
-        counters: resources.state("counters", 1),
+        counters: resources.persistent("counters", 1),
     };
 
     let mut init = Recording::new(INIT);
     init.upload(&mut grid.params, &[grid_params]);
     init.upload(&mut shared.step, &[step_params(scene, particle_count)]);
-    init.upload(&mut shared.kernel, &[kernel::params(scene)]);
+    init.upload(&mut shared.kernel, &[smoothing_kernel::params(scene)]);
     init.upload(&mut pbf.params, &[pbf::params(scene)]);
     init.clear(&mut shared.counters);
     init.clear(&mut neighbours.heads);

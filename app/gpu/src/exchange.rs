@@ -46,8 +46,8 @@ mod tests {
     #[test]
     fn modules_are_exchanged_and_one_that_binds_otherwise_is_refused() {
         let mut resources = Resources::new();
-        let values = resources.state::<u32>("values", 4);
-        let mut sums = resources.state::<u32>("group_sums", 1);
+        let values = resources.persistent::<u32>("values", 4);
+        let mut sums = resources.persistent::<u32>("group_sums", 1);
         let mut recording = Recording::new("sum");
         let kernel = ReduceGroups { values: values.read(), group_sums: sums.write() };
         let module = kernel.module();

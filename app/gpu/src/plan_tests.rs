@@ -109,7 +109,7 @@ struct Step {
 
 fn step() -> Step {
     let mut resources = Resources::new();
-    let mut positions = resources.state("positions", 1000);
+    let mut positions = resources.persistent("positions", 1000);
     let mut counts = resources.buffer("counts", 10);
     let mut curl = resources.buffer("curl", 1000);
     let mut recording = Recording::new("step");
@@ -165,7 +165,7 @@ fn wanting_it_brings_it_back() {
 fn a_full_overwrite_ends_the_want_and_a_partial_one_does_not() {
     let run = |data: &[u32]| {
         let mut resources = Resources::new();
-        let source = resources.state("source", 4);
+        let source = resources.persistent("source", 4);
         let mut target = resources.buffer("target", 4);
         let mut recording = Recording::new("run");
         recording.dispatch(&Density { source: source.read(), target: target.write() }, 4);
@@ -180,7 +180,7 @@ fn a_full_overwrite_ends_the_want_and_a_partial_one_does_not() {
 #[test]
 fn a_copy_moves_the_want_to_its_source() {
     let mut resources = Resources::new();
-    let state = resources.state("state", 4);
+    let state = resources.persistent("state", 4);
     let mut first = resources.buffer("first", 4);
     let mut second = resources.buffer("second", 4);
     let mut recording = Recording::new("run");
@@ -210,7 +210,7 @@ fn an_empty_recording_still_has_its_name() {
 #[test]
 fn iterations_are_counted_and_kept_together() {
     let mut resources = Resources::new();
-    let mut positions = resources.state("positions", 100_000_000);
+    let mut positions = resources.persistent("positions", 100_000_000);
     let mut counts = resources.buffer("counts", 1);
     let mut recording = Recording::new("step");
     for _ in 0..3 {
@@ -230,7 +230,7 @@ fn iterations_are_counted_and_kept_together() {
 fn draws_pull_in_what_they_read_and_clear_ends_the_want() {
     let mut resources = Resources::new();
     let mut dots = resources.buffer("dots", 4);
-    let source = resources.state("source", 4);
+    let source = resources.persistent("source", 4);
     let picture = resources.texture("picture", Format::Rgba8Unorm, [2, 2]);
     let mut recording = Recording::new("frame");
     let cleared = |picture| Targets { color: vec![(picture, Load::Clear([0.0; 4]))], depth: None };
@@ -252,7 +252,7 @@ fn refused(resources: Resources, recordings: Vec<Recording>, wanted: &[ResourceI
 fn reading_a_transient_before_writing_it_is_refused() {
     let mut resources = Resources::new();
     let table = resources.buffer("table", 4);
-    let mut state = resources.state("state", 4);
+    let mut state = resources.persistent("state", 4);
     let mut init = Recording::new("init");
     let mut filled = Buffer::<u32>::new(table.id, 4);
     init.upload(&mut filled, &[1, 2, 3, 4]);
@@ -266,9 +266,9 @@ fn reading_a_transient_before_writing_it_is_refused() {
 #[test]
 fn mistakes_of_the_recorder_are_refused_by_name() {
     let mut resources = Resources::new();
-    let mut four = resources.state::<u32>("four", 4);
-    let eight = resources.state::<u32>("eight", 8);
-    let small = resources.state::<u32>("small", 1);
+    let mut four = resources.persistent::<u32>("four", 4);
+    let eight = resources.persistent::<u32>("eight", 8);
+    let small = resources.persistent::<u32>("small", 1);
 
     let mut long = Recording::new("long");
     long.upload(&mut four, &[0; 5]);

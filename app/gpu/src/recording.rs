@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 /// Groups beyond this many go to a second row: shaders linearise a group as
 /// `group.y * GROUP_ROW + group.x`. Every device allows 65,535 groups a dimension.
-pub const GROUP_ROW: u32 = brooklet_kernels::GROUPS_A_ROW;
+pub const GROUP_ROW: u32 = brooklet_kernels::GROUPS_PER_ROW;
 
 /// How many groups a dispatch runs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

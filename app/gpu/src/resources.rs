@@ -91,7 +91,7 @@ impl Resources {
 
     /// Declares a buffer that lasts: it is zero at the start, keeps what recordings and
     /// `Engine::write` put there, and commands that write it are never left out.
-    pub fn state<T>(&mut self, label: &str, len: u32) -> Buffer<T> {
+    pub fn persistent<T>(&mut self, label: &str, len: u32) -> Buffer<T> {
         Buffer::new(self.declare(label, buffer_shape::<T>(len), true), len)
     }
 
@@ -133,7 +133,7 @@ mod tests {
     fn sizes_are_those_of_the_content() {
         let mut table = Resources::new();
         let empty = table.buffer::<u32>("empty", 0);
-        let vectors = table.state::<[f32; 4]>("vectors", 1000);
+        let vectors = table.persistent::<[f32; 4]>("vectors", 1000);
         let picture = table.texture("picture", Format::Rgba16Float, [3, 5]);
         assert_eq!(table.bytes(empty.id), 0);
         assert_eq!(table.bytes(vectors.id), 16_000);

@@ -64,7 +64,7 @@ impl Grid {
     }
 }
 
-/// The smoothing kernel's scale (see `KernelParams`), and the distances that it is a function of.
+/// The smoothing kernel's scale (see `SmoothingKernelParams`), and the distances that it is a function of.
 #[derive(Clone, Copy, Debug)]
 pub struct Smoothing {
     /// Support radius, m.

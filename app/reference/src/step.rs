@@ -52,8 +52,8 @@ impl Fluid {
                 particle.position_m = self.step.wrapped(positions_m[i]);
             }
         }
-        self.swirl(&neighbours);
-        self.smooth(&neighbours);
+        self.confine_vorticity(&neighbours);
+        self.xsph(&neighbours);
     }
 
     /// The neighbour lists of the present positions.
@@ -97,7 +97,7 @@ impl Fluid {
         })
     }
 
-    fn swirl(&mut self, neighbours: &Neighbours) {
+    fn confine_vorticity(&mut self, neighbours: &Neighbours) {
         if self.pbf.vorticity == 0.0 {
             return;
         }
@@ -120,7 +120,7 @@ impl Fluid {
         }
     }
 
-    fn smooth(&mut self, neighbours: &Neighbours) {
+    fn xsph(&mut self, neighbours: &Neighbours) {
         if self.pbf.xsph == 0.0 {
             return;
         }

@@ -1,6 +1,6 @@
 //! A case made ready: the scene, its particles, and when to look.
 
-use brooklet_fluid::particles::{Emitted, emit};
+use brooklet_fluid::particles::{ParticleSet, sample_lattice};
 use brooklet_fluid::{Scene, SceneError};
 use brooklet_kernels::{Position, Velocity};
 use glam::DVec3;
@@ -16,7 +16,7 @@ pub struct Setup {
     /// Settings and domain.
     pub scene: Scene,
     /// The particles at the start, relative to the domain's lowest corner.
-    pub emitted: Emitted,
+    pub particles: ParticleSet,
     /// Times of the samples in rising order, s; the last ends the run.
     pub sample_times_s: Vec<f64>,
 }
@@ -29,9 +29,9 @@ impl Setup {
     /// If the scene does not allow a setting.
     pub fn new(name: &str, text: &str, settings: &[String], end_s: f64, samples: u32) -> Made {
         let scene = Scene::from_toml(text, name, settings).map_err(Box::new)?;
-        let emitted = emit(&scene);
+        let particles = sample_lattice(&scene);
         let sample_times_s = (1..=samples).map(|k| end_s * f64::from(k) / f64::from(samples)).collect();
-        Ok(Self { scene, emitted, sample_times_s })
+        Ok(Self { scene, particles, sample_times_s })
     }
 
     /// When it ends, s.
@@ -56,15 +56,15 @@ impl Setup {
     pub fn start(&self) -> Sample {
         Sample {
             time_s: 0.0,
-            positions_m: self.emitted.positions.iter().map(position_m).collect(),
-            velocities_m_s: self.emitted.velocities.iter().map(velocity_m_s).collect(),
+            positions_m: self.particles.positions.iter().map(position_m).collect(),
+            velocities_m_s: self.particles.velocities.iter().map(velocity_m_s).collect(),
             unsound: 0,
         }
     }
 
     /// Changes each particle: position (relative to the domain's lowest corner) and velocity.
     pub fn place(&mut self, mut change: impl FnMut(&mut DVec3, &mut DVec3)) {
-        for (position, velocity) in self.emitted.positions.iter_mut().zip(&mut self.emitted.velocities) {
+        for (position, velocity) in self.particles.positions.iter_mut().zip(&mut self.particles.velocities) {
             let (mut at, mut v) = (position_m(position), velocity_m_s(velocity));
             change(&mut at, &mut v);
             position.position_m = at.as_vec3().to_array();
@@ -74,7 +74,7 @@ impl Setup {
 
     /// Number of particles.
     pub fn count(&self) -> usize {
-        self.emitted.positions.len()
+        self.particles.positions.len()
     }
 
     /// Particle iterations of the whole run: what it costs.

@@ -6,7 +6,7 @@
 //! run; what is chosen was measured, and is run once more.
 
 use brooklet_fluid::Scene;
-use brooklet_fluid::particles::emit;
+use brooklet_fluid::particles::sample_lattice;
 use brooklet_gpu::Gpu;
 use thiserror::Error;
 
@@ -203,13 +203,13 @@ fn try_one(
     stop: &dyn Fn() -> bool,
 ) -> Result<Tried, TuneError> {
     let scene = candidate.apply(scene);
-    let emitted = emit(&scene);
-    if emitted.positions.is_empty() {
+    let particles = sample_lattice(&scene);
+    if particles.positions.is_empty() {
         return Err(TuneError::Nothing(format!("{}: the scene has no particles to tune for", scene.name)));
     }
     let dt_s = scene.solver.dt_s;
     let sample_times_s = (1..=MOMENTS).map(|k| seconds * f64::from(k) / f64::from(MOMENTS)).collect();
-    let setup = Setup { scene, emitted, sample_times_s };
+    let setup = Setup { scene, particles, sample_times_s };
     let options = Options { stop, ..Options::default() };
     let run = run(gpu, &setup, &options)?;
     if run.stopped {

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use brooklet_capture::StateRow;
-use brooklet_fluid::particles::Emitted;
+use brooklet_fluid::particles::ParticleSet;
 use brooklet_fluid::state::{self, State};
 use brooklet_fluid::{Scene, SceneError};
 use brooklet_gpu::tier_name;
@@ -115,7 +115,7 @@ impl Viewer {
             match world.read_particles() {
                 Ok((positions, velocities)) => Start::Resampled {
                     from: Box::new(world.simulated.clone()),
-                    particles: Emitted { positions, velocities },
+                    particles: ParticleSet { positions, velocities },
                     steps: world.steps,
                     simulated_s: world.simulated_s,
                 },
@@ -198,7 +198,7 @@ impl Viewer {
             scene: world.simulated.clone(),
             time_s: world.simulated_s,
             steps: world.steps,
-            particles: Emitted { positions, velocities },
+            particles: ParticleSet { positions, velocities },
         };
         self.running.jobs.begin(&mut self.messages, move || {
             let folder = path.parent().unwrap_or(&path);
@@ -216,7 +216,7 @@ impl Viewer {
             scene: world.scene.clone(),
             time_s: world.simulated_s,
             steps: world.steps,
-            particles: Emitted { positions, velocities },
+            particles: ParticleSet { positions, velocities },
         })
     }
 

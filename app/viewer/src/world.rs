@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use brooklet_fluid::interact::{Drag, PUSH, Push, record_push};
 use brooklet_fluid::measure::{SAMPLE, Sample, record_sample};
-use brooklet_fluid::particles::{Emitted, emit, resample};
+use brooklet_fluid::particles::{ParticleSet, resample, sample_lattice};
 use brooklet_fluid::{INIT, MEASURE, Recorded, STEP, Scene, record_count};
 use brooklet_gpu::{Command, Engine, Gpu, Plan, ResourceId, Resources};
 use brooklet_kernels::{Position, Velocity};
@@ -47,7 +47,7 @@ pub enum Start {
         /// The scene they are of.
         from: Box<Scene>,
         /// Relative to the domain's lowest corner.
-        particles: Emitted,
+        particles: ParticleSet,
         /// Steps done.
         steps: u64,
         /// Simulated time, s.
@@ -56,7 +56,7 @@ pub enum Start {
     /// These, after so many steps and so much simulated time.
     Particles {
         /// Relative to the domain's lowest corner.
-        particles: Emitted,
+        particles: ParticleSet,
         /// Steps done.
         steps: u64,
         /// Simulated time, s.
@@ -118,7 +118,7 @@ impl World {
         progress(0, 0, "filling the scene with particles");
         let (emitted, particles, steps, simulated_s) = match order.start {
             Start::Scene => {
-                let emitted = emit(&simulated);
+                let emitted = sample_lattice(&simulated);
                 let count = emitted.positions.len() as u32;
                 (Some(emitted), count, 0, 0.0)
             }

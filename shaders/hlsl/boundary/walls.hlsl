@@ -15,22 +15,22 @@
 #include "../shared/layout.hlsl"
 
 // Along each axis, what of the kernel lies beyond the two walls.
-struct WallShares
+struct WallKernelFractions
 {
     float3 share;
     float3 slope;   // of the share over the position, 1/h
 };
 
-WallShares WallSharesAt(float3 position_m, StepParams step, KernelParams kernel)
+WallKernelFractions WallKernelFractionsAt(float3 position_m, StepParams step, SmoothingKernelParams kernel)
 {
     // How far the kernel reaches into each wall, in h.
     float3 low = saturate(1.0 - (position_m - step.wall_min_m) * kernel.inverse_support_per_m);
     float3 high = saturate(1.0 - (step.wall_max_m - position_m) * kernel.inverse_support_per_m);
-    float4 of = kernel.wall_share;
+    float4 of = kernel.wall_kernel_fraction;
     float4 by = of * float4(5.0, 6.0, 7.0, 8.0);
     float3 low4 = low * low * (low * low);
     float3 high4 = high * high * (high * high);
-    WallShares walls;
+    WallKernelFractions walls;
     walls.share = low4 * low * (of.x + low * (of.y + low * (of.z + low * of.w)))
                 + high4 * high * (of.x + high * (of.y + high * (of.z + high * of.w)));
     walls.slope = high4 * (by.x + high * (by.y + high * (by.z + high * by.w)))
@@ -45,7 +45,7 @@ float3 InsideWalls(float3 position_m, StepParams step)
 }
 
 // The density ratio that the walls add.
-float WallDensity(WallShares walls, KernelParams kernel)
+float WallDensity(WallKernelFractions walls, SmoothingKernelParams kernel)
 {
     float3 share = walls.share;
     return kernel.wall_plane * (share.x + share.y + share.z)
@@ -54,7 +54,7 @@ float WallDensity(WallShares walls, KernelParams kernel)
 }
 
 // Its gradient, 1/h.
-float3 WallGradient(WallShares walls, KernelParams kernel)
+float3 WallGradient(WallKernelFractions walls, SmoothingKernelParams kernel)
 {
     float3 share = walls.share;
     return walls.slope * (kernel.wall_plane - kernel.wall_edge * (share.yzx + share.zxy)
@@ -66,7 +66,7 @@ float3 WallGradient(WallShares walls, KernelParams kernel)
 // proportion to the kernel that lies there: the integral of -y dW/dy beyond the wall is that of W.
 // Without it the layer at a wall feels too little of the pressure's slope along the wall, sinks,
 // and stirs water that should rest.
-float3 AlongWalls(WallShares walls, KernelParams kernel)
+float3 AlongWalls(WallKernelFractions walls, SmoothingKernelParams kernel)
 {
     float3 left = 1.0 - min(kernel.wall_plane * walls.share, 0.5);
     return 1.0 / (left.yzx * left.zxy);

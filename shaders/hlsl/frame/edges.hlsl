@@ -9,7 +9,7 @@
 
 #if defined(BEHIND_WATER) || defined(BEFORE_WATER)
 #define WATER
-Texture2D<float> nearness;
+Texture2D<float> inverse_depth;
 #endif
 ConstantBuffer<FrameView> view;
 ConstantBuffer<FrameStyle> style;
@@ -71,7 +71,7 @@ Varyings EdgesVertex(uint vertex : SV_VertexID, uint edge : SV_InstanceID)
 float4 EdgesFragment(Varyings input) : SV_Target0
 {
 #if defined(WATER)
-    float water = nearness.Load(int3(int2(input.position.xy), 0));
+    float water = inverse_depth.Load(int3(int2(input.position.xy), 0));
     // Reversed depth is near / distance. Edges lie in the glass: a hair in favour of being seen.
     bool before = water > 0.0 && input.position.z >= 0.998 * view.near_m * water;
 #if defined(BEFORE_WATER)

@@ -9,7 +9,7 @@ struct Rows
     float reach_squared_m2;
 };
 
-Rows RowsNear(float3 here_m)
+Rows RowsNear(float3 x_i_m)
 {
     // The search reaches a hair beyond h, so that rounding of a cell's edge loses nobody; the
     // distance itself decides.
@@ -23,8 +23,8 @@ Rows RowsNear(float3 here_m)
     last_cell += around;
 #endif
     Rows rows;
-    rows.low = clamp(int3(floor((here_m - reach_m) * grid.inverse_cell_size_per_m)), first_cell, last_cell);
-    rows.high = clamp(int3(floor((here_m + reach_m) * grid.inverse_cell_size_per_m)), first_cell, last_cell);
+    rows.low = clamp(int3(floor((x_i_m - reach_m) * grid.inverse_cell_size_per_m)), first_cell, last_cell);
+    rows.high = clamp(int3(floor((x_i_m + reach_m) * grid.inverse_cell_size_per_m)), first_cell, last_cell);
     rows.reach_squared_m2 = reach_m * reach_m;
     return rows;
 }
@@ -38,15 +38,15 @@ float DistanceToCell(float x_m, int cell)
 
 // First and last cell of the row at y, dz_m away along z, that the support sphere's chord crosses;
 // the first behind the last where it misses the row.
-int2 EndsOfRow(float3 here_m, Rows rows, float dz_m, int y)
+int2 EndsOfRow(float3 x_i_m, Rows rows, float dz_m, int y)
 {
-    float dy_m = DistanceToCell(here_m.y, y);
+    float dy_m = DistanceToCell(x_i_m.y, y);
     float chord_squared_m2 = rows.reach_squared_m2 - dz_m * dz_m - dy_m * dy_m;
     if (chord_squared_m2 <= 0.0)
         return int2(1, 0);
     float chord_m = sqrt(chord_squared_m2);
-    return int2(max(int(floor((here_m.x - chord_m) * grid.inverse_cell_size_per_m)), rows.low.x),
-                min(int(floor((here_m.x + chord_m) * grid.inverse_cell_size_per_m)), rows.high.x));
+    return int2(max(int(floor((x_i_m.x - chord_m) * grid.inverse_cell_size_per_m)), rows.low.x),
+                min(int(floor((x_i_m.x + chord_m) * grid.inverse_cell_size_per_m)), rows.high.x));
 }
 
 #endif

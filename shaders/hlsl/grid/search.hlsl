@@ -1,25 +1,25 @@
 // Finds the particles within h of one, for the kernels that say what a sorted place holds and how a
 // list is written: they define `Found`, CandidateAt, BeginRow, Add and Crowd before they include this.
-// Rows of cells along x are cut to the chord of the support sphere and are one range of sorted
-// places each, so about half as many candidates are looked at as in the 27 cells of width h of the
+// Rows of cells along x are cut to the chord of the support sphere and are one range of
+// sorted indices each, so about half as many candidates are looked at as in the 27 cells of width h of the
 // mobile deck.
 #ifndef BROOKLET_SEARCH
 #define BROOKLET_SEARCH
 
 #include "rows.hlsl"
 
-// Visits everything near particle i, which is at here_m, in some cell, in sorted order.
-void Search(uint i, float3 here_m, inout Found found)
+// Visits everything near particle i, which is at x_i_m, in some cell, in sorted order.
+void Search(uint i, float3 x_i_m, inout Found found)
 {
-    Rows rows = RowsNear(here_m);
-    uint3 here = Coordinates(places[i]);
-    uint left = MOST_CANDIDATES;
+    Rows rows = RowsNear(x_i_m);
+    uint3 x_i = UnpackCoordinates(quantized_positions[i]);
+    uint left = MAX_CANDIDATES;
     for (int z = rows.low.z; z <= rows.high.z; ++z)
     {
-        float dz_m = DistanceToCell(here_m.z, z);
+        float dz_m = DistanceToCell(x_i_m.z, z);
         for (int y = rows.low.y; y <= rows.high.y; ++y)
         {
-            int2 ends = EndsOfRow(here_m, rows, dz_m, y);
+            int2 ends = EndsOfRow(x_i_m, rows, dz_m, y);
             if (ends.x > ends.y)
                 continue;
             uint row = (uint(z) * grid.cells.y + uint(y)) * grid.cells.x;
@@ -35,8 +35,8 @@ void Search(uint i, float3 here_m, inout Found found)
             for (uint sorted = start; sorted < end; ++sorted)
             {
                 uint j = CandidateAt(sorted);
-                float3 apart = Apart(here, Coordinates(places[j]));
-                Add(found, sorted, j, dot(apart, apart) < 1.0 && j != i);
+                float3 offset = Offset(x_i, UnpackCoordinates(quantized_positions[j]));
+                Add(found, sorted, j, dot(offset, offset) < 1.0 && j != i);
             }
         }
     }

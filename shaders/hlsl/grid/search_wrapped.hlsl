@@ -48,30 +48,30 @@ int Turning(int n, int low, int high, uint cells, uint seam)
 }
 
 // Whether a particle is near indeed, and not some grids away.
-bool IsNear(float3 here_m, float3 there_m)
+bool IsNear(float3 x_i_m, float3 x_j_m)
 {
-    float3 apart_m = abs(there_m - here_m);
+    float3 offset_m = abs(x_j_m - x_i_m);
 #if defined(PERIODIC)
-    apart_m = min(apart_m, abs(float3(grid.seam_cells) * grid.cell_size_m - apart_m));
+    offset_m = min(offset_m, abs(float3(grid.seam_cells) * grid.cell_size_m - offset_m));
 #endif
-    return all(apart_m < 2.0 * grid.support_m);
+    return all(offset_m < 2.0 * grid.support_m);
 }
 
-void Search(uint i, float3 here_m, inout Found found)
+void Search(uint i, float3 x_i_m, inout Found found)
 {
-    Rows rows = RowsNear(here_m);
-    uint3 here = Coordinates(places[i]);
-    uint left = MOST_CANDIDATES;
+    Rows rows = RowsNear(x_i_m);
+    uint3 x_i = UnpackCoordinates(quantized_positions[i]);
+    uint left = MAX_CANDIDATES;
     int2 counts = rows.high.yz - rows.low.yz + 1;
     for (int nz = 0; nz < counts.y; ++nz)
     {
         int z = Turning(nz, rows.low.z, rows.high.z, grid.cells.z, grid.seam_cells.z);
-        float dz_m = DistanceToCell(here_m.z, z);
+        float dz_m = DistanceToCell(x_i_m.z, z);
         uint plane = Onto(z, grid.cells.z, grid.seam_cells.z) * grid.cells.y;
         for (int ny = 0; ny < counts.x; ++ny)
         {
             int y = Turning(ny, rows.low.y, rows.high.y, grid.cells.y, grid.seam_cells.y);
-            int2 ends = EndsOfRow(here_m, rows, dz_m, y);
+            int2 ends = EndsOfRow(x_i_m, rows, dz_m, y);
             uint row = (plane + Onto(y, grid.cells.y, grid.seam_cells.y)) * grid.cells.x;
             int turned = min(FirstTurned(ends.x, grid.cells.x, grid.seam_cells.x), ends.y + 1);
             for (int part = 0; part < 2; ++part)
@@ -91,11 +91,11 @@ void Search(uint i, float3 here_m, inout Found found)
                 BeginRow(found, start);
                 for (uint sorted = start; sorted < end; ++sorted)
                 {
-                    float3 apart = Apart(here, Coordinates(places[sorted]));
-                    bool near = dot(apart, apart) < 1.0 && sorted != i;
+                    float3 offset = Offset(x_i, UnpackCoordinates(quantized_positions[sorted]));
+                    bool near = dot(offset, offset) < 1.0 && sorted != i;
 #if defined(WRAPPED)
                     if (near)
-                        near = IsNear(here_m, sorted_positions[sorted].position_m);
+                        near = IsNear(x_i_m, sorted_positions[sorted].position_m);
 #endif
                     Add(found, sorted, sorted, near);
                 }

@@ -4,31 +4,31 @@
 #ifndef BROOKLET_DENSITY
 #define BROOKLET_DENSITY
 
-float DensityRatio(uint i, float3 here_m)
+float DensityRatio(uint i, float3 x_i_m)
 {
     ListHead list = list_heads[i];
-    uint chunks = ChunksOf(list);
+    uint chunks = ChunkCount(list);
     uint last = list.first - 1;
     uint at = FirstChunk(i, step_params.list_chunks);
     float density = 1.0; // W(0) of itself
     for (uint chunk = 0; chunk < chunks; ++chunk, at += LIST_SLICE)
     {
-        uint4 gaps = GapsOf(neighbours[at]);
+        uint4 deltas = UnpackDeltas(neighbours[at]);
         [unroll]
         for (uint k = 0; k < LIST_CHUNK; ++k)
         {
-            uint j = Follow(last, gaps[k], i);
-            float3 apart_m = here_m - positions[j].position_m;
+            uint j = NextNeighbour(last, deltas[k], i);
+            float3 offset_m = x_i_m - positions[j].position_m;
 #if defined(PERIODIC)
-            apart_m = NearestImage(apart_m, step_params);
+            offset_m = NearestImage(offset_m, step_params);
 #endif
-            float q = length(apart_m) * kernel.inverse_support_per_m;
-            density += gaps[k] == LIST_NOBODY ? 0.0 : WendlandW(q);
+            float q = length(offset_m) * kernel.inverse_support_per_m;
+            density += deltas[k] == LIST_ESCAPE ? 0.0 : WendlandW(q);
         }
     }
     density *= kernel.weight;
 #if defined(WALLS)
-    density += WallDensity(WallSharesAt(here_m, step_params, kernel), kernel);
+    density += WallDensity(WallKernelFractionsAt(x_i_m, step_params, kernel), kernel);
 #endif
     return density;
 }

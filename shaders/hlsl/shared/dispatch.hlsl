@@ -9,7 +9,7 @@
 
 uint LinearGroup(uint3 group)
 {
-    return group.y * GROUPS_A_ROW + group.x;
+    return group.y * GROUPS_PER_ROW + group.x;
 }
 
 uint LinearIndex(uint3 group, uint thread)

@@ -5,19 +5,19 @@
 #define BROOKLET_LAYOUT
 
 // Vulkan promises 65,535 groups an axis only, so longer dispatches are folded into rows of so many.
-static const uint GROUPS_A_ROW = 32768;
+static const uint GROUPS_PER_ROW = 32768;
 // Values each thread of a scan takes.
 static const uint SCAN_ITEMS = 16;
 // Particles whose neighbour lists lie interleaved: a group.
 static const uint LIST_SLICE = 64;
 // Neighbours of a particle that lie side by side: one 8-byte load.
 static const uint LIST_CHUNK = 4;
-// A neighbour's gap that stands for nobody, and moves on by the widest gap there is.
-static const uint LIST_NOBODY = 0;
-static const uint LIST_WIDEST_GAP = 65535;
+// A neighbour's delta that stands for nobody, and moves on by the widest delta there is.
+static const uint LIST_ESCAPE = 0;
+static const uint LIST_MAX_DELTA = 65535;
 // Candidates that a search for neighbours looks at, at most: forty times those of fluid at rest. With all
 // particles in one cell it would take their number squared, which no driver's watchdog waits for.
-static const uint MOST_CANDIDATES = 2048;
+static const uint MAX_CANDIDATES = 2048;
 // Bins of a histogram, 32 to an octave.
 static const uint HISTOGRAM_BINS = 512;
 // The bit of Position::tag that parks a particle whose state is not finite.
@@ -32,10 +32,10 @@ struct Position
     uint tag;           // bits 0-23 id, 24-30 fluid, 31 quarantined
 };
 
-// A particle's place (shared/place.hlsl) during an iteration, with its constraint's multiplier.
-struct Constrained
+// A particle's quantized position (shared/quantized_position.hlsl) during an iteration, with its constraint's multiplier.
+struct PositionLambda
 {
-    uint2 place;
+    uint2 quantized_position;
     float lambda;    // Macklin & Muller 2013, eq. (11), times h^2: no unit
     float reserved;
 };
@@ -63,8 +63,8 @@ struct CellSlot
 // How a particle's neighbour list begins (shared/list.hlsl).
 struct ListHead
 {
-    uint entries;   // neighbours, and gaps too wide for one
-    uint first;     // sorted index that the first neighbour's gap is counted from, plus 1
+    uint entries;   // neighbours, and deltas too wide for one
+    uint first;     // sorted index that the first neighbour's delta is counted from, plus 1
 };
 
 // One substep.
@@ -107,7 +107,7 @@ struct GridParams
 
 // The smoothing kernel, Wendland C2, scaled so that the initial lattice has density ratio 1, and
 // what it counts beyond walls (boundary/walls.hlsl).
-struct KernelParams
+struct SmoothingKernelParams
 {
     float support_m;
     float inverse_support_per_m;
@@ -117,7 +117,7 @@ struct KernelParams
     float wall_corner;      // of three walls'
     float along_z;          // 1; 0 in two dimensions, where nothing moves along z
     float reserved;
-    float4 wall_share;      // the kernel's share beyond a wall that it reaches by t: t^5 times this polynomial of t
+    float4 wall_kernel_fraction;      // the kernel's share beyond a wall that it reaches by t: t^5 times this polynomial of t
 };
 
 // Position Based Fluids, Macklin & Muller 2013. Lengths in units of h where no unit is named.

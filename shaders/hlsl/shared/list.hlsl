@@ -4,9 +4,9 @@
 // streams as there are slots, more than a CPU's or a phone's caches follow.
 //
 // A neighbour is 16 bits: how far it is behind the one before, as neighbours are listed in the order
-// in which they are sorted. LIST_NOBODY stands for the particle itself, which has no distance from
+// in which they are sorted. LIST_ESCAPE stands for the particle itself, which has no distance from
 // itself and so no effect, but for its own W(0); it fills up the last four, and takes a list over a
-// gap wider than 16 bits.
+// delta wider than 16 bits.
 #ifndef BROOKLET_LIST
 #define BROOKLET_LIST
 
@@ -18,22 +18,22 @@ uint FirstChunk(uint i, uint chunks_a_list)
     return i / LIST_SLICE * LIST_SLICE * chunks_a_list + i % LIST_SLICE;
 }
 
-uint ChunksOf(ListHead head)
+uint ChunkCount(ListHead head)
 {
     return (head.entries + LIST_CHUNK - 1) / LIST_CHUNK;
 }
 
-// The gaps of four neighbours.
-uint4 GapsOf(uint2 chunk)
+// The deltas of four neighbours.
+uint4 UnpackDeltas(uint2 chunk)
 {
     return uint4(chunk.x & 0xffff, chunk.x >> 16, chunk.y & 0xffff, chunk.y >> 16);
 }
 
 // The next neighbour of particle i, or i itself. `last` is where the list is, from before its first.
-uint Follow(inout uint last, uint gap, uint i)
+uint NextNeighbour(inout uint last, uint delta, uint i)
 {
-    last += gap == LIST_NOBODY ? LIST_WIDEST_GAP : gap;
-    return gap == LIST_NOBODY ? i : last;
+    last += delta == LIST_ESCAPE ? LIST_MAX_DELTA : delta;
+    return delta == LIST_ESCAPE ? i : last;
 }
 
 #endif

@@ -1,6 +1,6 @@
 // Periodic axes: what leaves the domain on one side comes in on the other, and particles on either
 // side of that seam are neighbours. A periodic side is a whole number of 4 h, after which places
-// (place.hlsl) repeat, so that the iterations know nothing of it.
+// (quantized_position.hlsl) repeat, so that the iterations know nothing of it.
 #ifndef BROOKLET_PERIODIC
 #define BROOKLET_PERIODIC
 
@@ -22,9 +22,9 @@ float3 Wrapped(float3 position_m, StepParams step)
 }
 
 // The shortest of what lies between two particles or any of their images.
-float3 NearestImage(float3 apart_m, StepParams step)
+float3 NearestImage(float3 offset_m, StepParams step)
 {
-    return apart_m - step.period_m * round(apart_m * step.inverse_period_per_m);
+    return offset_m - step.period_m * round(offset_m * step.inverse_period_per_m);
 }
 
 #endif

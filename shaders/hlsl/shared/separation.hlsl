@@ -9,7 +9,7 @@ static const float COINCIDENT = 1.0e-4;
 
 // What is added to the multipliers of a pair at distance q < separation, both in h: at one point as
 // much as about 4 % of compression gives, so that they part in some ten steps without a leap.
-float SeparationMultiplier(float q, float separation)
+float SeparationLambda(float q, float separation)
 {
     return -0.02 * (1.0 - q / separation);
 }

@@ -5,10 +5,10 @@
 #define BROOKLET_FILTER
 
 #include "layout.hlsl"
-#include "nearness.hlsl"
+#include "inverse_depth.hlsl"
 #include "../frame/camera.hlsl"
 
-Texture2D<float> nearness;
+Texture2D<float> inverse_depth;
 ConstantBuffer<FrameView> view;
 ConstantBuffer<SurfaceParams> surface;
 
@@ -24,9 +24,9 @@ Varyings covering(uint vertex)
     return output;
 }
 
-float nearness_of(int2 pixel)
+float inverse_depth_of(int2 pixel)
 {
-    return nearness_at(nearness, view.size_px, pixel);
+    return inverse_depth_at(inverse_depth, view.size_px, pixel);
 }
 
 float reach_of(float here)

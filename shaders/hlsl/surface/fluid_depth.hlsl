@@ -1,5 +1,5 @@
 // The nearest of all particles' spheres, or ellipsoids (surface/anisotropy.compute), in each pixel, as
-// nearness. At the tank's glass they are cut off: there the water is as flat as the glass.
+// inverse_depth. At the tank's glass they are cut off: there the water is as flat as the glass.
 #pragma vertex FluidDepthVertex
 #pragma fragment FluidDepthFragment
 #pragma multi_compile _ SPRAY_SHAPE ELLIPSOID_SHAPE
@@ -57,7 +57,7 @@ Varyings FluidDepthVertex(uint vertex : SV_VertexID, uint instance : SV_Instance
 
 struct Surface
 {
-    float nearness_per_m : SV_Target0;
+    float inverse_depth_per_m : SV_Target0;
     float depth : SV_DepthLessEqual;
 };
 
@@ -83,7 +83,7 @@ Surface FluidDepthFragment(Varyings input)
     if (along > min(leave, min(far3.x, min(far3.y, far3.z))))
         discard;
     Surface output;
-    output.nearness_per_m = 1.0 / (along * dot(input.ray, view.forward));
-    output.depth = view.near_m * output.nearness_per_m;
+    output.inverse_depth_per_m = 1.0 / (along * dot(input.ray, view.forward));
+    output.depth = view.near_m * output.inverse_depth_per_m;
     return output;
 }

@@ -1,12 +1,12 @@
-// The surface's normal from its nearness w, in f32. On a plane N . x = c every ray r (1 along
+// The surface's normal from its inverse_depth w, in f32. On a plane N . x = c every ray r (1 along
 // forward) meets x = r / w with w = (N . r) / c: so w's slopes over r are N's components, without
 // the differences of positions that cancel far away.
 #ifndef BROOKLET_NORMAL
 #define BROOKLET_NORMAL
 
-#include "nearness.hlsl"
+#include "inverse_depth.hlsl"
 
-// Slope of the nearness across a pixel, from those before and after. Where both lie on one surface
+// Slope of the inverse_depth across a pixel, from those before and after. Where both lie on one surface
 // it is the central difference; at an edge the smaller of the one-sided ones, which looks along the
 // surface and not over its edge (van der Laan, Green & Sainz 2009, section 4.2).
 float slope(float before, float here, float after, float same)
@@ -19,15 +19,15 @@ float slope(float before, float here, float after, float same)
     return abs(smaller) < 1e29 ? smaller : 0.0;
 }
 
-// Normal toward the eye at a pixel with nearness `here` above 0, in world axes.
-float3 normal_at(Texture2D<float> nearness, FrameView view, int2 pixel, float here, float range_m)
+// Normal toward the eye at a pixel with inverse_depth `here` above 0, in world axes.
+float3 normal_at(Texture2D<float> inverse_depth, FrameView view, int2 pixel, float here, float range_m)
 {
-    float same = nearness_difference(range_m, here);
-    float along_x = slope(nearness_at(nearness, view.size_px, pixel - int2(1, 0)), here,
-                          nearness_at(nearness, view.size_px, pixel + int2(1, 0)), same);
+    float same = inverse_depth_difference(range_m, here);
+    float along_x = slope(inverse_depth_at(inverse_depth, view.size_px, pixel - int2(1, 0)), here,
+                          inverse_depth_at(inverse_depth, view.size_px, pixel + int2(1, 0)), same);
     // Rows count downward, the picture's y upward.
-    float along_y = -slope(nearness_at(nearness, view.size_px, pixel - int2(0, 1)), here,
-                           nearness_at(nearness, view.size_px, pixel + int2(0, 1)), same);
+    float along_y = -slope(inverse_depth_at(inverse_depth, view.size_px, pixel - int2(0, 1)), here,
+                           inverse_depth_at(inverse_depth, view.size_px, pixel + int2(0, 1)), same);
     float2 ndc = (float2(pixel) + 0.5) / view.size_px * float2(2.0, -2.0) + float2(-1.0, 1.0);
     float2 ray = ndc * float2(view.tan_half_width, view.tan_half_height);
     // Pixels are 2 tan_half / size apart in the ray's coordinates.

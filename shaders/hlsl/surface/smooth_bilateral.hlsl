@@ -15,11 +15,11 @@ Varyings SmoothBilateralVertex(uint vertex : SV_VertexID)
 float4 SmoothBilateralFragment(Varyings input) : SV_Target0
 {
     int2 pixel = int2(input.position.xy);
-    float here = nearness_of(pixel);
+    float here = inverse_depth_of(pixel);
     if (here <= 0.0)
         return 0.0;
     float reach = reach_of(here);
-    float inverse_range = 1.0 / nearness_difference(surface.range_m, here);
+    float inverse_range = 1.0 / inverse_depth_difference(surface.range_m, here);
     float sum = MIDDLE_WEIGHT * here;
     float weights = MIDDLE_WEIGHT;
     int most = int(reach);
@@ -47,7 +47,7 @@ float4 SmoothBilateralFragment(Varyings input) : SV_Target0
 #endif
             float squared = float(i * i);
 #endif
-            float there = nearness_of(there_px);
+            float there = inverse_depth_of(there_px);
             float apart = (there - here) * inverse_range;
             float weight = there > 0.0 ? spatial_weight(squared, reach) * exp(-0.5 * apart * apart) : 0.0;
             sum += weight * there;

@@ -17,15 +17,15 @@ Varyings SmoothCurvatureFlowVertex(uint vertex : SV_VertexID)
 // makes the derivative there zero: silhouettes do not move.
 float distance_at(int2 pixel, float here, float z_m)
 {
-    float there = nearness_of(pixel);
-    bool same = there > 0.0 && abs(there - here) < nearness_difference(surface.range_m, here);
+    float there = inverse_depth_of(pixel);
+    bool same = there > 0.0 && abs(there - here) < inverse_depth_difference(surface.range_m, here);
     return same ? 1.0 / there : z_m;
 }
 
 float4 SmoothCurvatureFlowFragment(Varyings input) : SV_Target0
 {
     int2 pixel = int2(input.position.xy);
-    float here = nearness_of(pixel);
+    float here = inverse_depth_of(pixel);
     if (here <= 0.0)
         return 0.0;
     float z = 1.0 / here;

@@ -20,7 +20,7 @@ Varyings SmoothGaussianVertex(uint vertex : SV_VertexID)
 float4 SmoothGaussianFragment(Varyings input) : SV_Target0
 {
     int2 pixel = int2(input.position.xy);
-    float here = nearness_of(pixel);
+    float here = inverse_depth_of(pixel);
     if (here <= 0.0)
         return 0.0;
     float reach = reach_of(here);
@@ -30,8 +30,8 @@ float4 SmoothGaussianFragment(Varyings input) : SV_Target0
     for (int i = 1; i <= int(reach); i++)
     {
         float weight = spatial_weight(float(i * i), reach);
-        float before = nearness_of(pixel - i * ALONG);
-        float after = nearness_of(pixel + i * ALONG);
+        float before = inverse_depth_of(pixel - i * ALONG);
+        float after = inverse_depth_of(pixel + i * ALONG);
         sum += weight * (before + after);
         weights += weight * (float(before > 0.0) + float(after > 0.0));
     }

@@ -49,15 +49,15 @@ void take_pair(inout Range range, float before, float after, float weight)
 float4 SmoothNarrowRangeFragment(Varyings input) : SV_Target0
 {
     int2 pixel = int2(input.position.xy);
-    float here = nearness_of(pixel);
+    float here = inverse_depth_of(pixel);
     if (here <= 0.0)
         return 0.0;
     float reach = reach_of(here);
     Range range;
-    range.step = nearness_difference(surface.range_m, here);
+    range.step = inverse_depth_difference(surface.range_m, here);
     range.low = here - range.step;
     range.high = here + range.step;
-    range.behind = here - nearness_difference(surface.clamp_m, here);
+    range.behind = here - inverse_depth_difference(surface.clamp_m, here);
     range.sum = MIDDLE_WEIGHT * here;
     range.weights = MIDDLE_WEIGHT;
 #if defined(FILTER_PLANE)
@@ -72,7 +72,7 @@ float4 SmoothNarrowRangeFragment(Varyings input) : SV_Target0
             if (y > 0 || x > 0)
             {
                 int2 aside = int2(x, y);
-                take_pair(range, nearness_of(pixel - aside), nearness_of(pixel + aside),
+                take_pair(range, inverse_depth_of(pixel - aside), inverse_depth_of(pixel + aside),
                           spatial_weight(float(x * x + y * y), small_reach + 1.0));
             }
 #else
@@ -83,7 +83,7 @@ float4 SmoothNarrowRangeFragment(Varyings input) : SV_Target0
 #endif
     [loop]
     for (int i = 1; i <= int(reach); i++)
-        take_pair(range, nearness_of(pixel - i * along), nearness_of(pixel + i * along),
+        take_pair(range, inverse_depth_of(pixel - i * along), inverse_depth_of(pixel + i * along),
                   spatial_weight(float(i * i), reach));
 #endif
     return range.sum / range.weights;

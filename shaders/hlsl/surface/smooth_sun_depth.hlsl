@@ -5,7 +5,7 @@
 #pragma fragment SmoothSunDepthFragment
 #pragma multi_compile ALONG_X ALONG_Y
 
-#include "nearness.hlsl"
+#include "inverse_depth.hlsl"
 #include "sun_map.hlsl"
 #include "../frame/camera.hlsl"
 

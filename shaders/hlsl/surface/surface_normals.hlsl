@@ -14,8 +14,8 @@ Varyings SurfaceNormalsVertex(uint vertex : SV_VertexID)
 float4 SurfaceNormalsFragment(Varyings input) : SV_Target0
 {
     int2 pixel = int2(input.position.xy);
-    float here = nearness_of(pixel);
+    float here = inverse_depth_of(pixel);
     if (here <= 0.0)
         return 0.0;
-    return float4(normal_at(nearness, view, pixel, here, surface.range_m), 1.0);
+    return float4(normal_at(inverse_depth, view, pixel, here, surface.range_m), 1.0);
 }

@@ -3,11 +3,11 @@
 #pragma vertex WaterVertex
 #pragma fragment WaterFragment
 
-#include "nearness.hlsl"
+#include "inverse_depth.hlsl"
 #include "normal.hlsl"
 #include "water_shading.hlsl"
 
-Texture2D<float> nearness;
+Texture2D<float> inverse_depth;
 Texture2D<float> thickness;
 Texture2D<float4> scene;
 Texture2D<float> scene_depth;
@@ -49,14 +49,14 @@ float3 scene_behind(float3 end_m, int2 own_px, float here)
 float4 WaterFragment(Varyings input) : SV_Target0
 {
     int2 pixel = int2(input.position.xy);
-    float here = nearness_at(nearness, view.size_px, pixel);
+    float here = inverse_depth_at(inverse_depth, view.size_px, pixel);
     // Reversed depth is near / distance: what is opaque there may be nearer.
     if (here <= 0.0 || scene_depth.Load(int3(pixel, 0)) > 1.0005 * view.near_m * here)
         discard;
     WaterPoint point_;
     point_.position_m = view.eye_m + input.ray / here;
     point_.to_eye = -normalize(input.ray);
-    point_.normal = normal_at(nearness, view, pixel, here, surface.range_m);
+    point_.normal = normal_at(inverse_depth, view, pixel, here, surface.range_m);
     float2 uv = input.position.xy / view.size_px;
     point_.thickness_m = thickness.SampleLevel(sampler_linear_clamp, uv, 0.0) * surface.spacing_m;
     float3 behind = scene_behind(refracted_end(water, point_), pixel, here);

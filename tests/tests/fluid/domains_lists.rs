@@ -1,12 +1,12 @@
 //! Neighbour lists of a whole step in domains with periodic axes, and in two dimensions: those of brute
 //! force over the nearest images, in grids that are dense and in ones that are wrapped.
 
-use brooklet_fluid::particles::Emitted;
+use brooklet_fluid::particles::ParticleSet;
 use brooklet_fluid::{INIT, STEP, Scene, grid, record_particles};
 use brooklet_gpu::{Engine, Plan, Resources};
 use brooklet_kernels::{Kernel, ListHead, ListNeighbours, Position, Velocity};
 use brooklet_reference::grid::list_neighbours::{check_list, list_images, list_neighbours};
-use brooklet_reference::shared::place::Places;
+use brooklet_reference::shared::quantized_position::Quantization;
 use brooklet_tests::cases::{SPACING_M, SUPPORT_M, fluid, sizes, vectors};
 use brooklet_tests::compare::{report_exact, vector};
 use brooklet_tests::{gpu, rng};
@@ -25,7 +25,7 @@ fn scene(cells: [u32; 3], periodic: [bool; 3], dimensions: u32, packed: bool) ->
 }
 
 /// A squeezed blob around the domain's corner, so around all its seams, and as many anywhere.
-fn scattered(rng: &mut impl Rng, count: usize, scene: &Scene) -> Emitted {
+fn scattered(rng: &mut impl Rng, count: usize, scene: &Scene) -> ParticleSet {
     let size_m = DVec3::from_array(scene.domain.size_m());
     let flat = scene.domain.is_flat();
     let blob: Vec<DVec3> = fluid(rng, count.div_ceil(2)).positions.iter().map(|p| vector(p.position_m)).collect();
@@ -47,11 +47,11 @@ fn scattered(rng: &mut impl Rng, count: usize, scene: &Scene) -> Emitted {
             Position { position_m: at.to_array().map(|x| x as f32), tag: i as u32 }
         })
         .collect();
-    Emitted { positions, velocities: vec![Velocity::default(); count] }
+    ParticleSet { positions, velocities: vec![Velocity::default(); count] }
 }
 
 /// Steps once, and returns the number of neighbours if all lists are right; the last that is not, if not.
-fn check(scene: &Scene, emitted: Emitted, images: bool) -> Result<usize, String> {
+fn check(scene: &Scene, emitted: ParticleSet, images: bool) -> Result<usize, String> {
     let count = emitted.positions.len();
     let mut resources = Resources::new();
     let recorded = record_particles(&mut resources, scene, emitted);
@@ -60,7 +60,7 @@ fn check(scene: &Scene, emitted: Emitted, images: bool) -> Result<usize, String>
     engine.run(&[INIT, STEP], &[]).unwrap();
     let positions: Vec<Position> = engine.read(&recorded.positions).unwrap();
     let heads: Vec<ListHead> = engine.read(&recorded.neighbours.heads).unwrap();
-    let gaps: Vec<[u32; 2]> = engine.read(&recorded.neighbours.gaps).unwrap();
+    let deltas: Vec<[u32; 2]> = engine.read(&recorded.neighbours.deltas).unwrap();
 
     let at_m = vectors(&positions);
     let size_m = DVec3::from_array(scene.domain.size_m().map(|x| f64::from(x as f32)));
@@ -72,11 +72,11 @@ fn check(scene: &Scene, emitted: Emitted, images: bool) -> Result<usize, String>
         false => list_neighbours(&at_m, alone, SUPPORT_M),
     };
     // A distance rounds to steps of the two places, and those across a seam by its own f32.
-    let places = if scene.solver.packed_positions { Places::Packed } else { Places::Full };
+    let places = if scene.solver.packed_positions { Quantization::Packed } else { Quantization::Full };
     let doubt_m = (2.0 * places.step() + 1e-6) * SUPPORT_M + 4.0 * f64::from(f32::EPSILON) * size_m.max_element();
     let mut listed = 0;
     for i in 0..count {
-        let list = grid::listed(i as u32, heads[i], &gaps, grid::list_chunks(scene));
+        let list = grid::listed(i as u32, heads[i], &deltas, grid::list_chunks(scene));
         let found: Vec<usize> = list.map(|j| j as usize).collect();
         assert!(found.is_sorted(), "particle {i}: {found:?}");
         check_list(i, &found, &expected[i], &at_m, SUPPORT_M, period_m, doubt_m)?;

@@ -1,6 +1,6 @@
 //! A hundred thousand particles in one cell: each would look at all others. The search is bounded, and says so.
 
-use brooklet_kernels::MOST_CANDIDATES;
+use brooklet_kernels::MAX_CANDIDATES;
 use brooklet_tests::extreme::Case;
 use brooklet_tests::rng;
 use rand::RngExt;
@@ -20,7 +20,7 @@ fn a_hundred_thousand_in_one_cell_are_bounded_work_and_counted() {
         case.place(|_, position_m, _| *position_m = [0; 3].map(|_| 0.5 + 0.02 * rng.random::<f32>()));
         let stats = case.run(1);
         println!("100,000 in one cell, one step, deterministic = {deterministic}: {:?}", stats.counters);
-        assert_eq!(stats.counters.crowded as usize, COUNT, "each has more candidates than {MOST_CANDIDATES}");
+        assert_eq!(stats.counters.crowded as usize, COUNT, "each has more candidates than {MAX_CANDIDATES}");
         assert!(stats.counters.neighbour_overflow > 0, "{:?}", stats.counters);
     }
 }
@@ -41,7 +41,7 @@ fn as_many_as_are_looked_at_are_not_crowded() {
         case.place(|_, position_m, _| *position_m = [0.21, 0.21, 0.21]);
         case.run(1).counters.crowded as usize
     };
-    let most = MOST_CANDIDATES as usize;
+    let most = MAX_CANDIDATES as usize;
     assert_eq!(at_most(most), 0);
     assert_eq!(at_most(most + 64), most + 64);
 }

@@ -45,7 +45,7 @@ fn a_thousandth_and_a_thousandfold_are_alike() {
         for (a, b) in soon.positions.iter().flatten().zip(run(spacing_m, counts, 10).0.positions.iter().flatten()) {
             largest = largest.max((f64::from(*a) - f64::from(*b) / scale).abs() / 0.02);
         }
-        // Places of 2e-6 h are rounded elsewhere in 40 iterations; crowded particles multiply that ten-fold
+        // Quantization of 2e-6 h are rounded elsewhere in 40 iterations; crowded particles multiply that ten-fold
         // in about as many steps.
         assert!(largest < 1.0e-3, "scale {scale}: {largest} spacings apart after 10 steps");
         let stats = run(spacing_m, counts, 240).1;

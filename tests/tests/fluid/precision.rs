@@ -1,8 +1,8 @@
 //! What lower precision does to the density, beside VALIDATION's table: relative to the density, rms
 //! and largest over a squeezed, jittered lattice at d = 2 cm, h = 2 d. (`app/fluid/PRECISION.md`.)
 
-use brooklet_kernels::{ConstrainDensity, ConstrainDensityVariant, Constrained, PbfParams, PrecisionKeyword};
-use brooklet_reference::shared::place::Places;
+use brooklet_kernels::{ConstrainDensity, ConstrainDensityVariant, PbfParams, PositionLambda, PrecisionKeyword};
+use brooklet_reference::shared::quantized_position::Quantization;
 use brooklet_reference::solver::pbf::density_ratio;
 use brooklet_tests::cases::{Case, fluid, kernel_params, pbf_params, precisions, smoothing_of};
 use brooklet_tests::harness::{Bench, small};
@@ -15,21 +15,21 @@ const MIXING: f32 = 1.0e6;
 /// Density ratios of compressed particles as the kernel sums them, from their multipliers.
 fn summed(case: &Case, precision: PrecisionKeyword) -> Vec<f64> {
     let mut bench = Bench::new();
-    let places = bench.input("places", &case.places(Places::Full));
+    let quantized_positions = bench.input("quantized_positions", &case.quantized_positions(Quantization::Full));
     let (neighbours, list_heads) = case.upload_neighbours(&mut bench);
-    let mut constrained = bench.output::<Constrained>("constrained", case.count());
+    let mut position_lambdas = bench.output::<PositionLambda>("position_lambdas", case.count());
     let step_params = bench.uniform("step_params", case.step_params());
     let kernel = bench.uniform("kernel", kernel_params());
     let pbf = bench.uniform("pbf", PbfParams { cfm: MIXING, ..pbf_params() });
     bench.dispatch(
         &ConstrainDensity {
             variant: ConstrainDensityVariant { precision, ..ConstrainDensityVariant::default() },
-            places: places.read(),
+            quantized_positions: quantized_positions.read(),
             sorted_positions: None,
             neighbours: neighbours.read(),
             list_heads: list_heads.read(),
-            constrained: Some(constrained.write()),
-            packed_constrained: None,
+            position_lambdas: Some(position_lambdas.write()),
+            packed_position_lambdas: None,
             step_params: step_params.uniform(),
             kernel: kernel.uniform(),
             pbf: pbf.uniform(),
@@ -37,7 +37,12 @@ fn summed(case: &Case, precision: PrecisionKeyword) -> Vec<f64> {
         case.count(),
     );
     // What the gradients add to the mixing is below 1e-5 of it.
-    bench.run().read(&constrained, case.count()).iter().map(|c| 1.0 - f64::from(c.lambda) * f64::from(MIXING)).collect()
+    bench
+        .run()
+        .read(&position_lambdas, case.count())
+        .iter()
+        .map(|c| 1.0 - f64::from(c.lambda) * f64::from(MIXING))
+        .collect()
 }
 
 /// Relative to the expected density: rms and largest.
@@ -72,11 +77,13 @@ fn densities_lose_no_more_than_stated() {
         println!("density, {precision:?}: rms {rms:.1e}, max {max:.1e}");
         assert!(rms < rms_allowed && max < max_allowed, "{precision:?}: rms {rms:e}, max {max:e}");
     }
-    for (places, [rms_allowed, max_allowed]) in [(Places::Full, [1.0e-6, 1.0e-5]), (Places::Packed, [3.0e-5, 1.5e-4])] {
-        // In f64, so that the rounding of places is all.
-        let [rms, max] = errors(densities(&case, &case.placed_m(places)).into_iter(), &exact);
-        println!("density from places of {places:?}: rms {rms:.1e}, max {max:.1e}");
-        assert!(rms < rms_allowed && max < max_allowed, "{places:?}: rms {rms:e}, max {max:e}");
+    for (quantized_positions, [rms_allowed, max_allowed]) in
+        [(Quantization::Full, [1.0e-6, 1.0e-5]), (Quantization::Packed, [3.0e-5, 1.5e-4])]
+    {
+        // In f64, so that the rounding of quantized_positions is all.
+        let [rms, max] = errors(densities(&case, &case.quantized_m(quantized_positions)).into_iter(), &exact);
+        println!("density from quantized_positions of {quantized_positions:?}: rms {rms:.1e}, max {max:.1e}");
+        assert!(rms < rms_allowed && max < max_allowed, "{quantized_positions:?}: rms {rms:e}, max {max:e}");
         assert!(rms > 0.0, "rounding cannot leave no trace");
     }
 }

@@ -1,7 +1,7 @@
 //! The same fluid at another spacing: what is kept, and how well.
 
 use brooklet_fluid::Scene;
-use brooklet_fluid::particles::{Emitted, emit, resample};
+use brooklet_fluid::particles::{ParticleSet, resample, sample_lattice};
 use brooklet_kernels::{FLUID_SHIFT, QUARANTINED};
 use brooklet_tests::compare::vector;
 use glam::DVec3;
@@ -30,8 +30,8 @@ fn moving(scene: &Scene, place_m: DVec3) -> DVec3 {
     swirl(place_m) * if scene.domain.is_flat() { DVec3::new(1.0, 1.0, 0.0) } else { DVec3::ONE }
 }
 
-fn stirred(scene: &Scene) -> Emitted {
-    let mut particles = emit(scene);
+fn stirred(scene: &Scene) -> ParticleSet {
+    let mut particles = sample_lattice(scene);
     for (position, velocity) in particles.positions.iter().zip(&mut particles.velocities) {
         velocity.velocity_m_s = moving(scene, vector(position.position_m)).as_vec3().to_array();
     }
@@ -44,7 +44,7 @@ fn cell(scene: &Scene) -> f64 {
 }
 
 /// Volume (area in two dimensions), centre of mass, and momentum over density.
-fn totals(scene: &Scene, particles: &Emitted) -> (f64, DVec3, DVec3) {
+fn totals(scene: &Scene, particles: &ParticleSet) -> (f64, DVec3, DVec3) {
     let cell = cell(scene);
     let count = particles.positions.len() as f64;
     let centre_m: DVec3 = particles.positions.iter().map(|p| vector(p.position_m)).sum();
@@ -56,7 +56,7 @@ fn totals(scene: &Scene, particles: &Emitted) -> (f64, DVec3, DVec3) {
 /// mean error of the velocities over the mean speed. Most of the velocities' error is the test's own: walls
 /// mirror, and the swirl goes into them. Most of the centre's is the sheet's, which lies where the new
 /// lattice has no layer.
-fn check(scene: &Scene, before: &Emitted, to: &Scene, after: &Emitted) -> Result<(), String> {
+fn check(scene: &Scene, before: &ParticleSet, to: &Scene, after: &ParticleSet) -> Result<(), String> {
     let (volume, centre_m, momentum) = totals(scene, before);
     let (new_volume, new_centre_m, new_momentum) = totals(to, after);
     let (mut off, mut speed) = (0.0, 0.0);
@@ -125,7 +125,7 @@ fn a_fluid_that_lost_something_fails() {
 #[test]
 fn a_lattice_at_rest_stays_where_it_is_and_at_rest() {
     let scene = scene(BLOCK, &[]);
-    let before = emit(&scene);
+    let before = sample_lattice(&scene);
     let after = resample(&scene, &before, &scene);
     assert_eq!(after.positions.len(), before.positions.len());
     for (one, other) in before.positions.iter().zip(&after.positions) {
@@ -139,7 +139,7 @@ fn a_lattice_at_rest_stays_where_it_is_and_at_rest() {
 fn whose_fluid_it_is_and_which_order_they_come_in() {
     let two = format!("{BLOCK}\n[[fluid]]\nsphere = {{ centre_m = [0.25, 0.75, 0.05], radius_m = 0.2 }}");
     let scene = scene(&two, &[]);
-    let mut before = emit(&scene);
+    let mut before = sample_lattice(&scene);
     let to = at(&scene, 1.25);
     let fluid_of = |tag: u32| tag >> FLUID_SHIFT & 127;
     let after = resample(&scene, &before, &to);
@@ -163,7 +163,7 @@ fn whose_fluid_it_is_and_which_order_they_come_in() {
     }
     let half = resample(&scene, &before, &to).positions.len();
     assert!((half as f64 / whole as f64 - 0.5).abs() < 0.01, "{half} of {whole}");
-    assert!(resample(&scene, &Emitted::default(), &to).positions.is_empty());
+    assert!(resample(&scene, &ParticleSet::default(), &to).positions.is_empty());
 }
 
 #[test]
@@ -174,7 +174,7 @@ fn a_tank_is_filled_to_its_walls_and_across_its_seams() {
     for periodic in ["domain.periodic=[true,false,true]", "domain.periodic=[false,false,false]"] {
         let scene = scene(fluid, &[sides[0], sides[1], periodic]);
         let to = at(&scene, 1.2);
-        let after = resample(&scene, &emit(&scene), &to);
+        let after = resample(&scene, &sample_lattice(&scene), &to);
         assert_eq!(after.positions.len(), 40 * 20 * 40);
         let layers: std::collections::BTreeSet<u32> =
             after.positions.iter().map(|p| (p.position_m[1] / 0.024) as u32).collect();

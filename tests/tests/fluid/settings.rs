@@ -3,7 +3,7 @@
 
 use std::collections::BTreeSet;
 
-use brooklet_fluid::particles::Emitted;
+use brooklet_fluid::particles::ParticleSet;
 use brooklet_fluid::scene::{Applied, Kind, Setting};
 use brooklet_fluid::{INIT, Recorded, STEP, Scene, record, record_particles, shipped_scenes};
 use brooklet_gpu::{Engine, Plan, Resources};
@@ -62,7 +62,7 @@ struct Running {
     recorded: Recorded,
 }
 
-fn run(scene: &Scene, particles: Option<Emitted>) -> Running {
+fn run(scene: &Scene, particles: Option<ParticleSet>) -> Running {
     let mut resources = Resources::new();
     let mut recorded = match particles {
         Some(particles) => record_particles(&mut resources, scene, particles),
@@ -79,7 +79,7 @@ fn run(scene: &Scene, particles: Option<Emitted>) -> Running {
 impl Running {
     /// The bytes of every uniform buffer of the simulation.
     fn uniforms(&mut self) -> Vec<(String, Vec<u8>)> {
-        let labels = ["grid_params", "kernel_params", "pbf_params", "step_params"];
+        let labels = ["grid_params", "smoothing_kernel_params", "pbf_params", "step_params"];
         let buffers: Vec<_> =
             self.engine.plan().buffers().into_iter().filter(|b| labels.contains(&b.label.as_str())).collect();
         assert_eq!(buffers.len(), labels.len());
@@ -96,12 +96,12 @@ impl Running {
         (plan.passes().iter().map(|pass| (pass.recording, pass.module.name, pass.count)).collect(), plan.buffers())
     }
 
-    fn particles(&mut self) -> Emitted {
+    fn particles(&mut self) -> ParticleSet {
         self.recorded.particles(&mut self.engine).unwrap()
     }
 }
 
-fn bits(particles: &Emitted) -> (&[u8], &[u8]) {
+fn bits(particles: &ParticleSet) -> (&[u8], &[u8]) {
     (bytemuck::cast_slice(&particles.positions), bytemuck::cast_slice(&particles.velocities))
 }
 

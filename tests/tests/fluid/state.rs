@@ -1,6 +1,6 @@
 //! A saved state goes on as the run it was taken of, and a file that is not one is refused with a reason.
 
-use brooklet_fluid::particles::{Emitted, emit};
+use brooklet_fluid::particles::{ParticleSet, sample_lattice};
 use brooklet_fluid::state::{State, StateError};
 use brooklet_fluid::{Scene, Simulation};
 use brooklet_kernels::QUARANTINED;
@@ -14,10 +14,10 @@ fn scene(settings: &[&str]) -> Scene {
 
 fn state() -> State {
     let scene = scene(&["fluid.0.velocity_m_s=[0.25,-1,0.5]"]);
-    State { particles: emit(&scene), scene, time_s: 0.125, steps: 30 }
+    State { particles: sample_lattice(&scene), scene, time_s: 0.125, steps: 30 }
 }
 
-fn bits(particles: &Emitted) -> (&[u8], &[u8]) {
+fn bits(particles: &ParticleSet) -> (&[u8], &[u8]) {
     (bytemuck::cast_slice(&particles.positions), bytemuck::cast_slice(&particles.velocities))
 }
 
@@ -46,7 +46,7 @@ fn going_on_from_a_saved_state_is_going_on() {
             simulation.step().unwrap();
         }
         let (positions, velocities) = simulation.particles().unwrap();
-        Emitted { positions, velocities }
+        ParticleSet { positions, velocities }
     };
     let particles = run(&mut simulation);
     let bytes = State { scene: scene.clone(), time_s: 12.0 * scene.solver.dt_s, steps: 12, particles }.to_bytes();
@@ -57,7 +57,7 @@ fn going_on_from_a_saved_state_is_going_on() {
     again.set_particles(&restored.particles.positions, &restored.particles.velocities);
     let got = run(&mut again);
     assert!(bits(&got) == bits(&expected), "bit for bit");
-    let start = emit(&scene);
+    let start = sample_lattice(&scene);
     again.set_particles(&start.positions, &start.velocities);
     assert!(bits(&run(&mut again)) != bits(&expected), "another start ends elsewhere");
 }

@@ -47,7 +47,7 @@ fn check_scene(case: &SceneCase, validator: &Validator) -> Result<bool, String> 
         return Err(format!("{count} particles were let through"));
     }
     if count < 20_000 {
-        let emitted = particles::emit(&scene);
+        let emitted = particles::sample_lattice(&scene);
         let size_m = scene.domain.size_m();
         let inside = |at: &[f32; 3]| {
             (0..3).all(|axis| (-1e-3 * scene.spacing_m..=size_m[axis] + scene.spacing_m).contains(&f64::from(at[axis])))

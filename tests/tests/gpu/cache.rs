@@ -11,7 +11,7 @@ fn open(folder: &Path) -> Gpu {
 /// Builds and runs a kernel, so that there is something to keep.
 fn run(gpu: &Gpu) {
     let mut resources = Resources::new();
-    let mut values = resources.state::<u32>("values", 100);
+    let mut values = resources.persistent::<u32>("values", 100);
     let mut step = Recording::new("step");
     step.dispatch(&Increment { values: values.write() }, 100);
     let plan = Plan::sweep(resources, vec![step], &[]).expect("a plan");

@@ -16,7 +16,7 @@ struct Counting {
 
 fn counting(gpu: &Gpu, len: u32) -> Counting {
     let mut resources = Resources::new();
-    let mut counter = resources.state::<u32>("counter", len);
+    let mut counter = resources.persistent::<u32>("counter", len);
     let mut step = Recording::new("step");
     step.dispatch(&Increment { values: counter.write() }, len);
     let plan = Plan::sweep(resources, vec![step], &[]).expect("a plan");
@@ -31,7 +31,7 @@ fn a_recording_runs_in_order_and_exactly() {
         let mut resources = Resources::new();
         let mut input = resources.buffer::<u32>("input", len);
         let mut middle = resources.buffer::<u32>("middle", len);
-        let mut output = resources.state::<u32>("output", len);
+        let mut output = resources.persistent::<u32>("output", len);
         let mut factor = resources.buffer::<[u32; 4]>("factor", 1);
         let data: Vec<u32> = (0..len).map(|i| i.wrapping_mul(2_654_435_761)).collect();
         let mut run = Recording::new("run");
@@ -67,9 +67,9 @@ fn a_buffer_is_bound_at_exactly_its_length() {
 fn indirect_dispatches_run_what_the_gpu_says() {
     let gpu = gpu();
     let mut resources = Resources::new();
-    let wanted = resources.state::<u32>("wanted", 1);
+    let wanted = resources.persistent::<u32>("wanted", 1);
     let mut args = resources.buffer::<[u32; 3]>("args", 1);
-    let mut values = resources.state::<u32>("values", 256);
+    let mut values = resources.persistent::<u32>("values", 256);
     let mut run = Recording::new("run");
     run.dispatch(&Arguments { wanted: wanted.read(), args: args.write() }, 1);
     run.dispatch_indirect(&Increment { values: values.write() }, &args);
@@ -169,7 +169,7 @@ fn what_nothing_wants_is_neither_run_nor_allocated() {
     let gpu = gpu();
     let build = |wanted: bool| {
         let mut resources = Resources::new();
-        let mut kept = resources.state::<u32>("kept", 64);
+        let mut kept = resources.persistent::<u32>("kept", 64);
         let mut unwanted = resources.buffer::<u32>("unwanted", 1 << 20);
         let mut step = Recording::new("step");
         step.clear(&mut unwanted);
@@ -246,7 +246,7 @@ fn a_module_above_the_tier_or_its_limits_is_refused_by_name() {
     let module = compute("Fancy+HALF", source, vec![words("values", 0, Access::ReadWrite)]);
     let build = |module: Module| {
         let mut resources = Resources::new();
-        let mut values = resources.state::<u32>("values", 1);
+        let mut values = resources.persistent::<u32>("values", 1);
         let mut step = Recording::new("step");
         let module: &'static Module = Box::leak(Box::new(module));
         step.dispatch(&Any { module, values: values.write() }, 1);
@@ -344,8 +344,8 @@ fn a_buffer_beyond_the_binding_limit_is_named() {
     let limit = gpu.device().limits().max_storage_buffer_binding_size;
     let len = u32::try_from(limit / 16 + 1).unwrap_or(u32::MAX);
     let mut resources = Resources::new();
-    let mut small = resources.state::<u32>("small", 16);
-    let mut huge = resources.state::<[u32; 4]>("neighbour_list", len);
+    let mut small = resources.persistent::<u32>("small", 16);
+    let mut huge = resources.persistent::<[u32; 4]>("neighbour_list", len);
     let mut step = Recording::new("step");
     step.dispatch(&Increment { values: small.write() }, 16);
     let module = brooklet_kernels::Kernel::module(&Increment { values: small.write() });

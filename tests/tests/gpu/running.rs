@@ -10,8 +10,8 @@ use brooklet_kernels::{Access, Buffer, Module};
 /// `counter += 1` twice over `len` words, of which `scaled` is three times as much and one.
 fn counting(len: u32) -> (Plan, Buffer<u32>, Buffer<u32>) {
     let mut resources = Resources::new();
-    let mut counter = resources.state::<u32>("counter", len);
-    let mut scaled = resources.state::<u32>("scaled", len);
+    let mut counter = resources.persistent::<u32>("counter", len);
+    let mut scaled = resources.persistent::<u32>("scaled", len);
     let mut factor = resources.buffer::<[u32; 4]>("factor", 1);
     let mut step = Recording::new("step");
     step.upload(&mut factor, &[[3, 0, 0, 0]]);
@@ -104,7 +104,7 @@ struct Painting {
 
 fn painting(gpu: &Gpu, size_px: [u32; 2], format: Format) -> Painting {
     let mut resources = Resources::new();
-    let color = resources.state::<[f32; 4]>("color", 1);
+    let color = resources.persistent::<[f32; 4]>("color", 1);
     let picture = resources.texture("picture", format, size_px);
     let mut frame = Recording::new("frame");
     let targets = Targets { color: vec![(&picture, Load::Clear([0.0, 0.0, 1.0, 1.0]))], depth: None };
@@ -163,17 +163,19 @@ fn textures_come_back_with_their_frame_without_padding_or_new_memory() {
 fn a_texture_that_cannot_come_back_is_refused_and_says_why() {
     let gpu = gpu();
     let mut resources = Resources::new();
-    let color = resources.state::<[f32; 4]>("color", 1);
+    let color = resources.persistent::<[f32; 4]>("color", 1);
     let picture = resources.texture("picture", Format::Rgba8Unorm, [4, 4]);
-    let nearness = resources.texture("nearness", Format::Depth24Plus, [4, 4]);
+    let inverse_depth = resources.texture("inverse_depth", Format::Depth24Plus, [4, 4]);
     let spare = resources.texture("spare", Format::Rgba8Unorm, [4, 4]);
     let mut frame = Recording::new("frame");
     let targets =
-        Targets { color: vec![(&picture, Load::Clear([0.0; 4]))], depth: Some((&nearness, Load::Clear(1.0))) };
+        Targets { color: vec![(&picture, Load::Clear([0.0; 4]))], depth: Some((&inverse_depth, Load::Clear(1.0))) };
     frame.draw(&DrawHalf { color: color.uniform() }, &targets, DrawState::default(), 3, 1);
     let plan = Plan::sweep(resources, vec![frame], &[picture.id]).expect("a plan");
     let mut engine = Engine::new(&gpu, plan).expect("an engine");
-    for (id, words) in [(spare.id, "spare cannot be read: the plan left it out"), (nearness.id, "use Depth32Float")] {
+    for (id, words) in
+        [(spare.id, "spare cannot be read: the plan left it out"), (inverse_depth.id, "use Depth32Float")]
+    {
         let error = engine.run(&["frame"], &[id]).expect_err(words).to_string();
         assert!(error.contains(words), "{error}");
     }
@@ -242,7 +244,7 @@ fn a_plan_over_other_memory_is_not_taken() {
     };
     refused(&mut engine, counting(65).0, "counter: the two plans declare it differently");
     let mut fewer = Resources::new();
-    fewer.state::<u32>("counter", 64);
+    fewer.persistent::<u32>("counter", 64);
     let plan = Plan::sweep(fewer, vec![], &[]).expect("a plan");
     refused(&mut engine, plan, "scaled: the two plans declare it differently");
     engine.run(&["step"], &[]).expect("it runs as before");

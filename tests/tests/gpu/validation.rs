@@ -33,8 +33,8 @@ impl Kernel for Undeclared<'_> {
 /// Builds a kernel, with the mistake or without.
 fn build(mistaken: bool) {
     let mut resources = Resources::new();
-    let values = resources.state::<u32>("values", 4);
-    let mut sums = resources.state::<u32>("group_sums", 1);
+    let values = resources.persistent::<u32>("values", 4);
+    let mut sums = resources.persistent::<u32>("group_sums", 1);
     let mut recording = Recording::new("sum");
     let kernel = ReduceGroups { values: values.read(), group_sums: sums.write() };
     if mistaken {

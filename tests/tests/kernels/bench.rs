@@ -1,9 +1,9 @@
 //! The kernels that only `brooklet bench` runs, against the twins of those they are held against.
 
 use brooklet_kernels::{
-    CellSlot, ConstrainDensityByIndex, Constrained, CopyElements, CountCellsAggregated, GridParams, Kernel, LIST_CHUNK,
-    ListNeighboursByIndex, Position, QUARANTINED, ReorderIndex, SCAN_ITEMS, ScanGroupsTree, ScanGroupsTreeVariant,
-    ScanStep,
+    CellSlot, ConstrainDensityByIndex, CopyElements, CountCellsAggregated, GridParams, Kernel, LIST_CHUNK,
+    ListNeighboursByIndex, Position, PositionLambda, QUARANTINED, ReorderIndex, SCAN_ITEMS, ScanGroupsTree,
+    ScanGroupsTreeVariant, ScanStep,
 };
 use brooklet_reference::grid::count_cells::cell_of;
 use brooklet_reference::grid::list_neighbours::{check_list, list_neighbours};
@@ -11,7 +11,7 @@ use brooklet_reference::grid::reorder::{self as twin, reorder};
 use brooklet_reference::grid::scan;
 use brooklet_reference::params::Grid;
 use brooklet_reference::shared::list;
-use brooklet_reference::shared::place::Places;
+use brooklet_reference::shared::quantized_position::Quantization;
 use brooklet_reference::solver::pbf::constrain_density::constrain_density;
 use brooklet_tests::cases::{
     LIST_CHUNKS, SUPPORT_M, fluid, grid_params, kernel_params, list_length, pbf_of, pbf_params, sizes, smoothing_of,
@@ -101,7 +101,7 @@ fn slots_of(cells: &[u32], cell_count: u32) -> (Vec<CellSlot>, Vec<u32>) {
     (slots, scan::scan(&filled))
 }
 
-/// Sorts an index of particles that are in `cells`; returns it, their places, and the starts of
+/// Sorts an index of particles that are in `cells`; returns it, their quantized_positions, and the starts of
 /// the cells.
 fn run_reorder_index(
     positions: &[Position],
@@ -115,7 +115,7 @@ fn run_reorder_index(
     let cell_slots = bench.input("cell_slots", &slots);
     let cell_starts = bench.input("cell_starts", &starts);
     let mut sorted_indices = bench.output("sorted_indices", count);
-    let mut places = bench.output("places", count);
+    let mut quantized_positions = bench.output("quantized_positions", count);
     let params = bench.uniform("grid", grid);
     bench.dispatch(
         &ReorderIndex {
@@ -123,13 +123,13 @@ fn run_reorder_index(
             cell_slots: cell_slots.read(),
             cell_starts: cell_starts.read(),
             sorted_indices: sorted_indices.write(),
-            places: places.write(),
+            quantized_positions: quantized_positions.write(),
             grid: params.uniform(),
         },
         count,
     );
     let mut done = bench.run();
-    (done.read(&sorted_indices, count), done.read(&places, count), starts, slots)
+    (done.read(&sorted_indices, count), done.read(&quantized_positions, count), starts, slots)
 }
 
 #[test]
@@ -140,11 +140,11 @@ fn reorder_index_matches_the_twin_of_reorder() {
         let case = fluid(&mut rng, size);
         let grid = grid_params(case.size_m, SUPPORT_M / 2.0, size);
         let cells: Vec<u32> = (0..size).map(|_| rng.random_range(0..=grid.cell_count)).collect();
-        let (indices, places, starts, slots) = run_reorder_index(&case.positions, &cells, grid);
+        let (indices, quantized_positions, starts, slots) = run_reorder_index(&case.positions, &cells, grid);
         let ranks: Vec<u32> = slots.iter().map(|slot| slot.rank).collect();
         let numbers: Vec<u32> = (0..size as u32).collect();
         check_exact(&indices, &reorder(&numbers, &twin::places(&cells, &ranks, &starts))).unwrap();
-        assert_eq!(places, case.places(Places::Full));
+        assert_eq!(quantized_positions, case.quantized_positions(Quantization::Full));
         cases += size;
     }
     report_exact(ReorderIndex::STAGE, cases);
@@ -163,11 +163,11 @@ fn check_list_by_index(positions: &[Position], size_m: DVec3) -> Result<usize, S
             _ => grid.cell_count,
         })
         .collect();
-    let (indices, places, starts, _) = run_reorder_index(positions, &cells, grid);
+    let (indices, quantized_positions, starts, _) = run_reorder_index(positions, &cells, grid);
     let length = list_length(count, grid.list_chunks);
     let mut bench = Bench::new();
     let at = bench.input("positions", positions);
-    let places = bench.input("places", &places);
+    let quantized_positions = bench.input("quantized_positions", &quantized_positions);
     let cell_starts = bench.input("cell_starts", &starts);
     let sorted_indices = bench.input("sorted_indices", &indices);
     let mut listed_indices = bench.output("listed_indices", length);
@@ -176,7 +176,7 @@ fn check_list_by_index(positions: &[Position], size_m: DVec3) -> Result<usize, S
     bench.dispatch(
         &ListNeighboursByIndex {
             positions: at.read(),
-            places: places.read(),
+            quantized_positions: quantized_positions.read(),
             cell_starts: cell_starts.read(),
             sorted_indices: sorted_indices.read(),
             listed_indices: listed_indices.write(),
@@ -190,8 +190,8 @@ fn check_list_by_index(positions: &[Position], size_m: DVec3) -> Result<usize, S
     let counts = done.read(&counts, count);
     let positions_m = vectors(positions);
     let expected = list_neighbours(&positions_m, |i| cells[i] == grid.cell_count, SUPPORT_M);
-    // A distance rounds to steps of the two places, and its square in the seventh digit.
-    let doubt_m = (2.0 * Places::Full.step() + 1e-6) * SUPPORT_M;
+    // A distance rounds to steps of the two quantized_positions, and its square in the seventh digit.
+    let doubt_m = (2.0 * Quantization::Full.step() + 1e-6) * SUPPORT_M;
     let mut listed = 0;
     for (i, expected) in expected.iter().enumerate() {
         let found: Vec<usize> = (0..counts[i] as usize)
@@ -221,7 +221,7 @@ fn list_neighbours_by_index_matches_brute_force() {
         }
         listed += check_list_by_index(&positions, size_m).unwrap();
     }
-    report_exact("list_neighbours_by_index (but for distances within the steps of places of h)", listed);
+    report_exact("list_neighbours_by_index (but for distances within the steps of quantized_positions of h)", listed);
 }
 
 #[test]
@@ -245,31 +245,31 @@ fn constrain_density_by_index_matches_the_twin_of_constrain_density() {
         }
         let counts: Vec<u32> = case.neighbours.iter().map(|list| list.len() as u32).collect();
         let mut bench = Bench::new();
-        let start = case.places(Places::Full);
-        let places = bench.input("places", &start);
+        let start = case.quantized_positions(Quantization::Full);
+        let quantized_positions = bench.input("quantized_positions", &start);
         let listed_indices = bench.input("listed_indices", &indices);
         let listed_counts = bench.input("listed_counts", &counts);
-        let mut constrained = bench.output::<Constrained>("constrained", size);
+        let mut position_lambdas = bench.output::<PositionLambda>("position_lambdas", size);
         let step_params = bench.uniform("step_params", case.step_params());
         let kernel = bench.uniform("kernel", kernel_params());
         let pbf_params = bench.uniform("pbf", pbf_params());
         bench.dispatch(
             &ConstrainDensityByIndex {
-                places: places.read(),
+                quantized_positions: quantized_positions.read(),
                 listed_indices: listed_indices.read(),
                 listed_counts: listed_counts.read(),
-                constrained: constrained.write(),
+                position_lambdas: position_lambdas.write(),
                 step_params: step_params.uniform(),
                 kernel: kernel.uniform(),
                 pbf: pbf_params.uniform(),
             },
             size,
         );
-        let placed_m = case.placed_m(Places::Full);
-        for (i, got) in bench.run().read(&constrained, size).iter().enumerate() {
-            let expected = constrain_density(i, &placed_m, &case.neighbours[i], &smoothing, &pbf, None);
+        let quantized_m = case.quantized_m(Quantization::Full);
+        for (i, got) in bench.run().read(&position_lambdas, size).iter().enumerate() {
+            let expected = constrain_density(i, &quantized_m, &case.neighbours[i], &smoothing, &pbf, None);
             compressed += usize::from(expected.lambda < 0.0);
-            assert_eq!(got.place, start[i]);
+            assert_eq!(got.quantized_position, start[i]);
             worst.check(got.lambda, expected.lambda, (1.0 + expected.constraint) / expected.denominator).unwrap();
         }
     }

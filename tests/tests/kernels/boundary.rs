@@ -1,13 +1,13 @@
 //! `boundary/`: what the kernels add for walls, against its twin. It has no kernel of its own: a lone
 //! particle's density and correction show it.
 
-use brooklet_fluid::{boundary, kernel};
+use brooklet_fluid::{boundary, smoothing_kernel};
 use brooklet_kernels::{
-    Constrained, CorrectPositions, CorrectPositionsVariant, Counters, ListHead, MeasureParticles,
-    MeasureParticlesVariant, MeasureSums, PbfParams, Position, StepParams, Velocity,
+    CorrectPositions, CorrectPositionsVariant, Counters, ListHead, MeasureParticles, MeasureParticlesVariant,
+    MeasureSums, PbfParams, Position, PositionLambda, StepParams, Velocity,
 };
 use brooklet_reference::boundary::walls::{WallDensity, WallScales, beyond_wall};
-use brooklet_reference::shared::{lattice, place::Places};
+use brooklet_reference::shared::{lattice, quantized_position::Quantization};
 use brooklet_tests::cases::{SUPPORT_M, kernel_params, pbf_params, vectors, walls_of};
 use brooklet_tests::compare::{ROUNDING, Worst, vector};
 use brooklet_tests::harness::Bench;
@@ -25,7 +25,7 @@ fn walls_count_as_their_twin_says() {
         for (host, twin) in &scales[..dimensions as usize] {
             assert!((host / twin - 1.0).abs() < 1e-12, "{dimensions}-D, h = {support_ratio} d: {host} {twin}");
         }
-        let sums = kernel::lattice(dimensions, support_ratio);
+        let sums = smoothing_kernel::lattice(dimensions, support_ratio);
         assert!((sums.weight / lattice::weight(dimensions, support_ratio) - 1.0).abs() < 1e-12);
         for i in 0..=10 {
             let distance = f64::from(i) / 10.0;
@@ -36,7 +36,7 @@ fn walls_count_as_their_twin_says() {
 }
 
 /// Positions near every wall, edge and corner of a box, on its faces and in its middle.
-fn places(size_m: DVec3) -> Vec<Position> {
+fn probes(size_m: DVec3) -> Vec<Position> {
     let mut rng = rng(61);
     let mut at = Vec::new();
     for i in 0..27 {
@@ -71,8 +71,8 @@ fn params(size_m: DVec3, count: usize) -> StepParams {
     }
 }
 
-/// Density ratios that walls add at each place: each is measured alone.
-fn densities(places: &[Position], size_m: DVec3) -> Vec<f64> {
+/// Density ratios that walls add at each position: each is measured alone.
+fn densities(positions: &[Position], size_m: DVec3) -> Vec<f64> {
     let weight = f64::from(kernel_params().weight);
     let mut bench = Bench::new();
     let kernel = bench.uniform("kernel", kernel_params());
@@ -81,8 +81,8 @@ fn densities(places: &[Position], size_m: DVec3) -> Vec<f64> {
     let neighbours = bench.input("neighbours", &[[0_u32; 2]]);
     let list_heads = bench.input("list_heads", &[ListHead::default()]);
     let mut measures = Vec::new();
-    for place in places {
-        let positions = bench.input("positions", &[*place]);
+    for position in positions {
+        let positions = bench.input("positions", &[*position]);
         let mut group_measures = bench.output::<MeasureSums>("group_measures", 1);
         let mut histograms = bench.output("histograms", 1024);
         bench.dispatch(
@@ -118,20 +118,24 @@ fn densities(places: &[Position], size_m: DVec3) -> Vec<f64> {
 
 /// Gradients of the density that walls add, from corrections with lambda = -1/4 and factors of 1: the correction
 /// is then half the negative gradient times h, below the h that a substep may move a particle by.
-fn gradients(places: &[Position], size_m: DVec3) -> Vec<DVec3> {
-    let count = places.len();
+fn gradients(positions: &[Position], size_m: DVec3) -> Vec<DVec3> {
+    let count = positions.len();
     let pbf = PbfParams { relaxation: 1.0, max_correction_m: 1e3, ..pbf_params() };
     let inverse_support_per_m = kernel_params().inverse_support_per_m;
-    let start: Vec<[u32; 2]> =
-        places.iter().map(|p| Places::Full.place_of(p.position_m.map(|x| x * inverse_support_per_m))).collect();
-    let constrained: Vec<Constrained> =
-        start.iter().map(|&place| Constrained { place, lambda: -0.25, reserved: 0.0 }).collect();
+    let start: Vec<[u32; 2]> = positions
+        .iter()
+        .map(|p| Quantization::Full.quantize(p.position_m.map(|x| x * inverse_support_per_m)))
+        .collect();
+    let position_lambdas: Vec<PositionLambda> = start
+        .iter()
+        .map(|&quantized_position| PositionLambda { quantized_position, lambda: -0.25, reserved: 0.0 })
+        .collect();
     let mut bench = Bench::new();
-    let input = bench.input("constrained", &constrained);
-    let positions = bench.input("sorted_positions", places);
+    let input = bench.input("position_lambdas", &position_lambdas);
+    let positions = bench.input("sorted_positions", positions);
     let neighbours = bench.input("neighbours", &vec![[0_u32; 2]; count]);
     let list_heads = bench.input("list_heads", &vec![ListHead::default(); count]);
-    let mut after = bench.output::<[u32; 2]>("places", count);
+    let mut after = bench.output::<[u32; 2]>("quantized_positions", count);
     let mut counters = bench.input("counters", &[Counters::default()]);
     let step_params = bench.uniform("step_params", params(size_m, count));
     let kernel = bench.uniform("kernel", kernel_params());
@@ -139,12 +143,12 @@ fn gradients(places: &[Position], size_m: DVec3) -> Vec<DVec3> {
     bench.dispatch(
         &CorrectPositions {
             variant: CorrectPositionsVariant { walls: true, ..CorrectPositionsVariant::default() },
-            constrained: Some(input.read()),
-            packed_constrained: None,
+            position_lambdas: Some(input.read()),
+            packed_position_lambdas: None,
             sorted_positions: positions.read(),
             neighbours: neighbours.read(),
             list_heads: list_heads.read(),
-            places: after.write(),
+            quantized_positions: after.write(),
             counters: counters.write(),
             step_params: step_params.uniform(),
             kernel: kernel.uniform(),
@@ -153,7 +157,7 @@ fn gradients(places: &[Position], size_m: DVec3) -> Vec<DVec3> {
         count,
     );
     let after = bench.run().read(&after, count);
-    start.iter().zip(after).map(|(&before, after)| 2.0 * Places::Full.apart(before, after)).collect()
+    start.iter().zip(after).map(|(&before, after)| 2.0 * Quantization::Full.apart(before, after)).collect()
 }
 
 fn check(size_m: DVec3, names: [&'static str; 2]) -> Vec<(WallDensity, f64)> {
@@ -162,12 +166,12 @@ fn check(size_m: DVec3, names: [&'static str; 2]) -> Vec<(WallDensity, f64)> {
     // step of 1.9e-6 h along each axis, and that is half of it: 56 roundings more.
     let mut density = Worst::new(names[0], 64.0 * ROUNDING);
     let mut gradient = Worst::new(names[1], 128.0 * ROUNDING);
-    let places = places(size_m);
+    let positions = probes(size_m);
     let walls = walls_of(&kernel_params(), vector(params(size_m, 0).domain_size_m));
-    let got_densities = densities(&places, size_m);
-    let got_gradients = gradients(&places, size_m);
+    let got_densities = densities(&positions, size_m);
+    let got_gradients = gradients(&positions, size_m);
     let mut results = Vec::new();
-    for (i, at) in vectors(&places).into_iter().enumerate() {
+    for (i, at) in vectors(&positions).into_iter().enumerate() {
         let expected = walls.at(at);
         density.check(got_densities[i] as f32, expected.density, 1.0).unwrap();
         gradient.check3(got_gradients[i].to_array().map(|g| g as f32), expected.gradient, 1.0).unwrap();

@@ -113,8 +113,8 @@ fn draw(positions: &[Position], photons: u32) -> Drawn {
     let (view, (surface, options)) = (view(), options(photons));
     let count = positions.len() as u32;
     let mut resources = Resources::new();
-    let mut buffer = resources.state::<Position>("positions", count);
-    let velocities = resources.state("velocities", count);
+    let mut buffer = resources.persistent::<Position>("positions", count);
+    let velocities = resources.persistent("velocities", count);
     let particles = Particles { positions: &buffer, velocities: &velocities, count, neighbours: None, densities: None };
     let passes = frame::record(&mut resources, &view, &particles, &options).expect("a frame");
     let water = passes.water.expect("water");

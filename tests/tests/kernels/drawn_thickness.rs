@@ -13,8 +13,8 @@ use brooklet_tests::{gpu, rng};
 use glam::DVec3;
 use rand::RngExt as _;
 
-/// Of a pixel's nearness: a few roundings, at slopes of up to 10.
-const NEARNESS_TOLERANCE: f64 = 1e-5;
+/// Of a pixel's inverse_depth: a few roundings, at slopes of up to 10.
+const INVERSE_DEPTH_TOLERANCE: f64 = 1e-5;
 /// Of the thickest place: some tens of discs add up in f16, each sum rounded to 2^-11 of itself, and a device may
 /// move a disc by a sixteenth of a pixel of some eight that it is wide.
 const THICKNESS_TOLERANCE: f64 = 0.02;
@@ -39,7 +39,7 @@ fn particles() -> Vec<Position> {
 }
 
 struct Drawn {
-    nearness: Vec<f64>,
+    inverse_depth: Vec<f64>,
     thickness: Vec<f64>,
     thickness_px: [usize; 2],
     params: SurfaceParams,
@@ -81,8 +81,8 @@ fn draw(size_px: [u32; 2], eye_m: DVec3, positions: &[Position]) -> Drawn {
     };
     let count = positions.len() as u32;
     let mut resources = Resources::new();
-    let mut buffer = resources.state::<Position>("positions", count);
-    let velocities = resources.state("velocities", count);
+    let mut buffer = resources.persistent::<Position>("positions", count);
+    let velocities = resources.persistent("velocities", count);
     let particles = Particles { positions: &buffer, velocities: &velocities, count, neighbours: None, densities: None };
     let passes = frame::record(&mut resources, &view, &particles, &options).expect("a frame");
     let water = passes.water.expect("water");
@@ -92,12 +92,12 @@ fn draw(size_px: [u32; 2], eye_m: DVec3, positions: &[Position]) -> Drawn {
         .expect("a plan");
     let mut engine = Engine::new(&gpu(), plan).expect("an engine");
     engine.run(&[frame::DRAW_INIT, frame::DRAW], &[]).expect("it draws");
-    let nearness: Vec<f32> =
+    let inverse_depth: Vec<f32> =
         bytemuck::pod_collect_to_vec(&engine.read_texture(&water.surface.raw).expect("the nearest spheres"));
     let halves = engine.read_texture(&water.thickness.eye).expect("thickness");
     let halves = halves.chunks_exact(2).map(|pair| half::f16::from_le_bytes([pair[0], pair[1]]));
     Drawn {
-        nearness: nearness.into_iter().map(f64::from).collect(),
+        inverse_depth: inverse_depth.into_iter().map(f64::from).collect(),
         thickness: halves.map(f64::from).collect(),
         thickness_px: water.thickness.eye.size_px.map(|side| side as usize),
         params: surface.params(),
@@ -127,17 +127,17 @@ fn the_nearest_spheres_and_their_thickness_are_their_twins() {
             let is_large = size_px[0] > 10;
 
             let depth_of = |params: &SurfaceParams| fluid_depth(&centers_m, params, &drawn.view).values;
-            let relative = |nearness: f64| NEARNESS_TOLERANCE * nearness.max(1e-9);
-            let (covered, off, worst) = beyond(&drawn.nearness, &depth_of(&drawn.params), relative);
+            let relative = |inverse_depth: f64| INVERSE_DEPTH_TOLERANCE * inverse_depth.max(1e-9);
+            let (covered, off, worst) = beyond(&drawn.inverse_depth, &depth_of(&drawn.params), relative);
             println!(
-                "kernel fluid_depth {size_px:?}: {off} of {covered} pixels beyond {NEARNESS_TOLERANCE:.0e}, the others within {worst:.2} of it"
+                "kernel fluid_depth {size_px:?}: {off} of {covered} pixels beyond {INVERSE_DEPTH_TOLERANCE:.0e}, the others within {worst:.2} of it"
             );
             assert!(
                 off as f64 <= GRAZING * covered as f64 + 1.0 && (covered > 1000 || !is_large),
                 "{off} of {covered}"
             );
             let wrong = SurfaceParams { radius_m: 1.01 * drawn.params.radius_m, ..drawn.params };
-            let (_, off, _) = beyond(&drawn.nearness, &depth_of(&wrong), relative);
+            let (_, off, _) = beyond(&drawn.inverse_depth, &depth_of(&wrong), relative);
             assert!(off as f64 > 0.3 * covered as f64, "spheres a hundredth larger must differ: {off} of {covered}");
 
             let through = |params: &SurfaceParams| thickness(&centers_m, params, &drawn.view, drawn.thickness_px);

@@ -2,16 +2,16 @@
 
 use brooklet_fluid::grid::listed;
 use brooklet_kernels::{
-    CellSlot, CountCells, CountCellsVariant, Counters, GROUPS_A_ROW, GridParams, Kernel, LIST_CHUNK, LIST_NOBODY,
-    ListHead, ListMembers, ListNeighbours, ListNeighboursVariant, Position, RankMembers, Reorder, ReorderVariant,
+    CellSlot, CountCells, CountCellsVariant, Counters, GROUPS_PER_ROW, GridParams, Kernel, LIST_CHUNK, LIST_ESCAPE,
+    ListHead, ListNeighbours, ListNeighboursVariant, Position, RankById, Reorder, ReorderVariant, ScatterCellMembers,
     Velocity,
 };
 use brooklet_reference::grid::list_neighbours::{Neighbours, check_list, list_neighbours};
-use brooklet_reference::grid::rank_members::rank_members;
+use brooklet_reference::grid::rank_by_id::rank_by_id;
 use brooklet_reference::grid::reorder::{places, reorder};
 use brooklet_reference::grid::scan;
 use brooklet_reference::shared::list;
-use brooklet_reference::shared::place::Places;
+use brooklet_reference::shared::quantized_position::Quantization;
 use brooklet_tests::cases::{
     SLOTS, SUPPORT_M, fluid, grid_params, is_wrapped, list_length, scattered, sizes, vectors, wrapped,
 };
@@ -75,7 +75,7 @@ fn a_dispatch_longer_than_a_row_of_groups_reaches_all() {
     if small() {
         return;
     }
-    let count = (GROUPS_A_ROW * CountCells::GROUP_SIZE[0]) as usize + 65;
+    let count = (GROUPS_PER_ROW * CountCells::GROUP_SIZE[0]) as usize + 65;
     let mut rng = rng(27);
     let size_m = DVec3::new(0.31, 0.2, 0.17);
     let positions = scattered(&mut rng, count, size_m);
@@ -93,7 +93,7 @@ fn positions_far_outside_have_no_cell() {
 struct Sorted {
     positions: Vec<Position>,
     velocities: Vec<Velocity>,
-    places: Vec<[u32; 2]>,
+    quantized_positions: Vec<[u32; 2]>,
 }
 
 fn run_reorder(
@@ -112,7 +112,7 @@ fn run_reorder(
     let starts = bench.input("cell_starts", starts);
     let mut sorted_positions = bench.output("sorted_positions", count);
     let mut sorted_velocities = bench.output("sorted_velocities", count);
-    let mut places = bench.output("places", count);
+    let mut quantized_positions = bench.output("quantized_positions", count);
     let params = bench.uniform("grid", grid);
     bench.dispatch(
         &Reorder {
@@ -123,7 +123,7 @@ fn run_reorder(
             cell_starts: starts.read(),
             sorted_positions: sorted_positions.write(),
             sorted_velocities: sorted_velocities.write(),
-            places: places.write(),
+            quantized_positions: quantized_positions.write(),
             grid: params.uniform(),
         },
         count,
@@ -132,7 +132,7 @@ fn run_reorder(
     Sorted {
         positions: done.read(&sorted_positions, count),
         velocities: done.read(&sorted_velocities, count),
-        places: done.read(&places, count),
+        quantized_positions: done.read(&quantized_positions, count),
     }
 }
 
@@ -154,12 +154,12 @@ fn reorder_matches_its_twin() {
         let starts = scan::scan(&filled);
         let slots: Vec<CellSlot> = cells.iter().zip(&ranks).map(|(&cell, &rank)| CellSlot { cell, rank }).collect();
         let places = places(&cells, &ranks, &starts);
-        for coding in [Places::Full, Places::Packed] {
-            let packed = coding == Places::Packed;
+        for coding in [Quantization::Full, Quantization::Packed] {
+            let packed = coding == Quantization::Packed;
             let sorted = run_reorder(&case.positions, &case.velocities, &slots, &starts, grid, packed);
             assert_eq!(sorted.positions, reorder(&case.positions, &places));
             assert_eq!(sorted.velocities, reorder(&case.velocities, &places));
-            assert_eq!(sorted.places, reorder(&case.places(coding), &places));
+            assert_eq!(sorted.quantized_positions, reorder(&case.quantized_positions(coding), &places));
         }
         cases += size;
     }
@@ -174,7 +174,7 @@ fn run_rank(positions: &[Position], slots: &[CellSlot], starts: &[u32], grid: Gr
     let mut members = bench.output("cell_members", positions.len());
     let params = bench.uniform("grid", grid);
     bench.dispatch(
-        &ListMembers {
+        &ScatterCellMembers {
             cell_slots: slots.read(),
             cell_starts: starts.read(),
             cell_members: members.write(),
@@ -183,7 +183,7 @@ fn run_rank(positions: &[Position], slots: &[CellSlot], starts: &[u32], grid: Gr
         positions.len(),
     );
     bench.dispatch(
-        &RankMembers {
+        &RankById {
             positions: at.read(),
             cell_starts: starts.read(),
             cell_members: members.read(),
@@ -199,7 +199,7 @@ fn run_rank(positions: &[Position], slots: &[CellSlot], starts: &[u32], grid: Gr
 fn rank_members_matches_its_twin() {
     let mut rng = rng(28);
     let mut cases = 0;
-    for size in sizes(RankMembers::GROUP_SIZE[0] as usize) {
+    for size in sizes(RankById::GROUP_SIZE[0] as usize) {
         let size_m = DVec3::new(0.31, 0.2, 0.17);
         let mut positions = scattered(&mut rng, size, size_m);
         // Ids in no order, as they are after a sort.
@@ -215,7 +215,7 @@ fn rank_members_matches_its_twin() {
             let ranked = run_rank(&positions, &slots, &run_scan(&counts), grid);
             let cells: Vec<u32> = slots.iter().map(|slot| slot.cell).collect();
             let ids: Vec<u32> = positions.iter().map(|p| p.tag & !QUARANTINED).collect();
-            let expected = rank_members(&cells, &ids, grid.cell_count);
+            let expected = rank_by_id(&cells, &ids, grid.cell_count);
             for (i, slot) in ranked.iter().enumerate() {
                 assert_eq!(slot.cell, cells[i]);
                 assert_eq!(slot.rank, expected[i].unwrap_or(slots[i].rank), "particle {i} of {size}");
@@ -223,8 +223,8 @@ fn rank_members_matches_its_twin() {
         }
         cases += 2 * size;
     }
-    report_exact(ListMembers::STAGE, cases);
-    report_exact(RankMembers::STAGE, cases);
+    report_exact(ScatterCellMembers::STAGE, cases);
+    report_exact(RankById::STAGE, cases);
 }
 
 /// The whole counting sort: counted, scanned, reordered.
@@ -277,7 +277,7 @@ fn sort_is_a_permutation_in_order_of_cells() {
 struct Listing {
     neighbours: usize,
     /// Gaps that took an entry of their own.
-    wide_gaps: usize,
+    escapes: usize,
     /// Neighbours without a slot.
     overflow: u32,
 }
@@ -300,7 +300,7 @@ fn check_lists(
     let count = sorted.positions.len();
     let mut bench = Bench::new();
     let positions = bench.input("sorted_positions", &sorted.positions);
-    let places = bench.input("places", &sorted.places);
+    let quantized_positions = bench.input("quantized_positions", &sorted.quantized_positions);
     let starts_buffer = bench.input("cell_starts", starts);
     let mut neighbours = bench.output("neighbours", list_length(count, grid.list_chunks));
     let mut heads = bench.output("list_heads", count);
@@ -309,7 +309,7 @@ fn check_lists(
     bench.dispatch(
         &ListNeighbours {
             variant: ListNeighboursVariant { wrapped: is_wrapped(&grid), periodic: false, packed },
-            places: places.read(),
+            quantized_positions: quantized_positions.read(),
             sorted_positions: positions.read(),
             cell_starts: starts_buffer.read(),
             neighbours: neighbours.write(),
@@ -329,22 +329,22 @@ fn check_lists(
     let slots = grid.list_chunks * LIST_CHUNK;
     let entry = |i: usize, slot: usize| list::entry(i, slot, &neighbours, grid.list_chunks);
     // A distance rounds to steps of the two places, and its square in the seventh digit.
-    let places = if packed { Places::Packed } else { Places::Full };
-    let doubt_m = (2.0 * places.step() + 1e-6) * support_m;
-    let (mut all, mut wide_gaps, mut missing) = (0, 0, 0);
+    let quantization = if packed { Quantization::Packed } else { Quantization::Full };
+    let doubt_m = (2.0 * quantization.step() + 1e-6) * support_m;
+    let (mut all, mut escapes, mut missing) = (0, 0, 0);
     for i in 0..count {
         let ListHead { entries, first } = heads[i];
-        let gaps: Vec<u32> = (0..entries as usize).map(|slot| entry(i, slot)).collect();
-        for slot in gaps.len()..gaps.len().next_multiple_of(LIST_CHUNK as usize) {
-            check_exact(&[entry(i, slot)], &[LIST_NOBODY])?;
+        let deltas: Vec<u32> = (0..entries as usize).map(|slot| entry(i, slot)).collect();
+        for slot in deltas.len()..deltas.len().next_multiple_of(LIST_CHUNK as usize) {
+            check_exact(&[entry(i, slot)], &[LIST_ESCAPE])?;
         }
-        let found = list::followed(first, &gaps);
+        let found = list::followed(first, &deltas);
         let host: Vec<usize> = listed(i as u32, heads[i], &neighbours, grid.list_chunks).map(|j| j as usize).collect();
         if host != found {
             return Err(format!("particle {i}: the host reads {host:?}, the twin {found:?}"));
         }
         all += found.len();
-        wide_gaps += gaps.len() - found.len();
+        escapes += deltas.len() - found.len();
         if expected[i].len() > slots as usize {
             // Some are missing, which the counter owns up to; those listed are right.
             missing += (expected[i].len() - found.len()) as u32;
@@ -357,7 +357,7 @@ fn check_lists(
         }
     }
     check_exact(&[overflow], &[missing])?;
-    Ok(Listing { neighbours: all, wide_gaps, overflow })
+    Ok(Listing { neighbours: all, escapes, overflow })
 }
 
 #[test]
@@ -439,7 +439,7 @@ fn neighbours_without_a_slot_are_counted() {
 }
 
 #[test]
-fn lists_reach_over_wide_gaps() {
+fn lists_reach_over_escapes() {
     // A layer of particles that see nobody, and a few above it: between one of those and what is below
     // lie so many sorted particles that the gap does not fit its 16 bits, once or twice over.
     const SIDE: usize = 400;
@@ -474,8 +474,8 @@ fn lists_reach_over_wide_gaps() {
     }
     expected.iter_mut().for_each(|list| list.sort_unstable());
     let listing = check_lists(&sorted, &starts, grid, false, &expected).unwrap();
-    assert!(listing.neighbours > 300 && listing.wide_gaps > 300, "{} gaps", listing.wide_gaps);
-    report_exact("list_neighbours over wide gaps", listing.wide_gaps);
+    assert!(listing.neighbours > 300 && listing.escapes > 300, "{} deltas", listing.escapes);
+    report_exact("list_neighbours over wide deltas", listing.escapes);
     // A list that skips a wide gap is found out.
     expected[at_m.len() - 1].push(0);
     expected[at_m.len() - 1].sort_unstable();

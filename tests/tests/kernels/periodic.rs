@@ -8,7 +8,7 @@ use brooklet_kernels::{
 use brooklet_reference::grid::list_neighbours::{list_images, list_neighbours};
 use brooklet_reference::params::{Smoothing, nearest_image};
 use brooklet_reference::particles::predict::{Particle, predict};
-use brooklet_reference::shared::place::Places;
+use brooklet_reference::shared::quantized_position::Quantization;
 use brooklet_reference::solver::pbf::density_ratio;
 use brooklet_reference::solver::pbf::update_velocity::update_velocity;
 use brooklet_tests::cases::{Case, SUPPORT_M, fluid, kernel_params, sizes, smoothing_of, step_of};
@@ -118,19 +118,19 @@ fn predict_matches_its_twin() {
 fn update_velocity_matches_its_twin() {
     let mut rng = rng(82);
     let mut crossed = 0;
-    for places in [Places::Full, Places::Packed] {
+    for quantization in [Quantization::Full, Quantization::Packed] {
         let mut worst = Worst::new("update_velocity, periodic", 20.0 * ROUNDING);
         for axes in AXES {
             for size in sizes(UpdateVelocity::GROUP_SIZE[0] as usize) {
                 let (case, params) = case_for(&mut rng, size, axes);
-                let start = case.places(places);
-                let mut moved_h = || places.fixed_of(0.8 * (rng.random::<f64>() - 0.5));
+                let start = case.quantized_positions(quantization);
+                let mut moved_h = || quantization.fixed_point(0.8 * (rng.random::<f64>() - 0.5));
                 let corrected: Vec<[u32; 2]> = start
                     .iter()
-                    .map(|&place| places.place_at(places.coordinates(place).map(|c| c.wrapping_add(moved_h()))))
+                    .map(|&place| quantization.pack(quantization.coordinates(place).map(|c| c.wrapping_add(moved_h()))))
                     .collect();
                 let mut bench = Bench::new();
-                let at = bench.input("places", &corrected);
+                let at = bench.input("quantized_positions", &corrected);
                 let kernel = bench.uniform("kernel", kernel_params());
                 let sorted_positions = bench.input("sorted_positions", &case.positions);
                 let sorted_velocities = bench.input("sorted_velocities", &case.velocities);
@@ -140,8 +140,8 @@ fn update_velocity_matches_its_twin() {
                 let step_params = bench.uniform("step_params", params);
                 bench.dispatch(
                     &UpdateVelocity {
-                        variant: UpdateVelocityVariant { packed: places == Places::Packed, periodic: true },
-                        places: at.read(),
+                        variant: UpdateVelocityVariant { packed: quantization == Quantization::Packed, periodic: true },
+                        quantized_positions: at.read(),
                         kernel: kernel.uniform(),
                         sorted_positions: sorted_positions.read(),
                         sorted_velocities: sorted_velocities.read(),
@@ -157,7 +157,7 @@ fn update_velocity_matches_its_twin() {
                 let step = step_of(&params, false);
                 for i in 0..size {
                     let from = vector(case.positions[i].position_m);
-                    let to = from + places.apart(corrected[i], start[i]) * f64::from(kernel_params().support_m);
+                    let to = from + quantization.apart(corrected[i], start[i]) * f64::from(kernel_params().support_m);
                     check_image(&mut worst, positions[i].position_m, to, &params, step.domain_size_m.length());
                     let before = vector(case.velocities[i].velocity_m_s);
                     let (expected, _) = update_velocity(from, to, before, &step);

@@ -3,12 +3,12 @@
 //! Tolerances are those of sums over pairs (`tolerance_of_pairs`).
 
 use brooklet_kernels::{
-    ConstrainDensity, ConstrainDensityVariant, Constrained, CorrectPositions, CorrectPositionsVariant, Counters,
-    Kernel, PbfParams, Position, PrecisionKeyword, StepParams, UpdateVelocity, UpdateVelocityVariant, Velocity,
+    ConstrainDensity, ConstrainDensityVariant, CorrectPositions, CorrectPositionsVariant, Counters, Kernel, PbfParams,
+    Position, PositionLambda, PrecisionKeyword, StepParams, UpdateVelocity, UpdateVelocityVariant, Velocity,
 };
-use brooklet_reference::shared::place::Places;
+use brooklet_reference::shared::quantized_position::Quantization;
 use brooklet_reference::solver::pbf::constrain_density::constrain_density;
-use brooklet_reference::solver::pbf::correct_positions::{MOST_DISPLACEMENT, correct_positions};
+use brooklet_reference::solver::pbf::correct_positions::{MAX_DISPLACEMENT, correct_positions};
 use brooklet_reference::solver::pbf::update_velocity::update_velocity;
 use brooklet_tests::cases::{
     Around, Case, SUPPORT_M, fluid, kernel_params, pbf_of, pbf_params, precisions, sizes, smoothing_of, step_of,
@@ -35,19 +35,20 @@ fn case_for(rng: &mut impl rand::Rng, size: usize, walls: Around) -> Case {
     case
 }
 
-/// How a kernel's pairs are computed: precision and places.
+/// How a kernel's pairs are computed: precision and quantized_positions.
 #[derive(Clone, Copy, PartialEq, Eq)]
 struct Pairs {
     precision: PrecisionKeyword,
-    places: Places,
+    quantization: Quantization,
 }
 
-const FULL: Pairs = Pairs { precision: PrecisionKeyword::Off, places: Places::Full };
+const FULL: Pairs = Pairs { precision: PrecisionKeyword::Off, quantization: Quantization::Full };
 
 /// Every way there is, with how large a rounding is.
 fn all_pairs() -> Vec<(Pairs, f64)> {
-    let each =
-        |(precision, rounding)| [Places::Full, Places::Packed].map(|places| (Pairs { precision, places }, rounding));
+    let each = |(precision, rounding)| {
+        [Quantization::Full, Quantization::Packed].map(|quantization| (Pairs { precision, quantization }, rounding))
+    };
     precisions().into_iter().flat_map(each).collect()
 }
 
@@ -62,22 +63,22 @@ impl Pairs {
     }
 
     fn name(self, stage: &str) -> String {
-        format!("{stage} {:?} {:?}", self.precision, self.places)
+        format!("{stage} {:?} {:?}", self.precision, self.quantization)
     }
 
     fn packed(self) -> bool {
-        self.places == Places::Packed
+        self.quantization == Quantization::Packed
     }
 }
 
-fn run_constrain(case: &Case, pbf: PbfParams, walls: Around, pairs: Pairs) -> Vec<Constrained> {
+fn run_constrain(case: &Case, pbf: PbfParams, walls: Around, pairs: Pairs) -> Vec<PositionLambda> {
     let mut bench = Bench::new();
-    let start = case.places(pairs.places);
-    let places = bench.input("places", &start);
+    let start = case.quantized_positions(pairs.quantization);
+    let quantized_positions = bench.input("quantized_positions", &start);
     let sorted_positions = bench.input("sorted_positions", &case.positions);
     let (neighbours, list_heads) = case.upload_neighbours(&mut bench);
-    let mut constrained = bench.output("constrained", case.count());
-    let mut packed_constrained = bench.output("packed_constrained", case.count());
+    let mut position_lambdas = bench.output("position_lambdas", case.count());
+    let mut packed_position_lambdas = bench.output("packed_position_lambdas", case.count());
     let step_params = bench.uniform("step_params", case.step_params());
     let kernel = bench.uniform("kernel", kernel_params());
     let pbf = bench.uniform("pbf", pbf);
@@ -88,12 +89,12 @@ fn run_constrain(case: &Case, pbf: PbfParams, walls: Around, pairs: Pairs) -> Ve
                 precision: pairs.precision,
                 packed: pairs.packed(),
             },
-            places: places.read(),
+            quantized_positions: quantized_positions.read(),
             sorted_positions: walls.has_walls().then(|| sorted_positions.read()),
             neighbours: neighbours.read(),
             list_heads: list_heads.read(),
-            constrained: (!pairs.packed()).then(|| constrained.write()),
-            packed_constrained: pairs.packed().then(|| packed_constrained.write()),
+            position_lambdas: (!pairs.packed()).then(|| position_lambdas.write()),
+            packed_position_lambdas: pairs.packed().then(|| packed_position_lambdas.write()),
             step_params: step_params.uniform(),
             kernel: kernel.uniform(),
             pbf: pbf.uniform(),
@@ -102,11 +103,11 @@ fn run_constrain(case: &Case, pbf: PbfParams, walls: Around, pairs: Pairs) -> Ve
     );
     let mut done = bench.run();
     if !pairs.packed() {
-        return done.read(&constrained, case.count());
+        return done.read(&position_lambdas, case.count());
     }
-    let packed: Vec<[u32; 2]> = done.read(&packed_constrained, case.count());
-    let unpacked = |[x_y, z_lambda]: [u32; 2]| Constrained {
-        place: [x_y, z_lambda & 0xffff_0000],
+    let packed: Vec<[u32; 2]> = done.read(&packed_position_lambdas, case.count());
+    let unpacked = |[x_y, z_lambda]: [u32; 2]| PositionLambda {
+        quantized_position: [x_y, z_lambda & 0xffff_0000],
         lambda: f16::from_bits(z_lambda as u16).to_f32(),
         reserved: 0.0,
     };
@@ -130,13 +131,13 @@ fn constrain_density_matches_its_twin() {
                 let step = step_of(&case.step_params(), walls.has_walls());
                 let box_walls = walls_of(&kernel_params(), step.domain_size_m);
                 let box_walls = walls.has_walls().then_some(&box_walls);
-                let placed_m = case.placed_m(pairs.places);
-                let start = case.places(pairs.places);
+                let quantized_m = case.quantized_m(pairs.quantization);
+                let start = case.quantized_positions(pairs.quantization);
                 for (i, got) in got.iter().enumerate() {
                     // The GPU asks the walls at the position, which a packed place rounds.
-                    let expected = constrain_density(i, &placed_m, &case.neighbours[i], &smoothing, &pbf, box_walls);
+                    let expected = constrain_density(i, &quantized_m, &case.neighbours[i], &smoothing, &pbf, box_walls);
                     compressed += usize::from(expected.lambda < 0.0);
-                    assert_eq!(got.place, start[i]);
+                    assert_eq!(got.quantized_position, start[i]);
                     // lambda = C / D: an error of C is divided by D, and one of D counts C times.
                     let scale = (1.0 + expected.constraint) / expected.denominator;
                     worst.check(got.lambda, expected.lambda, scale).unwrap();
@@ -183,17 +184,18 @@ fn run_correct_from(
     pairs: Pairs,
 ) -> Corrected {
     let mut bench = Bench::new();
-    let start = case.places(pairs.places);
+    let start = case.quantized_positions(pairs.quantization);
     let with_lambdas = || start.iter().zip(lambdas);
-    let full: Vec<Constrained> =
-        with_lambdas().map(|(&place, &lambda)| Constrained { place, lambda, reserved: 0.0 }).collect();
+    let full: Vec<PositionLambda> = with_lambdas()
+        .map(|(&quantized_position, &lambda)| PositionLambda { quantized_position, lambda, reserved: 0.0 })
+        .collect();
     let packed: Vec<[u32; 2]> =
         with_lambdas().map(|(&[x_y, z], &lambda)| [x_y, z | u32::from(f16::from_f32(lambda).to_bits())]).collect();
-    let constrained = bench.input("constrained", &full);
-    let packed_constrained = bench.input("packed_constrained", &packed);
+    let position_lambdas = bench.input("position_lambdas", &full);
+    let packed_position_lambdas = bench.input("packed_position_lambdas", &packed);
     let sorted_positions = bench.input("sorted_positions", predicted);
     let (neighbours, list_heads) = case.upload_neighbours(&mut bench);
-    let mut places = bench.output("places", case.count());
+    let mut quantized_positions = bench.output("quantized_positions", case.count());
     let mut counters = bench.input("counters", &[Counters::default()]);
     let step_params = bench.uniform("step_params", case.step_params());
     let kernel = bench.uniform("kernel", kernel_params());
@@ -206,12 +208,12 @@ fn run_correct_from(
                 precision: pairs.precision,
                 packed: pairs.packed(),
             },
-            constrained: (!pairs.packed()).then(|| constrained.read()),
-            packed_constrained: pairs.packed().then(|| packed_constrained.read()),
+            position_lambdas: (!pairs.packed()).then(|| position_lambdas.read()),
+            packed_position_lambdas: pairs.packed().then(|| packed_position_lambdas.read()),
             sorted_positions: sorted_positions.read(),
             neighbours: neighbours.read(),
             list_heads: list_heads.read(),
-            places: places.write(),
+            quantized_positions: quantized_positions.write(),
             counters: counters.write(),
             step_params: step_params.uniform(),
             kernel: kernel.uniform(),
@@ -220,8 +222,8 @@ fn run_correct_from(
         case.count(),
     );
     let mut done = bench.run();
-    let after: Vec<[u32; 2]> = done.read(&places, case.count());
-    let moved = start.iter().zip(&after).map(|(&before, &after)| pairs.places.apart(after, before)).collect();
+    let after: Vec<[u32; 2]> = done.read(&quantized_positions, case.count());
+    let moved = start.iter().zip(&after).map(|(&before, &after)| pairs.quantization.apart(after, before)).collect();
     let counters = done.read(&counters, 1)[0];
     Corrected { after, moved, clamps: counters.correction_clamps, held: counters.displacement_clamps }
 }
@@ -242,20 +244,20 @@ fn correct_positions_matches_its_twin() {
             let pbf = pbf_of(&params);
             for size in pairs.sizes() {
                 let case = case_for(&mut rng, size, walls);
-                // Multipliers that an f16 holds exactly, so that packing them loses nothing.
+                // Lambdas that an f16 holds exactly, so that packing them loses nothing.
                 let lambdas: Vec<f32> = (0..size).map(|_| -(rng.random_range(0..1024) as f32) / 1024.0).collect();
                 let got = run_correct(&case, &lambdas, params, walls, s_corr, pairs);
                 let step = step_of(&case.step_params(), walls.has_walls());
                 let box_walls = walls_of(&kernel_params(), step.domain_size_m);
                 let box_walls = walls.has_walls().then_some(&box_walls);
-                let placed_m = case.placed_m(pairs.places);
+                let quantized_m = case.quantized_m(pairs.quantization);
                 let lambdas: Vec<f64> = lambdas.iter().map(|&l| f64::from(l)).collect();
                 let (mut clamps, mut doubtful) = (0, 0);
                 for i in 0..size {
                     let expected = correct_positions(
                         i,
-                        &placed_m,
-                        placed_m[i],
+                        &quantized_m,
+                        quantized_m[i],
                         &lambdas,
                         &case.neighbours[i],
                         &step,
@@ -270,11 +272,11 @@ fn correct_positions_matches_its_twin() {
                     doubtful += u32::from(near);
                     // The GPU's walls are at the position's own distance, which the place rounds by
                     // up to half a step an axis; so does the move that is stored.
-                    let steps_m = 2.0 * pairs.places.step() * smoothing.support_m;
-                    let scale = expected.terms_m + placed_m[i].length() + steps_m / tolerance;
+                    let steps_m = 2.0 * pairs.quantization.step() * smoothing.support_m;
+                    let scale = expected.terms_m + quantized_m[i].length() + steps_m / tolerance;
                     // A case outside narrow walls is moved in by more than a place can tell: the
                     // position meant is the nearest to the expected one.
-                    let got_m = pairs.places.near(got.after[i], expected.position_m / smoothing.support_m);
+                    let got_m = pairs.quantization.near(got.after[i], expected.position_m / smoothing.support_m);
                     let error_m = got_m * smoothing.support_m - expected.position_m;
                     worst.check3(error_m.to_array().map(|x| x as f32), DVec3::ZERO, scale).unwrap();
                 }
@@ -314,7 +316,8 @@ fn corrections_hold_the_whole_displacement_below_the_support() {
             let got = run_correct_from(&predicted, &case, &lambdas, pbf_params(), Around::Nothing, true, pairs);
             let from =
                 Case { positions: predicted, velocities: Vec::new(), neighbours: Vec::new(), size_m: case.size_m };
-            let (predicted_m, placed_m) = (from.placed_m(pairs.places), case.placed_m(pairs.places));
+            let (predicted_m, quantized_m) =
+                (from.quantized_m(pairs.quantization), case.quantized_m(pairs.quantization));
             let step = step_of(&case.step_params(), false);
             let lambdas: Vec<f64> = lambdas.iter().map(|&l| f64::from(l)).collect();
             let (mut expected_held, mut doubtful) = (0, 0);
@@ -323,7 +326,7 @@ fn corrections_hold_the_whole_displacement_below_the_support() {
                 let list = &case.neighbours[i];
                 let expected = correct_positions(
                     i,
-                    &placed_m,
+                    &quantized_m,
                     predicted_m[i],
                     &lambdas,
                     list,
@@ -334,11 +337,11 @@ fn corrections_hold_the_whole_displacement_below_the_support() {
                     none,
                 );
                 expected_held += u32::from(expected.held);
-                let rounded = tolerance * expected.terms_m / smoothing.support_m + 2.0 * pairs.places.step();
-                doubtful += u32::from((expected.displacement - MOST_DISPLACEMENT).abs() < rounded.max(1e-5));
-                let steps_m = 2.0 * pairs.places.step() * smoothing.support_m;
-                let scale = expected.terms_m + placed_m[i].length() + steps_m / tolerance;
-                let got_m = pairs.places.near(got.after[i], expected.position_m / smoothing.support_m);
+                let rounded = tolerance * expected.terms_m / smoothing.support_m + 2.0 * pairs.quantization.step();
+                doubtful += u32::from((expected.displacement - MAX_DISPLACEMENT).abs() < rounded.max(1e-5));
+                let steps_m = 2.0 * pairs.quantization.step() * smoothing.support_m;
+                let scale = expected.terms_m + quantized_m[i].length() + steps_m / tolerance;
+                let got_m = pairs.quantization.near(got.after[i], expected.position_m / smoothing.support_m);
                 let error_m = got_m * smoothing.support_m - expected.position_m;
                 worst.check3(error_m.to_array().map(|x| x as f32), DVec3::ZERO, scale).unwrap();
             }
@@ -367,7 +370,7 @@ fn corrections_keep_momentum_in_free_space() {
     let sum: DVec3 = got.moved.iter().sum();
     let lengths: f64 = got.moved.iter().map(|moved| moved.length()).sum();
     // Each move rounds by at most half a step an axis.
-    let bound = 0.5 * Places::Full.step() * size as f64 * 3.0_f64.sqrt() + 1e-6 * lengths;
+    let bound = 0.5 * Quantization::Full.step() * size as f64 * 3.0_f64.sqrt() + 1e-6 * lengths;
     println!("momentum of a correction: {:.1e} of {lengths:.1e} h", sum.length());
     assert!(lengths > 0.1 && sum.length() < bound, "{sum} of {lengths}");
 }
@@ -387,7 +390,7 @@ fn particles_at_one_point_part_oppositely() {
 #[test]
 fn update_velocity_matches_its_twin() {
     let mut slowed = 0;
-    for places in [Places::Full, Places::Packed] {
+    for quantization in [Quantization::Full, Quantization::Packed] {
         // A difference of places, exact, a product, a quotient and a sum; then the speed limit.
         let mut worst = Worst::new(UpdateVelocity::STAGE, 20.0 * ROUNDING);
         let mut moves = Worst::new("update_velocity, positions", 4.0 * ROUNDING);
@@ -397,14 +400,14 @@ fn update_velocity_matches_its_twin() {
             for position in case.positions.iter_mut().step_by(7) {
                 position.tag |= 1 << 31;
             }
-            let start = case.places(places);
-            let mut moved_h = || places.fixed_of(0.125 * (rng.random::<f64>() - 0.5));
+            let start = case.quantized_positions(quantization);
+            let mut moved_h = || quantization.fixed_point(0.125 * (rng.random::<f64>() - 0.5));
             let corrected: Vec<[u32; 2]> = start
                 .iter()
-                .map(|&place| places.place_at(places.coordinates(place).map(|c| c.wrapping_add(moved_h()))))
+                .map(|&place| quantization.pack(quantization.coordinates(place).map(|c| c.wrapping_add(moved_h()))))
                 .collect();
             let params = case.step_params();
-            let (positions, velocities, counters) = run_update(&case, &corrected, params, places);
+            let (positions, velocities, counters) = run_update(&case, &corrected, params, quantization);
             let step = step_of(&params, false);
             let mut clamps = 0;
             for i in 0..size {
@@ -415,7 +418,7 @@ fn update_velocity_matches_its_twin() {
                     continue;
                 }
                 let from = vector(case.positions[i].position_m);
-                let to = from + places.apart(corrected[i], start[i]) * f64::from(kernel_params().support_m);
+                let to = from + quantization.apart(corrected[i], start[i]) * f64::from(kernel_params().support_m);
                 moves.check3(positions[i].position_m, to, to.length()).unwrap();
                 let before = vector(case.velocities[i].velocity_m_s);
                 let (expected, fast) = update_velocity(from, to, before, &step);
@@ -436,10 +439,10 @@ fn run_update(
     case: &Case,
     corrected: &[[u32; 2]],
     params: StepParams,
-    places: Places,
+    quantization: Quantization,
 ) -> (Vec<brooklet_kernels::Position>, Vec<Velocity>, Counters) {
     let mut bench = Bench::new();
-    let corrected = bench.input("places", corrected);
+    let corrected = bench.input("quantized_positions", corrected);
     let kernel = bench.uniform("kernel", kernel_params());
     let sorted_positions = bench.input("sorted_positions", &case.positions);
     let sorted_velocities = bench.input("sorted_velocities", &case.velocities);
@@ -449,8 +452,11 @@ fn run_update(
     let step_params = bench.uniform("step_params", params);
     bench.dispatch(
         &UpdateVelocity {
-            variant: UpdateVelocityVariant { packed: places == Places::Packed, periodic: params.period_m != [0.0; 3] },
-            places: corrected.read(),
+            variant: UpdateVelocityVariant {
+                packed: quantization == Quantization::Packed,
+                periodic: params.period_m != [0.0; 3],
+            },
+            quantized_positions: corrected.read(),
             kernel: kernel.uniform(),
             sorted_positions: sorted_positions.read(),
             sorted_velocities: sorted_velocities.read(),

@@ -9,7 +9,7 @@ use brooklet_reference::surface::smooth_curvature_flow::smooth_curvature_flow;
 use brooklet_reference::surface::smooth_gaussian::smooth_gaussian;
 use brooklet_reference::surface::smooth_narrow_range::smooth_narrow_range;
 use brooklet_reference::surface::surface_normals::surface_normals;
-use brooklet_reference::surface::{Along, Nearness};
+use brooklet_reference::surface::{Along, InverseDepth};
 use brooklet_render::frame::FrameValues;
 use brooklet_render::surface::screen_space::{self, ScreenSpaceOptions};
 use brooklet_render::{Camera, Coloring, FrameOptions, Particles, SurfaceOptions, View};
@@ -17,7 +17,7 @@ use brooklet_tests::{gpu, rng};
 use glam::DVec3;
 use rand::RngExt as _;
 
-/// Of a pixel's nearness. Sums of at most 260 taps whose weights come from a device's `exp`, with
+/// Of a pixel's inverse_depth. Sums of at most 260 taps whose weights come from a device's `exp`, with
 /// errors of a few roundings each, that weigh differences of at most a tenth.
 const FILTER_TOLERANCE: f64 = 2e-6;
 /// Share of the fluid's pixels where f32 may decide a comparison of depths the other way than f64.
@@ -82,8 +82,8 @@ fn particles(seed: u64) -> Vec<Position> {
 }
 
 struct Drawn {
-    raw: Nearness,
-    smoothed: Nearness,
+    raw: InverseDepth,
+    smoothed: InverseDepth,
     normals: Vec<[f32; 4]>,
     params: SurfaceParams,
     view: FrameView,
@@ -104,15 +104,15 @@ fn draw(view: &View, options: &ScreenSpaceOptions, positions: &[Position]) -> Dr
     let values = FrameValues::new(view, &frame).expect("values");
     let count = positions.len() as u32;
     let mut resources = Resources::new();
-    let buffer = resources.state::<Position>("positions", count);
-    let velocities = resources.state("velocities", count);
-    let mut frame_view = resources.state("frame_view", 1);
+    let buffer = resources.persistent::<Position>("positions", count);
+    let velocities = resources.persistent("velocities", count);
+    let mut frame_view = resources.persistent("frame_view", 1);
     let (mut init, mut recording) = (Recording::new("init"), Recording::new("draw"));
     init.upload(&mut frame_view, &[values.view]);
     let particles = Particles { positions: &buffer, velocities: &velocities, count, neighbours: None, densities: None };
     let into = (&mut init, &mut recording);
     let surface = screen_space::record(&mut resources, into, &frame_view, &particles, view.size_px, tier, options);
-    let wanted = [surface.raw.id, surface.nearness.id, surface.normals.id];
+    let wanted = [surface.raw.id, surface.inverse_depth.id, surface.normals.id];
     let plan = Plan::sweep(resources, vec![init, recording], &wanted).expect("a plan");
     let mut engine = Engine::new(&gpu(), plan).expect("an engine");
     if count > 0 {
@@ -121,49 +121,52 @@ fn draw(view: &View, options: &ScreenSpaceOptions, positions: &[Position]) -> Dr
     engine.run(&["init", "draw"], &[]).expect("it draws");
     let mut read = |texture| {
         let values: Vec<f32> = bytemuck::pod_collect_to_vec(&engine.read_texture(texture).expect("a texture"));
-        Nearness {
+        InverseDepth {
             size_px: view.size_px.map(|side| side as usize),
             values: values.into_iter().map(f64::from).collect(),
         }
     };
-    let (raw, smoothed) = (read(&surface.raw), read(&surface.nearness));
+    let (raw, smoothed) = (read(&surface.raw), read(&surface.inverse_depth));
     let normals = bytemuck::pod_collect_to_vec(&engine.read_texture(&surface.normals).expect("normals"));
     Drawn { raw, smoothed, normals, params: options.params(), view: values.view }
 }
 
-fn twin(drawn: &Drawn, smoothing: Smoothing, iterations: u32, params: &SurfaceParams) -> Nearness {
+fn twin(drawn: &Drawn, smoothing: Smoothing, iterations: u32, params: &SurfaceParams) -> InverseDepth {
     let view = &drawn.view;
-    let mut nearness = drawn.raw.clone();
+    let mut inverse_depth = drawn.raw.clone();
     for _ in 0..iterations {
-        nearness = match smoothing {
-            Smoothing::None => nearness,
+        inverse_depth = match smoothing {
+            Smoothing::None => inverse_depth,
             Smoothing::Gaussian => {
-                smooth_gaussian(&smooth_gaussian(&nearness, params, view, Along::X), params, view, Along::Y)
+                smooth_gaussian(&smooth_gaussian(&inverse_depth, params, view, Along::X), params, view, Along::Y)
             }
             Smoothing::Bilateral => {
-                smooth_bilateral(&smooth_bilateral(&nearness, params, view, Along::X), params, view, Along::Y)
+                smooth_bilateral(&smooth_bilateral(&inverse_depth, params, view, Along::X), params, view, Along::Y)
             }
-            Smoothing::Bilateral2d => smooth_bilateral(&nearness, params, view, Along::Plane),
-            Smoothing::NarrowRange => {
-                smooth_narrow_range(&smooth_narrow_range(&nearness, params, view, Along::X), params, view, Along::Y)
-            }
-            Smoothing::CurvatureFlow => smooth_curvature_flow(&nearness, params, view),
+            Smoothing::Bilateral2d => smooth_bilateral(&inverse_depth, params, view, Along::Plane),
+            Smoothing::NarrowRange => smooth_narrow_range(
+                &smooth_narrow_range(&inverse_depth, params, view, Along::X),
+                params,
+                view,
+                Along::Y,
+            ),
+            Smoothing::CurvatureFlow => smooth_curvature_flow(&inverse_depth, params, view),
         };
     }
     match smoothing {
-        Smoothing::NarrowRange => smooth_narrow_range(&nearness, params, view, Along::Plane),
-        _ => nearness,
+        Smoothing::NarrowRange => smooth_narrow_range(&inverse_depth, params, view, Along::Plane),
+        _ => inverse_depth,
     }
 }
 
 /// Largest relative difference of pixels that agree, and how many do not.
-fn compare(got: &Nearness, expected: &Nearness) -> Result<(f64, usize), String> {
+fn compare(got: &InverseDepth, expected: &InverseDepth) -> Result<(f64, usize), String> {
     let covered = expected.values.iter().filter(|&&value| value > 0.0).count();
     let (mut worst, mut beyond) = (0.0f64, 0);
     for (index, (&got, &expected)) in got.values.iter().zip(&expected.values).enumerate() {
         let difference = (got - expected).abs() / expected.max(1e-9);
         if (got > 0.0) != (expected > 0.0) {
-            return Err(format!("pixel {index}: nearness {got}, expected {expected}"));
+            return Err(format!("pixel {index}: inverse_depth {got}, expected {expected}"));
         }
         match difference <= FILTER_TOLERANCE {
             true => worst = worst.max(difference),

@@ -5,7 +5,7 @@ use brooklet_kernels::{
     ConfineVorticity, ConfineVorticityVariant, Curl, CurlVariant, Kernel, PrecisionKeyword, Viscosity,
     ViscosityVariant, Vorticity,
 };
-use brooklet_reference::shared::place::Places;
+use brooklet_reference::shared::quantized_position::Quantization;
 use brooklet_reference::shared::wendland;
 use brooklet_reference::solver::pbf::confine_vorticity::confine_vorticity;
 use brooklet_reference::solver::pbf::curl::curl;
@@ -23,27 +23,29 @@ const CURL_HALF: f64 = 12.0;
 /// And a confined velocity: .23.
 const CONFINE_HALF: f64 = 0.75;
 
-/// Every variant: its precision, how large its roundings are, and its places.
-fn variants() -> Vec<(PrecisionKeyword, f64, Places)> {
-    let each = |(precision, rounding)| [Places::Full, Places::Packed].map(|places| (precision, rounding, places));
+/// Every variant: its precision, how large its roundings are, and its quantized_positions.
+fn variants() -> Vec<(PrecisionKeyword, f64, Quantization)> {
+    let each = |(precision, rounding)| {
+        [Quantization::Full, Quantization::Packed].map(|quantization| (precision, rounding, quantization))
+    };
     precisions().into_iter().flat_map(each).collect()
 }
 
-fn name(kernel: &str, precision: PrecisionKeyword, places: Places) -> String {
-    format!("{kernel} {precision:?} {places:?}")
+fn name(kernel: &str, precision: PrecisionKeyword, quantization: Quantization) -> String {
+    format!("{kernel} {precision:?} {quantization:?}")
 }
 
 #[test]
 fn viscosity_matches_its_twin() {
-    for (precision, rounding, places) in variants() {
+    for (precision, rounding, quantization) in variants() {
         let mut worst =
-            Worst::new(name(Viscosity::STAGE, precision, places), tolerance_of_pairs(rounding, VISCOSITY_HALF));
+            Worst::new(name(Viscosity::STAGE, precision, quantization), tolerance_of_pairs(rounding, VISCOSITY_HALF));
         let mut rng = rng(41);
         let (smoothing, pbf) = (smoothing_of(&kernel_params()), pbf_of(&pbf_params()));
         for size in sizes(Viscosity::GROUP_SIZE[0] as usize) {
             let case = fluid(&mut rng, size);
             let mut bench = Bench::new();
-            let place_buffer = bench.input("places", &case.places(places));
+            let quantized_buffer = bench.input("quantized_positions", &case.quantized_positions(quantization));
             let velocities = bench.input("velocities", &case.velocities);
             let (neighbours, list_heads) = case.upload_neighbours(&mut bench);
             let mut smoothed = bench.output("smoothed_velocities", size);
@@ -52,8 +54,8 @@ fn viscosity_matches_its_twin() {
             let pbf_buffer = bench.uniform("pbf", pbf_params());
             bench.dispatch(
                 &Viscosity {
-                    variant: ViscosityVariant { precision, packed: places == Places::Packed },
-                    places: place_buffer.read(),
+                    variant: ViscosityVariant { precision, packed: quantization == Quantization::Packed },
+                    quantized_positions: quantized_buffer.read(),
                     velocities: velocities.read(),
                     neighbours: neighbours.read(),
                     list_heads: list_heads.read(),
@@ -65,7 +67,7 @@ fn viscosity_matches_its_twin() {
                 size,
             );
             let got = bench.run().read(&smoothed, size);
-            let (positions_m, velocities_m_s) = (case.placed_m(places), case.velocities_m_s());
+            let (positions_m, velocities_m_s) = (case.quantized_m(quantization), case.velocities_m_s());
             for (i, got) in got.iter().enumerate() {
                 let expected = viscosity(i, &positions_m, &velocities_m_s, &case.neighbours[i], &smoothing, &pbf);
                 // No speed is above 2 sqrt(3) m/s.
@@ -78,14 +80,14 @@ fn viscosity_matches_its_twin() {
 
 #[test]
 fn curl_matches_its_twin() {
-    for (precision, rounding, places) in variants() {
-        let mut worst = Worst::new(name(Curl::STAGE, precision, places), tolerance_of_pairs(rounding, CURL_HALF));
+    for (precision, rounding, quantization) in variants() {
+        let mut worst = Worst::new(name(Curl::STAGE, precision, quantization), tolerance_of_pairs(rounding, CURL_HALF));
         let mut rng = rng(42);
         let smoothing = smoothing_of(&kernel_params());
         for size in sizes(Curl::GROUP_SIZE[0] as usize) {
             let case = fluid(&mut rng, size);
             let mut bench = Bench::new();
-            let place_buffer = bench.input("places", &case.places(places));
+            let quantized_buffer = bench.input("quantized_positions", &case.quantized_positions(quantization));
             let velocities = bench.input("velocities", &case.velocities);
             let (neighbours, list_heads) = case.upload_neighbours(&mut bench);
             let mut vorticities = bench.output("vorticities", size);
@@ -93,8 +95,8 @@ fn curl_matches_its_twin() {
             let kernel = bench.uniform("kernel", kernel_params());
             bench.dispatch(
                 &Curl {
-                    variant: CurlVariant { precision, packed: places == Places::Packed },
-                    places: place_buffer.read(),
+                    variant: CurlVariant { precision, packed: quantization == Quantization::Packed },
+                    quantized_positions: quantized_buffer.read(),
                     velocities: velocities.read(),
                     neighbours: neighbours.read(),
                     list_heads: list_heads.read(),
@@ -105,7 +107,7 @@ fn curl_matches_its_twin() {
                 size,
             );
             let got = bench.run().read(&vorticities, size);
-            let (positions_m, velocities_m_s) = (case.placed_m(places), case.velocities_m_s());
+            let (positions_m, velocities_m_s) = (case.quantized_m(quantization), case.velocities_m_s());
             for (i, got) in got.iter().enumerate() {
                 let expected = curl(i, &positions_m, &velocities_m_s, &case.neighbours[i], &smoothing);
                 let terms: f64 = case.neighbours[i]
@@ -128,9 +130,11 @@ fn curl_matches_its_twin() {
 
 #[test]
 fn confine_vorticity_matches_its_twin() {
-    for (precision, rounding, places) in variants() {
-        let mut worst =
-            Worst::new(name(ConfineVorticity::STAGE, precision, places), tolerance_of_pairs(rounding, CONFINE_HALF));
+    for (precision, rounding, quantization) in variants() {
+        let mut worst = Worst::new(
+            name(ConfineVorticity::STAGE, precision, quantization),
+            tolerance_of_pairs(rounding, CONFINE_HALF),
+        );
         let mut rng = rng(43);
         let (smoothing, pbf) = (smoothing_of(&kernel_params()), pbf_of(&pbf_params()));
         for size in sizes(ConfineVorticity::GROUP_SIZE[0] as usize) {
@@ -142,7 +146,7 @@ fn confine_vorticity_matches_its_twin() {
                 })
                 .collect();
             let mut bench = Bench::new();
-            let place_buffer = bench.input("places", &case.places(places));
+            let quantized_buffer = bench.input("quantized_positions", &case.quantized_positions(quantization));
             let vorticities = bench.input("vorticities", &swirls);
             let (neighbours, list_heads) = case.upload_neighbours(&mut bench);
             let mut velocities = bench.input("velocities", &case.velocities);
@@ -150,8 +154,8 @@ fn confine_vorticity_matches_its_twin() {
             let pbf_buffer = bench.uniform("pbf", pbf_params());
             bench.dispatch(
                 &ConfineVorticity {
-                    variant: ConfineVorticityVariant { precision, packed: places == Places::Packed },
-                    places: place_buffer.read(),
+                    variant: ConfineVorticityVariant { precision, packed: quantization == Quantization::Packed },
+                    quantized_positions: quantized_buffer.read(),
                     vorticities: vorticities.read(),
                     neighbours: neighbours.read(),
                     list_heads: list_heads.read(),
@@ -162,7 +166,7 @@ fn confine_vorticity_matches_its_twin() {
                 size,
             );
             let got = bench.run().read(&velocities, size);
-            let (positions_m, velocities_m_s) = (case.placed_m(places), case.velocities_m_s());
+            let (positions_m, velocities_m_s) = (case.quantized_m(quantization), case.velocities_m_s());
             let swirls: Vec<_> = swirls.iter().map(|s| vector(s.vorticity_per_s)).collect();
             let step = step_of(&case.step_params(), false);
             for (i, got) in got.iter().enumerate() {

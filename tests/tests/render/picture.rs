@@ -207,7 +207,7 @@ fn the_floor_tier_draws_the_same_picture() {
 #[test]
 fn densities_of_particles_without_neighbours_are_refused() {
     let mut resources = Resources::new();
-    let (positions, velocities) = (resources.state("positions", 1), resources.state("velocities", 1));
+    let (positions, velocities) = (resources.persistent("positions", 1), resources.persistent("velocities", 1));
     let particles =
         Particles { positions: &positions, velocities: &velocities, count: 1, neighbours: None, densities: None };
     let wanted = FrameOptions { coloring: Coloring::Density, ..options() };

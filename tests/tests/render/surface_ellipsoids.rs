@@ -18,7 +18,7 @@ use glam::DVec3;
 use rand::RngExt as _;
 
 const SPACING_M: f64 = 0.05;
-/// Of a pixel's nearness. A matrix in f16 moves the surface by up to 2^-10 of the longest radius,
+/// Of a pixel's inverse_depth. A matrix in f16 moves the surface by up to 2^-10 of the longest radius,
 /// 1.6 x 0.04 m, at 2 m; seen at a slope of 1 to 3 that is three times as much along the ray.
 const TOLERANCE: f64 = 1e-4;
 /// Share of the covered pixels whose rays graze an ellipsoid: there no tolerance would do.
@@ -55,7 +55,7 @@ fn splash(seed: u64) -> Vec<Position> {
 }
 
 struct Drawn {
-    nearness: Vec<f32>,
+    inverse_depth: Vec<f32>,
     view: FrameView,
     ellipsoids: Vec<Ellipsoid>,
 }
@@ -69,17 +69,17 @@ fn draw(view: &View, positions: &[Position]) -> Drawn {
     let (lists, mut heads) = list::encoded(&neighbours, LIST_CHUNKS);
     heads.iter_mut().filter(|head| head.entries == 0).for_each(|head| head.first = u32::MAX);
     let mut resources = Resources::new();
-    let mut buffer = resources.state::<Position>("positions", count);
-    let velocities = resources.state("velocities", count);
+    let mut buffer = resources.persistent::<Position>("positions", count);
+    let velocities = resources.persistent("velocities", count);
     let mut listed = Neighbours {
-        gaps: resources.state("neighbours", lists.len() as u32),
-        heads: resources.state("list_heads", count),
+        deltas: resources.persistent("neighbours", lists.len() as u32),
+        heads: resources.persistent("list_heads", count),
     };
-    let mut frame_view = resources.state("frame_view", 1);
+    let mut frame_view = resources.persistent("frame_view", 1);
     let (mut init, mut recording) = (Recording::new("init"), Recording::new("draw"));
     init.upload(&mut frame_view, &[values.view]);
     init.upload(&mut buffer, positions);
-    init.upload(&mut listed.gaps, &lists);
+    init.upload(&mut listed.deltas, &lists);
     init.upload(&mut listed.heads, &heads);
     let particles =
         Particles { positions: &buffer, velocities: &velocities, count, neighbours: Some(&listed), densities: None };
@@ -91,14 +91,14 @@ fn draw(view: &View, positions: &[Position]) -> Drawn {
     assert!(is_made || count == 0, "ellipsoids are drawn");
     let mut engine = Engine::new(&gpu(), plan).expect("an engine");
     engine.run(&["init", "draw"], &[]).expect("it draws");
-    let nearness = bytemuck::pod_collect_to_vec(&engine.read_texture(&drawn.raw).expect("a texture"));
+    let inverse_depth = bytemuck::pod_collect_to_vec(&engine.read_texture(&drawn.raw).expect("a texture"));
     let params = screen_space::anisotropy::params(&surface, count, LIST_CHUNKS);
     let seen = (0..positions.len()).filter(|&i| !quarantined(i));
     let ellipsoids = seen.map(|i| anisotropy(i, &at_m, &neighbours[i], &params)).collect();
-    Drawn { nearness, view: values.view, ellipsoids }
+    Drawn { inverse_depth, view: values.view, ellipsoids }
 }
 
-/// The nearness of the nearest ellipsoid, cut off at the tank, along the ray of a pixel.
+/// The inverse_depth of the nearest ellipsoid, cut off at the tank, along the ray of a pixel.
 fn along_ray(drawn: &Drawn, ellipsoids: &[(DVec3, glam::DMat3)], x: usize, y: usize) -> f64 {
     let vector = |v: [f32; 3]| DVec3::from(v.map(f64::from));
     let view = &drawn.view;
@@ -128,7 +128,7 @@ fn beyond(drawn: &Drawn, grown: f64) -> (usize, usize) {
     let ellipsoids: Vec<_> = drawn.ellipsoids.iter().map(|e| (e.center_m, (e.stretch * radius_m).inverse())).collect();
     let width = drawn.view.size_px[0] as usize;
     let (mut covered, mut beyond) = (0, 0);
-    for (index, &got) in drawn.nearness.iter().enumerate() {
+    for (index, &got) in drawn.inverse_depth.iter().enumerate() {
         let expected = along_ray(drawn, &ellipsoids, index % width, index / width);
         covered += usize::from(expected > 0.0);
         // Written so that a NaN is beyond.
@@ -172,8 +172,8 @@ fn awkward_particles_and_cameras_leave_no_number_that_is_none() {
         ("a camera at 10 km", DVec3::new(0.5, 3e3, 9.5e3), &pool, true),
     ] {
         let drawn = draw(&view([160, 90], eye_m), positions);
-        assert!(drawn.nearness.iter().all(|n| n.is_finite() && *n >= 0.0), "{what}");
-        let is_covered = drawn.nearness.iter().any(|&n| n > 0.0);
+        assert!(drawn.inverse_depth.iter().all(|n| n.is_finite() && *n >= 0.0), "{what}");
+        let is_covered = drawn.inverse_depth.iter().any(|&n| n > 0.0);
         // From 10 km a pixel is far wider than all of the fluid: it may be seen, or not.
         assert!(is_covered == is_seen || what == "a camera at 10 km", "{what}: {is_covered}");
     }

@@ -95,7 +95,7 @@ fn a_format_that_is_missing_is_said_by_name() {
     for (lacking, usage, can, texture, used_as) in [
         (Format::R16Float, none, Can::BLENDABLE, "thickness", "blended to"),
         (Format::R16Float, none, Can::FILTERABLE, "thickness", "read with a filter"),
-        (Format::R32Float, draw, Can::empty(), "nearness", "drawn to"),
+        (Format::R32Float, draw, Can::empty(), "inverse_depth", "drawn to"),
         (Format::Rgba16Float, none, Can::BLENDABLE, "", "blended to"),
         (Format::Rgba8Unorm, draw, Can::empty(), "picture", "drawn to"),
     ] {

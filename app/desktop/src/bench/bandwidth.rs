@@ -14,8 +14,8 @@ const COPY: &str = "copy";
 /// Bytes a second that a copy of a large buffer reads and writes, by the fastest of a few runs.
 pub fn copy_bytes_per_s(gpu: &Gpu, interrupt: &Interrupt) -> Result<f64, Failure> {
     let mut resources = Resources::new();
-    let from = resources.state("from_elements", BYTES / 16);
-    let mut to = resources.state("to_elements", BYTES / 16);
+    let from = resources.persistent("from_elements", BYTES / 16);
+    let mut to = resources.persistent("to_elements", BYTES / 16);
     let mut copy = Recording::new(COPY);
     let elements = to.len;
     copy.dispatch(&CopyElements { from_elements: from.read(), to_elements: to.write() }, elements);

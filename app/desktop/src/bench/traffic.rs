@@ -18,12 +18,12 @@ use serde::Serialize;
 /// The buffers that a stage reads at its neighbours, by the bindings' names; of those, the ones
 /// that the variant binds.
 const GATHERS: &[(&str, &[&str])] = &[
-    ("list_neighbours", &["places"]),
-    ("constrain_density", &["places"]),
-    ("correct_positions", &["constrained", "packed_constrained"]),
-    ("curl", &["places", "velocities"]),
-    ("confine_vorticity", &["places", "vorticities"]),
-    ("viscosity", &["places", "velocities"]),
+    ("list_neighbours", &["quantized_positions"]),
+    ("constrain_density", &["quantized_positions"]),
+    ("correct_positions", &["position_lambdas", "packed_position_lambdas"]),
+    ("curl", &["quantized_positions", "velocities"]),
+    ("confine_vorticity", &["quantized_positions", "vorticities"]),
+    ("viscosity", &["quantized_positions", "velocities"]),
     ("measure_particles", &["positions"]),
     ("anisotropy", &["positions"]),
     ("density_ratios", &["positions"]),
@@ -110,7 +110,7 @@ mod tests {
         // 4 iterations; what is bound once each, of the list what is in use, and 8 bytes of each
         // neighbour's place.
         let constrain = of(&planned.plan, STEP, "constrain_density", 27 * n);
-        let once = bytes(&["places", "sorted_positions", "list_heads", "constrained"]);
+        let once = bytes(&["quantized_positions", "sorted_positions", "list_heads", "position_lambdas"]);
         assert_eq!(constrain.compulsory_bytes, 4 * (once + 2 * 27 * n));
         assert_eq!(constrain.gathered_bytes, 4 * 27 * n * 8);
         // Nothing is gathered where nothing is listed.

@@ -9,7 +9,7 @@
 
 use brooklet_fluid::{
     Recorded, Scene,
-    particles::{Emitted, emit},
+    particles::{ParticleSet, sample_lattice},
     record_particles,
 };
 use brooklet_gpu::{Plan, ResourceId, Resources};
@@ -98,15 +98,15 @@ pub fn plan(scene: &Scene) -> Result<Planned, Failure> {
 }
 
 /// The scene's particles off their lattice.
-pub fn jittered(scene: &Scene) -> Emitted {
-    let mut emitted = emit(scene);
+pub fn jittered(scene: &Scene) -> ParticleSet {
+    let mut particles = sample_lattice(scene);
     let mut random = fastrand::Rng::with_seed(27);
-    for position in &mut emitted.positions {
+    for position in &mut particles.positions {
         for x_m in &mut position.position_m {
             *x_m += ((2.0 * random.f64() - 1.0) * JITTER * scene.spacing_m) as f32;
         }
     }
-    emitted
+    particles
 }
 
 #[cfg(test)]
@@ -124,11 +124,11 @@ mod tests {
         }
         let scene = LOADS[2].scene(EDGES[0], &["solver.xsph=0.5".into()]).unwrap();
         assert_eq!(scene.solver.xsph, 0.5);
-        let emitted = jittered(&scene);
-        assert_eq!(emitted.positions.len(), 16 * 16 * 16);
-        assert_eq!(emitted.positions, jittered(&scene).positions, "seeded");
+        let particles = jittered(&scene);
+        assert_eq!(particles.positions.len(), 16 * 16 * 16);
+        assert_eq!(particles.positions, jittered(&scene).positions, "seeded");
         let size_m = scene.domain.size_m();
-        for position in &emitted.positions {
+        for position in &particles.positions {
             assert!((0..3).all(|axis| (0.0..size_m[axis] as f32).contains(&position.position_m[axis])));
         }
         assert!(LOADS[0].scene(16, &["solver.xsph=2".into()]).is_err());

@@ -2,4 +2,4 @@
 
 mod walls;
 
-pub use walls::{WallScales, beyond_wall, wall_share};
+pub use walls::{WallScales, beyond_wall, wall_kernel_fraction};

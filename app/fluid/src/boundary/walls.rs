@@ -8,13 +8,13 @@
 
 use std::f64::consts::PI;
 
-use crate::kernel::{for_lattice, lattice, wendland};
+use crate::smoothing_kernel::{for_lattice, lattice, wendland};
 
 /// Coefficients c of the share of Wendland's kernel beyond a wall that it reaches by t (in h):
 /// t⁵ (c₀ + c₁ t + c₂ t² + c₃ t³). In three dimensions that is the integral itself. In two it has
 /// logarithms; this is within 5e-5 of it and of its slope within 1e-3 / h (least squares over 0 to h; test
 /// `planes_of_two_dimensions_are_close_to_their_integrals` of the twin).
-pub fn wall_share(dimensions: u32) -> [f64; 4] {
+pub fn wall_kernel_fraction(dimensions: u32) -> [f64; 4] {
     match dimensions {
         2 => [0.684_768_84, 1.544_916_68, -2.630_423_74, 0.900_738_22],
         _ => [0.0, 3.5, -4.5, 1.5],
@@ -24,7 +24,7 @@ pub fn wall_share(dimensions: u32) -> [f64; 4] {
 /// The share of Wendland's kernel beyond a wall, at a distance in h.
 pub fn beyond_wall(dimensions: u32, distance: f64) -> f64 {
     let t = (1.0 - distance).clamp(0.0, 1.0);
-    let [c0, c1, c2, c3] = wall_share(dimensions);
+    let [c0, c1, c2, c3] = wall_kernel_fraction(dimensions);
     t.powi(5) * (c0 + t * (c1 + t * (c2 + t * c3)))
 }
 

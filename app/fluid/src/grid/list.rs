@@ -3,7 +3,7 @@
 
 use brooklet_gpu::{Recording, Resources};
 use brooklet_kernels::{
-    Buffer, Counters, GridParams, LIST_CHUNK, LIST_NOBODY, LIST_SLICE, LIST_WIDEST_GAP, ListHead, ListNeighbours,
+    Buffer, Counters, GridParams, LIST_CHUNK, LIST_ESCAPE, LIST_MAX_DELTA, LIST_SLICE, ListHead, ListNeighbours,
     ListNeighboursVariant,
 };
 
@@ -26,9 +26,9 @@ pub fn listed(i: u32, head: ListHead, lists: &[[u32; 2]], list_chunks: u32) -> i
     let mut last = head.first.wrapping_sub(1);
     (0..head.entries).filter_map(move |entry| {
         let chunk = lists[(first_chunk + entry / LIST_CHUNK * LIST_SLICE) as usize];
-        let gap = chunk[(entry / 2 % 2) as usize] >> (entry % 2 * 16) & 0xffff;
-        last = last.wrapping_add(if gap == LIST_NOBODY { LIST_WIDEST_GAP } else { gap });
-        (gap != LIST_NOBODY).then_some(last)
+        let delta = chunk[(entry / 2 % 2) as usize] >> (entry % 2 * 16) & 0xffff;
+        last = last.wrapping_add(if delta == LIST_ESCAPE { LIST_MAX_DELTA } else { delta });
+        (delta != LIST_ESCAPE).then_some(last)
     })
 }
 
@@ -36,7 +36,7 @@ pub fn listed(i: u32, head: ListHead, lists: &[[u32; 2]], list_chunks: u32) -> i
 pub struct Neighbours {
     /// Gaps between sorted indices, four of a particle side by side, interleaved over slices of
     /// `LIST_SLICE` particles.
-    pub gaps: Buffer<[u32; 2]>,
+    pub deltas: Buffer<[u32; 2]>,
     /// Where each list begins, and its length.
     pub heads: Buffer<ListHead>,
 }
@@ -46,8 +46,8 @@ impl Neighbours {
     /// the measurement that reads them.
     pub fn declare(resources: &mut Resources, params: &GridParams) -> Self {
         Self {
-            gaps: resources.state("neighbours", list_length(params.particle_count, params.list_chunks)),
-            heads: resources.state("list_heads", params.particle_count),
+            deltas: resources.persistent("neighbours", list_length(params.particle_count, params.list_chunks)),
+            heads: resources.persistent("list_heads", params.particle_count),
         }
     }
 
@@ -61,9 +61,9 @@ impl Neighbours {
                     packed: sorted.packed,
                 },
                 sorted_positions: sorted.positions.read(),
-                places: sorted.places.read(),
+                quantized_positions: sorted.quantized_positions.read(),
                 cell_starts: grid.cell_starts.read(),
-                neighbours: self.gaps.write(),
+                neighbours: self.deltas.write(),
                 list_heads: self.heads.write(),
                 counters: counters.write(),
                 grid: grid.params.uniform(),

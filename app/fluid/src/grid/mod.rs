@@ -9,8 +9,8 @@ pub use scan::{SCAN_GROUP, Scan};
 
 use brooklet_gpu::{Recording, Resources};
 use brooklet_kernels::{
-    Buffer, CellSlot, CountCells, CountCellsVariant, GridParams, ListMembers, Position, RankMembers, Reorder,
-    ReorderVariant, Velocity,
+    Buffer, CellSlot, CountCells, CountCellsVariant, GridParams, Position, RankById, Reorder, ReorderVariant,
+    ScatterCellMembers, Velocity,
 };
 
 use crate::scene::Scene;
@@ -32,7 +32,7 @@ pub fn cells(scene: &Scene) -> [u64; 3] {
 const CELLS_A_PARTICLE: u64 = 16;
 /// A grid of so many cells is small however few particles there are.
 const FEW_CELLS: u64 = 1 << 16;
-/// Fewest cells that an axis is wrapped onto: no search meets a cell twice, and places, which repeat
+/// Fewest cells that an axis is wrapped onto: no search meets a cell twice, and quantized_positions, which repeat
 /// every 4 h, repeat with it. An axis of fewer keeps them.
 const LEAST_WRAPPED: u64 = 8;
 
@@ -109,7 +109,7 @@ impl Grid {
     pub fn declare(resources: &mut Resources, scene: &Scene, params: &GridParams) -> Self {
         let starts = params.cell_count + 2;
         Self {
-            params: resources.state("grid_params", 1),
+            params: resources.persistent("grid_params", 1),
             cell_counts: resources.buffer("cell_counts", starts),
             cell_starts: resources.buffer("cell_starts", starts),
             cell_slots: resources.buffer("cell_slots", params.particle_count),
@@ -143,7 +143,7 @@ impl Grid {
         if let Some(members) = &mut self.members {
             let grid = self.params.uniform();
             recording.dispatch(
-                &ListMembers {
+                &ScatterCellMembers {
                     cell_slots: self.cell_slots.read(),
                     cell_starts: self.cell_starts.read(),
                     cell_members: members.write(),
@@ -152,7 +152,7 @@ impl Grid {
                 positions.len,
             );
             recording.dispatch(
-                &RankMembers {
+                &RankById {
                     positions: positions.read(),
                     cell_starts: self.cell_starts.read(),
                     cell_members: members.read(),
@@ -171,7 +171,7 @@ impl Grid {
                 cell_starts: self.cell_starts.read(),
                 sorted_positions: sorted.positions.write(),
                 sorted_velocities: sorted.velocities.write(),
-                places: sorted.places.write(),
+                quantized_positions: sorted.quantized_positions.write(),
                 grid: self.params.uniform(),
             },
             positions.len,
@@ -186,8 +186,8 @@ pub struct Sorted {
     /// Predicted velocities.
     pub velocities: Buffer<Velocity>,
     /// The same positions in fixed point, for the iterations to change.
-    pub places: Buffer<[u32; 2]>,
-    /// Whether the places are packed into 16 bits an axis.
+    pub quantized_positions: Buffer<[u32; 2]>,
+    /// Whether the quantized_positions are packed into 16 bits an axis.
     pub packed: bool,
 }
 
@@ -197,7 +197,7 @@ impl Sorted {
         Self {
             positions: resources.buffer("sorted_positions", particle_count),
             velocities: resources.buffer("sorted_velocities", particle_count),
-            places: resources.buffer("places", particle_count),
+            quantized_positions: resources.buffer("quantized_positions", particle_count),
             packed: scene.solver.packed_positions,
         }
     }

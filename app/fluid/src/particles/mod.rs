@@ -1,9 +1,9 @@
 //! Particles: where they start, the same fluid at another spacing, and the prediction that begins each substep.
 
-mod emit;
 mod lattice;
 mod resample;
+mod sample_lattice;
 
-pub use emit::{Emitted, MAX_FLUIDS, MAX_PARTICLES, count, emit};
-pub(crate) use emit::{fits, fitted_spacing_m};
 pub use resample::resample;
+pub use sample_lattice::{MAX_FLUIDS, MAX_PARTICLES, ParticleSet, count, sample_lattice};
+pub(crate) use sample_lattice::{fits, fitted_spacing_m};

@@ -12,9 +12,9 @@ use std::collections::HashMap;
 use brooklet_kernels::{FLUID_SHIFT, Position, QUARANTINED, Velocity};
 
 use super::lattice::{WHOLE, steps_m};
-use super::{Emitted, MAX_FLUIDS, MAX_PARTICLES};
-use crate::kernel::{lattice, wendland};
+use super::{MAX_FLUIDS, MAX_PARTICLES, ParticleSet};
 use crate::scene::Scene;
+use crate::smoothing_kernel::{lattice, wendland};
 
 /// The support radius of the splatting kernel, in spacings of whichever lattice is coarser.
 const SUPPORT_RATIO: f64 = 2.0;
@@ -27,11 +27,11 @@ const RATIO_STEP: f32 = 1.0 / 64.0;
 /// and dimensions. What is quarantined is left out. The particle count is the old one times the ratio of
 /// the particles' volumes, to within half a particle; at most [`MAX_PARTICLES`], and fewer where spray is
 /// finer than the new lattice. Fluid that reaches from wall to wall gets a lattice that does, too
-/// (`lattice.rs`); elsewhere it lies as [`super::emit`] puts a block at the domain's corner.
+/// (`lattice.rs`); elsewhere it lies as [`super::sample_lattice`] puts a block at the domain's corner.
 ///
 /// What it costs a fluid at rest or in smooth motion (`tests/tests/fluid/resample.rs`, 0.7 to 1.6 times the spacing): no
 /// volume, up to 3.3 % of the momentum, and less than 0.3 spacings of its place where it is two layers thin.
-pub fn resample(from: &Scene, particles: &Emitted, to: &Scene) -> Emitted {
+pub fn resample(from: &Scene, particles: &ParticleSet, to: &Scene) -> ParticleSet {
     let [from_m, to_m] = [from, to].map(Scene::fitted_spacing_m);
     let support_m = SUPPORT_RATIO * from_m.max(to_m);
     let dimensions = to.domain.dimensions;
@@ -269,8 +269,8 @@ fn interleaved(point: [i32; 3]) -> u128 {
     code
 }
 
-fn emitted(points: &Points, found: Vec<([i32; 3], Sum)>, to: &Scene) -> Emitted {
-    let mut emitted = Emitted::default();
+fn emitted(points: &Points, found: Vec<([i32; 3], Sum)>, to: &Scene) -> ParticleSet {
+    let mut emitted = ParticleSet::default();
     for (id, (point, sum)) in found.into_iter().enumerate() {
         let mut velocity_m_s = sum.velocity_m_s.map(|v| v / sum.weight);
         if to.domain.is_flat() {

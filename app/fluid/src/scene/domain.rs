@@ -44,7 +44,7 @@ impl Domain {
 
     /// Lowest and highest corner of the box of walls, relative to the domain's lowest; infinite along axes
     /// without walls, m.
-    pub fn glass_m(&self) -> [[f64; 3]; 2] {
+    pub fn wall_bounds_m(&self) -> [[f64; 3]; 2] {
         let size_m = self.size_m();
         let at = |face_m: [f64; 3], beyond_m: f64| {
             std::array::from_fn(|axis| if self.has_walls_along(axis) { face_m[axis] } else { beyond_m })

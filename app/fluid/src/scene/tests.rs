@@ -2,7 +2,7 @@
 
 use super::fields::{FIELDS, Kind, kind_of};
 use super::*;
-use crate::particles::{self, emit};
+use crate::particles::{self, sample_lattice};
 
 const SMALL: &str = "spacing_m = 0.1\n[domain]\nmin_m = [0, 0, 0]\nmax_m = [1, 1, 1]\n[[fluid]]\nblock = { min_m = [0, 0, 0], max_m = [0.3, 0.2, 0.1] }\n";
 
@@ -17,7 +17,7 @@ fn integers_and_defaults() {
     assert_eq!(scene.name, "small");
     assert_eq!(scene.solver, Solver::default());
     assert_eq!(scene.fluids[0].rest_density_kg_m3, 1000.0);
-    assert_eq!(emit(&scene).positions.len(), 6);
+    assert_eq!(sample_lattice(&scene).positions.len(), 6);
 }
 
 #[test]
@@ -26,7 +26,7 @@ fn every_shipped_scene_loads_and_says_what_it_is() {
         let scene = Scene::load(name, &[]).unwrap();
         assert_eq!(scene.summary, summary);
         assert!(!summary.is_empty(), "{name} has no summary");
-        let emitted = emit(&scene);
+        let emitted = sample_lattice(&scene);
         assert!(!emitted.positions.is_empty(), "{name} has no particles");
         assert_eq!(particles::count(&scene), emitted.positions.len() as u64);
         assert_eq!(Scene::from_toml(&scene.to_toml(), name, &[]).unwrap(), scene, "{name} does not survive TOML");
@@ -229,7 +229,7 @@ fn what_a_message_suggests_is_enough() {
 fn overlapping_fluids_share_no_place() {
     let text = format!("{SMALL}[[fluid]]\nblock = {{ min_m = [0, 0, 0], max_m = [0.4, 0.2, 0.1] }}\n");
     let scene = load(&text, &[]).unwrap();
-    let emitted = emit(&scene);
+    let emitted = sample_lattice(&scene);
     assert_eq!(emitted.positions.len(), 8);
     assert_eq!(particles::count(&scene), 8);
     let second = emitted.positions.iter().filter(|p| p.tag >> 24 == 1).count();

@@ -2,7 +2,7 @@
 // makes it anew from bench/constrain_density_by_index.compute.
 //! Kernels of `bench/constrain_density_by_index.compute`.
 
-use super::{Constrained, KernelParams, PbfParams, StepParams};
+use super::{PbfParams, PositionLambda, SmoothingKernelParams, StepParams};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
@@ -11,18 +11,18 @@ use crate::{
 /// `brooklet bench sorting` holds against it is solver/pbf/constrain\_density.compute.
 #[derive(Debug)]
 pub struct ConstrainDensityByIndex<'a> {
-    /// `StructuredBuffer<uint2> places`.
-    pub places: Buf<'a, [u32; 2]>,
+    /// `StructuredBuffer<uint2> quantized_positions`.
+    pub quantized_positions: Buf<'a, [u32; 2]>,
     /// `StructuredBuffer<uint4> listed_indices`.
     pub listed_indices: Buf<'a, [u32; 4]>,
     /// `StructuredBuffer<uint> listed_counts`.
     pub listed_counts: Buf<'a, u32>,
-    /// `RWStructuredBuffer<Constrained> constrained`.
-    pub constrained: BufMut<'a, Constrained>,
+    /// `RWStructuredBuffer<PositionLambda> position_lambdas`.
+    pub position_lambdas: BufMut<'a, PositionLambda>,
     /// `ConstantBuffer<StepParams> step_params`.
     pub step_params: Uniform<'a, StepParams>,
-    /// `ConstantBuffer<KernelParams> kernel`.
-    pub kernel: Uniform<'a, KernelParams>,
+    /// `ConstantBuffer<SmoothingKernelParams> kernel`.
+    pub kernel: Uniform<'a, SmoothingKernelParams>,
     /// `ConstantBuffer<PbfParams> pbf`.
     pub pbf: Uniform<'a, PbfParams>,
 }
@@ -38,10 +38,10 @@ impl Kernel for ConstrainDensityByIndex<'_> {
         bind(
             self.module(),
             &[
-                ("places", Some(self.places.id)),
+                ("quantized_positions", Some(self.quantized_positions.id)),
                 ("listed_indices", Some(self.listed_indices.id)),
                 ("listed_counts", Some(self.listed_counts.id)),
-                ("constrained", Some(self.constrained.id)),
+                ("position_lambdas", Some(self.position_lambdas.id)),
                 ("step_params", Some(self.step_params.id)),
                 ("kernel", Some(self.kernel.id)),
                 ("pbf", Some(self.pbf.id)),
@@ -54,7 +54,11 @@ impl Kernel for ConstrainDensityByIndex<'_> {
 pub(super) static MODULES: &[&Module] = &[&CONSTRAIN_DENSITY_BY_INDEX];
 
 static BINDINGS_0: &[BindingInfo] = &[
-    BindingInfo { name: "places", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo {
+        name: "quantized_positions",
+        slot: 0,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 },
+    },
     BindingInfo {
         name: "listed_indices",
         slot: 1,
@@ -66,7 +70,7 @@ static BINDINGS_0: &[BindingInfo] = &[
         kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 },
     },
     BindingInfo {
-        name: "constrained",
+        name: "position_lambdas",
         slot: 3,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
@@ -85,5 +89,5 @@ static CONSTRAIN_DENSITY_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/constrain_density_by_index.compute",
-    hash: "2b6f7b00bfabc8a579c87a08b531af752364315cec8eba0debbd2e51f06b88d5",
+    hash: "30cc1c690c7485b8e31b605e132d9fc428b808021267cea5ce50044b53de5a8e",
 };

@@ -57,5 +57,5 @@ static COPY_ELEMENTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/copy.compute",
-    hash: "2f95ca4097b40a1888621f7bd5fe6d91fadfd900eba5eef85b6dd86b47b451f6",
+    hash: "fa1636bb59c87c30bfa4be6a3d48c82aa5e31e876875152f42cf5db7c7371ea4",
 };

@@ -70,5 +70,5 @@ static COUNT_CELLS_AGGREGATED: Module = Module {
     shared_bytes: 512,
     tier: Tier::Floor,
     source: "bench/count_cells_aggregated.compute",
-    hash: "ed4baa8473263c0e5e7b06399dc481b45250b95868f5e595adafcc2fe150b3a9",
+    hash: "17e075cdb2ced745968b0d437436d0064eb649bcee03161d558eba3d3f4a50e8",
 };

@@ -14,8 +14,8 @@ use crate::{
 pub struct ListNeighboursByIndex<'a> {
     /// `StructuredBuffer<Position> positions`.
     pub positions: Buf<'a, Position>,
-    /// `StructuredBuffer<uint2> places`.
-    pub places: Buf<'a, [u32; 2]>,
+    /// `StructuredBuffer<uint2> quantized_positions`.
+    pub quantized_positions: Buf<'a, [u32; 2]>,
     /// `StructuredBuffer<uint> sorted_indices`.
     pub sorted_indices: Buf<'a, u32>,
     /// `StructuredBuffer<uint> cell_starts`.
@@ -40,7 +40,7 @@ impl Kernel for ListNeighboursByIndex<'_> {
             self.module(),
             &[
                 ("positions", Some(self.positions.id)),
-                ("places", Some(self.places.id)),
+                ("quantized_positions", Some(self.quantized_positions.id)),
                 ("sorted_indices", Some(self.sorted_indices.id)),
                 ("cell_starts", Some(self.cell_starts.id)),
                 ("listed_indices", Some(self.listed_indices.id)),
@@ -56,7 +56,11 @@ pub(super) static MODULES: &[&Module] = &[&LIST_NEIGHBOURS_BY_INDEX];
 
 static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "positions", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
-    BindingInfo { name: "places", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo {
+        name: "quantized_positions",
+        slot: 1,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 },
+    },
     BindingInfo {
         name: "sorted_indices",
         slot: 2,
@@ -86,5 +90,5 @@ static LIST_NEIGHBOURS_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/list_neighbours_by_index.compute",
-    hash: "e8da46f99aafe8239032efc1232ec2978baa6ebedf23ee910fa7c97ba67ce790",
+    hash: "dabee1237643eb4f8879e222bc2a9d781124e198d5e78dca8bc18597b361fb12",
 };

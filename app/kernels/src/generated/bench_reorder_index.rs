@@ -20,8 +20,8 @@ pub struct ReorderIndex<'a> {
     pub cell_starts: Buf<'a, u32>,
     /// `RWStructuredBuffer<uint> sorted_indices`.
     pub sorted_indices: BufMut<'a, u32>,
-    /// `RWStructuredBuffer<uint2> places`.
-    pub places: BufMut<'a, [u32; 2]>,
+    /// `RWStructuredBuffer<uint2> quantized_positions`.
+    pub quantized_positions: BufMut<'a, [u32; 2]>,
     /// `ConstantBuffer<GridParams> grid`.
     pub grid: Uniform<'a, GridParams>,
 }
@@ -41,7 +41,7 @@ impl Kernel for ReorderIndex<'_> {
                 ("cell_slots", Some(self.cell_slots.id)),
                 ("cell_starts", Some(self.cell_starts.id)),
                 ("sorted_indices", Some(self.sorted_indices.id)),
-                ("places", Some(self.places.id)),
+                ("quantized_positions", Some(self.quantized_positions.id)),
                 ("grid", Some(self.grid.id)),
             ],
         )
@@ -60,7 +60,11 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 3,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 },
     },
-    BindingInfo { name: "places", slot: 4, kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 } },
+    BindingInfo {
+        name: "quantized_positions",
+        slot: 4,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
+    },
     BindingInfo { name: "grid", slot: 5, kind: BindingKind::Uniform { bytes: 80 } },
 ];
 
@@ -74,5 +78,5 @@ static REORDER_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/reorder_index.compute",
-    hash: "892f64f969c7bc8103a825f0ebb5703fbea740b22f85dac2c70e30a90c6c56ec",
+    hash: "d24e21d572daf77f04f1764c8201d05917ae8d1c81044c639b38b8ed6c8bf9d1",
 };

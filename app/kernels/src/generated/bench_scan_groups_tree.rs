@@ -88,7 +88,7 @@ static SCAN_GROUPS_TREE: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "cf7bc0516b0dddfa42facdf8b4318ea82c4a092175810a62a99b17fa86178813",
+    hash: "e4c853b4ce666c209e02dd0e6aba9d28c22afa7d7d88b46cc004a8f03f6bfe50",
 };
 
 static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
@@ -101,7 +101,7 @@ static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "0014c9314057964f8fdf39d6a568527c706708457405e73592c435f8bb843ec6",
+    hash: "b999715d0486b27571298db1bc2146b0582e54b4914f88f88745fcace51eba44",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
@@ -114,7 +114,7 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "bf130adf32dcfc8762b8de276fa5cea2906db10c0e621fa9638577c2d81d09b8",
+    hash: "c01915e7d5a172811e4397680fea23b3e6079d9446f2f4c24b0397f4985b3a23",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
@@ -127,5 +127,5 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "22ae1823bc701338af6a8f90ae5b1dd5ed6265b14db33cb861ce2c85fda4850d",
+    hash: "1faf5bd0d626c11132313bf3413b43b8e69387f3bda275b413aaf67277b96df3",
 };

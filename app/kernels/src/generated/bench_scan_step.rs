@@ -54,5 +54,5 @@ static SCAN_STEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/scan_step.compute",
-    hash: "8ae4db7a393937aa6a6aa30caddd690723a8ff85c486a248b6ec5ca8dce60b78",
+    hash: "c839b6a3d3e217d392a88663feabb4dc5d0430cb9f14a8445d8c251ec7eda334",
 };

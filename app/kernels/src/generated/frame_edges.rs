@@ -23,8 +23,8 @@ pub struct DrawEdges<'a> {
     pub view: Uniform<'a, FrameView>,
     /// `ConstantBuffer<FrameStyle> style`.
     pub style: Uniform<'a, FrameStyle>,
-    /// `Texture2D<float> nearness`.
-    pub nearness: Option<Tex<'a>>,
+    /// `Texture2D<float> inverse_depth`.
+    pub inverse_depth: Option<Tex<'a>>,
 }
 
 impl Draw for DrawEdges<'_> {
@@ -51,7 +51,7 @@ impl Draw for DrawEdges<'_> {
             &[
                 ("view", Some(self.view.id)),
                 ("style", Some(self.style.id)),
-                ("nearness", self.nearness.as_ref().map(|bound| bound.id)),
+                ("inverse_depth", self.inverse_depth.as_ref().map(|bound| bound.id)),
             ],
         )
     }
@@ -77,7 +77,7 @@ static BINDINGS_1: &[BindingInfo] = &[
 ];
 
 static BINDINGS_2: &[BindingInfo] = &[
-    BindingInfo { name: "nearness", slot: 0, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "inverse_depth", slot: 0, kind: BindingKind::Texture { filterable: false } },
     BindingInfo { name: "view", slot: 1, kind: BindingKind::Uniform { bytes: 80 } },
     BindingInfo { name: "style", slot: 2, kind: BindingKind::Uniform { bytes: 80 } },
 ];
@@ -92,7 +92,7 @@ static DRAW_EDGES_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/edges.hlsl",
-    hash: "cef1708aa8fe8ce85ed39939d849310c92592c5db1c80f341294b51331b33db8",
+    hash: "3de1b02718eb07afc2f87334711af31a35d07a564b6ead3eebcbe248a2d86696",
 };
 
 static DRAW_EDGES_FRAGMENT: Module = Module {
@@ -105,7 +105,7 @@ static DRAW_EDGES_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/edges.hlsl",
-    hash: "99c3d7a8ec0491854e9d2d376547d1613354039186ddec6982b845ba3f1ee1c7",
+    hash: "19824c12da92cfd12ef1c338b185b336c6486fbf752bb8697ae287e1f2267c16",
 };
 
 static DRAW_EDGES_VERTEX_WITH_BEHIND_WATER: Module = Module {
@@ -118,7 +118,7 @@ static DRAW_EDGES_VERTEX_WITH_BEHIND_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/edges.hlsl",
-    hash: "4a77ecfff965b04ac3ab9e7d27df21037b099a3fb2ebb89a9e9c0cf8990aa287",
+    hash: "51c8f57b348937c270f337cb2b5a954b12968fc5d2d81eb5c20000001a79ca58",
 };
 
 static DRAW_EDGES_FRAGMENT_WITH_BEHIND_WATER: Module = Module {
@@ -131,7 +131,7 @@ static DRAW_EDGES_FRAGMENT_WITH_BEHIND_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/edges.hlsl",
-    hash: "39d1e4130c410aaf5270e15501a1351586e9e9165241f5840c41df79814cf73c",
+    hash: "8064de036aa72bf20d4d683c3a8b29976e8fa57582862e52598ef6f2e4609cc0",
 };
 
 static DRAW_EDGES_FRAGMENT_WITH_BEFORE_WATER: Module = Module {
@@ -144,5 +144,5 @@ static DRAW_EDGES_FRAGMENT_WITH_BEFORE_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/edges.hlsl",
-    hash: "b58df42b1d2baa0925b5bbc92dbe60b0ea44f4f537cd8c17e7af3ab31218a31b",
+    hash: "3437b0447c171141a86029edab6109db5408f0ec7f0f32c32f75aae16d3b4c34",
 };

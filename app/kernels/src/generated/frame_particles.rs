@@ -62,7 +62,7 @@ static DRAW_PARTICLES_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "043ebb9d44b8d931a4a3dbab5e3b4212a44bc7592475baa21392fcd65a7e5729",
+    hash: "f6f8885312dbe89f6cc00ddfee78b14175915f886e2ea9f088ff290129806e2b",
 };
 
 static DRAW_PARTICLES_FRAGMENT: Module = Module {
@@ -75,5 +75,5 @@ static DRAW_PARTICLES_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "df252c15a25eb524d34fb7c68dbd7a1a0797c0db1ce1b1cbb17a0b618ea0355d",
+    hash: "aacb3b0b8f337ca0e49fbe04f813ad97fe19d303a274756c20a03c44d2c8e78e",
 };

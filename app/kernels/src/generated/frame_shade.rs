@@ -130,7 +130,7 @@ static DRAW_SHADE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "da4797c24ff603797cfbadca5cf8163959bee71b1c8d69938b5eb6e2a533477b",
+    hash: "0ac7830aee9102d336ffa8ed9dd6e6acb32124943b5975b0346d83921802e56c",
 };
 
 static DRAW_SHADE_FRAGMENT: Module = Module {
@@ -143,7 +143,7 @@ static DRAW_SHADE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "453aa4cd564435e9cee4496036b10f4fd57f3077800bd963ce9ac2e0f382982d",
+    hash: "3bb277088b3f34129f6488075d8825b96c8cd3e6fa955a64ecfec5230b846ff9",
 };
 
 static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
@@ -156,7 +156,7 @@ static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "a1e0a034e154d0f042e5fa2a645a17a4180e47b5a27d757d88c04bab6ad2f2e9",
+    hash: "71f54d2226d1b7673a0aa6ce314fea622d055f03661d45dd0750f5148b19e77a",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
@@ -169,7 +169,7 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "52cb9a0e2edf17d4575610329bd3347b56d7cf5b9a7736b23250e213e44c98dd",
+    hash: "481720c96eb25bfe1605253733bd7293b9befd56482a65af3cda6f8e8f4fc57a",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
@@ -182,5 +182,5 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "2cc8a9b95d2a238135cf7e5aee97a41f9ea1fdecd68658090ecec8206c14baae",
+    hash: "9c49fc28d8c8a8c5fa0ef0f461e8f5d759f18aa542dc051441b3958e5cdc1c5f",
 };

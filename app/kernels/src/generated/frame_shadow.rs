@@ -55,7 +55,7 @@ static DRAW_SHADOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "f9ff0534ce513617593af842d4d6e4f618ea9257260f573756523a5b23f850ed",
+    hash: "dba8e023442fb7e2d464eb70cbed56e207671ab8fe7a3d487804557fad17b92a",
 };
 
 static DRAW_SHADOW_FRAGMENT: Module = Module {
@@ -68,5 +68,5 @@ static DRAW_SHADOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "eae8edb32ef85e6cc8e572a9c421f2de9a15f756dd428dba8a4a77a7c1a8d47a",
+    hash: "296c509c557965c76c8892d69a22f7181129cf5189147c4a6e341f08d27bf281",
 };

@@ -86,7 +86,7 @@ static COUNT_CELLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "13b8941fd1935f91b4b9854d80db0526a8b053568656dd3c14bddac5c322407b",
+    hash: "0844e102dee86d3999d8c3be974968cf1bc1001f8ad6e6167d35946c8f9533de",
 };
 
 static COUNT_CELLS_WITH_PERIODIC: Module = Module {
@@ -99,7 +99,7 @@ static COUNT_CELLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "e7c43f01b5eb4dc607e6dd151765beae78eca088a88ac6ec764cfeec9e5d597b",
+    hash: "8aaeeeda047432eb601ddc947762cf43b6d2cae67b59f51be29616821e74f47c",
 };
 
 static COUNT_CELLS_WITH_WRAPPED: Module = Module {
@@ -112,7 +112,7 @@ static COUNT_CELLS_WITH_WRAPPED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "7b17ba91c4f475ce53e80962586a3593740ca50f04dbc57dae4afb150f4f3f66",
+    hash: "2482e122f56bc0bfc5a25bd98541b6bf2da55567c6d37ee45ad68e76aeae972b",
 };
 
 static COUNT_CELLS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
@@ -125,5 +125,5 @@ static COUNT_CELLS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "5e135bb5673f50ab0063ac2afa7a697b66965cfb8e423938ef3401b86e3a408c",
+    hash: "614be61687e1fce1abea04cba37c6ae1b3eea4ec7edb8d680b27db0e17bed24f",
 };

@@ -25,8 +25,8 @@ pub struct ListNeighbours<'a> {
     pub variant: ListNeighboursVariant,
     /// `StructuredBuffer<Position> sorted_positions`.
     pub sorted_positions: Buf<'a, Position>,
-    /// `StructuredBuffer<uint2> places`.
-    pub places: Buf<'a, [u32; 2]>,
+    /// `StructuredBuffer<uint2> quantized_positions`.
+    pub quantized_positions: Buf<'a, [u32; 2]>,
     /// `StructuredBuffer<uint> cell_starts`.
     pub cell_starts: Buf<'a, u32>,
     /// `RWStructuredBuffer<uint2> neighbours`.
@@ -60,7 +60,7 @@ impl Kernel for ListNeighbours<'_> {
             self.module(),
             &[
                 ("sorted_positions", Some(self.sorted_positions.id)),
-                ("places", Some(self.places.id)),
+                ("quantized_positions", Some(self.quantized_positions.id)),
                 ("cell_starts", Some(self.cell_starts.id)),
                 ("neighbours", Some(self.neighbours.id)),
                 ("list_heads", Some(self.list_heads.id)),
@@ -89,7 +89,11 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 0,
         kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
     },
-    BindingInfo { name: "places", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo {
+        name: "quantized_positions",
+        slot: 1,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 },
+    },
     BindingInfo { name: "cell_starts", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 } },
     BindingInfo {
         name: "neighbours",
@@ -119,7 +123,7 @@ static LIST_NEIGHBOURS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "52873028123b3fdbc0e4ae457c5f410f3f8085b511346d317051597d9be04bb5",
+    hash: "f98bc529fa8ec461407013d09d443bfdabe2fc3515a88a6103ef4b738ca19c18",
 };
 
 static LIST_NEIGHBOURS_WITH_PACKED: Module = Module {
@@ -132,7 +136,7 @@ static LIST_NEIGHBOURS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "48ca0bc024379e014de6674f51162a9200f32ed034c493ca4b0b1025e3a4d560",
+    hash: "ad7fd9073457ce0f1edd5b613c5ade44c95d5030a6f8b894729cdaf80fc52dc7",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
@@ -145,7 +149,7 @@ static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "2ff3de483a668d80adba77a6dda695ab1a450e337165b8d1f90293a47a4dd62e",
+    hash: "1fc7c5081cb242ceccc780257add069b25e2787af8a510e57e6054d6ed475d06",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_PACKED: Module = Module {
@@ -158,7 +162,7 @@ static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "b0f314ebd1d9837baa230ab61de1a8d6799d724f98f7317625eb5a00426ebeca",
+    hash: "7e7383c2c3c0f2d86245a3269e95a9d1a5fd0137a7a5d52b1e353a6fdbb5369a",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
@@ -171,7 +175,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "0c261887bd4d96ad3f5ec5e42bcb20e47cca7724cd72e941db53618c5323468d",
+    hash: "26f24125ee58c6548be2f8881f9eccc291203dd92bde1b9b5064592470ce2d28",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PACKED: Module = Module {
@@ -184,7 +188,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "b1b9277cd95359ee788182da86433becd5757a4b3a7995ef701f455d5f58b862",
+    hash: "3d869eca075d0fe6345093d188789e6b627d8c814e669f95510742b2f0688dfb",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
@@ -197,7 +201,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "5d7cbf1ae1a81ad69507d9e3ff6c0e33891dcc5f9d88e2766bf148021ff8cbac",
+    hash: "6a6d7bb9ab5c769c0cc543924d83a27ac72fc31684247ece4195d352ac7e7b81",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_PACKED: Module = Module {
@@ -210,5 +214,5 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "e200a2cd6c07ba8d463b4ce758940427a639291067f949a36bf46a472c0d755e",
+    hash: "8df877548e3aed4b676db8d0aa29fd3c6aabcc47e29f5119dda126ce49d0c791",
 };

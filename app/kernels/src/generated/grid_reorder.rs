@@ -32,8 +32,8 @@ pub struct Reorder<'a> {
     pub sorted_positions: BufMut<'a, Position>,
     /// `RWStructuredBuffer<Velocity> sorted_velocities`.
     pub sorted_velocities: BufMut<'a, Velocity>,
-    /// `RWStructuredBuffer<uint2> places`.
-    pub places: BufMut<'a, [u32; 2]>,
+    /// `RWStructuredBuffer<uint2> quantized_positions`.
+    pub quantized_positions: BufMut<'a, [u32; 2]>,
     /// `ConstantBuffer<GridParams> grid`.
     pub grid: Uniform<'a, GridParams>,
 }
@@ -55,7 +55,7 @@ impl Kernel for Reorder<'_> {
                 ("cell_starts", Some(self.cell_starts.id)),
                 ("sorted_positions", Some(self.sorted_positions.id)),
                 ("sorted_velocities", Some(self.sorted_velocities.id)),
-                ("places", Some(self.places.id)),
+                ("quantized_positions", Some(self.quantized_positions.id)),
                 ("grid", Some(self.grid.id)),
             ],
         )
@@ -80,7 +80,11 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 5,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
-    BindingInfo { name: "places", slot: 6, kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 } },
+    BindingInfo {
+        name: "quantized_positions",
+        slot: 6,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
+    },
     BindingInfo { name: "grid", slot: 7, kind: BindingKind::Uniform { bytes: 80 } },
 ];
 
@@ -94,7 +98,7 @@ static REORDER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "298a9e980d40f154e70413c68e1eac3b9ea14536407d09c119a6ab6f8579f63c",
+    hash: "a6b5b54e878d32dbefec54348d40ced61ddd36048d503943882e1aae238a55ad",
 };
 
 static REORDER_WITH_PACKED: Module = Module {
@@ -107,5 +111,5 @@ static REORDER_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "64ad0ab88d4d1e59d4c449d74dc813df602e7f26fe4185889183d5ba18bc1727",
+    hash: "04adc9315e0e030cf879bd4959a4a43841a43a3d7443f5f7ba3e9f30f5d4f33d",
 };

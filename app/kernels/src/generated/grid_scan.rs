@@ -109,7 +109,7 @@ static REDUCE_GROUPS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "279672ae879b440a7f9f720a269102380cfb17c268556f988cb7de40195ccd23",
+    hash: "d32b89c87c25686a7d6ffed5d0e875cb1c0935366acf79074ff177359736be39",
 };
 
 static SCAN_GROUPS: Module = Module {
@@ -122,7 +122,7 @@ static SCAN_GROUPS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "baff955e38cf23049bac2bc017115afa621c403215bfd3c69a06bbddb7b8a21e",
+    hash: "c386c774f8c5d93fc1061b2fe4091436a75222e297f27986f93e22469c173600",
 };
 
 static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
@@ -135,5 +135,5 @@ static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "1d265dfd92da1b1fcd26f061867bb805d0b7755d853d1ff3c79e9aaf457b95d8",
+    hash: "485c84468196a1f1f12b260a201bf8f7fcb3f41ed286c577b423eb5294bee879",
 };

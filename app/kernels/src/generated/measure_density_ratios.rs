@@ -2,7 +2,7 @@
 // makes it anew from measure/density_ratios.compute.
 //! Kernels of `measure/density_ratios.compute`.
 
-use super::{KernelParams, ListHead, Position, StepParams};
+use super::{ListHead, Position, SmoothingKernelParams, StepParams};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
@@ -31,8 +31,8 @@ pub struct DensityRatios<'a> {
     pub density_ratios: BufMut<'a, f32>,
     /// `ConstantBuffer<StepParams> step_params`.
     pub step_params: Uniform<'a, StepParams>,
-    /// `ConstantBuffer<KernelParams> kernel`.
-    pub kernel: Uniform<'a, KernelParams>,
+    /// `ConstantBuffer<SmoothingKernelParams> kernel`.
+    pub kernel: Uniform<'a, SmoothingKernelParams>,
 }
 
 impl Kernel for DensityRatios<'_> {
@@ -93,7 +93,7 @@ static DENSITY_RATIOS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "8b77455ed1f61467a1d16488b06b6ed602dd9fab8d07c8e10a41714d624dc4f6",
+    hash: "9cdef81e9e09cc30759b641627b83ea799a719db7e4ed74b5ccde68f32e39481",
 };
 
 static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
@@ -106,7 +106,7 @@ static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "4103a6e1a35ffc3dc7ce89f98aebcdf51607e7dcd76083c753a0844ee462f373",
+    hash: "a5ab0ac37466b232b2a072f1175f93524dd90551b6de63cdc50f3d74930e5968",
 };
 
 static DENSITY_RATIOS_WITH_WALLS: Module = Module {
@@ -119,7 +119,7 @@ static DENSITY_RATIOS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "1ddbb011f353698189371c49a7c3fe057b343e1d2ce77bf0aaab260d1bb718c4",
+    hash: "234808cfab233c2d59372d2ee5507a48fd02e13c29ccb9f06cc434edbfa9bd50",
 };
 
 static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -132,5 +132,5 @@ static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "f827294a08051fa05a92ae8e33eabded6345ebdf94c76d14fabceb9f0ad16b94",
+    hash: "b82e87369cca2040f95864a267198ed12564cccf659d024aa1eedc575eca8d29",
 };

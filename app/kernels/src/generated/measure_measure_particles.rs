@@ -2,7 +2,7 @@
 // makes it anew from measure/measure_particles.compute.
 //! Kernels of `measure/measure_particles.compute`.
 
-use super::{KernelParams, ListHead, MeasureSums, Position, StepParams, Velocity};
+use super::{ListHead, MeasureSums, Position, SmoothingKernelParams, StepParams, Velocity};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
@@ -38,8 +38,8 @@ pub struct MeasureParticles<'a> {
     pub histograms: BufMut<'a, u32>,
     /// `ConstantBuffer<StepParams> step_params`.
     pub step_params: Uniform<'a, StepParams>,
-    /// `ConstantBuffer<KernelParams> kernel`.
-    pub kernel: Uniform<'a, KernelParams>,
+    /// `ConstantBuffer<SmoothingKernelParams> kernel`.
+    pub kernel: Uniform<'a, SmoothingKernelParams>,
 }
 
 impl Kernel for MeasureParticles<'_> {
@@ -108,7 +108,7 @@ static MEASURE_PARTICLES: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "5c4147fa352516427be3002e7edd018bb7e262487963581cb08ab3270224cdc1",
+    hash: "4039a1df5a73b456b882d4a4da1bf20cdff8433a2e5b57f03a82768fbed165f4",
 };
 
 static MEASURE_PARTICLES_WITH_PERIODIC: Module = Module {
@@ -121,7 +121,7 @@ static MEASURE_PARTICLES_WITH_PERIODIC: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "d7c55d93d2ef5f14fee2fb2ad59ae81d07b0786daf03d83ddb105ac77097bab6",
+    hash: "1a8ac08cf5d3548f121e00eabc8bfd7190997d97f036ffb15e970d4f94b01a09",
 };
 
 static MEASURE_PARTICLES_WITH_WALLS: Module = Module {
@@ -134,7 +134,7 @@ static MEASURE_PARTICLES_WITH_WALLS: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "6848ca9a856c81e1236d38b1bc3816c13561b9803c51b61497a56255da793f16",
+    hash: "7db326a9681a5581f98dbd769fe652558e8ed1d1aec4c5a127399bb074f2f1d0",
 };
 
 static MEASURE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -147,5 +147,5 @@ static MEASURE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "6a62e0b470f3b9552db32504397eada02e918dcec73c01ebeebe0cf02d660030",
+    hash: "37a9d50c462ab4739a5e2000c688ef3401c5934903ae05613e3af134f1842dd6",
 };

@@ -73,5 +73,5 @@ static MEASURE_TOTALS: Module = Module {
     shared_bytes: 4616,
     tier: Tier::Floor,
     source: "measure/measure_totals.compute",
-    hash: "6b6eeffdff4bc2edf3327304110950370196ddd24c20926b4d3683c366457353",
+    hash: "d21831fa34f80fa436a2109190105545bcecfdd27b7f1940f4083243820f6495",
 };

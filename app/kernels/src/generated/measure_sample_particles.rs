@@ -67,5 +67,5 @@ static SAMPLE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/sample_particles.compute",
-    hash: "96b316aba4c06437f7d4e1c9ccf42ff3f59c4a88a4ef82a4f04f43f16b49aa28",
+    hash: "6f63f72f4e24104f70fef973bbc43d96ee4b00b4bfb4af2e41476736fd2364a7",
 };

@@ -18,11 +18,11 @@ mod frame_shade;
 mod frame_shadow;
 mod frame_sky;
 mod grid_count_cells;
-mod grid_list_members;
 mod grid_list_neighbours;
-mod grid_rank_members;
+mod grid_rank_by_id;
 mod grid_reorder;
 mod grid_scan;
+mod grid_scatter_cell_members;
 mod keywords;
 mod measure_density_ratios;
 mod measure_measure_particles;
@@ -69,11 +69,11 @@ pub use frame_shade::*;
 pub use frame_shadow::*;
 pub use frame_sky::*;
 pub use grid_count_cells::*;
-pub use grid_list_members::*;
 pub use grid_list_neighbours::*;
-pub use grid_rank_members::*;
+pub use grid_rank_by_id::*;
 pub use grid_reorder::*;
 pub use grid_scan::*;
+pub use grid_scatter_cell_members::*;
 pub use keywords::*;
 pub use measure_density_ratios::*;
 pub use measure_measure_particles::*;
@@ -122,11 +122,11 @@ pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
         frame_shadow::MODULES,
         frame_sky::MODULES,
         grid_count_cells::MODULES,
-        grid_list_members::MODULES,
         grid_list_neighbours::MODULES,
-        grid_rank_members::MODULES,
+        grid_rank_by_id::MODULES,
         grid_reorder::MODULES,
         grid_scan::MODULES,
+        grid_scatter_cell_members::MODULES,
         measure_density_ratios::MODULES,
         measure_measure_particles::MODULES,
         measure_measure_totals::MODULES,

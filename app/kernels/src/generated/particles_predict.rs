@@ -90,7 +90,7 @@ static PREDICT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "1fb3aa1a7a42db2fc36cd5a27468fed1c6ddbdaed3ca7211bc2d9cbe9ad672ec",
+    hash: "b048b307b51405e5d70e7195abb9984e9cebf3548d9ac3eccc62ad2195ed498a",
 };
 
 static PREDICT_WITH_PERIODIC: Module = Module {
@@ -103,7 +103,7 @@ static PREDICT_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "c59ce7ef31a2fd5edaf6e67e9f3883fd36e5996b3a3882c7953cdb7369aa6658",
+    hash: "77b93962dad29cf3df3af8bcb75929d733fe7ba43f537c96a90f76ff5bbeda47",
 };
 
 static PREDICT_WITH_WALLS: Module = Module {
@@ -116,7 +116,7 @@ static PREDICT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "718b69a826730d3747d9753855f4cb5824bc0a5e19e5d97dddf683729d5666d9",
+    hash: "9f9a00f0f4de4aeef983362fa24943ab106c5f6dca4f6146492e25fa8d5efa0d",
 };
 
 static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -129,5 +129,5 @@ static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "0473099d8464949a835df263a35f9983e927fb3ce7007ab012c24df20c355a98",
+    hash: "a445609e329c5da5ab1793485a21bac9af99078cfa294bb716bfb3198c14bde7",
 };

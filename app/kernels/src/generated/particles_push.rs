@@ -62,5 +62,5 @@ static PUSH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/push.compute",
-    hash: "e8d08ae54b4c9d706bff2c3ccc26e6a5486ddcb49ee2f4ffc2c580d0c4bfecee",
+    hash: "56ba6e320b68eb73dda487d8182b99c05aa81554ebf119b7cb22c0b421df8f07",
 };

@@ -7,7 +7,7 @@ use std::mem::{offset_of, size_of};
 use bytemuck::{Pod, Zeroable};
 
 /// Vulkan promises 65,535 groups an axis only, so longer dispatches are folded into rows of so many.
-pub const GROUPS_A_ROW: u32 = 32768;
+pub const GROUPS_PER_ROW: u32 = 32768;
 
 /// Values each thread of a scan takes.
 pub const SCAN_ITEMS: u32 = 16;
@@ -18,15 +18,15 @@ pub const LIST_SLICE: u32 = 64;
 /// Neighbours of a particle that lie side by side: one 8-byte load.
 pub const LIST_CHUNK: u32 = 4;
 
-/// A neighbour's gap that stands for nobody, and moves on by the widest gap there is.
-pub const LIST_NOBODY: u32 = 0;
+/// A neighbour's delta that stands for nobody, and moves on by the widest delta there is.
+pub const LIST_ESCAPE: u32 = 0;
 
-/// `LIST_WIDEST_GAP`.
-pub const LIST_WIDEST_GAP: u32 = 65535;
+/// `LIST_MAX_DELTA`.
+pub const LIST_MAX_DELTA: u32 = 65535;
 
 /// Candidates that a search for neighbours looks at, at most: forty times those of fluid at rest. With all
 /// particles in one cell it would take their number squared, which no driver's watchdog waits for.
-pub const MOST_CANDIDATES: u32 = 2048;
+pub const MAX_CANDIDATES: u32 = 2048;
 
 /// Bins of a histogram, 32 to an octave.
 pub const HISTOGRAM_BINS: u32 = 512;
@@ -52,22 +52,22 @@ const _: () = {
     assert!(size_of::<Position>() == 16);
 };
 
-/// A particle's place (shared/place.hlsl) during an iteration, with its constraint's multiplier.
+/// A particle's quantized position (shared/quantized\_position.hlsl) during an iteration, with its constraint's multiplier.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
-pub struct Constrained {
+pub struct PositionLambda {
     /// `uint2`.
-    pub place: [u32; 2],
+    pub quantized_position: [u32; 2],
     /// Macklin & Muller 2013, eq. (11), times h^2: no unit
     pub lambda: f32,
     /// `float`.
     pub reserved: f32,
 }
 const _: () = {
-    assert!(offset_of!(Constrained, place) == 0);
-    assert!(offset_of!(Constrained, lambda) == 8);
-    assert!(offset_of!(Constrained, reserved) == 12);
-    assert!(size_of::<Constrained>() == 16);
+    assert!(offset_of!(PositionLambda, quantized_position) == 0);
+    assert!(offset_of!(PositionLambda, lambda) == 8);
+    assert!(offset_of!(PositionLambda, reserved) == 12);
+    assert!(size_of::<PositionLambda>() == 16);
 };
 
 /// `Velocity`.
@@ -119,9 +119,9 @@ const _: () = {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct ListHead {
-    /// neighbours, and gaps too wide for one
+    /// neighbours, and deltas too wide for one
     pub entries: u32,
-    /// sorted index that the first neighbour's gap is counted from, plus 1
+    /// sorted index that the first neighbour's delta is counted from, plus 1
     pub first: u32,
 }
 const _: () = {
@@ -232,7 +232,7 @@ const _: () = {
 /// what it counts beyond walls (boundary/walls.hlsl).
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
-pub struct KernelParams {
+pub struct SmoothingKernelParams {
     /// `float`.
     pub support_m: f32,
     /// `float`.
@@ -250,19 +250,19 @@ pub struct KernelParams {
     /// `float`.
     pub reserved: f32,
     /// the kernel's share beyond a wall that it reaches by t: t^5 times this polynomial of t
-    pub wall_share: [f32; 4],
+    pub wall_kernel_fraction: [f32; 4],
 }
 const _: () = {
-    assert!(offset_of!(KernelParams, support_m) == 0);
-    assert!(offset_of!(KernelParams, inverse_support_per_m) == 4);
-    assert!(offset_of!(KernelParams, weight) == 8);
-    assert!(offset_of!(KernelParams, wall_plane) == 12);
-    assert!(offset_of!(KernelParams, wall_edge) == 16);
-    assert!(offset_of!(KernelParams, wall_corner) == 20);
-    assert!(offset_of!(KernelParams, along_z) == 24);
-    assert!(offset_of!(KernelParams, reserved) == 28);
-    assert!(offset_of!(KernelParams, wall_share) == 32);
-    assert!(size_of::<KernelParams>() == 48);
+    assert!(offset_of!(SmoothingKernelParams, support_m) == 0);
+    assert!(offset_of!(SmoothingKernelParams, inverse_support_per_m) == 4);
+    assert!(offset_of!(SmoothingKernelParams, weight) == 8);
+    assert!(offset_of!(SmoothingKernelParams, wall_plane) == 12);
+    assert!(offset_of!(SmoothingKernelParams, wall_edge) == 16);
+    assert!(offset_of!(SmoothingKernelParams, wall_corner) == 20);
+    assert!(offset_of!(SmoothingKernelParams, along_z) == 24);
+    assert!(offset_of!(SmoothingKernelParams, reserved) == 28);
+    assert!(offset_of!(SmoothingKernelParams, wall_kernel_fraction) == 32);
+    assert!(size_of::<SmoothingKernelParams>() == 48);
 };
 
 /// Position Based Fluids, Macklin & Muller 2013. Lengths in units of h where no unit is named.

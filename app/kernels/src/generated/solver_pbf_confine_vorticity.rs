@@ -22,8 +22,8 @@ pub struct ConfineVorticityVariant {
 pub struct ConfineVorticity<'a> {
     /// Its variant.
     pub variant: ConfineVorticityVariant,
-    /// `StructuredBuffer<uint2> places`.
-    pub places: Buf<'a, [u32; 2]>,
+    /// `StructuredBuffer<uint2> quantized_positions`.
+    pub quantized_positions: Buf<'a, [u32; 2]>,
     /// `StructuredBuffer<Vorticity> vorticities`.
     pub vorticities: Buf<'a, Vorticity>,
     /// `StructuredBuffer<uint2> neighbours`.
@@ -56,7 +56,7 @@ impl Kernel for ConfineVorticity<'_> {
         bind(
             self.module(),
             &[
-                ("places", Some(self.places.id)),
+                ("quantized_positions", Some(self.quantized_positions.id)),
                 ("vorticities", Some(self.vorticities.id)),
                 ("neighbours", Some(self.neighbours.id)),
                 ("list_heads", Some(self.list_heads.id)),
@@ -79,7 +79,11 @@ pub(super) static MODULES: &[&Module] = &[
 ];
 
 static BINDINGS_0: &[BindingInfo] = &[
-    BindingInfo { name: "places", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo {
+        name: "quantized_positions",
+        slot: 0,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 },
+    },
     BindingInfo { name: "vorticities", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
     BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
     BindingInfo { name: "list_heads", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
@@ -102,7 +106,7 @@ static CONFINE_VORTICITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "e39a7700b8ce3d74e48aa1eab7db17d7b63fa4d15d70b95c7646ec11436154b6",
+    hash: "a77356a83701c8693671205c9cfa34eed3b3f0765ec3f04fb935e03793054e70",
 };
 
 static CONFINE_VORTICITY_WITH_PACKED: Module = Module {
@@ -115,7 +119,7 @@ static CONFINE_VORTICITY_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "472028b141ac22496b2523eaf0f13fcffb6b5aeb15c43662844cbb539ebc6dc1",
+    hash: "58549c580cb1504990bf400b71ceab5f16722f3430018a4c79b7854e1d53c6ce",
 };
 
 static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -128,7 +132,7 @@ static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "3c3ec5ff27c06228a75af936312ae4825ff01502032a6d81679af42fbd42ad04",
+    hash: "de28e245e917a3777bed6c902c4fc5920a0aaa0b33e03ae7c34b118bfc31b1b6",
 };
 
 static CONFINE_VORTICITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -141,7 +145,7 @@ static CONFINE_VORTICITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "a198687d8e5736bc86db08606a8715bcf858bab1ce67b14cee0aa34a2a0a3c2d",
+    hash: "9354ddc28aed46750aac6bcd32da079ed62f9e2c311bf16e4bd15f923b680c1a",
 };
 
 static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
@@ -154,7 +158,7 @@ static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "f3267aafb232f0352ef002b5ea97025c7a1c2c00149046b4ce15ad1a4e3017b3",
+    hash: "bdd8084df0fcbcbb42e353c0be86eca36d885f828993eb9bee1a35896c54687d",
 };
 
 static CONFINE_VORTICITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -167,5 +171,5 @@ static CONFINE_VORTICITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "ad1def7c03c99b2a95fe3849292506391ad7fc128d9703c2c3b37a0e0d153875",
+    hash: "d6e7fd3d12f0aa8d5bfa13240f4f21699b3532264a6535a1973e0773458abbdf",
 };

@@ -2,7 +2,7 @@
 // makes it anew from solver/pbf/constrain_density.compute.
 //! Kernels of `solver/pbf/constrain_density.compute`.
 
-use super::{Constrained, KernelParams, ListHead, PbfParams, Position, PrecisionKeyword, StepParams};
+use super::{ListHead, PbfParams, Position, PositionLambda, PrecisionKeyword, SmoothingKernelParams, StepParams};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
@@ -23,22 +23,22 @@ pub struct ConstrainDensityVariant {
 pub struct ConstrainDensity<'a> {
     /// Its variant.
     pub variant: ConstrainDensityVariant,
-    /// `StructuredBuffer<uint2> places`.
-    pub places: Buf<'a, [u32; 2]>,
+    /// `StructuredBuffer<uint2> quantized_positions`.
+    pub quantized_positions: Buf<'a, [u32; 2]>,
     /// `StructuredBuffer<uint2> neighbours`.
     pub neighbours: Buf<'a, [u32; 2]>,
     /// `StructuredBuffer<ListHead> list_heads`.
     pub list_heads: Buf<'a, ListHead>,
-    /// `RWStructuredBuffer<Constrained> constrained`.
-    pub constrained: Option<BufMut<'a, Constrained>>,
+    /// `RWStructuredBuffer<PositionLambda> position_lambdas`.
+    pub position_lambdas: Option<BufMut<'a, PositionLambda>>,
     /// `ConstantBuffer<StepParams> step_params`.
     pub step_params: Uniform<'a, StepParams>,
-    /// `ConstantBuffer<KernelParams> kernel`.
-    pub kernel: Uniform<'a, KernelParams>,
+    /// `ConstantBuffer<SmoothingKernelParams> kernel`.
+    pub kernel: Uniform<'a, SmoothingKernelParams>,
     /// `ConstantBuffer<PbfParams> pbf`.
     pub pbf: Uniform<'a, PbfParams>,
-    /// `RWStructuredBuffer<uint2> packed_constrained`.
-    pub packed_constrained: Option<BufMut<'a, [u32; 2]>>,
+    /// `RWStructuredBuffer<uint2> packed_position_lambdas`.
+    pub packed_position_lambdas: Option<BufMut<'a, [u32; 2]>>,
     /// `StructuredBuffer<Position> sorted_positions`.
     pub sorted_positions: Option<Buf<'a, Position>>,
 }
@@ -71,14 +71,14 @@ impl Kernel for ConstrainDensity<'_> {
         bind(
             self.module(),
             &[
-                ("places", Some(self.places.id)),
+                ("quantized_positions", Some(self.quantized_positions.id)),
                 ("neighbours", Some(self.neighbours.id)),
                 ("list_heads", Some(self.list_heads.id)),
-                ("constrained", self.constrained.as_ref().map(|bound| bound.id)),
+                ("position_lambdas", self.position_lambdas.as_ref().map(|bound| bound.id)),
                 ("step_params", Some(self.step_params.id)),
                 ("kernel", Some(self.kernel.id)),
                 ("pbf", Some(self.pbf.id)),
-                ("packed_constrained", self.packed_constrained.as_ref().map(|bound| bound.id)),
+                ("packed_position_lambdas", self.packed_position_lambdas.as_ref().map(|bound| bound.id)),
                 ("sorted_positions", self.sorted_positions.as_ref().map(|bound| bound.id)),
             ],
         )
@@ -102,11 +102,15 @@ pub(super) static MODULES: &[&Module] = &[
 ];
 
 static BINDINGS_0: &[BindingInfo] = &[
-    BindingInfo { name: "places", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo {
+        name: "quantized_positions",
+        slot: 0,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 },
+    },
     BindingInfo { name: "neighbours", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
     BindingInfo { name: "list_heads", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
     BindingInfo {
-        name: "constrained",
+        name: "position_lambdas",
         slot: 3,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
@@ -116,11 +120,15 @@ static BINDINGS_0: &[BindingInfo] = &[
 ];
 
 static BINDINGS_1: &[BindingInfo] = &[
-    BindingInfo { name: "places", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo {
+        name: "quantized_positions",
+        slot: 0,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 },
+    },
     BindingInfo { name: "neighbours", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
     BindingInfo { name: "list_heads", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
     BindingInfo {
-        name: "packed_constrained",
+        name: "packed_position_lambdas",
         slot: 3,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
     },
@@ -130,7 +138,11 @@ static BINDINGS_1: &[BindingInfo] = &[
 ];
 
 static BINDINGS_2: &[BindingInfo] = &[
-    BindingInfo { name: "places", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo {
+        name: "quantized_positions",
+        slot: 0,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 },
+    },
     BindingInfo {
         name: "sorted_positions",
         slot: 1,
@@ -139,7 +151,7 @@ static BINDINGS_2: &[BindingInfo] = &[
     BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
     BindingInfo { name: "list_heads", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
     BindingInfo {
-        name: "constrained",
+        name: "position_lambdas",
         slot: 4,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
@@ -149,7 +161,11 @@ static BINDINGS_2: &[BindingInfo] = &[
 ];
 
 static BINDINGS_3: &[BindingInfo] = &[
-    BindingInfo { name: "places", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo {
+        name: "quantized_positions",
+        slot: 0,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 },
+    },
     BindingInfo {
         name: "sorted_positions",
         slot: 1,
@@ -158,7 +174,7 @@ static BINDINGS_3: &[BindingInfo] = &[
     BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
     BindingInfo { name: "list_heads", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
     BindingInfo {
-        name: "packed_constrained",
+        name: "packed_position_lambdas",
         slot: 4,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
     },
@@ -177,7 +193,7 @@ static CONSTRAIN_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "43d2e16097db7ebfa5f9935ff3f3c65beba7d6313a3f32fb3e46059870e16dbb",
+    hash: "45a6fceba8438560a056b42da9174aa1187a5836d650f5fe9de75fc8a5a0c217",
 };
 
 static CONSTRAIN_DENSITY_WITH_PACKED: Module = Module {
@@ -190,7 +206,7 @@ static CONSTRAIN_DENSITY_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "61574ce4aa9f01bad6a6ed871cfe9863223c818679b169f759c9e27fa5eb0312",
+    hash: "17d935ed8d581273e72f61831a10faaabd640a03b0308895662695dc06eefd9c",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -203,7 +219,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "1202fdf9f5a6d6c970e2f55697523ae2883190ee379b178427052c75f0ea9e5e",
+    hash: "b086586acd354790fa03db2cf19f6521fc9363da77927f65b83bed5ba31572b0",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -216,7 +232,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "807fee69866bfeede8159d76f852c9e91d83f2b50a34c690cec8553fda0fb296",
+    hash: "70da0f5b5d104e420f7aa7f70d66a3be349b592ae7d3be743bddee14ea24c790",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -229,7 +245,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "c9183146c46fdcedb97e0b048ac0a6f817b741844d38d4a77429fcc3e0846727",
+    hash: "b3c3ae7b993f51e4fe07c0ebf6189b3ad84066bc78cbb3d10fcb4e62b83fef4a",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -242,7 +258,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "5b8b3b82447548f3753812a1fed267c2ee6e292149c3f20265abb65fbd461efe",
+    hash: "3cf03ffcaae57ac746c7aeff3fc1ce2cb2e876a02d0efaef8b6d9109a5d40cb6",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
@@ -255,7 +271,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "18a5461a3a53aba97fdf97df0f1a3e6b7f74c8bcca2978116e63d807170d1c32",
+    hash: "945b64adf80e5a9112ed984b4aecc11617058a95d61c3484a1cbf6f21c2675bb",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_PACKED: Module = Module {
@@ -268,7 +284,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "754b0ae83f259ccb804b5ed59d26ad239fde74f70305b746767e8c388a78cbb1",
+    hash: "f7e92066111aae93cf18deacf98c71301b71752c27409e0b5c30213b44fa0fa1",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -281,7 +297,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "aa95bf21d9e5dedaa2ccbea980b9f7b9fe91b57354006157603a8934b094646e",
+    hash: "5c0f3e61cd66082c1c0e37ae91b65d9be11271df7f9eb8abcf65a14d6e4396a4",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -294,7 +310,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "0a2a208995e5d42c2caf7f693350fa0a0454c5e9b85a0efc87467cabf6feede9",
+    hash: "4500c26c3b618a6406afb7e86554612ac4bf51b081879ecc7d34e34dbf9daf32",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -307,7 +323,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "a1f5ca2305668732f08da464ed5a87df33e3677ca42fe8046b60daac6703b50a",
+    hash: "56c1ee6fd5699ce2779275bcc0db9d1c00eb1c3ff050fdc5b8b8e9e4beae7889",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -320,5 +336,5 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "40cf9d4163ab634f7122ba3e6be5bd9fa625e740701b95164ee410e2dd40e719",
+    hash: "29281df1a403fbf130d45a6b0d4f494441fd3031a6b370afb94bf3fd9a7069db",
 };

@@ -2,7 +2,9 @@
 // makes it anew from solver/pbf/correct_positions.compute.
 //! Kernels of `solver/pbf/correct_positions.compute`.
 
-use super::{Constrained, Counters, KernelParams, ListHead, PbfParams, Position, PrecisionKeyword, StepParams};
+use super::{
+    Counters, ListHead, PbfParams, Position, PositionLambda, PrecisionKeyword, SmoothingKernelParams, StepParams,
+};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
@@ -27,26 +29,26 @@ pub struct CorrectPositionsVariant {
 pub struct CorrectPositions<'a> {
     /// Its variant.
     pub variant: CorrectPositionsVariant,
-    /// `StructuredBuffer<Constrained> constrained`.
-    pub constrained: Option<Buf<'a, Constrained>>,
+    /// `StructuredBuffer<PositionLambda> position_lambdas`.
+    pub position_lambdas: Option<Buf<'a, PositionLambda>>,
     /// `StructuredBuffer<Position> sorted_positions`.
     pub sorted_positions: Buf<'a, Position>,
     /// `StructuredBuffer<uint2> neighbours`.
     pub neighbours: Buf<'a, [u32; 2]>,
     /// `StructuredBuffer<ListHead> list_heads`.
     pub list_heads: Buf<'a, ListHead>,
-    /// `RWStructuredBuffer<uint2> places`.
-    pub places: BufMut<'a, [u32; 2]>,
+    /// `RWStructuredBuffer<uint2> quantized_positions`.
+    pub quantized_positions: BufMut<'a, [u32; 2]>,
     /// `RWStructuredBuffer<Counters> counters`.
     pub counters: BufMut<'a, Counters>,
     /// `ConstantBuffer<StepParams> step_params`.
     pub step_params: Uniform<'a, StepParams>,
-    /// `ConstantBuffer<KernelParams> kernel`.
-    pub kernel: Uniform<'a, KernelParams>,
+    /// `ConstantBuffer<SmoothingKernelParams> kernel`.
+    pub kernel: Uniform<'a, SmoothingKernelParams>,
     /// `ConstantBuffer<PbfParams> pbf`.
     pub pbf: Uniform<'a, PbfParams>,
-    /// `StructuredBuffer<uint2> packed_constrained`.
-    pub packed_constrained: Option<Buf<'a, [u32; 2]>>,
+    /// `StructuredBuffer<uint2> packed_position_lambdas`.
+    pub packed_position_lambdas: Option<Buf<'a, [u32; 2]>>,
 }
 
 impl Kernel for CorrectPositions<'_> {
@@ -107,16 +109,16 @@ impl Kernel for CorrectPositions<'_> {
         bind(
             self.module(),
             &[
-                ("constrained", self.constrained.as_ref().map(|bound| bound.id)),
+                ("position_lambdas", self.position_lambdas.as_ref().map(|bound| bound.id)),
                 ("sorted_positions", Some(self.sorted_positions.id)),
                 ("neighbours", Some(self.neighbours.id)),
                 ("list_heads", Some(self.list_heads.id)),
-                ("places", Some(self.places.id)),
+                ("quantized_positions", Some(self.quantized_positions.id)),
                 ("counters", Some(self.counters.id)),
                 ("step_params", Some(self.step_params.id)),
                 ("kernel", Some(self.kernel.id)),
                 ("pbf", Some(self.pbf.id)),
-                ("packed_constrained", self.packed_constrained.as_ref().map(|bound| bound.id)),
+                ("packed_position_lambdas", self.packed_position_lambdas.as_ref().map(|bound| bound.id)),
             ],
         )
     }
@@ -151,7 +153,11 @@ pub(super) static MODULES: &[&Module] = &[
 ];
 
 static BINDINGS_0: &[BindingInfo] = &[
-    BindingInfo { name: "constrained", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
+    BindingInfo {
+        name: "position_lambdas",
+        slot: 0,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+    },
     BindingInfo {
         name: "sorted_positions",
         slot: 1,
@@ -159,7 +165,11 @@ static BINDINGS_0: &[BindingInfo] = &[
     },
     BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
     BindingInfo { name: "list_heads", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
-    BindingInfo { name: "places", slot: 4, kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 } },
+    BindingInfo {
+        name: "quantized_positions",
+        slot: 4,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
+    },
     BindingInfo {
         name: "counters",
         slot: 5,
@@ -172,7 +182,7 @@ static BINDINGS_0: &[BindingInfo] = &[
 
 static BINDINGS_1: &[BindingInfo] = &[
     BindingInfo {
-        name: "packed_constrained",
+        name: "packed_position_lambdas",
         slot: 0,
         kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 },
     },
@@ -183,7 +193,11 @@ static BINDINGS_1: &[BindingInfo] = &[
     },
     BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
     BindingInfo { name: "list_heads", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
-    BindingInfo { name: "places", slot: 4, kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 } },
+    BindingInfo {
+        name: "quantized_positions",
+        slot: 4,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
+    },
     BindingInfo {
         name: "counters",
         slot: 5,
@@ -204,7 +218,7 @@ static CORRECT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "fb4e95042f36b4c8e49f2ea1a47361c6e6daef1fee003aba6e8a3cd834555276",
+    hash: "e82b464b22f15dcfa725faecfefdbf11ee7c08903ac8669084398cb2dd85bfb1",
 };
 
 static CORRECT_POSITIONS_WITH_PACKED: Module = Module {
@@ -217,7 +231,7 @@ static CORRECT_POSITIONS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "d2930770f16014fe741ed1efc6c3c1d98a9ee8e83649a158cdc0820adf225b62",
+    hash: "c7d1cc2af564f6e937e62b85231a446f0edb8fa7a0b03447c5528dc6f92c29ff",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
@@ -230,7 +244,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "59cce908c01425006b4e86eabecae8dda49c9b995c57d5d92a378a4d5fb5c213",
+    hash: "c97a5ae8c76c26bf39b166022b8e2ae0f8e7c06b3cbf191d7f53bc29416bddd5",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -243,7 +257,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "8d07b2e3364e92bf711bbeed07774fd919547ece371d2197a89f17d4fc730b6a",
+    hash: "c398ab4f7103adebcb156c317dfe0736732991896da4f7e32f681109cfd16b7f",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
@@ -256,7 +270,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "c1cfe5524f1b79dd4e26a8eff6975eb3a6070d34184b9de8e4878d72849a1d38",
+    hash: "2a3dfaf25ef944b829ae6a946d23e5818e1fd360387568d7d8174f4a73595665",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -269,7 +283,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "8778cac8708703f23373d5062e49a0876b9ac7cf2aba0c89967404a0378f8efc",
+    hash: "6ac5f8c3221b0365b10a00825d796ab631c70cfbf4695c953a1283e09b495298",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
@@ -282,7 +296,7 @@ static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "86431ecd81e61d363b82643862359bc4fc3e4cf429b20377c80cef03c00837dd",
+    hash: "2f0dde575d713a1734c9ec42c8c7b38776a1c0d5bd255857dc928fd597685215",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_PACKED: Module = Module {
@@ -295,7 +309,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "cfb85bb9bb6962afbdecbafae084730217aa9831df863df3cb31459899dacfe8",
+    hash: "4094492991500ec25d29d8fb9f1d677c67cd6a261211e1ee4765594da7145983",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -308,7 +322,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "48468b0a8d08aad9831f4c61d7dc2155261f9fa2e2548d8cdc026c13324a01e0",
+    hash: "c17a67e4e8e04664372e6590adf8b80c87ea37bcba9ae6d2c97a56f970974306",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -321,7 +335,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "e85f2d0135c72350b781063f1b148f0f93b16d71cf64c47e5824bfab8310cd3b",
+    hash: "8540c31bfa0396d2bf4643970fbb2dc959e57f9792e39715497afcc3d9c834ae",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -334,7 +348,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "628c9d77767a25b92060fdc0efd50382a9ebe4a089b24b237acd1d4a8a61b991",
+    hash: "5d112597c88e5eb10901effb1a22a874da4e429ed8140569a0958ae6cc9f47cb",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -347,7 +361,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = M
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "154ab4e001ece73303babad84fdaed15d07f5227684a0fbf4c7b74f52a4b3807",
+    hash: "9c612138e2257ce1950de07855bdf9b45ad5a620ae485ce4383520164070c218",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
@@ -360,7 +374,7 @@ static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "baa3a2d3b3f0b7efc69d6c02dfbd4cdbad25822a242936fcac758b44dc73afb5",
+    hash: "c775593f4fcd3dd8d7e2c605b8e8eabfe8fae87a3781864fb93b599a26796f91",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_PACKED: Module = Module {
@@ -373,7 +387,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "c0e4205c16f4770f740873a6fc58babc62aa88557e3d320f7b28e69bf32b74df",
+    hash: "b52c6b91ae6756e290cf77dbe0fc7de8058bb9af1109fc9b90c4f825bb3c5a1a",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -386,7 +400,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "d93fd4cc29e8e9b51857edb13da7a78ff1a5d829e5fcdf31501daad13f2e5a6e",
+    hash: "c01f32d047821e0d00fe4cd4a25df5031ed694cd12fe2d3eff1bebff798d69ff",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -399,7 +413,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "5c1e719c0e6dc470242ca4e5f6e44706cb7f6528714945c2c7eeee2dd8fef135",
+    hash: "c19b301778663008bc063834d1390c11bde1354d2d560157703f82e0032a2ef3",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -412,7 +426,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "2b0d54703f8570d26bdc2162c1e8062effcebb1420fe3a1e042e90e7f3b6da53",
+    hash: "154a7ccadbb5f67cfb850504baf52194c065fcb408139ddc853444ddbb2694e7",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -425,7 +439,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "07a887525739f2b896ecd7f49f9f9e8542ae8963219dfa3a011556454de02039",
+    hash: "391713603ab9e9453230fd9aad75dd40f9a9ea85facd2921341bb74294ec05d5",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
@@ -438,7 +452,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "7680e2ddb1dcde95f355802a6ccb4c40d0cdfeeb8973f3ec4b68e2cfd1c90db5",
+    hash: "5b0cd4f55785f8222e4853c5b78b0c351a678e02b757d9ecc82ec5f9e57400a2",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_PACKED: Module = Module {
@@ -451,7 +465,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "b8d0f8c2b079fa4cd26d157ffcca456d14b0cb6c3dc319830b593aa780806619",
+    hash: "c75b02d2945b2a8c06959651c8d0d03aacb78d361b5ac430edd7c1a4c5dcc112",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -464,7 +478,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "404efdc1d82da14f093b5198517596d819a57789c89450f8c51df9bbccaa7acb",
+    hash: "f648888f30eeeff88b09a27ed1d069884dd89db306cbb13dc653233ef3999527",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -477,7 +491,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACK
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "2aa9d40194b0f61349f19250dc1859e77c8a6bb7ab89d0762695651effb6beb2",
+    hash: "3f60d16051d4f4ea1848752125ebd2f4d35516959609357dc7814642775d7780",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -490,7 +504,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "e6ef8fb23f27b9960e88867c1b5f3a426e12af92a963a8e18f00b05b8bac606a",
+    hash: "1ecf3e043d16b142d4b1ca2d10519fd15a94cf7fa9c2b6941af7895436cd9cf5",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -503,5 +517,5 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED:
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "f85e9cb987f5e0a3ba527b42ba4bac25a7481e984b7fbb9c62647390c081ee1e",
+    hash: "1b4c193cc849a5ae8478dc38aa82f3df369cb38ba9269198711e5a76fea6e8fc",
 };

@@ -2,7 +2,7 @@
 // makes it anew from solver/pbf/curl.compute.
 //! Kernels of `solver/pbf/curl.compute`.
 
-use super::{KernelParams, ListHead, PrecisionKeyword, StepParams, Velocity, Vorticity};
+use super::{ListHead, PrecisionKeyword, SmoothingKernelParams, StepParams, Velocity, Vorticity};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
@@ -21,8 +21,8 @@ pub struct CurlVariant {
 pub struct Curl<'a> {
     /// Its variant.
     pub variant: CurlVariant,
-    /// `StructuredBuffer<uint2> places`.
-    pub places: Buf<'a, [u32; 2]>,
+    /// `StructuredBuffer<uint2> quantized_positions`.
+    pub quantized_positions: Buf<'a, [u32; 2]>,
     /// `StructuredBuffer<Velocity> velocities`.
     pub velocities: Buf<'a, Velocity>,
     /// `StructuredBuffer<uint2> neighbours`.
@@ -33,8 +33,8 @@ pub struct Curl<'a> {
     pub vorticities: BufMut<'a, Vorticity>,
     /// `ConstantBuffer<StepParams> step_params`.
     pub step_params: Uniform<'a, StepParams>,
-    /// `ConstantBuffer<KernelParams> kernel`.
-    pub kernel: Uniform<'a, KernelParams>,
+    /// `ConstantBuffer<SmoothingKernelParams> kernel`.
+    pub kernel: Uniform<'a, SmoothingKernelParams>,
 }
 
 impl Kernel for Curl<'_> {
@@ -55,7 +55,7 @@ impl Kernel for Curl<'_> {
         bind(
             self.module(),
             &[
-                ("places", Some(self.places.id)),
+                ("quantized_positions", Some(self.quantized_positions.id)),
                 ("velocities", Some(self.velocities.id)),
                 ("neighbours", Some(self.neighbours.id)),
                 ("list_heads", Some(self.list_heads.id)),
@@ -78,7 +78,11 @@ pub(super) static MODULES: &[&Module] = &[
 ];
 
 static BINDINGS_0: &[BindingInfo] = &[
-    BindingInfo { name: "places", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo {
+        name: "quantized_positions",
+        slot: 0,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 },
+    },
     BindingInfo { name: "velocities", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
     BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
     BindingInfo { name: "list_heads", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
@@ -101,7 +105,7 @@ static CURL: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/curl.compute",
-    hash: "8b9bfb18ef7f1fa8e39a9908ce9ffa933f3dba4de6f0bc4275478ab82180f498",
+    hash: "635344545b1c3a8ac5d1e70aef0770a7febb3b21540585599c5bbbe35be721de",
 };
 
 static CURL_WITH_PACKED: Module = Module {
@@ -114,7 +118,7 @@ static CURL_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/curl.compute",
-    hash: "d18bc9ca2beda3b8fe912a31433f4326594c1975ddf37a02b983939c58d43f4e",
+    hash: "89c4b284588c9e43d767412f376d73d7d55c71168fac4e2f21f4fd9ed1a26e3f",
 };
 
 static CURL_WITH_RELAXED_PRECISION: Module = Module {
@@ -127,7 +131,7 @@ static CURL_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/curl.compute",
-    hash: "a7a7c87c732ab14260a75e0461111de5fbf9c0c4b3cb493822c42be854fd8ee9",
+    hash: "9b48bbeeb1be70a33dff4bf4c201c7f27016385fb7d55ddacddf8bf1347b3f3c",
 };
 
 static CURL_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -140,7 +144,7 @@ static CURL_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/curl.compute",
-    hash: "35f3e1301e6b3d2f6a5423ad5343cff0263300938699304c674360b91dbe8dbd",
+    hash: "404fae3813a0e48a0a27f74ca0d03d465a3389edc70860e90c85baf31374d207",
 };
 
 static CURL_WITH_HALF_PRECISION: Module = Module {
@@ -153,7 +157,7 @@ static CURL_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/curl.compute",
-    hash: "33755e76ec895f5cf528efec5daeffe5cdaa0fcad917f0705499f867adfe487a",
+    hash: "858f78a0ef39577df654d781ab4cadc5cbbb8204bd0746b49bc470e3edf2e404",
 };
 
 static CURL_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -166,5 +170,5 @@ static CURL_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/curl.compute",
-    hash: "f4eaae748eae14d30721b2e971ad022a5634edf834d90253d92e398c0c2d3bd6",
+    hash: "685459925fed435e70f0d3f8d9b62e3491eeb1802ed539918d852d8b1e4fe660",
 };

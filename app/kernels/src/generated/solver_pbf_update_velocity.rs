@@ -2,7 +2,7 @@
 // makes it anew from solver/pbf/update_velocity.compute.
 //! Kernels of `solver/pbf/update_velocity.compute`.
 
-use super::{Counters, KernelParams, Position, StepParams, Velocity};
+use super::{Counters, Position, SmoothingKernelParams, StepParams, Velocity};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
@@ -23,8 +23,8 @@ pub struct UpdateVelocityVariant {
 pub struct UpdateVelocity<'a> {
     /// Its variant.
     pub variant: UpdateVelocityVariant,
-    /// `StructuredBuffer<uint2> places`.
-    pub places: Buf<'a, [u32; 2]>,
+    /// `StructuredBuffer<uint2> quantized_positions`.
+    pub quantized_positions: Buf<'a, [u32; 2]>,
     /// `StructuredBuffer<Position> sorted_positions`.
     pub sorted_positions: Buf<'a, Position>,
     /// `StructuredBuffer<Velocity> sorted_velocities`.
@@ -37,8 +37,8 @@ pub struct UpdateVelocity<'a> {
     pub counters: BufMut<'a, Counters>,
     /// `ConstantBuffer<StepParams> step_params`.
     pub step_params: Uniform<'a, StepParams>,
-    /// `ConstantBuffer<KernelParams> kernel`.
-    pub kernel: Uniform<'a, KernelParams>,
+    /// `ConstantBuffer<SmoothingKernelParams> kernel`.
+    pub kernel: Uniform<'a, SmoothingKernelParams>,
 }
 
 impl Kernel for UpdateVelocity<'_> {
@@ -57,7 +57,7 @@ impl Kernel for UpdateVelocity<'_> {
         bind(
             self.module(),
             &[
-                ("places", Some(self.places.id)),
+                ("quantized_positions", Some(self.quantized_positions.id)),
                 ("sorted_positions", Some(self.sorted_positions.id)),
                 ("sorted_velocities", Some(self.sorted_velocities.id)),
                 ("positions", Some(self.positions.id)),
@@ -79,7 +79,11 @@ pub(super) static MODULES: &[&Module] = &[
 ];
 
 static BINDINGS_0: &[BindingInfo] = &[
-    BindingInfo { name: "places", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo {
+        name: "quantized_positions",
+        slot: 0,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 },
+    },
     BindingInfo {
         name: "sorted_positions",
         slot: 1,
@@ -119,7 +123,7 @@ static UPDATE_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "2ad9be5aebcf67ee20d529cd3696b96cae26371937eadf0a32f0277a6a1da797",
+    hash: "3c9a67ef9dcc27a90d3079b096695c7d47cad66694f908b0739df8687dc3a5c3",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
@@ -132,7 +136,7 @@ static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "9316a94e7d2767707c9297d58f1645596654300720a21271bc5ae8e351437755",
+    hash: "19d58f8c9293d1e37ee107d3295e7a20b8869133a8496951c673d7b21116790d",
 };
 
 static UPDATE_VELOCITY_WITH_PACKED: Module = Module {
@@ -145,7 +149,7 @@ static UPDATE_VELOCITY_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "bf680d9c9d0f73b971de93d54e433bf8f44cefe417e7df746df26e9f92e863ef",
+    hash: "bb6e233ba601df84c0911a735974571552be25043b747db1482202e4a8f47187",
 };
 
 static UPDATE_VELOCITY_WITH_PACKED_WITH_PERIODIC: Module = Module {
@@ -158,5 +162,5 @@ static UPDATE_VELOCITY_WITH_PACKED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "3a4943cf14971ddd957b6b3a4639edf0c14e18981eebbde575e96597d6c8100a",
+    hash: "2167514aabc0aad4c54391847cf0c0d28e7ae49ab881c35578fb92f859bb99b4",
 };

@@ -2,7 +2,7 @@
 // makes it anew from solver/pbf/viscosity.compute.
 //! Kernels of `solver/pbf/viscosity.compute`.
 
-use super::{KernelParams, ListHead, PbfParams, PrecisionKeyword, StepParams, Velocity};
+use super::{ListHead, PbfParams, PrecisionKeyword, SmoothingKernelParams, StepParams, Velocity};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
@@ -22,8 +22,8 @@ pub struct ViscosityVariant {
 pub struct Viscosity<'a> {
     /// Its variant.
     pub variant: ViscosityVariant,
-    /// `StructuredBuffer<uint2> places`.
-    pub places: Buf<'a, [u32; 2]>,
+    /// `StructuredBuffer<uint2> quantized_positions`.
+    pub quantized_positions: Buf<'a, [u32; 2]>,
     /// `StructuredBuffer<Velocity> velocities`.
     pub velocities: Buf<'a, Velocity>,
     /// `StructuredBuffer<uint2> neighbours`.
@@ -34,8 +34,8 @@ pub struct Viscosity<'a> {
     pub smoothed_velocities: BufMut<'a, Velocity>,
     /// `ConstantBuffer<StepParams> step_params`.
     pub step_params: Uniform<'a, StepParams>,
-    /// `ConstantBuffer<KernelParams> kernel`.
-    pub kernel: Uniform<'a, KernelParams>,
+    /// `ConstantBuffer<SmoothingKernelParams> kernel`.
+    pub kernel: Uniform<'a, SmoothingKernelParams>,
     /// `ConstantBuffer<PbfParams> pbf`.
     pub pbf: Uniform<'a, PbfParams>,
 }
@@ -58,7 +58,7 @@ impl Kernel for Viscosity<'_> {
         bind(
             self.module(),
             &[
-                ("places", Some(self.places.id)),
+                ("quantized_positions", Some(self.quantized_positions.id)),
                 ("velocities", Some(self.velocities.id)),
                 ("neighbours", Some(self.neighbours.id)),
                 ("list_heads", Some(self.list_heads.id)),
@@ -82,7 +82,11 @@ pub(super) static MODULES: &[&Module] = &[
 ];
 
 static BINDINGS_0: &[BindingInfo] = &[
-    BindingInfo { name: "places", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo {
+        name: "quantized_positions",
+        slot: 0,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 },
+    },
     BindingInfo { name: "velocities", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
     BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
     BindingInfo { name: "list_heads", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
@@ -106,7 +110,7 @@ static VISCOSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/viscosity.compute",
-    hash: "86c8e870d59899d86be5e2adb00f6b9943fb28eccc2fce8d5b4c2d59c4ba769d",
+    hash: "2643921dcb5b881f89e031931b0bbb6bedae2a22ab8e889cf1148b23029e059f",
 };
 
 static VISCOSITY_WITH_PACKED: Module = Module {
@@ -119,7 +123,7 @@ static VISCOSITY_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/viscosity.compute",
-    hash: "57015386896f0b17fe04d65ca44d5b9b0cf8cfcb8aed83426fd690069a1dd185",
+    hash: "3e85e76d9e46ffb17cc44bf7304f6c93a231e91b441abbd3a78915c165ba3c64",
 };
 
 static VISCOSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -132,7 +136,7 @@ static VISCOSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/viscosity.compute",
-    hash: "48ddce4678af9a9008adb301ed498f74ea17224c71271ee07fcaeba9c9ebb76d",
+    hash: "cc9ec613369fc4e0675472d1648a7e373d3abf25992fb105a9b71d69e097e59b",
 };
 
 static VISCOSITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -145,7 +149,7 @@ static VISCOSITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/viscosity.compute",
-    hash: "57a82fade53042fe4b096eb2279a278d5b75cd34d8c7792cf9b9dea41a7c20dd",
+    hash: "0e97111d6df107f14816b4d13fb36a0f18181c1992cd6054e1007b67479b6e30",
 };
 
 static VISCOSITY_WITH_HALF_PRECISION: Module = Module {
@@ -158,7 +162,7 @@ static VISCOSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/viscosity.compute",
-    hash: "97b9e48836a276ea0025bceb1e04e5860e11713d3bb21119ab1af0d569a3cc73",
+    hash: "dec38cb628ac399f7021d952af067314d50a680e93d129da92402ae2bb81b858",
 };
 
 static VISCOSITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -171,5 +175,5 @@ static VISCOSITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/viscosity.compute",
-    hash: "a3aa19af55e991f14b561ed14f82f8a701ca969d5777f582570d3945c17e98e2",
+    hash: "b7110e60d9a7acc0aaabc71d3fc7b3fbfdba13e2427411b587931824d72eb8d6",
 };

@@ -69,5 +69,5 @@ static ANISOTROPY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/anisotropy.compute",
-    hash: "a29fd2f5f2d491829d74578a6385f1fa85b3809fa0794d71f64f082b94916648",
+    hash: "7c5e45a34203385e451b845941bdea03e5643d6d06f33b16d634d3a9fae28ee1",
 };

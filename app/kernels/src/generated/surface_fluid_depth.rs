@@ -15,7 +15,7 @@ pub struct DrawFluidDepthVariant {
 }
 
 /// The nearest of all particles' spheres, or ellipsoids (surface/anisotropy.compute), in each pixel, as
-/// nearness. At the tank's glass they are cut off: there the water is as flat as the glass.
+/// inverse\_depth. At the tank's glass they are cut off: there the water is as flat as the glass.
 #[derive(Debug)]
 pub struct DrawFluidDepth<'a> {
     /// Its variant.
@@ -112,7 +112,7 @@ static DRAW_FLUID_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "e7832310babb347f19471849c11b29b3e00de99d8a124352e456b2fc47e16b7d",
+    hash: "e327a3affc9025f4967fdbb80575c614cc134b19b09536a2c08f7123be9a3707",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
@@ -125,7 +125,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "c0aa12bb08c329b1daf2bebd170609474d780b3d96cb9f1cca36650cadf2d865",
+    hash: "7dbb50424f77364b5db51afbd6a5e5723a635966c97f3666d8511f911f790232",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -138,7 +138,7 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "cc80e4a0dc86c2221dec0c6f66a05310cceda8107ac0a75ca52fedb2f58a3dc3",
+    hash: "5d1fbe41d35252bba29dde8e63439ac8ee9cea019bc595fdac3db58c4ed76c47",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -151,7 +151,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "919b8f517cfbd9259f868de0f4f13b27083d16bc23319ff46bb75fd6f6bcd47f",
+    hash: "ca237cfdd6f233bf2ec3852e994d5ef03b2b66725d0feb11f20f40bff912b7e4",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -164,5 +164,5 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "af6f35178bb20eabcdadd9b81c48e32a055767f90f1ee86c3f92dbd50754f861",
+    hash: "8cfe246e766a358fbc125df2a02188b4730a457473896bb297eb4a2cddf818d9",
 };

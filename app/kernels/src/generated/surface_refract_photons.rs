@@ -70,5 +70,5 @@ static REFRACT_PHOTONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refract_photons.compute",
-    hash: "4f858228f9dfe1c2ec3e9f6dbed094bfcc90e006aea89b8af1f2b927902728f6",
+    hash: "6605223997adb46fc0cf17d745845f9b7134da746d0fe677002d4098265178d4",
 };

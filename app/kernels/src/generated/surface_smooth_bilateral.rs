@@ -19,8 +19,8 @@ pub struct DrawSmoothBilateralVariant {
 pub struct DrawSmoothBilateral<'a> {
     /// Its variant.
     pub variant: DrawSmoothBilateralVariant,
-    /// `Texture2D<float> nearness`.
-    pub nearness: Tex<'a>,
+    /// `Texture2D<float> inverse_depth`.
+    pub inverse_depth: Tex<'a>,
     /// `ConstantBuffer<FrameView> view`.
     pub view: Uniform<'a, FrameView>,
     /// `ConstantBuffer<SurfaceParams> surface`.
@@ -44,7 +44,11 @@ impl Draw for DrawSmoothBilateral<'_> {
         bind_draw(
             self.vertex(),
             self.fragment(),
-            &[("nearness", Some(self.nearness.id)), ("view", Some(self.view.id)), ("surface", Some(self.surface.id))],
+            &[
+                ("inverse_depth", Some(self.inverse_depth.id)),
+                ("view", Some(self.view.id)),
+                ("surface", Some(self.surface.id)),
+            ],
         )
     }
 }
@@ -58,7 +62,7 @@ pub(super) static MODULES: &[&Module] = &[
 ];
 
 static BINDINGS_0: &[BindingInfo] = &[
-    BindingInfo { name: "nearness", slot: 0, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "inverse_depth", slot: 0, kind: BindingKind::Texture { filterable: false } },
     BindingInfo { name: "view", slot: 1, kind: BindingKind::Uniform { bytes: 80 } },
     BindingInfo { name: "surface", slot: 2, kind: BindingKind::Uniform { bytes: 64 } },
 ];
@@ -73,7 +77,7 @@ static DRAW_SMOOTH_BILATERAL_VERTEX_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "c7d65f6248c1511ed10bbcfbc75c0294c1809e7e948ac572fc5564d3938faeac",
+    hash: "08f789bd43d02bac9b1c91e5f740f9c887e53b9e84b9f345a63d2e98ce86eaf5",
 };
 
 static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_X: Module = Module {
@@ -86,7 +90,7 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "1201475f6b8e39edf406ebf7824f742b362cf38060629c06c2faa083c6341902",
+    hash: "575de0b762eab76e67016920a353a0ed15d4c80a364167ee1e5e57907c4c24bf",
 };
 
 static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_Y: Module = Module {
@@ -99,7 +103,7 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "48a7182c1aadfbddcbc0ab2eb2da081d7dc524bd866e48c2df61550f9d6ea403",
+    hash: "cbd4841bb2f14d169a43bbcb19bb9205899f32de0775c249d13969d554509184",
 };
 
 static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
@@ -112,5 +116,5 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "f2518a1dd69dbb93c0fe6fe86993cc7600f12610b8f47302368a8f42fef16360",
+    hash: "963a2836287ae9b87573ab9b40f7e31a2373be6feef466214bd7127c5356acf7",
 };

@@ -12,8 +12,8 @@ use crate::{BindingError, BindingInfo, BindingKind, Bound, Draw, Module, StageKi
 /// is an area, the same near and far).
 #[derive(Debug)]
 pub struct DrawSmoothCurvatureFlow<'a> {
-    /// `Texture2D<float> nearness`.
-    pub nearness: Tex<'a>,
+    /// `Texture2D<float> inverse_depth`.
+    pub inverse_depth: Tex<'a>,
     /// `ConstantBuffer<FrameView> view`.
     pub view: Uniform<'a, FrameView>,
     /// `ConstantBuffer<SurfaceParams> surface`.
@@ -33,7 +33,11 @@ impl Draw for DrawSmoothCurvatureFlow<'_> {
         bind_draw(
             self.vertex(),
             self.fragment(),
-            &[("nearness", Some(self.nearness.id)), ("view", Some(self.view.id)), ("surface", Some(self.surface.id))],
+            &[
+                ("inverse_depth", Some(self.inverse_depth.id)),
+                ("view", Some(self.view.id)),
+                ("surface", Some(self.surface.id)),
+            ],
         )
     }
 }
@@ -42,7 +46,7 @@ impl Draw for DrawSmoothCurvatureFlow<'_> {
 pub(super) static MODULES: &[&Module] = &[&DRAW_SMOOTH_CURVATURE_FLOW_VERTEX, &DRAW_SMOOTH_CURVATURE_FLOW_FRAGMENT];
 
 static BINDINGS_0: &[BindingInfo] = &[
-    BindingInfo { name: "nearness", slot: 0, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "inverse_depth", slot: 0, kind: BindingKind::Texture { filterable: false } },
     BindingInfo { name: "view", slot: 1, kind: BindingKind::Uniform { bytes: 80 } },
     BindingInfo { name: "surface", slot: 2, kind: BindingKind::Uniform { bytes: 64 } },
 ];
@@ -57,7 +61,7 @@ static DRAW_SMOOTH_CURVATURE_FLOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_curvature_flow.hlsl",
-    hash: "768a80052ecca70eb4ca2dfb6a0cb5ab673eefccbab016e57bda43db4296e973",
+    hash: "8e3790f28cc28e47a4ae12aa3a6545477a5d4176c143521abcc3e4bce450e57b",
 };
 
 static DRAW_SMOOTH_CURVATURE_FLOW_FRAGMENT: Module = Module {
@@ -70,5 +74,5 @@ static DRAW_SMOOTH_CURVATURE_FLOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_curvature_flow.hlsl",
-    hash: "150d626e993f9e11a8e2fa7402fd7c312a4fbb8d8fe2b82c8109f21da1c0cc28",
+    hash: "01454115d9b03f3928f0ae6bb8d6904b1538e71545a0ebc94a6c5ba3d05476c0",
 };

@@ -18,8 +18,8 @@ pub struct DrawSmoothGaussianVariant {
 pub struct DrawSmoothGaussian<'a> {
     /// Its variant.
     pub variant: DrawSmoothGaussianVariant,
-    /// `Texture2D<float> nearness`.
-    pub nearness: Tex<'a>,
+    /// `Texture2D<float> inverse_depth`.
+    pub inverse_depth: Tex<'a>,
     /// `ConstantBuffer<FrameView> view`.
     pub view: Uniform<'a, FrameView>,
     /// `ConstantBuffer<SurfaceParams> surface`.
@@ -42,7 +42,11 @@ impl Draw for DrawSmoothGaussian<'_> {
         bind_draw(
             self.vertex(),
             self.fragment(),
-            &[("nearness", Some(self.nearness.id)), ("view", Some(self.view.id)), ("surface", Some(self.surface.id))],
+            &[
+                ("inverse_depth", Some(self.inverse_depth.id)),
+                ("view", Some(self.view.id)),
+                ("surface", Some(self.surface.id)),
+            ],
         )
     }
 }
@@ -55,7 +59,7 @@ pub(super) static MODULES: &[&Module] = &[
 ];
 
 static BINDINGS_0: &[BindingInfo] = &[
-    BindingInfo { name: "nearness", slot: 0, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "inverse_depth", slot: 0, kind: BindingKind::Texture { filterable: false } },
     BindingInfo { name: "view", slot: 1, kind: BindingKind::Uniform { bytes: 80 } },
     BindingInfo { name: "surface", slot: 2, kind: BindingKind::Uniform { bytes: 64 } },
 ];
@@ -70,7 +74,7 @@ static DRAW_SMOOTH_GAUSSIAN_VERTEX_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_gaussian.hlsl",
-    hash: "bac32d8b886ae3982f3de68e372057555346b72ae81a27a37a8467eb06ba975d",
+    hash: "b580892bb6ba89ff24855b030ebbcfaf11b27a5501812057350a4ac5c8dedfc7",
 };
 
 static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_X: Module = Module {
@@ -83,7 +87,7 @@ static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_gaussian.hlsl",
-    hash: "8473ab2c9b79e850c328eadd2eb19e14b5afaa31904f9a28b7c34747fc3413aa",
+    hash: "693290eff5badb7d23e2e641408a81385db8711be2b9a74ddd5b8de130016405",
 };
 
 static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_Y: Module = Module {
@@ -96,5 +100,5 @@ static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_gaussian.hlsl",
-    hash: "364b70566c5a25b55df653d29e69c68de716421da13804208f64fd551f0eb7a0",
+    hash: "0f9f116f2ac771c371e39b8f794d1d694947e5fb0c1384c839bb7a6b1fa8eac2",
 };

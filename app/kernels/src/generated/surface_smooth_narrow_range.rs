@@ -20,8 +20,8 @@ pub struct DrawSmoothNarrowRangeVariant {
 pub struct DrawSmoothNarrowRange<'a> {
     /// Its variant.
     pub variant: DrawSmoothNarrowRangeVariant,
-    /// `Texture2D<float> nearness`.
-    pub nearness: Tex<'a>,
+    /// `Texture2D<float> inverse_depth`.
+    pub inverse_depth: Tex<'a>,
     /// `ConstantBuffer<FrameView> view`.
     pub view: Uniform<'a, FrameView>,
     /// `ConstantBuffer<SurfaceParams> surface`.
@@ -45,7 +45,11 @@ impl Draw for DrawSmoothNarrowRange<'_> {
         bind_draw(
             self.vertex(),
             self.fragment(),
-            &[("nearness", Some(self.nearness.id)), ("view", Some(self.view.id)), ("surface", Some(self.surface.id))],
+            &[
+                ("inverse_depth", Some(self.inverse_depth.id)),
+                ("view", Some(self.view.id)),
+                ("surface", Some(self.surface.id)),
+            ],
         )
     }
 }
@@ -59,7 +63,7 @@ pub(super) static MODULES: &[&Module] = &[
 ];
 
 static BINDINGS_0: &[BindingInfo] = &[
-    BindingInfo { name: "nearness", slot: 0, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "inverse_depth", slot: 0, kind: BindingKind::Texture { filterable: false } },
     BindingInfo { name: "view", slot: 1, kind: BindingKind::Uniform { bytes: 80 } },
     BindingInfo { name: "surface", slot: 2, kind: BindingKind::Uniform { bytes: 64 } },
 ];
@@ -74,7 +78,7 @@ static DRAW_SMOOTH_NARROW_RANGE_VERTEX_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "edcff81bc4ecd01ff120f6c1e9aab496f538ee84274fb7c0cddd510bd321eb84",
+    hash: "ee51577c3a0767b00473d920c51d493539a34b2222557e0464d41e68228c81d2",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_X: Module = Module {
@@ -87,7 +91,7 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "d7fb9b2f866e0607474325805b8c005e43855fa0f2650bb2f9d53419d64d2739",
+    hash: "4383d60c016aa8d3516934ff1f8bda628759631635a292767e47559f5e828562",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_Y: Module = Module {
@@ -100,7 +104,7 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "7c7e24e9483ed95c62b79be67c7f2f27a123c420fc35e7945e3c5d0bd965e5f4",
+    hash: "85d12f7f2e0f79329d76298fb917a11ccfd2459359a7f1cbbc13dfca5da8b105",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
@@ -113,5 +117,5 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "acb45dff77a6f1513c2fc6ab0d080940a782047bfd47565d17bbdf8dc523f6dd",
+    hash: "aca934014575f9b7f976a58afad2de2b8166934259532ca14c65d6cbd3b5635a",
 };

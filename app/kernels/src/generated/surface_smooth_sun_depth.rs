@@ -75,7 +75,7 @@ static DRAW_SMOOTH_SUN_DEPTH_VERTEX_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_sun_depth.hlsl",
-    hash: "d2c405f60d6b53cbffb9fccbc3417d72a5ca53d92644bbea5c53300d00656ec4",
+    hash: "bd6247aa30c6aa79cdf1f3a2270721bcb5750ccbae1ad19fa34882953fa9734b",
 };
 
 static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_X: Module = Module {
@@ -88,7 +88,7 @@ static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_sun_depth.hlsl",
-    hash: "23cc90e1d61a65c3e780dd8b635cc4e320065d3aa7ea063245e511d3513c4285",
+    hash: "f099de8bc149321b97a05fd4d31bd0adf49a8cd6899940c7b40b6e319a50f2ea",
 };
 
 static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_Y: Module = Module {
@@ -101,5 +101,5 @@ static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_sun_depth.hlsl",
-    hash: "712cf119f4a1c5debe0663357ff12a9ed2f21e993c5698d8bc23d2ff4a695b42",
+    hash: "4ec68df9dbb26bb1f75915f45b1d90b28ddd77c125a0bb7ab1f04fcfd5b8370d",
 };

@@ -114,7 +114,7 @@ static DRAW_SUN_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "c3e226366312f7a986e32229b703d345cb1f1bbb68fb84361409ced8b7841a27",
+    hash: "55a49fdf281c7ac01ab49b2e5e58a703e3b2a921fc93a29595da03a54652bcf0",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
@@ -127,7 +127,7 @@ static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "3731f544752da8527e10dbec6d9f0c22b913364b245a5133df7c0c5d6779107e",
+    hash: "7aeeb129df4b3b8f217c96afc799794d7033023e5db50ae3af32ff4bc220fd86",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -140,7 +140,7 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "5dcb36f494a901d8e789286b9b60bba5cff6404db608ddddc6aea5009c2bea94",
+    hash: "ff8e13c9422790cc27147689bcb91dbb39f412903b5b74a5ecfac6e185d9113b",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -153,7 +153,7 @@ static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "44a32d71f63b714815ae58bcd588ed55636187935e4684bd3c28392eb9bd8014",
+    hash: "4297a5195e920f62ca4d00515fc0c231add3cc27301c834e1fffe0bff8ada3ee",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -166,5 +166,5 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "30d59534c4379ece5358da496bbce83368085b0681888e4a272fad2a422b3f8e",
+    hash: "7d997ee2584e2af0e6a4893e18b7e1d8c297a39052964f49064cb3a32dc58272",
 };

@@ -85,7 +85,7 @@ static DRAW_SUN_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "0491afbe8607d612346d0299377ef31bd74fc36fd7d78cc49112ebb2a1cbd6af",
+    hash: "018b042f6314c41da263799c51dc85d39ee923d3605ccfd34b43962799a8ae52",
 };
 
 static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
@@ -98,7 +98,7 @@ static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "800989b345d7c2b25b32927628ff09cb19b7ac228be796dada022a43d4803ce9",
+    hash: "4d3ccbd0d957aa63eec9f75d8507e5ebca18900740bf361b6070ba6cb3f12a8b",
 };
 
 static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -111,5 +111,5 @@ static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "9008eda316dd80794e5b3fdd2d8f31ec9757a84b8750260b4003b8cfe4aa81cb",
+    hash: "30e7c47fe1c6379b88c9554f1cce6ff745acc665cd429bb7db34862785ea0c1a",
 };

@@ -9,8 +9,8 @@ use crate::{BindingError, BindingInfo, BindingKind, Bound, Draw, Module, StageKi
 /// itself restores them where it shades. w is 1 on the fluid.
 #[derive(Debug)]
 pub struct DrawSurfaceNormals<'a> {
-    /// `Texture2D<float> nearness`.
-    pub nearness: Tex<'a>,
+    /// `Texture2D<float> inverse_depth`.
+    pub inverse_depth: Tex<'a>,
     /// `ConstantBuffer<FrameView> view`.
     pub view: Uniform<'a, FrameView>,
     /// `ConstantBuffer<SurfaceParams> surface`.
@@ -30,7 +30,11 @@ impl Draw for DrawSurfaceNormals<'_> {
         bind_draw(
             self.vertex(),
             self.fragment(),
-            &[("nearness", Some(self.nearness.id)), ("view", Some(self.view.id)), ("surface", Some(self.surface.id))],
+            &[
+                ("inverse_depth", Some(self.inverse_depth.id)),
+                ("view", Some(self.view.id)),
+                ("surface", Some(self.surface.id)),
+            ],
         )
     }
 }
@@ -39,7 +43,7 @@ impl Draw for DrawSurfaceNormals<'_> {
 pub(super) static MODULES: &[&Module] = &[&DRAW_SURFACE_NORMALS_VERTEX, &DRAW_SURFACE_NORMALS_FRAGMENT];
 
 static BINDINGS_0: &[BindingInfo] = &[
-    BindingInfo { name: "nearness", slot: 0, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "inverse_depth", slot: 0, kind: BindingKind::Texture { filterable: false } },
     BindingInfo { name: "view", slot: 1, kind: BindingKind::Uniform { bytes: 80 } },
     BindingInfo { name: "surface", slot: 2, kind: BindingKind::Uniform { bytes: 64 } },
 ];
@@ -54,7 +58,7 @@ static DRAW_SURFACE_NORMALS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/surface_normals.hlsl",
-    hash: "a1478dd55cc1006925f39f090b8e4c142252e170dfa97555f43ea6a7b587ba0d",
+    hash: "be0c4112751d10338066b798b281ffb9f8fedb6a87f189c9863ba1637d3fab62",
 };
 
 static DRAW_SURFACE_NORMALS_FRAGMENT: Module = Module {
@@ -67,5 +71,5 @@ static DRAW_SURFACE_NORMALS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/surface_normals.hlsl",
-    hash: "37f233d1c68f9f86c516c1599ce7526eca82865c144bcf0d5a159bf93860b96c",
+    hash: "1282969405574936c0c263ee246702b6bc94bd2c604e792e1d75c2d5dced3bd8",
 };

@@ -86,7 +86,7 @@ static DRAW_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "0c29699a9a141405c2c0e396f4d7fbc8c1f4cb2359aee829b02d6defa0af6dff",
+    hash: "394ec7514989f1525bad5f09bf013a32b4edb98d40fee0a8bb8d3d6a8fedfbe5",
 };
 
 static DRAW_THICKNESS_FRAGMENT: Module = Module {
@@ -99,7 +99,7 @@ static DRAW_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "d846ff9dd60c9243515d4d6cfb72341ec100b35985856394982c7cf8ad600e06",
+    hash: "6fe7a9bd2624efffa7e2dabe0d678e5f589c4b322cb4f0481bd41946e4974bf2",
 };
 
 static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -112,5 +112,5 @@ static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "1a516f900bf99d9a91cf22fd92249067c1018585096dd6843a05cc29c5668ee6",
+    hash: "741931c9fb37dfd55cd1c2911a87bea01d0240a99ce965d310fd7564be386ade",
 };

@@ -11,8 +11,8 @@ use crate::{BindingError, BindingInfo, BindingKind, Bound, Draw, Module, StageKi
 pub struct DrawWater<'a> {
     /// `ConstantBuffer<FrameView> view`.
     pub view: Uniform<'a, FrameView>,
-    /// `Texture2D<float> nearness`.
-    pub nearness: Tex<'a>,
+    /// `Texture2D<float> inverse_depth`.
+    pub inverse_depth: Tex<'a>,
     /// `Texture2D<float> thickness`.
     pub thickness: Tex<'a>,
     /// `Texture2D<float4> scene`.
@@ -44,7 +44,7 @@ impl Draw for DrawWater<'_> {
             self.fragment(),
             &[
                 ("view", Some(self.view.id)),
-                ("nearness", Some(self.nearness.id)),
+                ("inverse_depth", Some(self.inverse_depth.id)),
                 ("thickness", Some(self.thickness.id)),
                 ("scene", Some(self.scene.id)),
                 ("scene_depth", Some(self.scene_depth.id)),
@@ -63,7 +63,7 @@ pub(super) static MODULES: &[&Module] = &[&DRAW_WATER_VERTEX, &DRAW_WATER_FRAGME
 static BINDINGS_0: &[BindingInfo] = &[BindingInfo { name: "view", slot: 5, kind: BindingKind::Uniform { bytes: 80 } }];
 
 static BINDINGS_1: &[BindingInfo] = &[
-    BindingInfo { name: "nearness", slot: 0, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "inverse_depth", slot: 0, kind: BindingKind::Texture { filterable: false } },
     BindingInfo { name: "thickness", slot: 1, kind: BindingKind::Texture { filterable: true } },
     BindingInfo { name: "scene", slot: 2, kind: BindingKind::Texture { filterable: true } },
     BindingInfo { name: "scene_depth", slot: 3, kind: BindingKind::Texture { filterable: false } },
@@ -85,7 +85,7 @@ static DRAW_WATER_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "5705a8bd3eaad549f22b23e5a5f6f41556a371796d1bf59aa8d3b54ae65b461c",
+    hash: "a3cf5e4e66174c65ad37df749e6d61aabae00b6995abcc59af8d9825f4e999f6",
 };
 
 static DRAW_WATER_FRAGMENT: Module = Module {
@@ -98,5 +98,5 @@ static DRAW_WATER_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "492a065e6512fb38ad284dc6b3d2bdc100f467a78926aee6f1d5d21fd920ada4",
+    hash: "228cd4d7ead291891ea3b3db90662be69d43dba333857c88a3d77a9da3f66257",
 };

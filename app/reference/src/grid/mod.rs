@@ -2,6 +2,6 @@
 
 pub mod count_cells;
 pub mod list_neighbours;
-pub mod rank_members;
+pub mod rank_by_id;
 pub mod reorder;
 pub mod scan;

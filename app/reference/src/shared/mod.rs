@@ -4,6 +4,6 @@ pub mod cells;
 pub mod lattice;
 pub mod list;
 pub mod parallel;
-pub mod place;
 pub mod quadrature;
+pub mod quantized_position;
 pub mod wendland;

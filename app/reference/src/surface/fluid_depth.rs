@@ -1,11 +1,11 @@
 //! The nearest of all particles' spheres.
 
-use super::{Nearness, ray_of};
+use super::{InverseDepth, ray_of};
 use brooklet_kernels::{FrameView, SurfaceParams};
 use glam::DVec3;
 
-/// Nearness along the rays of a picture's pixels, cut off at the tank. (Shader: `surface/fluid_depth.hlsl`.)
-pub fn fluid_depth(centers_m: &[DVec3], params: &SurfaceParams, view: &FrameView) -> Nearness {
+/// InverseDepth along the rays of a picture's pixels, cut off at the tank. (Shader: `surface/fluid_depth.hlsl`.)
+pub fn fluid_depth(centers_m: &[DVec3], params: &SurfaceParams, view: &FrameView) -> InverseDepth {
     let vector = |v: [f32; 3]| DVec3::from_array(v.map(f64::from));
     let (eye_m, radius_m) = (vector(view.eye_m), f64::from(params.radius_m));
     let size_px = view.size_px.map(|side| side as usize);
@@ -23,5 +23,5 @@ pub fn fluid_depth(centers_m: &[DVec3], params: &SurfaceParams, view: &FrameView
         };
         centers_m.iter().filter_map(of).fold(0.0, f64::max)
     };
-    Nearness { size_px, values: (0..size_px[0] * size_px[1]).map(nearest).collect() }
+    InverseDepth { size_px, values: (0..size_px[0] * size_px[1]).map(nearest).collect() }
 }

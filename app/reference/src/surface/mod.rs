@@ -1,5 +1,5 @@
 //! Twins of the stages that make a surface in screen space: ellipsoids, depth, smoothing filters, normals and
-//! thickness; and of those that carry sunlight through it (caustics). A picture is rows from the top of nearness, 1 / distance along the direction of view, in 1/m; 0
+//! thickness; and of those that carry sunlight through it (caustics). A picture is rows from the top of inverse_depth, 1 / distance along the direction of view, in 1/m; 0
 //! where no fluid is.
 
 pub mod anisotropy;
@@ -19,9 +19,9 @@ pub mod thickness;
 use brooklet_kernels::{FrameView, SurfaceParams};
 use glam::DVec3;
 
-/// A picture of nearness, 1/m.
+/// A picture of inverse_depth, 1/m.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Nearness {
+pub struct InverseDepth {
     /// Width and height in pixels.
     pub size_px: [usize; 2],
     /// Rows from the top.
@@ -39,7 +39,7 @@ pub enum Along {
     Plane,
 }
 
-impl Nearness {
+impl InverseDepth {
     /// The value at a pixel, 0 outside the picture.
     pub fn at(&self, x: i64, y: i64) -> f64 {
         let inside = x >= 0 && y >= 0 && x < self.size_px[0] as i64 && y < self.size_px[1] as i64;
@@ -66,14 +66,14 @@ pub(crate) fn ray_of(view: &FrameView, size_px: [usize; 2], index: usize) -> DVe
         + vector(view.up) * (y * f64::from(view.tan_half_height))
 }
 
-/// A small difference of distance as one of nearness.
-pub(crate) fn nearness_difference(distance_m: f32, nearness: f64) -> f64 {
-    (f64::from(distance_m) * nearness * nearness).min(0.5 * nearness)
+/// A small difference of distance as one of inverse_depth.
+pub(crate) fn inverse_depth_difference(distance_m: f32, inverse_depth: f64) -> f64 {
+    (f64::from(distance_m) * inverse_depth * inverse_depth).min(0.5 * inverse_depth)
 }
 
 /// Reach of a filter in pixels.
-pub(crate) fn reach_px(params: &SurfaceParams, view: &FrameView, nearness: f64) -> f64 {
-    let reach = f64::from(params.smoothing_m) * nearness / f64::from(view.pixel_angle);
+pub(crate) fn reach_px(params: &SurfaceParams, view: &FrameView, inverse_depth: f64) -> f64 {
+    let reach = f64::from(params.smoothing_m) * inverse_depth / f64::from(view.pixel_angle);
     reach.min(f64::from(params.most_reach_px))
 }
 
@@ -123,12 +123,12 @@ mod tests {
     }
 
     /// A tilted plane: N . x = c, so w = (N . r) / c.
-    fn plane() -> Nearness {
+    fn plane() -> InverseDepth {
         let values = (0..64 * 48).map(|i| {
             let (x, y) = ((i % 64) as f64 + 0.5, (i / 64) as f64 + 0.5);
             0.5 + 0.004 * x - 0.003 * y
         });
-        Nearness { size_px: [64, 48], values: values.collect() }
+        InverseDepth { size_px: [64, 48], values: values.collect() }
     }
 
     #[test]
@@ -164,7 +164,7 @@ mod tests {
     #[test]
     fn curvature_flow_flattens_a_bump_and_keeps_a_facing_plane() {
         let (params, view) = params();
-        let mut bump = Nearness { size_px: [64, 48], values: vec![0.5; 64 * 48] };
+        let mut bump = InverseDepth { size_px: [64, 48], values: vec![0.5; 64 * 48] };
         assert_eq!(smooth_curvature_flow::smooth_curvature_flow(&bump, &params, &view), bump);
         bump.values[24 * 64 + 32] = 0.501;
         let after = smooth_curvature_flow::smooth_curvature_flow(&bump, &params, &view);

@@ -1,13 +1,13 @@
 //! The bilateral filter (Tomasi & Manduchi 1998) over the fluid's pixels.
 
-use super::{Along, Nearness, middle_weight, nearness_difference, reach_px, spatial_weight};
+use super::{Along, InverseDepth, inverse_depth_difference, middle_weight, reach_px, spatial_weight};
 use brooklet_kernels::{FrameView, SurfaceParams};
 
 /// One pass. (Shader: `surface/smooth_bilateral.hlsl`.)
-pub fn smooth_bilateral(from: &Nearness, params: &SurfaceParams, view: &FrameView, along: Along) -> Nearness {
+pub fn smooth_bilateral(from: &InverseDepth, params: &SurfaceParams, view: &FrameView, along: Along) -> InverseDepth {
     from.map(|x, y, here| {
         let reach = reach_px(params, view, here);
-        let range = nearness_difference(params.range_m, here);
+        let range = inverse_depth_difference(params.range_m, here);
         let most = reach as i64;
         let (across, down) = match along {
             Along::X => (most, 0),

@@ -1,15 +1,15 @@
 //! Screen-space curvature flow (van der Laan, Green & Sainz 2009).
 
-use super::{Nearness, nearness_difference};
+use super::{InverseDepth, inverse_depth_difference};
 use brooklet_kernels::{FrameView, SurfaceParams};
 
 /// One step. (Shader: `surface/smooth_curvature_flow.hlsl`.)
-pub fn smooth_curvature_flow(from: &Nearness, params: &SurfaceParams, view: &FrameView) -> Nearness {
+pub fn smooth_curvature_flow(from: &InverseDepth, params: &SurfaceParams, view: &FrameView) -> InverseDepth {
     let angle = f64::from(view.pixel_angle);
     from.map(|x, y, here| {
         let z = 1.0 / here;
         let p = z * angle;
-        let range = nearness_difference(params.range_m, here);
+        let range = inverse_depth_difference(params.range_m, here);
         let at = |dx: i64, dy: i64| {
             let there = from.at(x + dx, y + dy);
             if there > 0.0 && (there - here).abs() < range { 1.0 / there } else { z }

@@ -1,10 +1,10 @@
 //! A plain Gaussian over the fluid's pixels.
 
-use super::{Along, Nearness, middle_weight, reach_px, spatial_weight};
+use super::{Along, InverseDepth, middle_weight, reach_px, spatial_weight};
 use brooklet_kernels::{FrameView, SurfaceParams};
 
 /// One pass along a direction. (Shader: `surface/smooth_gaussian.hlsl`, which has no plane.)
-pub fn smooth_gaussian(from: &Nearness, params: &SurfaceParams, view: &FrameView, along: Along) -> Nearness {
+pub fn smooth_gaussian(from: &InverseDepth, params: &SurfaceParams, view: &FrameView, along: Along) -> InverseDepth {
     from.map(|x, y, here| {
         let reach = reach_px(params, view, here);
         let (mut sum, mut weights) = (middle_weight() * here, middle_weight());

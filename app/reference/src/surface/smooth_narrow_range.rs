@@ -1,13 +1,18 @@
 //! The narrow-range filter (Truong & Yuksel 2018).
 
-use super::{Along, Nearness, middle_weight, nearness_difference, reach_px, spatial_weight};
+use super::{Along, InverseDepth, inverse_depth_difference, middle_weight, reach_px, spatial_weight};
 use brooklet_kernels::{FrameView, SurfaceParams};
 
 /// Pixels that the filter of two dimensions reaches.
 const PLANE_PX: i64 = 4;
 
 /// One pass. (Shader: `surface/smooth_narrow_range.hlsl`.)
-pub fn smooth_narrow_range(from: &Nearness, params: &SurfaceParams, view: &FrameView, along: Along) -> Nearness {
+pub fn smooth_narrow_range(
+    from: &InverseDepth,
+    params: &SurfaceParams,
+    view: &FrameView,
+    along: Along,
+) -> InverseDepth {
     from.map(|x, y, here| {
         let reach = reach_px(params, view, here);
         let taps: Vec<(i64, i64, f64)> = match along {
@@ -24,8 +29,8 @@ pub fn smooth_narrow_range(from: &Nearness, params: &SurfaceParams, view: &Frame
                     .collect()
             }
         };
-        let step = nearness_difference(params.range_m, here);
-        let behind = here - nearness_difference(params.clamp_m, here);
+        let step = inverse_depth_difference(params.range_m, here);
+        let behind = here - inverse_depth_difference(params.clamp_m, here);
         let (mut low, mut high) = (here - step, here + step);
         let (mut sum, mut weights) = (middle_weight() * here, middle_weight());
         for (dx, dy, weight) in taps {

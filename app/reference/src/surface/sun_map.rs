@@ -6,7 +6,7 @@ use glam::{DVec3, DVec4};
 /// Numbers over the sun's map: rows from the top, as many as columns.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SunMap {
-    /// Places along a side.
+    /// Quantization along a side.
     pub side: usize,
     /// Rows from the top.
     pub values: Vec<f64>,

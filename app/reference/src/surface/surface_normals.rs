@@ -1,18 +1,18 @@
-//! Normals from nearness.
+//! Normals from inverse_depth.
 
-use super::{Nearness, nearness_difference};
+use super::{InverseDepth, inverse_depth_difference};
 use brooklet_kernels::{FrameView, SurfaceParams};
 use glam::DVec3;
 
 /// Unit normals toward the eye, in world axes; `None` where no fluid is. (Shader:
 /// `surface/normal.hlsl`.)
-pub fn surface_normals(from: &Nearness, params: &SurfaceParams, view: &FrameView) -> Vec<Option<DVec3>> {
+pub fn surface_normals(from: &InverseDepth, params: &SurfaceParams, view: &FrameView) -> Vec<Option<DVec3>> {
     let [width, height] = from.size_px;
     let tan = [view.tan_half_width, view.tan_half_height].map(f64::from);
     let axis = |axis: [f32; 3]| DVec3::from_array(axis.map(f64::from));
     let normal = |x: i64, y: i64| {
         let here = from.at(x, y);
-        let same = nearness_difference(params.range_m, here);
+        let same = inverse_depth_difference(params.range_m, here);
         let slope_x = slope(from.at(x - 1, y), here, from.at(x + 1, y), same);
         let slope_y = -slope(from.at(x, y - 1), here, from.at(x, y + 1), same);
         let gradient = [slope_x * 0.5 * width as f64 / tan[0], slope_y * 0.5 * height as f64 / tan[1]];

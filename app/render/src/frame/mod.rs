@@ -69,9 +69,9 @@ pub fn record(
         return Err(RenderError::not_allowed("coloring", options.coloring, "densities need the particles' neighbours"));
     }
     let mut uniforms = FrameUniforms {
-        view: resources.state("frame_view", 1),
-        light: resources.state("frame_light", 1),
-        style: resources.state("frame_style", 1),
+        view: resources.persistent("frame_view", 1),
+        light: resources.persistent("frame_light", 1),
+        style: resources.persistent("frame_style", 1),
     };
     let mut init = Recording::new(DRAW_INIT);
     init.upload(&mut uniforms.view, &[values.view]);
@@ -179,7 +179,7 @@ impl Frame<'_> {
         }
         let draw = DrawEdges {
             variant: DrawEdgesVariant { water: water.map_or(WaterKeyword::Off, |(keyword, _)| keyword) },
-            nearness: water.map(|(_, nearness)| nearness.read()),
+            inverse_depth: water.map(|(_, inverse_depth)| inverse_depth.read()),
             view: self.uniforms.view.uniform(),
             style: self.uniforms.style.uniform(),
         };
@@ -226,7 +226,7 @@ impl Frame<'_> {
         let into = (&mut *init, &mut *self.recording);
         let surface =
             screen_space::record(self.resources, into, &uniforms.view, particles, radiance.size_px, tier, options);
-        let mut style = self.resources.state("water_style", 1);
+        let mut style = self.resources.persistent("water_style", 1);
         init.upload(&mut style, &[options.water()]);
         let shapes = Shapes::new(particles, surface.ellipsoids.as_ref());
         let seen_by = SeenBy {
@@ -247,10 +247,10 @@ impl Frame<'_> {
             None => ShadowOf::Water { sun_thickness: &thickness.sun, surface: &surface.params, water: &style },
         };
         self.surroundings((radiance, depth), shadow, false);
-        self.edges(radiance, Some(depth), Some((WaterKeyword::BehindWater, &surface.nearness)));
+        self.edges(radiance, Some(depth), Some((WaterKeyword::BehindWater, &surface.inverse_depth)));
         let water = Water { surface: &surface, thickness: &thickness.eye, style: &style };
         let seen = screen_space::record_water(self.resources, self.recording, uniforms, &water, (radiance, depth));
-        self.edges(&seen, None, Some((WaterKeyword::BeforeWater, &surface.nearness)));
+        self.edges(&seen, None, Some((WaterKeyword::BeforeWater, &surface.inverse_depth)));
         self.resolve(radiance, None, Some(&seen), color);
         WaterPasses { surface, thickness, caustics }
     }

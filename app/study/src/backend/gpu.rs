@@ -73,7 +73,7 @@ pub fn run(gpu: &Gpu, setup: &Setup, options: &Options<'_>) -> Result<GpuRun, Ru
     // Measured when sampled, not in between: the scene must have the stage at all.
     scene.outputs.measure_every_steps = 1;
     let mut resources = Resources::new();
-    let recorded = record_particles(&mut resources, &scene, setup.emitted.clone());
+    let recorded = record_particles(&mut resources, &scene, setup.particles.clone());
     let measure = recorded.measure.as_ref().map(|measure| measure.id);
     let mut plan = Plan::sweep(resources, recorded.recordings, measure.as_slice())?;
     if let Some(edit) = options.edit {

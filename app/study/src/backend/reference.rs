@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::PathBuf;
 
-use brooklet_fluid::{kernel, solver::pbf};
+use brooklet_fluid::{smoothing_kernel, solver::pbf};
 use brooklet_kernels::QUARANTINED;
 use brooklet_reference::boundary::walls::{DomainWalls, WallScales};
 use brooklet_reference::params::{Pbf, Smoothing, Step};
@@ -23,7 +23,7 @@ const VERSION: u32 = 1;
 /// The f64 twin of a setup.
 pub fn reference_fluid(setup: &Setup) -> Fluid {
     let scene = &setup.scene;
-    let (kernel, pbf) = (kernel::params(scene), pbf::params(scene));
+    let (kernel, pbf) = (smoothing_kernel::params(scene), pbf::params(scene));
     let domain = &scene.domain;
     let (size_m, period_m) = (DVec3::from_array(domain.size_m()), DVec3::from_array(scene.period_m()));
     let axes = BVec3::from_array(std::array::from_fn(|axis| domain.has_walls_along(axis)));
@@ -40,7 +40,7 @@ pub fn reference_fluid(setup: &Setup) -> Fluid {
         domain_size_m: size_m,
         support_m: scene.support_m(),
     };
-    let particles = setup.emitted.positions.iter().zip(&setup.emitted.velocities);
+    let particles = setup.particles.positions.iter().zip(&setup.particles.velocities);
     Fluid {
         particles: particles
             .map(|(position, velocity)| Particle {
@@ -173,7 +173,7 @@ fn keep(path: &std::path::Path, content: &str, samples: &[Sample]) -> std::io::R
 fn content_hash(setup: &Setup) -> String {
     let mut hash = Sha256::new();
     hash.update(setup.scene.to_toml());
-    for (position, velocity) in setup.emitted.positions.iter().zip(&setup.emitted.velocities) {
+    for (position, velocity) in setup.particles.positions.iter().zip(&setup.particles.velocities) {
         for x in position.position_m.iter().chain(&velocity.velocity_m_s) {
             hash.update(x.to_le_bytes());
         }

@@ -111,7 +111,7 @@ mod tests {
     #[test]
     fn a_run_agrees_with_itself_and_a_still_one_does_not() {
         let setup = ColumnCollapse::fine().unwrap();
-        let at: Vec<glam::DVec3> = setup.emitted.positions.iter().map(crate::setup::position_m).collect();
+        let at: Vec<glam::DVec3> = setup.particles.positions.iter().map(crate::setup::position_m).collect();
         let run = |pace: f64| -> Vec<Sample> {
             let times = setup.sample_times_s.iter();
             times

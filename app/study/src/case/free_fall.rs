@@ -45,7 +45,7 @@ impl Case for FreeFall {
         let (mut off_m, mut most) = (0.0_f64, 0.0_f64);
         for sample in samples {
             let n = (sample.time_s / dt_s).round();
-            for (at, from) in sample.positions_m.iter().zip(&setup.emitted.positions) {
+            for (at, from) in sample.positions_m.iter().zip(&setup.particles.positions) {
                 let expected =
                     crate::setup::position_m(from) + n * dt_s * start + 0.5 * n * (n + 1.0) * dt_s * dt_s * gravity;
                 off_m = off_m.max((*at - expected).abs().max_element());

@@ -115,8 +115,8 @@ mod tests {
     #[test]
     fn what_turns_is_right_and_what_slows_or_leans_is_not() {
         let setup = SquarePatch.setup(&[]).unwrap();
-        let positions_m: Vec<DVec3> = setup.emitted.positions.iter().map(crate::setup::position_m).collect();
-        let velocities_m_s: Vec<DVec3> = setup.emitted.velocities.iter().map(crate::setup::velocity_m_s).collect();
+        let positions_m: Vec<DVec3> = setup.particles.positions.iter().map(crate::setup::position_m).collect();
+        let velocities_m_s: Vec<DVec3> = setup.particles.velocities.iter().map(crate::setup::velocity_m_s).collect();
         let right = Sample { time_s: 1.0, positions_m, velocities_m_s, unsound: 0 };
         let of = |sample: &Sample| -> Vec<f64> {
             let figures = SquarePatch.figures(&setup, std::slice::from_ref(sample), &|_| None).unwrap();

@@ -87,7 +87,7 @@ impl Case for StandingWave {
         let decay_per_s = decay_per_s(&amplitudes, &crossings);
         let k = Self::wave_number_per_m();
         let level_m = samples.iter().map(|s| 2.0 * s.middle_m().y).sum::<f64>() / samples.len() as f64;
-        let start_m = 2.0 * setup.emitted.positions.iter().map(|p| f64::from(p.position_m[1])).sum::<f64>()
+        let start_m = 2.0 * setup.particles.positions.iter().map(|p| f64::from(p.position_m[1])).sum::<f64>()
             / setup.count().max(1) as f64;
         Some(vec![
             Figure::told(

@@ -94,10 +94,10 @@ mod tests {
     #[test]
     fn the_start_is_right_and_half_as_fast_is_not() {
         let setup = TaylorGreen.setup(&[]).unwrap();
-        let positions_m: Vec<DVec3> = setup.emitted.positions.iter().map(crate::setup::position_m).collect();
+        let positions_m: Vec<DVec3> = setup.particles.positions.iter().map(crate::setup::position_m).collect();
         let of = |factor: f64| {
             let velocities_m_s =
-                setup.emitted.velocities.iter().map(|v| factor * crate::setup::velocity_m_s(v)).collect();
+                setup.particles.velocities.iter().map(|v| factor * crate::setup::velocity_m_s(v)).collect();
             let sample = Sample { time_s: END_S, positions_m: positions_m.clone(), velocities_m_s, unsound: 0 };
             let figures = TaylorGreen.figures(&setup, &[sample], &|_| None).unwrap();
             (figures[0].value.unwrap(), figures[2].value.unwrap())

@@ -1,7 +1,7 @@
 //! Iterations against substeps at equal work: the same number of iterations a step, spent in one substep
 //! or in many.
 
-use brooklet_fluid::particles::{Emitted, emit};
+use brooklet_fluid::particles::{ParticleSet, sample_lattice};
 use brooklet_fluid::{Scene, particles};
 
 use super::{EQUAL_WORK_PART, common};
@@ -33,15 +33,15 @@ pub fn equal_work_tasks() -> Vec<Task> {
 
 fn setup(task: &Task) -> Made {
     let scene = Scene::load(&task.case, &task.settings).map_err(Box::new)?;
-    let emitted = emit(&scene);
-    Ok(Setup { scene, emitted, sample_times_s: (1..=5).map(|k| END_S * f64::from(k) / 5.0).collect() })
+    let particles = sample_lattice(&scene);
+    Ok(Setup { scene, particles, sample_times_s: (1..=5).map(|k| END_S * f64::from(k) / 5.0).collect() })
 }
 
 /// Particle iterations, without making the particles.
 pub fn equal_work_cost(task: &Task) -> Option<f64> {
     let scene = Scene::load(&task.case, &task.settings).ok()?;
     let count = particles::count(&scene);
-    let empty = Setup { scene, emitted: Emitted::default(), sample_times_s: vec![END_S] };
+    let empty = Setup { scene, particles: ParticleSet::default(), sample_times_s: vec![END_S] };
     Some(empty.particle_iterations_of(count))
 }
 

@@ -4,7 +4,7 @@
 #ifndef BROOKLET_DENSITY_SUMS
 #define BROOKLET_DENSITY_SUMS
 
-#include "../../shared/place.hlsl"
+#include "../../shared/quantized_position.hlsl"
 #include "../../shared/wendland.hlsl"
 
 struct DensitySums
@@ -25,14 +25,14 @@ DensitySums NoNeighbours()
 }
 
 // `is_other`: not the particle itself, whose distance of 0 has no gradient but a density.
-void AddNeighbour(inout DensitySums sums, uint3 here, uint3 there, bool is_other)
+void AddNeighbour(inout DensitySums sums, uint3 x_i, uint3 x_j, bool is_other)
 {
-    real3 apart = real3(Apart(here, there));
-    real q_squared = dot(apart, apart);
+    real3 offset = real3(Offset(x_i, x_j));
+    real q_squared = dot(offset, offset);
     real q = sqrt(q_squared);
     real factor = WendlandGradientFactor(q);
     sums.density += is_other ? float(WendlandW(q)) : 0.0;
-    sums.gradient += float3(factor * apart);
+    sums.gradient += float3(factor * offset);
     sums.gradient_squares += float(factor * factor * q_squared);
 }
 
@@ -44,7 +44,7 @@ DensitySums Weighted(DensitySums sums, float weight)
     return sums;
 }
 
-float MultiplierOf(DensitySums sums, float cfm)
+float DensityLambda(DensitySums sums, float cfm)
 {
     float constraint = max(sums.density - 1.0, 0.0);
     float stiffness = dot(sums.gradient, sums.gradient) + sums.gradient_squares + cfm;

@@ -72,8 +72,8 @@ pub fn draw(view: &View, options: &FrameOptions, spheres: &[Sphere]) -> Picture 
 pub fn draw_moving(view: &View, options: &FrameOptions, spheres: &[Sphere], velocities_m_s: &[DVec3]) -> Picture {
     let count = spheres.len() as u32;
     let mut resources = Resources::new();
-    let positions = resources.state::<Position>("positions", count);
-    let velocities = resources.state::<Velocity>("velocities", count);
+    let positions = resources.persistent::<Position>("positions", count);
+    let velocities = resources.persistent::<Velocity>("velocities", count);
     let particles =
         Particles { positions: &positions, velocities: &velocities, count, neighbours: None, densities: None };
     let passes = frame::record(&mut resources, view, &particles, options).expect("a frame");

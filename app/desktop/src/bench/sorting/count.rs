@@ -16,10 +16,10 @@ pub fn aggregated_atomics(
     let count = positions.len() as u32;
     let cells = params.cell_count + 2;
     let mut resources = Resources::new();
-    let mut at = resources.state("positions", count);
-    let mut grid = resources.state("grid", 1);
-    let mut counts = [resources.state("counts_a", cells), resources.state("counts_b", cells)];
-    let mut slots = [resources.state("slots_a", count), resources.state("slots_b", count)];
+    let mut at = resources.persistent("positions", count);
+    let mut grid = resources.persistent("grid", 1);
+    let mut counts = [resources.persistent("counts_a", cells), resources.persistent("counts_b", cells)];
+    let mut slots = [resources.persistent("slots_a", count), resources.persistent("slots_b", count)];
     let mut init = Recording::new(INIT);
     init.upload(&mut at, positions);
     init.upload(&mut grid, &[*params]);

@@ -3,15 +3,15 @@
 use brooklet_fluid::{
     Scene,
     grid::{Grid, Neighbours, Scan, Sorted, list_length, listed, params},
-    kernel,
+    smoothing_kernel,
     solver::pbf,
     step_params,
 };
 use brooklet_gpu::{Engine, Recording, Resources};
 use brooklet_kernels::{
-    Buffer, ConstrainDensity, ConstrainDensityByIndex, ConstrainDensityVariant, Constrained, CountCells,
-    CountCellsVariant, Counters, GridParams, KernelParams, ListNeighboursByIndex, PbfParams, Position, ReorderIndex,
-    StepParams, Velocity,
+    Buffer, ConstrainDensity, ConstrainDensityByIndex, ConstrainDensityVariant, CountCells, CountCellsVariant,
+    Counters, GridParams, ListNeighboursByIndex, PbfParams, Position, PositionLambda, ReorderIndex,
+    SmoothingKernelParams, StepParams, Velocity,
 };
 
 use super::contest::{ALTERNATIVE, BASELINE, INIT, Names, Outcome, Ring};
@@ -20,7 +20,7 @@ use crate::failure::Failure;
 /// What both ways are given.
 struct Settings {
     step: Buffer<StepParams>,
-    kernel: Buffer<KernelParams>,
+    kernel: Buffer<SmoothingKernelParams>,
     pbf: Buffer<PbfParams>,
     iterations: u32,
 }
@@ -30,17 +30,17 @@ struct Way {
     positions: Buffer<Position>,
     velocities: Buffer<Velocity>,
     grid: Grid,
-    constrained: Buffer<Constrained>,
+    position_lambdas: Buffer<PositionLambda>,
 }
 
 impl Way {
     fn declare(resources: &mut Resources, scene: &Scene, params: &GridParams) -> Self {
         let count = params.particle_count;
         Self {
-            positions: resources.state("positions", count),
-            velocities: resources.state("velocities", count),
+            positions: resources.persistent("positions", count),
+            velocities: resources.persistent("velocities", count),
             grid: Grid::declare(resources, scene, params),
-            constrained: resources.state("constrained", count),
+            position_lambdas: resources.persistent("position_lambdas", count),
         }
     }
 
@@ -64,16 +64,16 @@ pub fn locality(
     let params = params(scene, count);
     let mut resources = Resources::new();
     let mut settings = Settings {
-        step: resources.state("step_params", 1),
-        kernel: resources.state("kernel_params", 1),
-        pbf: resources.state("pbf_params", 1),
+        step: resources.persistent("step_params", 1),
+        kernel: resources.persistent("smoothing_kernel_params", 1),
+        pbf: resources.persistent("pbf_params", 1),
         iterations: scene.solver.iterations,
     };
     let mut product = Way::declare(&mut resources, scene, &params);
     let mut by_index = Way::declare(&mut resources, scene, &params);
     let mut init = Recording::new(INIT);
     init.upload(&mut settings.step, &[step_params(scene, count)]);
-    init.upload(&mut settings.kernel, &[kernel::params(scene)]);
+    init.upload(&mut settings.kernel, &[smoothing_kernel::params(scene)]);
     init.upload(&mut settings.pbf, &[pbf::params(scene)]);
     product.upload(&mut init, &params, in_order);
     by_index.upload(&mut init, &params, lie);
@@ -81,15 +81,15 @@ pub fn locality(
     let mut baseline = Recording::new(BASELINE);
     let mut neighbours = Neighbours::declare(&mut resources, &params);
     let mut sorted = Sorted {
-        positions: resources.state("sorted_positions", count),
-        velocities: resources.state("sorted_velocities", count),
-        places: resources.buffer("places", count),
+        positions: resources.persistent("sorted_positions", count),
+        velocities: resources.persistent("sorted_velocities", count),
+        quantized_positions: resources.buffer("quantized_positions", count),
         packed: false,
     };
     reorder_everything(&mut baseline, &mut resources, &settings, &mut product, &mut sorted, &mut neighbours);
 
     let mut alternative = Recording::new(ALTERNATIVE);
-    let mut listed_counts = resources.state("listed_counts", count);
+    let mut listed_counts = resources.persistent("listed_counts", count);
     reorder_index(&mut alternative, &mut resources, &settings, &mut by_index, &params, &mut listed_counts);
 
     let names =
@@ -110,7 +110,7 @@ fn neighbours_by_id(
     list_chunks: u32,
 ) -> Result<Vec<u32>, Failure> {
     let heads = engine.read(&neighbours.heads).map_err(Failure::stopped)?;
-    let gaps = engine.read(&neighbours.gaps).map_err(Failure::stopped)?;
+    let gaps = engine.read(&neighbours.deltas).map_err(Failure::stopped)?;
     let counts = heads.iter().enumerate().map(|(i, &head)| listed(i as u32, head, &gaps, list_chunks).count() as u32);
     Ok(by_id(sorted.iter().zip(counts), sorted.len()))
 }
@@ -131,19 +131,19 @@ fn reorder_everything(
     sorted: &mut Sorted,
     neighbours: &mut Neighbours,
 ) {
-    let mut counters: Buffer<Counters> = resources.state("counters", 1);
+    let mut counters: Buffer<Counters> = resources.persistent("counters", 1);
     way.grid.record_sort(recording, &way.positions, &way.velocities, sorted);
     neighbours.record(recording, &way.grid, sorted, &mut counters);
     for _ in 0..settings.iterations {
         recording.dispatch(
             &ConstrainDensity {
                 variant: ConstrainDensityVariant::default(),
-                places: sorted.places.read(),
+                quantized_positions: sorted.quantized_positions.read(),
                 sorted_positions: None,
-                neighbours: neighbours.gaps.read(),
+                neighbours: neighbours.deltas.read(),
                 list_heads: neighbours.heads.read(),
-                constrained: Some(way.constrained.write()),
-                packed_constrained: None,
+                position_lambdas: Some(way.position_lambdas.write()),
+                packed_position_lambdas: None,
                 step_params: settings.step.uniform(),
                 kernel: settings.kernel.uniform(),
                 pbf: settings.pbf.uniform(),
@@ -163,14 +163,14 @@ fn reorder_index(
 ) {
     let count = params.particle_count;
     let mut sorted_indices = resources.buffer("sorted_indices", count);
-    let mut places = resources.buffer("unsorted_places", count);
+    let mut quantized_positions = resources.buffer("unsorted_places", count);
     let mut listed_indices: Buffer<[u32; 4]> =
         resources.buffer("listed_indices", list_length(count, params.list_chunks));
-    sort_index(recording, resources, way, &mut sorted_indices, &mut places);
+    sort_index(recording, resources, way, &mut sorted_indices, &mut quantized_positions);
     recording.dispatch(
         &ListNeighboursByIndex {
             positions: way.positions.read(),
-            places: places.read(),
+            quantized_positions: quantized_positions.read(),
             cell_starts: way.grid.cell_starts.read(),
             sorted_indices: sorted_indices.read(),
             listed_indices: listed_indices.write(),
@@ -182,10 +182,10 @@ fn reorder_index(
     for _ in 0..settings.iterations {
         recording.dispatch(
             &ConstrainDensityByIndex {
-                places: places.read(),
+                quantized_positions: quantized_positions.read(),
                 listed_indices: listed_indices.read(),
                 listed_counts: listed_counts.read(),
-                constrained: way.constrained.write(),
+                position_lambdas: way.position_lambdas.write(),
                 step_params: settings.step.uniform(),
                 kernel: settings.kernel.uniform(),
                 pbf: settings.pbf.uniform(),
@@ -200,7 +200,7 @@ fn sort_index(
     resources: &mut Resources,
     way: &mut Way,
     sorted_indices: &mut Buffer<u32>,
-    places: &mut Buffer<[u32; 2]>,
+    quantized_positions: &mut Buffer<[u32; 2]>,
 ) {
     let Way { positions, grid, .. } = way;
     let mut scan = Scan::declare(resources, "index", grid.cell_counts.len);
@@ -222,7 +222,7 @@ fn sort_index(
             cell_slots: grid.cell_slots.read(),
             cell_starts: grid.cell_starts.read(),
             sorted_indices: sorted_indices.write(),
-            places: places.write(),
+            quantized_positions: quantized_positions.write(),
             grid: grid.params.uniform(),
         },
         positions.len,

@@ -14,10 +14,10 @@ use crate::failure::Failure;
 pub fn shared_memory(ring: &Ring<'_>, case: String, values: &[u32]) -> Result<Outcome, Failure> {
     let count = values.len() as u32;
     let mut resources = Resources::new();
-    let mut input = resources.state("values", count);
-    let mut scanned = resources.state("scanned", count);
+    let mut input = resources.persistent("values", count);
+    let mut scanned = resources.persistent("scanned", count);
     let mut scan = Scan::declare(&mut resources, "baseline", count);
-    let mut turns = [resources.state("even", count), resources.state("odd", count)];
+    let mut turns = [resources.persistent("even", count), resources.persistent("odd", count)];
     let mut init = Recording::new(INIT);
     init.upload(&mut input, values);
     let mut baseline = Recording::new(BASELINE);
@@ -28,7 +28,7 @@ pub fn shared_memory(ring: &Ring<'_>, case: String, values: &[u32]) -> Result<Ou
         std::iter::once(0).chain((0..32).map(|bit| 1_u64 << bit).take_while(|reach| *reach < values.len() as u64));
     let mut last = 0;
     for (turn, reach) in reaches.enumerate() {
-        let mut buffer = resources.state(&format!("reach_{reach}"), 1);
+        let mut buffer = resources.persistent(&format!("reach_{reach}"), 1);
         init.upload(&mut buffer, &[reach as u32]);
         let (even, odd) = turns.split_at_mut(1);
         let (from, to) = if turn % 2 == 0 { (&odd[0], &mut even[0]) } else { (&even[0], &mut odd[0]) };
@@ -106,9 +106,9 @@ pub fn inner(
         })
         .collect();
     let mut resources = Resources::new();
-    let mut input = resources.state("values", count);
-    let mut group_offsets = resources.state("group_offsets", offsets.len() as u32);
-    let mut scanned = [resources.state("scanned_a", count), resources.state("scanned_b", count)];
+    let mut input = resources.persistent("values", count);
+    let mut group_offsets = resources.persistent("group_offsets", offsets.len() as u32);
+    let mut scanned = [resources.persistent("scanned_a", count), resources.persistent("scanned_b", count)];
     let mut init = Recording::new(INIT);
     init.upload(&mut input, values);
     init.upload(&mut group_offsets, &offsets);

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use brooklet_fluid::{boundary::beyond_wall, kernel};
+use brooklet_fluid::{boundary::beyond_wall, smoothing_kernel};
 use glam::DVec3;
 
 use super::seen::Implicit;
@@ -30,7 +30,7 @@ impl DensityField {
         for &at in particles_m {
             cells.entry(cell(at, support_m)).or_default().push(at);
         }
-        Self { cells, support_m, spacing_m, weight: kernel::lattice(3, SUPPORT_RATIO).weight, glass_m }
+        Self { cells, support_m, spacing_m, weight: smoothing_kernel::lattice(3, SUPPORT_RATIO).weight, glass_m }
     }
 
     fn density_ratio(&self, point_m: DVec3) -> f64 {
@@ -40,7 +40,7 @@ impl DensityField {
             for dy in -1..=1 {
                 for dx in -1..=1 {
                     for at in self.cells.get(&[x + dx, y + dy, z + dz]).into_iter().flatten() {
-                        sum += kernel::wendland((point_m - *at).length() / self.support_m);
+                        sum += smoothing_kernel::wendland((point_m - *at).length() / self.support_m);
                     }
                 }
             }

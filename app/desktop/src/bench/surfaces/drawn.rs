@@ -104,7 +104,7 @@ pub fn draw(
         .collect();
     let count = positions.len() as u32;
     let mut resources = Resources::new();
-    let mut frame_view = resources.state("frame_view", 1);
+    let mut frame_view = resources.persistent("frame_view", 1);
     let (mut init, mut recording) = (Recording::new(INIT), Recording::new(DRAW));
     init.upload(&mut frame_view, &[values.view]);
     let listed = Listed::record(&mut resources, &mut init, &scene, &positions);

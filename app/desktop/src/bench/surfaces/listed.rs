@@ -19,17 +19,17 @@ impl Listed {
     pub fn record(resources: &mut Resources, recording: &mut Recording, scene: &Scene, positions: &[Position]) -> Self {
         let count = positions.len() as u32;
         let params = grid::params(scene, count);
-        let mut unsorted = resources.state("unsorted_positions", count);
-        let mut at_rest = resources.state::<Velocity>("unsorted_velocities", count);
+        let mut unsorted = resources.persistent("unsorted_positions", count);
+        let mut at_rest = resources.persistent::<Velocity>("unsorted_velocities", count);
         let mut grid = Grid::declare(resources, scene, &params);
         let mut neighbours = Neighbours::declare(resources, &params);
         // What is drawn stays from the recording that sorts to those that draw.
         let mut sorted = Sorted {
-            positions: resources.state("positions", count),
-            velocities: resources.state("velocities", count),
+            positions: resources.persistent("positions", count),
+            velocities: resources.persistent("velocities", count),
             ..Sorted::declare(resources, scene, count)
         };
-        let mut counters = resources.state("counters", 1);
+        let mut counters = resources.persistent("counters", 1);
         recording.upload(&mut unsorted, positions);
         recording.clear(&mut at_rest);
         recording.clear(&mut counters);

@@ -3,10 +3,10 @@
 use brooklet_gpu::Recording;
 use brooklet_kernels::{ConstrainDensity, ConstrainDensityVariant, CorrectPositions, CorrectPositionsVariant};
 
-use super::{Multipliers, Pbf, Shared};
+use super::{Lambdas, Pbf, Shared};
 use crate::grid::{Neighbours, Sorted};
 
-/// λ of each particle into `pbf.constrained`. (Shader: `solver/pbf/constrain_density.compute`.)
+/// λ of each particle into `pbf.position_lambdas`. (Shader: `solver/pbf/constrain_density.compute`.)
 pub(super) fn constrain_density(
     recording: &mut Recording,
     pbf: &mut Pbf,
@@ -14,9 +14,9 @@ pub(super) fn constrain_density(
     neighbours: &Neighbours,
     sorted: &Sorted,
 ) {
-    let (constrained, packed_constrained) = match &mut pbf.constrained {
-        Multipliers::Full(constrained) => (Some(constrained.write()), None),
-        Multipliers::Packed(constrained) => (None, Some(constrained.write())),
+    let (position_lambdas, packed_position_lambdas) = match &mut pbf.position_lambdas {
+        Lambdas::Full(position_lambdas) => (Some(position_lambdas.write()), None),
+        Lambdas::Packed(position_lambdas) => (None, Some(position_lambdas.write())),
     };
     recording.dispatch(
         &ConstrainDensity {
@@ -25,12 +25,12 @@ pub(super) fn constrain_density(
                 precision: shared.precision,
                 packed: sorted.packed,
             },
-            places: sorted.places.read(),
+            quantized_positions: sorted.quantized_positions.read(),
             sorted_positions: shared.walls.then(|| sorted.positions.read()),
-            neighbours: neighbours.gaps.read(),
+            neighbours: neighbours.deltas.read(),
             list_heads: neighbours.heads.read(),
-            constrained,
-            packed_constrained,
+            position_lambdas,
+            packed_position_lambdas,
             step_params: shared.step.uniform(),
             kernel: shared.kernel.uniform(),
             pbf: pbf.params.uniform(),
@@ -39,7 +39,7 @@ pub(super) fn constrain_density(
     );
 }
 
-/// Moves the places by what the multipliers ask for. (Shader: `solver/pbf/correct_positions.compute`.)
+/// Moves the quantized_positions by what the multipliers ask for. (Shader: `solver/pbf/correct_positions.compute`.)
 pub(super) fn correct_positions(
     recording: &mut Recording,
     pbf: &Pbf,
@@ -47,9 +47,9 @@ pub(super) fn correct_positions(
     neighbours: &Neighbours,
     sorted: &mut Sorted,
 ) {
-    let (constrained, packed_constrained) = match &pbf.constrained {
-        Multipliers::Full(constrained) => (Some(constrained.read()), None),
-        Multipliers::Packed(constrained) => (None, Some(constrained.read())),
+    let (position_lambdas, packed_position_lambdas) = match &pbf.position_lambdas {
+        Lambdas::Full(position_lambdas) => (Some(position_lambdas.read()), None),
+        Lambdas::Packed(position_lambdas) => (None, Some(position_lambdas.read())),
     };
     recording.dispatch(
         &CorrectPositions {
@@ -59,12 +59,12 @@ pub(super) fn correct_positions(
                 precision: shared.precision,
                 packed: sorted.packed,
             },
-            constrained,
-            packed_constrained,
+            position_lambdas,
+            packed_position_lambdas,
             sorted_positions: sorted.positions.read(),
-            neighbours: neighbours.gaps.read(),
+            neighbours: neighbours.deltas.read(),
             list_heads: neighbours.heads.read(),
-            places: sorted.places.write(),
+            quantized_positions: sorted.quantized_positions.write(),
             counters: shared.counters.write(),
             step_params: shared.step.uniform(),
             kernel: shared.kernel.uniform(),

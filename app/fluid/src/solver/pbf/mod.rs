@@ -7,12 +7,13 @@ mod velocity;
 
 use brooklet_gpu::{Recording, Resources};
 use brooklet_kernels::{
-    Buffer, Constrained, Counters, KernelParams, PbfParams, Position, PrecisionKeyword, StepParams, Velocity,
+    Buffer, Counters, PbfParams, Position, PositionLambda, PrecisionKeyword, SmoothingKernelParams, StepParams,
+    Velocity,
 };
 
 use crate::grid::{Neighbours, Sorted};
-use crate::kernel::{lattice, wendland};
 use crate::scene::Scene;
+use crate::smoothing_kernel::{lattice, wendland};
 use velocity::Vortices;
 
 /// What every stage of a substep shares.
@@ -20,7 +21,7 @@ pub struct Shared {
     /// Time, gravity, domain.
     pub step: Buffer<StepParams>,
     /// The smoothing kernel.
-    pub kernel: Buffer<KernelParams>,
+    pub kernel: Buffer<SmoothingKernelParams>,
     /// Whether the domain has walls.
     pub walls: bool,
     /// Whether it has periodic axes.
@@ -37,16 +38,16 @@ pub struct Pbf {
     pub params: Buffer<PbfParams>,
     iterations: u32,
     s_corr: bool,
-    constrained: Multipliers,
+    position_lambdas: Lambdas,
     vortices: Option<Vortices>,
     /// Velocities before viscosity; without it they are the result.
     unsmoothed: Option<Buffer<Velocity>>,
 }
 
 /// Places with their multipliers, as they are during one iteration.
-pub(crate) enum Multipliers {
+pub(crate) enum Lambdas {
     /// Places of 21 bits an axis, multipliers in f32.
-    Full(Buffer<Constrained>),
+    Full(Buffer<PositionLambda>),
     /// Both in eight bytes.
     Packed(Buffer<[u32; 2]>),
 }
@@ -73,13 +74,13 @@ impl Pbf {
     pub fn declare(resources: &mut Resources, scene: &Scene, particle_count: u32) -> Self {
         let solver = &scene.solver;
         Self {
-            params: resources.state("pbf_params", 1),
+            params: resources.persistent("pbf_params", 1),
             iterations: solver.iterations,
             s_corr: solver.s_corr_k > 0.0,
-            constrained: if solver.packed_positions {
-                Multipliers::Packed(resources.buffer("constrained", particle_count))
+            position_lambdas: if solver.packed_positions {
+                Lambdas::Packed(resources.buffer("position_lambdas", particle_count))
             } else {
-                Multipliers::Full(resources.buffer("constrained", particle_count))
+                Lambdas::Full(resources.buffer("position_lambdas", particle_count))
             },
             vortices: (solver.vorticity_m_s > 0.0).then(|| Vortices::declare(resources, particle_count)),
             unsmoothed: (solver.xsph > 0.0).then(|| resources.buffer("unsmoothed_velocities", particle_count)),

@@ -21,7 +21,7 @@ pub(super) fn update_velocity(
     recording.dispatch(
         &UpdateVelocity {
             variant: UpdateVelocityVariant { packed: sorted.packed, periodic: shared.periodic },
-            places: sorted.places.read(),
+            quantized_positions: sorted.quantized_positions.read(),
             sorted_positions: sorted.positions.read(),
             sorted_velocities: sorted.velocities.read(),
             positions: positions.write(),
@@ -47,9 +47,9 @@ pub(super) fn viscosity(
     recording.dispatch(
         &Viscosity {
             variant: ViscosityVariant { precision: shared.precision, packed: sorted.packed },
-            places: sorted.places.read(),
+            quantized_positions: sorted.quantized_positions.read(),
             velocities: velocities.read(),
-            neighbours: neighbours.gaps.read(),
+            neighbours: neighbours.deltas.read(),
             list_heads: neighbours.heads.read(),
             smoothed_velocities: smoothed.write(),
             step_params: shared.step.uniform(),
@@ -83,9 +83,9 @@ impl Vortices {
         recording.dispatch(
             &Curl {
                 variant: CurlVariant { precision: shared.precision, packed: sorted.packed },
-                places: sorted.places.read(),
+                quantized_positions: sorted.quantized_positions.read(),
                 velocities: velocities.read(),
-                neighbours: neighbours.gaps.read(),
+                neighbours: neighbours.deltas.read(),
                 list_heads: neighbours.heads.read(),
                 vorticities: self.vorticities.write(),
                 step_params: shared.step.uniform(),
@@ -96,9 +96,9 @@ impl Vortices {
         recording.dispatch(
             &ConfineVorticity {
                 variant: ConfineVorticityVariant { precision: shared.precision, packed: sorted.packed },
-                places: sorted.places.read(),
+                quantized_positions: sorted.quantized_positions.read(),
                 vorticities: self.vorticities.read(),
-                neighbours: neighbours.gaps.read(),
+                neighbours: neighbours.deltas.read(),
                 list_heads: neighbours.heads.read(),
                 velocities: velocities.write(),
                 step_params: shared.step.uniform(),

@@ -23,7 +23,7 @@ pub struct Corrected {
 }
 
 /// Iterations move no particle further than this from where it was predicted, in h.
-pub const MOST_DISPLACEMENT: f64 = 0.999;
+pub const MAX_DISPLACEMENT: f64 = 0.999;
 
 /// Corrects particle `i`, which was predicted at `predicted_m`. `separation` gives two particles at one point, which have no gradient,
 /// a short offset (in h) from the second to the first; zero leaves them together.
@@ -77,11 +77,11 @@ pub fn correct_positions(
     let asked_m = correction_m.length();
     let displacement_m = here_m + correction_m.clamp_length_max(pbf.max_correction_m) - predicted_m;
     let displacement = displacement_m.length() / smoothing.support_m;
-    let held_m = displacement_m.clamp_length_max(MOST_DISPLACEMENT * smoothing.support_m);
+    let held_m = displacement_m.clamp_length_max(MAX_DISPLACEMENT * smoothing.support_m);
     Corrected {
         position_m: step.inside(predicted_m + held_m),
         clamped: asked_m > pbf.max_correction_m,
-        held: displacement > MOST_DISPLACEMENT,
+        held: displacement > MAX_DISPLACEMENT,
         displacement,
         terms_m: terms * pbf.relaxation * smoothing.support_m,
         asked_m,

@@ -30,14 +30,14 @@ pub(super) fn record(
 ) -> Buffer<Ellipsoid> {
     let count = particles.count;
     // Whole slices of lists, all as long: see `list_length`.
-    let list_chunks = neighbours.gaps.len / count.next_multiple_of(LIST_SLICE).max(1);
-    let mut settings = resources.state("anisotropy_params", 1);
+    let list_chunks = neighbours.deltas.len / count.next_multiple_of(LIST_SLICE).max(1);
+    let mut settings = resources.persistent("anisotropy_params", 1);
     init.upload(&mut settings, &[params(options, count, list_chunks)]);
     let mut ellipsoids = resources.buffer("ellipsoids", count);
     recording.dispatch(
         &Anisotropy {
             positions: particles.positions.read(),
-            neighbours: neighbours.gaps.read(),
+            neighbours: neighbours.deltas.read(),
             list_heads: neighbours.heads.read(),
             ellipsoids: ellipsoids.write(),
             anisotropy: settings.uniform(),

@@ -29,14 +29,14 @@ pub(crate) use water::{Water, record as record_water};
 
 /// The surface as the eye sees it.
 ///
-/// A *nearness* is 1 / distance along the direction of view, in 1/m, and 0 where no fluid is: planes
-/// are linear in it, so filters leave them as they are (shader: `surface/nearness.hlsl`).
+/// A *inverse_depth* is 1 / distance along the direction of view, in 1/m, and 0 where no fluid is: planes
+/// are linear in it, so filters leave them as they are (shader: `surface/inverse_depth.hlsl`).
 #[derive(Debug)]
 pub struct SmoothedSurface {
-    /// Nearness of the particles' spheres, `R32Float`.
+    /// InverseDepth of the particles' spheres, `R32Float`.
     pub raw: Texture,
     /// The same after smoothing; `raw` itself where nothing smooths.
-    pub nearness: Texture,
+    pub inverse_depth: Texture,
     /// Unit normals toward the eye in world axes, alpha 1 on the fluid; `Rgba32Float`. Left out of
     /// a plan unless wanted: the water restores them where it shades.
     pub normals: Texture,
@@ -69,10 +69,10 @@ pub fn record(
     tier: Tier,
     options: &ScreenSpaceOptions,
 ) -> SmoothedSurface {
-    let mut params = resources.state("surface_params", 1);
+    let mut params = resources.persistent("surface_params", 1);
     init.upload(&mut params, &[options.params()]);
     // R32Float is renderable on every tier; nobody filters or blends it.
-    let raw = resources.texture("fluid_nearness", Format::R32Float, size_px);
+    let raw = resources.texture("fluid_inverse_depth", Format::R32Float, size_px);
     let covered = resources.texture("fluid_depth", depth_format(tier), size_px);
     let view = view.uniform();
     let ellipsoids = particles
@@ -94,16 +94,16 @@ pub fn record(
         3,
         particles.count,
     );
-    let nearness = smoothing::record(resources, recording, view, &raw, &covered, params.uniform(), options);
+    let inverse_depth = smoothing::record(resources, recording, view, &raw, &covered, params.uniform(), options);
     let normals = resources.texture("surface_normals", Format::Rgba32Float, size_px);
     recording.draw(
-        &DrawSurfaceNormals { nearness: nearness.read(), view, surface: params.uniform() },
+        &DrawSurfaceNormals { inverse_depth: inverse_depth.read(), view, surface: params.uniform() },
         &Targets { color: vec![(&normals, Load::Clear([0.0; 4]))], depth: Some((&covered, Load::Keep)) },
         ON_FLUID,
         3,
         1,
     );
-    SmoothedSurface { raw, nearness, normals, covered, ellipsoids, params }
+    SmoothedSurface { raw, inverse_depth, normals, covered, ellipsoids, params }
 }
 
 pub(crate) fn depth_format(tier: Tier) -> Format {

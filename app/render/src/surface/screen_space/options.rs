@@ -71,7 +71,7 @@ impl ScreenSpaceOptions {
         Self {
             spacing_m,
             radius_m,
-            box_m: scene.domain.glass_m().map(DVec3::from),
+            box_m: scene.domain.wall_bounds_m().map(DVec3::from),
             anisotropic: surface.anisotropic,
             support_m: scene.solver.support_ratio * spacing_m,
             smoothing: surface.smoothing,

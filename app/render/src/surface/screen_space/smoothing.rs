@@ -53,31 +53,43 @@ pub(super) fn record(
         return raw.alias();
     }
     // Two take turns; the raw surface is kept, for whoever wants to see what smoothing changed.
-    let mut turns = vec![resources.texture("smoothed_nearness", Format::R32Float, raw.size_px)];
+    let mut turns = vec![resources.texture("smoothed_inverse_depth", Format::R32Float, raw.size_px)];
     if passes.len() > 1 {
-        turns.push(resources.texture("half_smoothed_nearness", Format::R32Float, raw.size_px));
+        turns.push(resources.texture("half_smoothed_inverse_depth", Format::R32Float, raw.size_px));
     }
     let mut from = raw.alias();
     for (number, pass) in passes.iter().enumerate() {
         // The last one ends in the first of the two.
         let to = turns[(passes.len() - 1 - number) % turns.len()].alias();
         let targets = Targets { color: vec![(&to, Load::Clear([0.0; 4]))], depth: Some((covered, Load::Keep)) };
-        let nearness = from.read();
+        let inverse_depth = from.read();
         match *pass {
             Pass::Gaussian(along) => {
                 let variant = DrawSmoothGaussianVariant { along };
-                recording.draw(&DrawSmoothGaussian { variant, nearness, view, surface }, &targets, ON_FLUID, 3, 1);
+                recording.draw(&DrawSmoothGaussian { variant, inverse_depth, view, surface }, &targets, ON_FLUID, 3, 1);
             }
             Pass::Bilateral(filter) => {
                 let variant = DrawSmoothBilateralVariant { filter };
-                recording.draw(&DrawSmoothBilateral { variant, nearness, view, surface }, &targets, ON_FLUID, 3, 1);
+                recording.draw(
+                    &DrawSmoothBilateral { variant, inverse_depth, view, surface },
+                    &targets,
+                    ON_FLUID,
+                    3,
+                    1,
+                );
             }
             Pass::NarrowRange(filter) => {
                 let variant = DrawSmoothNarrowRangeVariant { filter };
-                recording.draw(&DrawSmoothNarrowRange { variant, nearness, view, surface }, &targets, ON_FLUID, 3, 1);
+                recording.draw(
+                    &DrawSmoothNarrowRange { variant, inverse_depth, view, surface },
+                    &targets,
+                    ON_FLUID,
+                    3,
+                    1,
+                );
             }
             Pass::CurvatureFlow => {
-                recording.draw(&DrawSmoothCurvatureFlow { nearness, view, surface }, &targets, ON_FLUID, 3, 1);
+                recording.draw(&DrawSmoothCurvatureFlow { inverse_depth, view, surface }, &targets, ON_FLUID, 3, 1);
             }
         }
         from = to;

@@ -26,7 +26,7 @@ pub(crate) fn record(
     recording.draw(
         &DrawWater {
             view: uniforms.view.uniform(),
-            nearness: water.surface.nearness.read(),
+            inverse_depth: water.surface.inverse_depth.read(),
             thickness: water.thickness.read(),
             scene: scene.read(),
             scene_depth: scene_depth.read(),

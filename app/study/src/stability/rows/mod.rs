@@ -200,7 +200,7 @@ fn every_row(setup: &Setup, run: &GpuRun, injected: usize) -> Vec<Figure> {
         Figure::judged("fastest over the limit", fastest / limit_m_s, "", 1.0 + 1e-6, "speed limit of the scene"),
     ];
     if setup.scene.domain.has_walls() {
-        let [low_m, high_m] = setup.scene.domain.glass_m().map(DVec3::from_array);
+        let [low_m, high_m] = setup.scene.domain.wall_bounds_m().map(DVec3::from_array);
         let beyond = |at: DVec3| (low_m - at).max(at - high_m).max_element().max(0.0);
         let out_m = run.samples.iter().flat_map(finite).map(|(at, _)| beyond(at)).fold(0.0, f64::max);
         figures.push(Figure::judged(

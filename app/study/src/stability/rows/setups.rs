@@ -275,9 +275,9 @@ pub(super) fn thin(settings: &[String]) -> Made {
 
 pub(super) fn not_finite(settings: &[String]) -> Made {
     let mut setup = Setup::new("not-finite", &pool([0.3, 0.3, 0.2], [0.2; 3], ""), settings, 2.0, 8)?;
-    setup.emitted.positions[500].position_m[1] = f32::NAN;
-    setup.emitted.positions[77].position_m[0] = f32::NEG_INFINITY;
-    setup.emitted.velocities[303].velocity_m_s[2] = f32::INFINITY;
+    setup.particles.positions[500].position_m[1] = f32::NAN;
+    setup.particles.positions[77].position_m[0] = f32::NEG_INFINITY;
+    setup.particles.velocities[303].velocity_m_s[2] = f32::INFINITY;
     Ok(setup)
 }
 

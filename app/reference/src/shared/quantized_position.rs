@@ -1,17 +1,17 @@
-//! Fixed-point places modulo four supports. (Shader: `shared/place.hlsl`.)
+//! Fixed-point quantization modulo four supports. (Shader: `shared/quantized_position.hlsl`.)
 
 use glam::DVec3;
 
 /// How many bits a coordinate has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Places {
+pub enum Quantization {
     /// 21 bits an axis.
     Full,
     /// 16 bits an axis, and an f16 in the rest.
     Packed,
 }
 
-impl Places {
+impl Quantization {
     /// Bits of a coordinate.
     pub fn bits(self) -> u32 {
         match self {
@@ -25,29 +25,29 @@ impl Places {
         4.0 / f64::from(1u32 << self.bits())
     }
 
-    /// The place of a position in h. In f32 and in the shader's order, every operation of which but
+    /// The quantized of a position in h. In f32 and in the shader's order, every operation of which but
     /// the caller's product is exact, so that this is the GPU's result bit for bit.
-    pub fn place_of(self, position_h: [f32; 3]) -> [u32; 2] {
-        self.place_at(position_h.map(|x| {
+    pub fn quantize(self, position_h: [f32; 3]) -> [u32; 2] {
+        self.pack(position_h.map(|x| {
             let turns = x * 0.25;
-            self.fixed_of(f64::from((turns - turns.floor()) * 4.0))
+            self.fixed_point(f64::from((turns - turns.floor()) * 4.0))
         }))
     }
 
     /// A length in h in steps, rounded, as a coordinate in the top bits of 32.
-    pub fn fixed_of(self, length_h: f64) -> u32 {
+    pub fn fixed_point(self, length_h: f64) -> u32 {
         ((length_h / self.step()).round_ties_even() as i64 as u32) << (32 - self.bits())
     }
 
     /// The coordinates as they are stored.
-    pub fn place_at(self, [x, y, z]: [u32; 3]) -> [u32; 2] {
+    pub fn pack(self, [x, y, z]: [u32; 3]) -> [u32; 2] {
         match self {
             Self::Full => [(x & !0x7ff) | y >> 21, (z & !0x7ff) | (y >> 10 & 0x7ff)],
             Self::Packed => [(x & 0xffff_0000) | y >> 16, z & 0xffff_0000],
         }
     }
 
-    /// The coordinates of a place.
+    /// The coordinates of a quantized.
     pub fn coordinates(self, [low, high]: [u32; 2]) -> [u32; 3] {
         match self {
             Self::Full => [low & !0x7ff, low << 21 | (high & 0x7ff) << 10, high & !0x7ff],
@@ -55,15 +55,15 @@ impl Places {
         }
     }
 
-    /// The position, in h, that has this place and is nearest to `position_h`.
-    pub fn near(self, place: [u32; 2], position_h: DVec3) -> DVec3 {
-        let modulo = DVec3::from_array(self.coordinates(place).map(f64::from)) / f64::from(1u32 << 30);
+    /// The position, in h, that has this quantized and is nearest to `position_h`.
+    pub fn near(self, quantized: [u32; 2], position_h: DVec3) -> DVec3 {
+        let modulo = DVec3::from_array(self.coordinates(quantized).map(f64::from)) / f64::from(1u32 << 30);
         modulo + 4.0 * ((position_h - modulo) / 4.0).round()
     }
 
     /// From `there` to `here`, in h, as long as it is less than two along each axis.
     pub fn apart(self, here: [u32; 2], there: [u32; 2]) -> DVec3 {
-        let [here, there] = [here, there].map(|place| self.coordinates(place));
+        let [here, there] = [here, there].map(|quantized| self.coordinates(quantized));
         let difference: [f64; 3] = std::array::from_fn(|axis| f64::from(here[axis].wrapping_sub(there[axis]) as i32));
         DVec3::from_array(difference) / f64::from(1u32 << 30)
     }
@@ -75,14 +75,14 @@ mod tests {
 
     #[test]
     fn differences_survive_the_wrap() {
-        for places in [Places::Full, Places::Packed] {
+        for quantization in [Quantization::Full, Quantization::Packed] {
             // Either side of a multiple of 4 h, and far from the origin.
             for (here, there) in [([3.9, 0.1, 8.0], [4.3, -0.3, 7.2]), ([103.0, 1.0, 0.0], [102.5, 1.9, 1.0])] {
-                let apart = places.apart(places.place_of(here), places.place_of(there));
+                let apart = quantization.apart(quantization.quantize(here), quantization.quantize(there));
                 for axis in 0..3 {
                     let expected = f64::from(here[axis]) - f64::from(there[axis]);
                     // Half a step each.
-                    assert!((apart[axis] - expected).abs() <= places.step() * 1.0001, "{places:?} {apart}");
+                    assert!((apart[axis] - expected).abs() <= quantization.step() * 1.0001, "{quantization:?} {apart}");
                 }
             }
         }
@@ -90,11 +90,11 @@ mod tests {
 
     #[test]
     fn coordinates_are_kept() {
-        for places in [Places::Full, Places::Packed] {
-            let mask = u32::MAX << (32 - places.bits());
+        for quantization in [Quantization::Full, Quantization::Packed] {
+            let mask = u32::MAX << (32 - quantization.bits());
             for seed in [0u32, 1, 0x1234_5678, 0xffff_ffff, 0x8000_0800] {
                 let coordinates = [seed, seed.rotate_left(11), seed.rotate_left(23)].map(|c| c & mask);
-                assert_eq!(places.coordinates(places.place_at(coordinates)), coordinates);
+                assert_eq!(quantization.coordinates(quantization.pack(coordinates)), coordinates);
             }
         }
     }

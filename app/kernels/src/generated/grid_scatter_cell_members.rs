@@ -1,6 +1,6 @@
 // Written by the shader compiler; do not edit. `cargo run -p brooklet-compiler -- build`
-// makes it anew from grid/list_members.compute.
-//! Kernels of `grid/list_members.compute`.
+// makes it anew from grid/scatter_cell_members.compute.
+//! Kernels of `grid/scatter_cell_members.compute`.
 
 use super::{CellSlot, GridParams};
 use crate::{
@@ -10,7 +10,7 @@ use crate::{
 /// First pass of the deterministic order: which particles each cell holds, in whatever order the
 /// atomics of CountCells gave.
 #[derive(Debug)]
-pub struct ListMembers<'a> {
+pub struct ScatterCellMembers<'a> {
     /// `StructuredBuffer<CellSlot> cell_slots`.
     pub cell_slots: Buf<'a, CellSlot>,
     /// `StructuredBuffer<uint> cell_starts`.
@@ -21,12 +21,12 @@ pub struct ListMembers<'a> {
     pub grid: Uniform<'a, GridParams>,
 }
 
-impl Kernel for ListMembers<'_> {
-    const STAGE: &'static str = "list_members";
+impl Kernel for ScatterCellMembers<'_> {
+    const STAGE: &'static str = "scatter_cell_members";
     const GROUP_SIZE: [u32; 3] = [64, 1, 1];
 
     fn module(&self) -> &'static Module {
-        &LIST_MEMBERS
+        &SCATTER_CELL_MEMBERS
     }
     fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
         bind(
@@ -42,7 +42,7 @@ impl Kernel for ListMembers<'_> {
 }
 
 /// The modules of this file.
-pub(super) static MODULES: &[&Module] = &[&LIST_MEMBERS];
+pub(super) static MODULES: &[&Module] = &[&SCATTER_CELL_MEMBERS];
 
 static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "cell_slots", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
@@ -55,15 +55,15 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "grid", slot: 3, kind: BindingKind::Uniform { bytes: 80 } },
 ];
 
-static LIST_MEMBERS: Module = Module {
-    name: "ListMembers",
-    entry: "ListMembers",
+static SCATTER_CELL_MEMBERS: Module = Module {
+    name: "ScatterCellMembers",
+    entry: "ScatterCellMembers",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/list_members.spv"),
+    spirv: include_bytes!("../../spirv/scatter_cell_members.spv"),
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
-    source: "grid/list_members.compute",
-    hash: "3becc4faa23e303001af57d81107dfc332433113960a9e504a66fa0bca88f9f7",
+    source: "grid/scatter_cell_members.compute",
+    hash: "be6a8fb8101ac8ed08e7b7c7703a55386289a60e34236c63e6196679e02304d3",
 };

@@ -1,6 +1,6 @@
 // Written by the shader compiler; do not edit. `cargo run -p brooklet-compiler -- build`
-// makes it anew from grid/rank_members.compute.
-//! Kernels of `grid/rank_members.compute`.
+// makes it anew from grid/rank_by_id.compute.
+//! Kernels of `grid/rank_by_id.compute`.
 
 use super::{CellSlot, GridParams, Position};
 use crate::{
@@ -11,9 +11,9 @@ use crate::{
 /// cell's particles with a lower id. Every sum over neighbours then runs in the same order in every
 /// run, and for every order of the input. Cells of h/2 hold a few particles, so each looks at few;
 /// the cell of what lies outside may hold many, is nobody's neighbour, and keeps its order. So does a cell
-/// of more than MOST\_CANDIDATES: a search does not look at all of it either, and counts that.
+/// of more than MAX\_CANDIDATES: a search does not look at all of it either, and counts that.
 #[derive(Debug)]
-pub struct RankMembers<'a> {
+pub struct RankById<'a> {
     /// `StructuredBuffer<Position> positions`.
     pub positions: Buf<'a, Position>,
     /// `StructuredBuffer<uint> cell_starts`.
@@ -26,12 +26,12 @@ pub struct RankMembers<'a> {
     pub grid: Uniform<'a, GridParams>,
 }
 
-impl Kernel for RankMembers<'_> {
-    const STAGE: &'static str = "rank_members";
+impl Kernel for RankById<'_> {
+    const STAGE: &'static str = "rank_by_id";
     const GROUP_SIZE: [u32; 3] = [64, 1, 1];
 
     fn module(&self) -> &'static Module {
-        &RANK_MEMBERS
+        &RANK_BY_ID
     }
     fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
         bind(
@@ -48,7 +48,7 @@ impl Kernel for RankMembers<'_> {
 }
 
 /// The modules of this file.
-pub(super) static MODULES: &[&Module] = &[&RANK_MEMBERS];
+pub(super) static MODULES: &[&Module] = &[&RANK_BY_ID];
 
 static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "positions", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
@@ -62,15 +62,15 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "grid", slot: 4, kind: BindingKind::Uniform { bytes: 80 } },
 ];
 
-static RANK_MEMBERS: Module = Module {
-    name: "RankMembers",
-    entry: "RankMembers",
+static RANK_BY_ID: Module = Module {
+    name: "RankById",
+    entry: "RankById",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/rank_members.spv"),
+    spirv: include_bytes!("../../spirv/rank_by_id.spv"),
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
-    source: "grid/rank_members.compute",
-    hash: "2eb39d0ec99adeec24bdabf841ba6ada80abbe2faafcfef055c579f1061ff174",
+    source: "grid/rank_by_id.compute",
+    hash: "870d2da8b429b2fd610e8bef7e7efbfe5b318b52b7a0e82f6617e52f75f175c8",
 };

@@ -2,7 +2,7 @@
 
 /// The rank of each particle in its cell: how many of the cell's have a lower id. Those of cell
 /// `outside` have none that is fixed.
-pub fn rank_members(cells: &[u32], ids: &[u32], outside: u32) -> Vec<Option<u32>> {
+pub fn rank_by_id(cells: &[u32], ids: &[u32], outside: u32) -> Vec<Option<u32>> {
     let mut order: Vec<usize> = (0..cells.len()).collect();
     order.sort_by_key(|&i| (cells[i], ids[i]));
     let mut ranks = vec![None; cells.len()];
@@ -24,8 +24,8 @@ mod tests {
 
     #[test]
     fn ranks_follow_ids() {
-        let ranks = rank_members(&[1, 0, 1, 9, 1, 9], &[7, 3, 2, 1, 5, 0], 9);
+        let ranks = rank_by_id(&[1, 0, 1, 9, 1, 9], &[7, 3, 2, 1, 5, 0], 9);
         assert_eq!(ranks, [Some(2), Some(0), Some(0), None, Some(1), None]);
-        assert!(rank_members(&[], &[], 0).is_empty());
+        assert!(rank_by_id(&[], &[], 0).is_empty());
     }
 }

@@ -4,43 +4,43 @@
 // f32 coordinate 32 h or more from the domain's corner. A gather then moves half the bytes of a
 // Position, and integer differences are opposite bit by bit, so pairs push each other equally.
 // PACKED: 16 bits an axis, and the multiplier as f16 in the bits that are left.
-#ifndef BROOKLET_PLACE
-#define BROOKLET_PLACE
+#ifndef BROOKLET_QUANTIZED_POSITION
+#define BROOKLET_QUANTIZED_POSITION
 
 #include "layout.hlsl"
 
 // Support radii in one unit of a coordinate: 2^32 units are 4 h.
-static const float SUPPORTS_A_UNIT = 1.0 / 1073741824.0;
+static const float SUPPORTS_PER_UNIT = 1.0 / 1073741824.0;
 
 // Iterations move no particle further than this, in h: two that were neighbours and part then stay closer
 // than three supports. Coordinates of a particle that went on would come round to its other side.
-static const float MOST_DISPLACEMENT = 0.999;
+static const float MAX_DISPLACEMENT = 0.999;
 
 #if defined(PACKED)
-#define PLACE_BITS 16
+#define QUANTIZED_BITS 16
 #else
-#define PLACE_BITS 21
+#define QUANTIZED_BITS 21
 #endif
 
-// From lengths in h to steps of a place, rounded, as 32-bit coordinates.
-uint3 FixedOf(float3 length_h)
+// From lengths in h to steps of a quantized position, rounded, as 32-bit coordinates.
+uint3 FixedPoint(float3 length_h)
 {
-    float steps_a_support = float(1u << (PLACE_BITS - 2));
-    return asuint(int3(round(length_h * steps_a_support))) << (32 - PLACE_BITS);
+    float steps_a_support = float(1u << (QUANTIZED_BITS - 2));
+    return asuint(int3(round(length_h * steps_a_support))) << (32 - QUANTIZED_BITS);
 }
 
 // The coordinates, each in the top bits of 32.
-uint3 Coordinates(uint2 place)
+uint3 UnpackCoordinates(uint2 quantized_position)
 {
 #if defined(PACKED)
-    return uint3(place.x & 0xffff0000, place.x << 16, place.y & 0xffff0000);
+    return uint3(quantized_position.x & 0xffff0000, quantized_position.x << 16, quantized_position.y & 0xffff0000);
 #else
     // x and z have the top 21 bits of a word each; y's top 11 bits end the first, its next the second.
-    return uint3(place.x & 0xfffff800, (place.x << 21) | ((place.y & 0x7ff) << 10), place.y & 0xfffff800);
+    return uint3(quantized_position.x & 0xfffff800, (quantized_position.x << 21) | ((quantized_position.y & 0x7ff) << 10), quantized_position.y & 0xfffff800);
 #endif
 }
 
-uint2 PlaceAt(uint3 coordinates)
+uint2 PackCoordinates(uint3 coordinates)
 {
 #if defined(PACKED)
     return uint2((coordinates.x & 0xffff0000) | (coordinates.y >> 16), coordinates.z & 0xffff0000);
@@ -50,39 +50,39 @@ uint2 PlaceAt(uint3 coordinates)
 #endif
 }
 
-// The place of a position relative to the domain's corner, in h.
-uint2 PlaceOf(float3 position_h)
+// The quantized position of a position relative to the domain's corner, in h.
+uint2 QuantizePosition(float3 position_h)
 {
     float3 part = position_h * 0.25;
     part -= floor(part);
-    return PlaceAt(FixedOf(part * 4.0));
+    return PackCoordinates(FixedPoint(part * 4.0));
 }
 
 // From `there` to `here`, in h.
-float3 Apart(uint3 here, uint3 there)
+float3 Offset(uint3 x_i, uint3 x_j)
 {
     // asint, for DXC 1.7 takes float3(int3(...)) of an unsigned difference as unsigned.
-    return float3(asint(here - there)) * SUPPORTS_A_UNIT;
+    return float3(asint(x_i - x_j)) * SUPPORTS_PER_UNIT;
 }
 
 // How far a particle is from a position, in metres: exactly nothing where it has not moved.
-float3 MovedFrom(float3 position_m, uint2 place, KernelParams kernel)
+float3 DisplacementFrom(float3 position_m, uint2 quantized_position, SmoothingKernelParams kernel)
 {
-    uint2 start = PlaceOf(position_m * kernel.inverse_support_per_m);
-    return Apart(Coordinates(place), Coordinates(start)) * kernel.support_m;
+    uint2 start = QuantizePosition(position_m * kernel.inverse_support_per_m);
+    return Offset(UnpackCoordinates(quantized_position), UnpackCoordinates(start)) * kernel.support_m;
 }
 
 #if defined(PACKED)
-// The multiplier in the bits that a packed place leaves, for all who read it, its own particle
+// The multiplier in the bits that a packed quantized position leaves, for all who read it, its own particle
 // too: pairs stay exactly opposite.
-uint2 WithLambda(uint2 place, float lambda)
+uint2 PackLambda(uint2 quantized_position, float lambda)
 {
-    return uint2(place.x, place.y | f32tof16(lambda));
+    return uint2(quantized_position.x, quantized_position.y | f32tof16(lambda));
 }
 
-float LambdaOf(uint2 place)
+float UnpackLambda(uint2 quantized_position)
 {
-    return f16tof32(place.y & 0xffff);
+    return f16tof32(quantized_position.y & 0xffff);
 }
 #endif
 

@@ -13,7 +13,7 @@ pub const MAX_FLUIDS: u32 = QUARANTINED >> FLUID_SHIFT;
 /// Where particles are, and how they move. A start has them in the order of their ids, a running fluid in
 /// that of its cells; any will do.
 #[derive(Clone, Debug, Default)]
-pub struct Emitted {
+pub struct ParticleSet {
     /// Relative to the domain's lowest corner.
     pub positions: Vec<Position>,
     /// As long as `positions`.
@@ -24,8 +24,8 @@ pub struct Emitted {
 /// inside it, so that fluid against a wall is where the wall expects it, and fills it from wall to wall
 /// (`lattice.rs`); a ball's is centred on it. Where fluids overlap, the first has the place. In two dimensions the lattice is one layer, in
 /// the domain's plane.
-pub fn emit(scene: &Scene) -> Emitted {
-    let mut emitted = Emitted::default();
+pub fn sample_lattice(scene: &Scene) -> ParticleSet {
+    let mut emitted = ParticleSet::default();
     for_each(scene, |index, fluid, place_m| {
         let id = emitted.positions.len() as u32;
         emitted.positions.push(Position {
@@ -65,7 +65,7 @@ fn filled_m(block: &Block, scene: &Scene) -> [Option<f64>; 3] {
     std::array::from_fn(|axis| (is_closed(axis) && low[axis] && high[axis]).then(|| side_m(axis)))
 }
 
-/// How many particles [`emit`] makes, without making them.
+/// How many particles [`sample_lattice`] makes, without making them.
 pub fn count(scene: &Scene) -> u64 {
     let mut count = 0;
     for_each(scene, |_, _, _| count += 1);

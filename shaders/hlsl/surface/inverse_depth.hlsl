@@ -1,30 +1,30 @@
-// A surface seen from the eye as one number a pixel: its nearness, 1 / distance along `forward`,
+// A surface seen from the eye as one number a pixel: its inverse_depth, 1 / distance along `forward`,
 // in 1/m; 0 where nothing is, which is infinitely far. Planes are linear in it however tilted, so
 // a symmetric filter leaves calm water exactly as it is, where one of the distance would bend it
 // toward the eye; and f32 keeps 24 bits of it at any distance.
-#ifndef BROOKLET_NEARNESS
-#define BROOKLET_NEARNESS
+#ifndef BROOKLET_INVERSE_DEPTH
+#define BROOKLET_INVERSE_DEPTH
 
 #include "../frame/layout.hlsl"
 
-// The nearness at a pixel, 0 outside the picture.
-float nearness_at(Texture2D<float> nearness, float2 size_px, int2 pixel)
+// The inverse_depth at a pixel, 0 outside the picture.
+float inverse_depth_at(Texture2D<float> inverse_depth, float2 size_px, int2 pixel)
 {
     bool inside = pixel.x >= 0 && pixel.y >= 0 && pixel.x < int(size_px.x) && pixel.y < int(size_px.y);
-    return inside ? nearness.Load(int3(pixel, 0)) : 0.0;
+    return inside ? inverse_depth.Load(int3(pixel, 0)) : 0.0;
 }
 
-// A small difference of distance as one of nearness: d(1/z) = dz / z^2. Never more than half the
-// nearness itself, so that what is near the eye keeps apart from nothing at all.
-float nearness_difference(float distance_m, float nearness)
+// A small difference of distance as one of inverse_depth: d(1/z) = dz / z^2. Never more than half the
+// inverse_depth itself, so that what is near the eye keeps apart from nothing at all.
+float inverse_depth_difference(float distance_m, float inverse_depth)
 {
-    return min(distance_m * nearness * nearness, 0.5 * nearness);
+    return min(distance_m * inverse_depth * inverse_depth, 0.5 * inverse_depth);
 }
 
 // Reach of a filter in pixels: `reach_m` in the world, whatever the distance and the resolution.
-float reach_px(float reach_m, float nearness, float pixel_angle, float most_px)
+float reach_px(float reach_m, float inverse_depth, float pixel_angle, float most_px)
 {
-    return min(reach_m * nearness / pixel_angle, most_px);
+    return min(reach_m * inverse_depth / pixel_angle, most_px);
 }
 
 // Weight at a distance from the filter's middle: a Gaussian of which the reach is two standard
