@@ -2,7 +2,7 @@
 //! 31k particles, the default), then settings of the scene as `path=value`:
 //! `cargo run --release -p brooklet-tests --example peers_compression -- 0.02 solver.substeps=2`
 
-use brooklet_reference::compression::{Compression, Spread};
+use brooklet_reference::compression::{Compression, Summary};
 use brooklet_tests::peers;
 use std::process::ExitCode;
 use std::time::Instant;
@@ -44,8 +44,8 @@ fn main() -> ExitCode {
 }
 
 fn row(compression: &Compression) -> String {
-    let spread = |s: Spread| format!("{:5.2} / {:5.2} / {:6.2}", 100.0 * s.mean, 100.0 * s.p99, 100.0 * s.max);
-    [compression.all, compression.wall, compression.inner].map(spread).map(|text| format!("{text:<22}")).join(" ")
+    let summary = |s: Summary| format!("{:5.2} / {:5.2} / {:6.2}", 100.0 * s.mean, 100.0 * s.p99, 100.0 * s.max);
+    [compression.all, compression.wall, compression.inner].map(summary).map(|text| format!("{text:<22}")).join(" ")
 }
 
 fn refuse(reason: &str) -> ExitCode {

@@ -3,7 +3,7 @@
 
 use crate::{compare::vector, gpu};
 use brooklet_fluid::{Scene, Simulation, SimulationError};
-use brooklet_reference::compression::{Compression, Spread, compression};
+use brooklet_reference::compression::{Compression, Summary, compression};
 use glam::DVec3;
 
 /// When a snapshot is taken, s.
@@ -71,11 +71,11 @@ fn failed(error: SimulationError) -> String {
 
 /// Averages over the snapshots, number by number.
 pub fn average(snapshots: &[Snapshot]) -> Compression {
-    let of = |pick: fn(&Compression) -> Spread| {
-        let mean = |value: fn(&Spread) -> f64| {
+    let of = |pick: fn(&Compression) -> Summary| {
+        let mean = |value: fn(&Summary) -> f64| {
             snapshots.iter().map(|s| value(&pick(&s.compression))).sum::<f64>() / snapshots.len().max(1) as f64
         };
-        Spread {
+        Summary {
             particles: mean(|s| s.particles as f64) as usize,
             mean: mean(|s| s.mean),
             p99: mean(|s| s.p99),

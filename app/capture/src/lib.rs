@@ -67,7 +67,7 @@ pub use schema::{
     STATE_TOPIC, STATS_TOPIC, StatField, THERMAL_TOPIC, TOPICS, frame_schema, log_schema, passes_schema, span_schema,
     state_schema, stats_schema, thermal_schema,
 };
-pub use series::Spread;
+pub use series::Quantiles;
 pub use spans::SpanReader;
 pub use stream::{Channel, Ending, Item, Message, read, read_file};
 pub use summary::{CaptureSummary, Metadata, summarize};

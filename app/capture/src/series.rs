@@ -129,7 +129,7 @@ impl Sample {
     }
 
     /// What is said of it; none of nothing.
-    pub fn spread(&self) -> Option<Spread> {
+    pub fn quantiles(&self) -> Option<Quantiles> {
         let mut sorted = self.kept.clone();
         sorted.sort_unstable_by(f32::total_cmp);
         let last = sorted.len().checked_sub(1)?;
@@ -141,7 +141,7 @@ impl Sample {
         };
         // Nearest rank: a time that was really measured.
         let rank = (0.95 * sorted.len() as f64).ceil() as usize;
-        Some(Spread {
+        Some(Quantiles {
             count: self.count,
             median,
             p95: f64::from(sorted[rank.saturating_sub(1).min(last)]),
@@ -153,7 +153,7 @@ impl Sample {
 
 /// Quantiles and extremes of values of one kind.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
-pub struct Spread {
+pub struct Quantiles {
     /// Number of values.
     pub count: u64,
     /// Half of them are no larger.
@@ -191,15 +191,15 @@ mod tests {
     fn a_sample_is_exact_while_it_fits_and_near_beyond() {
         let mut few = Sample::default();
         (1..=100).rev().for_each(|value| few.add(f64::from(value)));
-        let spread = few.spread().unwrap();
-        assert_eq!((spread.median, spread.p95, spread.mean, spread.max), (50.5, 95.0, 50.5, 100.0));
+        let quantiles = few.quantiles().unwrap();
+        assert_eq!((quantiles.median, quantiles.p95, quantiles.mean, quantiles.max), (50.5, 95.0, 50.5, 100.0));
         let mut many = Sample::default();
         (0..1_000_000).for_each(|value| many.add(f64::from(value) * 1e-6));
-        let spread = many.spread().unwrap();
+        let quantiles = many.quantiles().unwrap();
         // Three standard errors of a quantile of 65,536 values.
-        assert!((spread.median - 0.5).abs() < 3.0 * 0.5 / 256.0, "{spread:?}");
-        assert!((spread.p95 - 0.95).abs() < 3.0 * 0.218 / 256.0, "{spread:?}");
-        assert_eq!((spread.count, many.kept.len()), (1_000_000, Sample::ROOM));
-        assert_eq!(Sample::default().spread(), None);
+        assert!((quantiles.median - 0.5).abs() < 3.0 * 0.5 / 256.0, "{quantiles:?}");
+        assert!((quantiles.p95 - 0.95).abs() < 3.0 * 0.218 / 256.0, "{quantiles:?}");
+        assert_eq!((quantiles.count, many.kept.len()), (1_000_000, Sample::ROOM));
+        assert_eq!(Sample::default().quantiles(), None);
     }
 }

@@ -6,7 +6,7 @@ use std::{collections::BTreeMap, path::Path};
 use serde::Serialize;
 
 use crate::{
-    CaptureError, Ending, FRAME_TOPIC, FrameRow, Item, Message, PASSES_TOPIC, STATE_TOPIC, Spread, StateRow,
+    CaptureError, Ending, FRAME_TOPIC, FrameRow, Item, Message, PASSES_TOPIC, Quantiles, STATE_TOPIC, StateRow,
     THERMAL_TOPIC, ThermalRow, Trust,
     series::{Sample, StageNumbers},
     stream::{message_problem, read_file},
@@ -32,11 +32,11 @@ pub struct CaptureSummary {
     /// How far they can be believed, counted anew.
     pub trust: Trust,
     /// A frame on the GPU, ms.
-    pub frame_ms: Option<Spread>,
+    pub frame_ms: Option<Quantiles>,
     /// Processor time of capturing a frame, ms.
-    pub capture_ms: Option<Spread>,
+    pub capture_ms: Option<Quantiles>,
     /// Stages in order of their first run, ms.
-    pub passes: Vec<(String, Spread)>,
+    pub passes: Vec<(String, Quantiles)>,
     /// Changes of state, the first ones.
     pub states: Vec<StateRow>,
     /// Hottest of all sensors, degC.
@@ -138,14 +138,14 @@ impl Summing {
             *summary.topics.entry(topic).or_default() += count;
         }
         summary.duration_s = self.times_ns.map_or(0.0, |(first, last)| (last - first) as f64 * 1e-9);
-        summary.frame_ms = self.frame.spread();
-        summary.capture_ms = self.capture.spread();
+        summary.frame_ms = self.frame.quantiles();
+        summary.capture_ms = self.capture.quantiles();
         summary.passes = self
             .stages
             .names
             .into_iter()
             .zip(&self.passes)
-            .filter_map(|(name, sample)| Some((name, sample.spread()?)))
+            .filter_map(|(name, sample)| Some((name, sample.quantiles()?)))
             .collect();
         if let Some(raised) = summary.metadata.get("trust").and_then(|trust| trust.get("log_times_raised")) {
             summary.trust.log_times_raised = raised.parse().unwrap_or(0);

@@ -1,41 +1,21 @@
 //! What was measured of the fluid over a run: the last state, the worst, and what was counted.
 
-use brooklet_fluid::{Stats, measure};
+use brooklet_fluid::{Stats, measure::Summary};
 use serde::Serialize;
 
-/// Mean, 99th percentile and largest value over the particles.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
-pub struct Spread {
-    /// Mean.
-    pub mean: f64,
-    /// 99th percentile.
-    pub p99: f64,
-    /// Largest.
-    pub max: f64,
-}
-
-impl From<measure::Spread> for Spread {
-    fn from(from: measure::Spread) -> Self {
-        let measure::Spread { mean, p99, max } = from;
-        Self { mean, p99, max }
-    }
-}
-
-impl Spread {
-    fn raise(&mut self, other: Self) {
-        self.mean = self.mean.max(other.mean);
-        self.p99 = self.p99.max(other.p99);
-        self.max = self.max.max(other.max);
-    }
+fn raise(summary: &mut Summary, other: Summary) {
+    summary.mean = summary.mean.max(other.mean);
+    summary.p99 = summary.p99.max(other.p99);
+    summary.max = summary.max.max(other.max);
 }
 
 /// The largest values of a run, each on its own.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Worst {
     /// Of |rho/rho0 - 1|.
-    pub density_error: Spread,
+    pub density_error: Summary,
     /// Of max(rho/rho0 - 1, 0).
-    pub compression: Spread,
+    pub compression: Summary,
     /// Largest speed.
     pub max_speed_m_s: f64,
 }
@@ -81,8 +61,8 @@ impl Measured {
         self.count += 1;
         self.last_step = step;
         self.last = Some(stats);
-        self.worst.density_error.raise(stats.density_error.into());
-        self.worst.compression.raise(stats.compression.into());
+        raise(&mut self.worst.density_error, stats.density_error);
+        raise(&mut self.worst.compression, stats.compression);
         self.worst.max_speed_m_s = self.worst.max_speed_m_s.max(stats.max_speed_m_s);
         let counters = stats.counters;
         self.counted.neighbour_overflow += u64::from(counters.neighbour_overflow);

@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use crate::{failure::Failure, out_dir};
 
-/// Tag bits (see `shaders/hlsl/shared/layout.hlsl`): 0-23 id, 24-30 fluid, 31 quarantined.
+/// Tag bits (see `shaders/hlsl/shared/layout.hlsli`): 0-23 id, 24-30 fluid, 31 quarantined.
 const ID_MASK: u32 = (1 << FLUID_SHIFT) - 1;
 
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]

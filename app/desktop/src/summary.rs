@@ -1,6 +1,6 @@
 //! `summary.json`, and the short table a run ends with.
 
-use brooklet_fluid::Scene;
+use brooklet_fluid::{Scene, measure};
 use brooklet_gpu::{Gpu, Plan, TimingStatus, tier_name};
 use brooklet_render::left_out::Absent;
 use serde::Serialize;
@@ -9,7 +9,7 @@ use serde_json::{Map, Value};
 use crate::{
     commit::{COMMIT, VERSION},
     fit,
-    measured::{Counted, Measured, Spread, Worst},
+    measured::{Counted, Measured, Worst},
     plan::simulation_bytes_per_particle,
     table::{bytes, ms, table},
     timings::{self, PassTimes, Passes, Timings},
@@ -31,13 +31,13 @@ pub struct Summary {
     /// Whether the run ended early, by Ctrl-C or because it could not go on.
     interrupted: bool,
     solver: Solver,
-    gpu_ms_per_step: Option<timings::Spread>,
+    gpu_ms_per_step: Option<timings::Quantiles>,
     /// By pass: times of all its dispatches of a frame together, how many those are, and the sum
     /// over the run.
     passes: Passes<PassTimes>,
     timing: Timing,
-    density_error: Option<Spread>,
-    compression: Option<Spread>,
+    density_error: Option<measure::Summary>,
+    compression: Option<measure::Summary>,
     max_speed_m_s: Option<f64>,
     centre_of_mass_m: Option<[f64; 3]>,
     front_m: Option<f64>,
@@ -191,8 +191,8 @@ impl Summary {
                 warm_up_frames_left_out: timings.warm_up(),
                 flagged_spans: timings.flagged_spans(),
             },
-            density_error: last.map(|stats| stats.density_error.into()),
-            compression: last.map(|stats| stats.compression.into()),
+            density_error: last.map(|stats| stats.density_error),
+            compression: last.map(|stats| stats.compression),
             max_speed_m_s: last.map(|stats| stats.max_speed_m_s),
             centre_of_mass_m: last.map(|stats| stats.centre_of_mass_m),
             front_m: last.map(|stats| stats.front_m),
@@ -295,9 +295,9 @@ impl Summary {
             return;
         };
         let mut list = table(&["at the end", "mean", "99 of 100", "largest"], &[1, 2, 3]);
-        for (name, spread) in [("density error", density), ("compression", compression)] {
+        for (name, summary) in [("density error", density), ("compression", compression)] {
             let percent = |ratio: f64| format!("{:.2} %", 100.0 * ratio);
-            list.add_row([name.to_string(), percent(spread.mean), percent(spread.p99), percent(spread.max)]);
+            list.add_row([name.to_string(), percent(summary.mean), percent(summary.p99), percent(summary.max)]);
         }
         say!("{}", list.trim_fmt());
         say!(

@@ -13,14 +13,14 @@ pub fn warm_up_frames(frames: u64) -> u64 {
 
 /// Times of one kind over a run.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Spread {
+pub struct Quantiles {
     /// Half of the frames took no longer.
     pub median: f64,
     /// 95 of 100 frames took no longer.
     pub p95: f64,
 }
 
-impl Spread {
+impl Quantiles {
     /// Of some values; none of none.
     pub fn of(mut values: Vec<f64>) -> Option<Self> {
         values.sort_unstable_by(f64::total_cmp);
@@ -104,13 +104,13 @@ impl Timings {
     }
 
     /// A step, from its first span's begin to its last one's end, ms.
-    pub fn step_ms(&self) -> Option<Spread> {
-        self.spread(&self.steps)
+    pub fn step_ms(&self) -> Option<Quantiles> {
+        self.quantiles(&self.steps)
     }
 
     /// A stage, all its dispatches of a frame together, ms.
-    pub fn stage_ms(&self, stage: &str) -> Option<Spread> {
-        self.spread(self.stages.get(stage)?)
+    pub fn stage_ms(&self, stage: &str) -> Option<Quantiles> {
+        self.quantiles(self.stages.get(stage)?)
     }
 
     /// A stage over the whole run, ms.
@@ -163,9 +163,9 @@ impl Timings {
     }
 
     /// A stage that ran in the warm-up alone has no other times than those.
-    fn spread(&self, series: &Series) -> Option<Spread> {
+    fn quantiles(&self, series: &Series) -> Option<Quantiles> {
         let warm: Vec<f64> = series.iter().filter(|(frame, _)| *frame >= self.warm_up).map(|(_, ms)| *ms).collect();
-        Spread::of(warm).or_else(|| Spread::of(series.iter().map(|(_, ms)| *ms).collect()))
+        Quantiles::of(warm).or_else(|| Quantiles::of(series.iter().map(|(_, ms)| *ms).collect()))
     }
 }
 
@@ -199,11 +199,11 @@ mod tests {
 
     #[test]
     fn percentiles_of_known_values() {
-        assert_eq!(Spread::of(Vec::new()), None);
+        assert_eq!(Quantiles::of(Vec::new()), None);
         let hundred: Vec<f64> = (1..=100).rev().map(f64::from).collect();
-        let spread = Spread::of(hundred).unwrap();
-        assert_eq!((spread.median, spread.p95), (50.5, 95.0));
-        let one = Spread::of(vec![3.0]).unwrap();
+        let quantiles = Quantiles::of(hundred).unwrap();
+        assert_eq!((quantiles.median, quantiles.p95), (50.5, 95.0));
+        let one = Quantiles::of(vec![3.0]).unwrap();
         assert_eq!((one.median, one.p95), (3.0, 3.0));
     }
 

@@ -121,8 +121,8 @@ impl Densities {
 }
 
 /// Mean, 99th percentile and largest value over the particles.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Spread {
+#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize)]
+pub struct Summary {
     /// Mean.
     pub mean: f64,
     /// 99th percentile, within 3 % of itself; 0 below 6e-5.
@@ -135,9 +135,9 @@ pub struct Spread {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Stats {
     /// Of |ρ/ρ0 − 1|.
-    pub density_error: Spread,
+    pub density_error: Summary,
     /// Of max(ρ/ρ0 − 1, 0).
-    pub compression: Spread,
+    pub compression: Summary,
     /// m/s.
     pub max_speed_m_s: f64,
     /// J.
@@ -172,7 +172,7 @@ impl Stats {
         let count = f64::from(sums.particles.max(1));
         let mass_kg = scene.particle_mass_kg();
         let mean_m = sums.position_sum_m.map(|sum| f64::from(sum) / count);
-        let spread = |sum: f32, p99: f32, max: f32| Spread {
+        let summary = |sum: f32, p99: f32, max: f32| Summary {
             mean: f64::from(sum) / count,
             p99: f64::from(p99).min(f64::from(max)),
             max: f64::from(max),
@@ -183,8 +183,8 @@ impl Stats {
         let furthest_m = if scene.domain.has_walls_along(0) { scene.domain.max_m[0] } else { f64::INFINITY };
         let front_m = (origin_m[0] + f64::from(sums.front_m) + 0.5 * scene.fitted_spacing_m()).min(furthest_m);
         Self {
-            density_error: spread(sums.density_error_sum, measure.density_error_p99, sums.density_error_max),
-            compression: spread(sums.compression_sum, measure.compression_p99, sums.compression_max),
+            density_error: summary(sums.density_error_sum, measure.density_error_p99, sums.density_error_max),
+            compression: summary(sums.compression_sum, measure.compression_p99, sums.compression_max),
             max_speed_m_s: f64::from(sums.speed_max_m_s),
             kinetic_j: 0.5 * mass_kg * f64::from(sums.speed_squared_sum_m2_s2),
             potential_j: mass_kg * f64::from(sums.particles) * potential_m2_s2,

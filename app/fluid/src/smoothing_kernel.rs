@@ -1,5 +1,5 @@
 //! The smoothing kernel's constants: Wendland C2 in q = r/h with W(0) = 1, scaled so that the
-//! initial lattice has density ratio 1. (Shader: `shared/wendland.hlsl`.)
+//! initial lattice has density ratio 1. (Shader: `shared/wendland.hlsli`.)
 
 use brooklet_kernels::SmoothingKernelParams;
 

@@ -3,7 +3,7 @@
 //! A `.brooklet` file is, in this order and little-endian: the 8 bytes `BROOKLET`; the format's version,
 //! u32; the header's length in bytes, u32; the header, JSON ([`State`] without its particles); for each
 //! particle its position relative to the domain's lowest corner, 3 f32 in m, and its tag, u32
-//! (`shared/layout.hlsl`); for each its velocity, 3 f32 in m/s; the CRC-32 of everything before it, u32.
+//! (`shared/layout.hlsli`); for each its velocity, 3 f32 in m/s; the CRC-32 of everything before it, u32.
 
 use std::fs::File;
 use std::io::{Read, Write};

@@ -7,7 +7,7 @@ use glam::DVec3;
 
 /// Of some particles, as ratios (0.02 is 2 %).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Spread {
+pub struct Summary {
     /// How many they are.
     pub particles: usize,
     /// Mean; zero if there are none.
@@ -22,14 +22,14 @@ pub struct Spread {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Compression {
     /// All particles.
-    pub all: Spread,
+    pub all: Summary,
     /// Those nearer than 2 d to a wall, which the metric's mirror reaches.
-    pub wall: Spread,
+    pub wall: Summary,
     /// The others.
-    pub inner: Spread,
+    pub inner: Summary,
 }
 
-impl Spread {
+impl Summary {
     fn of(mut values: Vec<f64>) -> Self {
         values.sort_by(f64::total_cmp);
         let particles = values.len();
@@ -83,7 +83,7 @@ pub fn compression(positions_m: &[DVec3], min_m: DVec3, max_m: DVec3, spacing_m:
     let inside = |p: DVec3| (p - min_m).min(max_m - p).min_element() >= support_m;
     let of = |wanted: &dyn Fn(DVec3) -> bool| {
         let chosen = compressions.iter().zip(positions_m).filter(|(_, p)| wanted(**p));
-        Spread::of(chosen.map(|(compression, _)| *compression).collect())
+        Summary::of(chosen.map(|(compression, _)| *compression).collect())
     };
     Some(Compression { all: of(&|_| true), wall: of(&|p| !inside(p)), inner: of(&inside) })
 }

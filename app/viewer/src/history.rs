@@ -33,11 +33,11 @@ impl History {
     }
 
     /// Median and 95th percentile (nearest rank).
-    pub fn spread(&self) -> Option<Spread> {
+    pub fn quantiles(&self) -> Option<Quantiles> {
         let mut values: Vec<f64> = self.values.iter().map(|[_, value]| *value).collect();
         values.sort_unstable_by(f64::total_cmp);
         let at = |share: f64| values.get(((share * values.len() as f64).ceil() as usize).saturating_sub(1)).copied();
-        Some(Spread { p50: at(0.5)?, p95: at(0.95)? })
+        Some(Quantiles { p50: at(0.5)?, p95: at(0.95)? })
     }
 
     /// Forgets all.
@@ -48,7 +48,7 @@ impl History {
 
 /// Half of the values are no larger, and 95 of 100.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Spread {
+pub struct Quantiles {
     /// Median.
     pub p50: f64,
     /// 95th percentile.
@@ -62,14 +62,14 @@ mod tests {
     #[test]
     fn the_newest_are_kept_and_ranked() {
         let mut history = History::default();
-        assert_eq!(history.spread(), None);
+        assert_eq!(history.quantiles(), None);
         for index in 0..1000 {
             history.push(f64::from(index), f64::from(index));
         }
         history.push(1000.0, f64::NAN);
         assert_eq!(history.points().count(), KEPT - 1, "a gap takes the place of the oldest");
         assert_eq!(history.last(), Some(999.0));
-        let Spread { p50, p95 } = history.spread().unwrap();
+        let Quantiles { p50, p95 } = history.quantiles().unwrap();
         assert!((p50 - 880.0).abs() < 1.0 && (p95 - 988.0).abs() < 1.0, "{p50} {p95}");
         history.clear();
         assert_eq!(history.last(), None);

@@ -31,7 +31,7 @@ mod viewer;
 pub mod world;
 
 pub use error::WorldError;
-pub use history::{History, Spread};
+pub use history::{History, Quantiles};
 pub use messages::Kind;
 pub use orbit::{Orbit, Ray, ray};
 pub use presenter::Target;

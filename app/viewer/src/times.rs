@@ -3,7 +3,7 @@
 use brooklet_fluid::STEP;
 use brooklet_gpu::FrameReport;
 
-use crate::history::{History, Spread};
+use crate::history::{History, Quantiles};
 
 /// A pass's last times.
 pub struct PassTimes {
@@ -12,7 +12,7 @@ pub struct PassTimes {
     /// All its dispatches of a frame together, ms.
     pub ms: History,
     /// Where they lie, as of the last look.
-    pub spread: Option<Spread>,
+    pub quantiles: Option<Quantiles>,
 }
 
 /// Times of the last frames.
@@ -57,7 +57,7 @@ impl Times {
         for (stage, ms, _) in report.stage_ms() {
             let known = self.passes.iter().position(|pass| pass.stage == stage);
             let index = known.unwrap_or_else(|| {
-                self.passes.push(PassTimes { stage, ms: History::default(), spread: None });
+                self.passes.push(PassTimes { stage, ms: History::default(), quantiles: None });
                 self.passes.len() - 1
             });
             self.passes[index].ms.push(time_s, ms);
@@ -65,14 +65,14 @@ impl Times {
         if time_s - self.looked_s >= LOOK_EVERY_S {
             self.looked_s = time_s;
             for pass in &mut self.passes {
-                pass.spread = pass.ms.spread();
+                pass.quantiles = pass.ms.quantiles();
             }
         }
     }
 
     /// What one step and the rest of a frame take, ms; nothing before there are times.
     pub fn cost_ms(&self) -> Option<(f64, f64)> {
-        Some((self.step_ms.spread()?.p50, self.draw_ms.spread()?.p50))
+        Some((self.step_ms.quantiles()?.p50, self.draw_ms.quantiles()?.p50))
     }
 
     /// Forgets all: another plan has other passes, these, in this order.
@@ -80,7 +80,7 @@ impl Times {
         let mut passes: Vec<PassTimes> = Vec::new();
         for stage in stages {
             if !passes.iter().any(|pass| pass.stage == stage) {
-                passes.push(PassTimes { stage, ms: History::default(), spread: None });
+                passes.push(PassTimes { stage, ms: History::default(), quantiles: None });
             }
         }
         *self = Self { passes, ..Self::default() };

@@ -5,7 +5,7 @@
 #pragma fragment EdgesFragment
 #pragma multi_compile _ BEHIND_WATER BEFORE_WATER
 
-#include "camera.hlsl"
+#include "camera.hlsli"
 
 #if defined(BEHIND_WATER) || defined(BEFORE_WATER)
 #define WATER
@@ -23,7 +23,7 @@ struct Varyings
 };
 
 // Lowest corner and direction of edge 0..11: four along each axis.
-void edge_ends(uint edge, out float3 from_m, out float3 to_m)
+void EdgeEnds(uint edge, out float3 from_m, out float3 to_m)
 {
     uint axis = edge / 4;
     float a = float(edge & 1);
@@ -37,22 +37,22 @@ void edge_ends(uint edge, out float3 from_m, out float3 to_m)
 Varyings EdgesVertex(uint vertex : SV_VertexID, uint edge : SV_InstanceID)
 {
     float3 from_m, to_m;
-    edge_ends(edge, from_m, to_m);
+    EdgeEnds(edge, from_m, to_m);
     // What lies behind the camera would be mirrored by the division: cut the line at the near plane.
     float from_z = dot(from_m, view.forward);
     float to_z = dot(to_m, view.forward);
     float nearest = 1.001 * view.near_m;
     float3 clipped_from = from_z < nearest ? lerp(from_m, to_m, (nearest - from_z) / (to_z - from_z)) : from_m;
     float3 clipped_to = to_z < nearest ? lerp(to_m, from_m, (nearest - to_z) / (from_z - to_z)) : to_m;
-    float4 a = clip_from_offset(view, clipped_from);
-    float4 b = clip_from_offset(view, clipped_to);
+    float4 a = ClipFromOffset(view, clipped_from);
+    float4 b = ClipFromOffset(view, clipped_to);
     float2 a_px = 0.5 * view.size_px * a.xy / a.w;
     float2 b_px = 0.5 * view.size_px * b.xy / b.w;
     float2 along = b_px - a_px;
     along /= max(length(along), 1e-3);
     float2 aside = float2(-along.y, along.x);
 
-    float2 corner = quad_corner(vertex);
+    float2 corner = QuadCorner(vertex);
     float half_px = 0.5 * style.edge_width_px * view.supersample + 1.0;
     float4 clip = corner.x < 0.0 ? a : b;
     clip.xy += (corner.y * aside * half_px + corner.x * along * 0.5) * 2.0 / view.size_px * clip.w;

@@ -3,20 +3,20 @@
 #pragma fragment FloorFragment
 #pragma multi_compile _ POINTS_SHADOW WATER_SHADOW CAUSTICS_SHADOW
 
-#include "camera.hlsl"
-#include "environment.hlsl"
-#include "sampling.hlsl"
+#include "camera.hlsli"
+#include "environment.hlsli"
+#include "sampling.hlsli"
 
 #if defined(POINTS_SHADOW)
 Texture2D<float> shadow_map;
 #elif defined(WATER_SHADOW)
-#include "../surface/layout.hlsl"
+#include "../surface/layout.hlsli"
 Texture2D<float> sun_thickness;
 SamplerState sampler_linear_clamp;
 ConstantBuffer<SurfaceParams> surface;
 ConstantBuffer<WaterStyle> water;
 #elif defined(CAUSTICS_SHADOW)
-#include "../surface/sun_map.hlsl"
+#include "../surface/sun_map.hlsli"
 Texture2D<float> sun_depth;
 Texture2D<float4> caustics;
 SamplerState sampler_linear_clamp;
@@ -35,27 +35,27 @@ struct Varyings
 Varyings FloorVertex(uint vertex : SV_VertexID)
 {
     // As wide as the fade lets anything be seen.
-    float2 corner = quad_corner(vertex) * style.floor_fade_m * 4.0;
+    float2 corner = QuadCorner(vertex) * style.floor_fade_m * 4.0;
     Varyings output;
     output.world_m = float3(0.5 * style.domain_size_m.x + corner.x, 0.0, 0.5 * style.domain_size_m.z + corner.y);
-    output.position = clip_from_offset(view, output.world_m - view.eye_m);
+    output.position = ClipFromOffset(view, output.world_m - view.eye_m);
     return output;
 }
 
 // How much of a pixel's footprint `width` (in tiles) around `at` lies on a joint that takes
 // `joint` of each tile: the integral over the footprint, so that it fades out and never flickers.
-float2 joint_integral(float2 x, float joint)
+float2 JointIntegral(float2 x, float joint)
 {
     return floor(x) * joint + min(frac(x), joint);
 }
 
-float joints(float2 at, float2 width, float joint)
+float Joints(float2 at, float2 width, float joint)
 {
-    float2 share = (joint_integral(at + 0.5 * width, joint) - joint_integral(at - 0.5 * width, joint)) / width;
+    float2 share = (JointIntegral(at + 0.5 * width, joint) - JointIntegral(at - 0.5 * width, joint)) / width;
     return 1.0 - (1.0 - saturate(share.x)) * (1.0 - saturate(share.y));
 }
 
-float tile_tone(float2 tile)
+float TileTone(float2 tile)
 {
     float2 h = frac(tile * float2(0.1031, 0.1130) + 0.37);
     h += dot(h, h.yx + 33.33);
@@ -66,14 +66,14 @@ float tile_tone(float2 tile)
 // Share of the sun that arrives: a disc of taps that widens with the blocker's distance, for a
 // shadow that is crisp where the fluid stands on the floor and soft far from it. The disc is
 // turned from pixel to pixel, which breaks the taps' pattern up.
-float sun_past_points(float3 world_m, float2 pixel)
+float SunPastPoints(float3 world_m, float2 pixel)
 {
-    float3 at = shadow_position(light, world_m);
+    float3 at = ShadowPosition(light, world_m);
     if (any(abs(at.xy - 0.5) > 0.5))
         return 1.0;
     float own = max(at.z, 0.0) + 0.5 * light.shadow_texel_m / light.shadow_range_m;
     float texel = 1.0 / light.shadow_texels;
-    float turn = 6.2831853 * pixel_noise(pixel);
+    float turn = 6.2831853 * PixelNoise(pixel);
     float2x2 turned = float2x2(cos(turn), -sin(turn), sin(turn), cos(turn));
 
     const uint probes = 6;
@@ -82,7 +82,7 @@ float sun_past_points(float3 world_m, float2 pixel)
     [unroll]
     for (uint i = 0; i < probes; i++)
     {
-        float depth = shadow_load(shadow_map, light, at.xy + 16.0 * texel * mul(turned, disc_tap(i, probes)));
+        float depth = ShadowLoad(shadow_map, light, at.xy + 16.0 * texel * mul(turned, DiscTap(i, probes)));
         float blocks = step(own, depth);
         blockers += blocks;
         gap += blocks * (depth - own);
@@ -96,45 +96,45 @@ float sun_past_points(float3 world_m, float2 pixel)
     float shaded = 0.0;
     [unroll]
     for (uint k = 0; k < taps; k++)
-        shaded += step(own, shadow_load(shadow_map, light, at.xy + soft * mul(turned, disc_tap(k, taps))));
+        shaded += step(own, ShadowLoad(shadow_map, light, at.xy + soft * mul(turned, DiscTap(k, taps))));
     return 1.0 - shaded / taps;
 }
 #elif defined(WATER_SHADOW)
 // Sunlight after the water it went through: absorbed, and a part of it led elsewhere. The map has
 // an empty margin, which clamping repeats: beyond it there is no water.
-float3 sun_through_water(float3 world_m, float2 pixel)
+float3 SunThroughWater(float3 world_m, float2 pixel)
 {
-    float3 at = shadow_position(light, world_m);
-    float turn = 6.2831853 * pixel_noise(pixel);
+    float3 at = ShadowPosition(light, world_m);
+    float turn = 6.2831853 * PixelNoise(pixel);
     float2x2 turned = float2x2(cos(turn), -sin(turn), sin(turn), cos(turn));
     // As wide as a particle's disc: the particles' own pattern is not to be seen.
-    float soft = surface.spread_m / (light.shadow_texel_m * light.shadow_texels);
+    float soft = surface.thickness_radius_m / (light.shadow_texel_m * light.shadow_texels);
     const uint taps = 8;
     float spacings = 0.0;
     [unroll]
     for (uint i = 0; i < taps; i++)
-        spacings += sun_thickness.SampleLevel(sampler_linear_clamp, at.xy + soft * mul(turned, disc_tap(i, taps)), 0.0);
+        spacings += sun_thickness.SampleLevel(sampler_linear_clamp, at.xy + soft * mul(turned, DiscTap(i, taps)), 0.0);
     spacings /= taps;
     float3 passed = exp(-water.absorption_per_m * spacings * surface.spacing_m);
     return passed * lerp(0.55, 1.0, exp(-0.6 * spacings));
 }
 #elif defined(CAUSTICS_SHADOW)
 // 1 where no water stands before the sun at a place of the photons' grid.
-float dry(int2 at)
+float Dry(int2 at)
 {
-    return sun_depth_at(sun_depth, surface, at) > 0.0 ? 0.0 : 1.0;
+    return SunDepthAt(sun_depth, surface, at) > 0.0 ? 0.0 : 1.0;
 }
 
 // What photons that met no water would have brought, had they been drawn (their tents add up to the
 // bilinear mean), and what the others brought.
-float3 sun_and_caustics(float3 world_m)
+float3 SunAndCaustics(float3 world_m)
 {
-    float2 uv = shadow_position(light, world_m).xy;
+    float2 uv = ShadowPosition(light, world_m).xy;
     float2 at = uv * surface.photons - 0.5;
     int2 low = int2(floor(at));
     float2 share = at - floor(at);
-    float straight = lerp(lerp(dry(low), dry(low + int2(1, 0)), share.x),
-                          lerp(dry(low + int2(0, 1)), dry(low + int2(1, 1)), share.x), share.y);
+    float straight = lerp(lerp(Dry(low), Dry(low + int2(1, 0)), share.x),
+                          lerp(Dry(low + int2(0, 1)), Dry(low + int2(1, 1)), share.x), share.y);
     return straight + caustics.SampleLevel(sampler_linear_clamp, uv, 0.0).rgb;
 }
 #endif
@@ -147,18 +147,18 @@ float4 FloorFragment(Varyings input) : SV_Target0
     float2 at = input.world_m.xz / style.tile_m;
     float2 width = max(fwidth(at), 1e-4);
     float near = saturate(1.0 - max(width.x, width.y) * 1.5);
-    float3 albedo = style.floor_color * (1.0 + 0.16 * near * (tile_tone(floor(at)) - 0.5));
-    albedo *= 1.0 - 0.40 * joints(at, width, 0.022);
+    float3 albedo = style.floor_color * (1.0 + 0.16 * near * (TileTone(floor(at)) - 0.5));
+    albedo *= 1.0 - 0.40 * Joints(at, width, 0.022);
 
 #if defined(POINTS_SHADOW)
-    float sun = sun_past_points(input.world_m, input.position.xy);
+    float sun = SunPastPoints(input.world_m, input.position.xy);
     // Sunlight that went through the fluid is not gone: it arrives blue.
     float3 arriving = lerp(float3(0.05, 0.16, 0.24), float3(1.0, 1.0, 1.0), sun);
 #elif defined(WATER_SHADOW)
-    float3 arriving = sun_through_water(input.world_m, input.position.xy);
+    float3 arriving = SunThroughWater(input.world_m, input.position.xy);
     float sun = dot(arriving, float3(0.2126, 0.7152, 0.0722));
 #elif defined(CAUSTICS_SHADOW)
-    float3 arriving = sun_and_caustics(input.world_m);
+    float3 arriving = SunAndCaustics(input.world_m);
     // What is around does not grow brighter where rays meet.
     float sun = saturate(dot(arriving, float3(0.2126, 0.7152, 0.0722)));
 #else
@@ -169,12 +169,12 @@ float4 FloorFragment(Varyings input) : SV_Target0
     float3 ambient = 1.5 * lerp(light.sky_horizon, light.sky_zenith, 0.4);
     float3 color = albedo * (light.to_sun.y * arriving * light.sun_color * 0.75 + ambient * (0.55 + 0.2 * sun));
 
-    color = lerp(color, sky_gradient(light, reflect(direction, up)), fresnel(0.04, -direction.y));
+    color = lerp(color, SkyGradient(light, reflect(direction, up)), Fresnel(0.04, -direction.y));
     // A pool of light around the domain: what is to be looked at is brightest.
     float away = length(input.world_m.xz - 0.5 * style.domain_size_m.xz) / (0.4 * style.floor_fade_m);
     color *= 0.5 + 0.6 / (1.0 + away * away);
 
     float fade = 1.0 - exp(-pow(distance_m / style.floor_fade_m, 2.0));
-    color = lerp(color, sky_radiance(light, normalize(float3(direction.x, 0.0, direction.z))), fade);
+    color = lerp(color, SkyRadiance(light, normalize(float3(direction.x, 0.0, direction.z))), fade);
     return float4(color, 1.0);
 }

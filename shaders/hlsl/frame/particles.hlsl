@@ -4,8 +4,8 @@
 #pragma vertex ParticlesVertex
 #pragma fragment ParticlesFragment
 
-#include "../shared/layout.hlsl"
-#include "camera.hlsl"
+#include "../shared/layout.hlsli"
+#include "camera.hlsli"
 
 StructuredBuffer<Position> positions;
 ConstantBuffer<FrameView> view;
@@ -33,13 +33,13 @@ Varyings ParticlesVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceI
 
     float radius2 = style.radius_m * style.radius_m;
     float tan2 = radius2 / (distance_m * distance_m - radius2);
-    float2 corner = disc_corner(vertex);
+    float2 corner = DiscCorner(vertex);
     float3 ray = axis + sqrt(tan2) * (corner.x * across + corner.y * upward);
 
     Varyings output;
     // The triangle stands at the sphere's nearest point, so the depth written is never nearer
     // than its own: hidden spheres can be rejected early (SV_DepthLessEqual).
-    output.position = clip_from_offset(view, ray * (distance_m - style.radius_m));
+    output.position = ClipFromOffset(view, ray * (distance_m - style.radius_m));
     output.disc = float3(corner, dot(ray, view.forward));
     output.shape = float3(distance_m, tan2, float(instance + 1));
 

@@ -4,8 +4,8 @@
 #pragma fragment ResolveFragment
 #pragma multi_compile _ WATER
 
-#include "camera.hlsl"
-#include "sampling.hlsl"
+#include "camera.hlsli"
+#include "sampling.hlsli"
 
 Texture2D<float4> radiance;
 #if defined(WATER)
@@ -25,12 +25,12 @@ struct Varyings
 Varyings ResolveVertex(uint vertex : SV_VertexID)
 {
     Varyings output;
-    output.position = float4(covering_corner(vertex), 0.0, 1.0);
+    output.position = float4(CoveringCorner(vertex), 0.0, 1.0);
     return output;
 }
 
 #if !defined(WATER)
-float distance_at(float2 drawn_px)
+float DistanceAt(float2 drawn_px)
 {
     int2 at = int2(clamp(drawn_px, 0.0, view.size_px - 1.0));
     return view.near_m / max(depth_map.Load(int3(at, 0)), 1e-7);
@@ -38,13 +38,13 @@ float distance_at(float2 drawn_px)
 
 // How much of the sky a pixel does not see, from the depths around it: each tap counts by how far
 // it stands in front, and not at all when it is so far in front that it is another thing.
-float occlusion(float2 drawn_px, float distance_m)
+float Occlusion(float2 drawn_px, float distance_m)
 {
     float reach_px = style.occlusion_m / (distance_m * view.pixel_angle);
     if (reach_px < 1.0)
         return 0.0;
     reach_px = min(reach_px, 48.0 * view.supersample);
-    float turn = 6.2831853 * pixel_noise(drawn_px);
+    float turn = 6.2831853 * PixelNoise(drawn_px);
     float2x2 turned = float2x2(cos(turn), -sin(turn), sin(turn), cos(turn));
     float limit = style.occlusion_m;
     const uint taps = 14;
@@ -53,11 +53,11 @@ float occlusion(float2 drawn_px, float distance_m)
     [unroll]
     for (uint i = 0; i < taps; i++)
     {
-        float2 tap = disc_tap(i, taps);
+        float2 tap = DiscTap(i, taps);
         float2 aside = reach_px * mul(turned, tap);
         // Pairs of opposite taps: on a tilted plane what one gains the other loses.
-        float front = distance_m - distance_at(drawn_px + aside);
-        float back = distance_m - distance_at(drawn_px - aside);
+        float front = distance_m - DistanceAt(drawn_px + aside);
+        float back = distance_m - DistanceAt(drawn_px - aside);
         float gain = clamp(front, -limit, limit) + clamp(back, -limit, limit);
         float known = saturate(2.0 - 0.5 * max(front, back) / limit);
         // Far taps count less: what they find is shared by all pixels around.
@@ -70,12 +70,12 @@ float occlusion(float2 drawn_px, float distance_m)
 #endif
 
 // A film's curve: Narkowicz 2016, a fit to the ACES reference.
-float3 film(float3 x)
+float3 Film(float3 x)
 {
     return saturate((x * (2.51 * x + 0.03)) / (x * (2.43 * x + 0.59) + 0.14));
 }
 
-float3 srgb_encode(float3 linear_light)
+float3 SrgbEncode(float3 linear_light)
 {
     float3 low = linear_light * 12.92;
     float3 high = 1.055 * pow(max(linear_light, 1e-6), 1.0 / 2.4) - 0.055;
@@ -104,18 +104,18 @@ float4 ResolveFragment(Varyings input) : SV_Target0
         nearest = max(nearest, depth_map.Load(at));
 #endif
         // Each drawn pixel by itself: a highlight must not outshine its pixel's other parts.
-        sum += film(seen.rgb * light.exposure);
+        sum += Film(seen.rgb * light.exposure);
     }
     float3 color = sum / float(side * side);
 #if !defined(WATER)
     if (nearest > 0.0)
     {
-        float occluded = occlusion(float2(corner) + 0.5 * view.supersample, view.near_m / nearest);
+        float occluded = Occlusion(float2(corner) + 0.5 * view.supersample, view.near_m / nearest);
         color *= 1.0 - style.occlusion_strength * occluded;
     }
 #endif
     float2 ndc = input.position.xy * view.supersample / view.size_px * 2.0 - 1.0;
     color *= 1.0 - 0.10 * dot(ndc, ndc) * 0.5;
-    float3 encoded = srgb_encode(color) + (pixel_noise(input.position.xy) - 0.5) / 255.0;
+    float3 encoded = SrgbEncode(color) + (PixelNoise(input.position.xy) - 0.5) / 255.0;
     return float4(encoded, 1.0);
 }

@@ -3,10 +3,10 @@
 #pragma fragment ShadeFragment
 #pragma multi_compile _ COLOR_FLUID COLOR_DENSITY
 
-#include "../shared/layout.hlsl"
-#include "camera.hlsl"
-#include "environment.hlsl"
-#include "palette.hlsl"
+#include "../shared/layout.hlsli"
+#include "camera.hlsli"
+#include "environment.hlsli"
+#include "palette.hlsli"
 
 Texture2D<float> seen;      // index + 1 of the particle seen in a pixel, 0 where there is none
 StructuredBuffer<Position> positions;
@@ -28,18 +28,18 @@ struct Varyings
 
 Varyings ShadeVertex(uint vertex : SV_VertexID)
 {
-    float2 corner = covering_corner(vertex);
+    float2 corner = CoveringCorner(vertex);
     Varyings output;
     output.position = float4(corner, 0.0, 1.0);
-    output.ray = ray_through(view, corner);
+    output.ray = RayThrough(view, corner);
     return output;
 }
 
 // Share of the sun that reaches a particle: it fades with the depth of fluid in front of it, as
 // light does in water, rather than stopping at the first particle.
-float sun_reaching(float3 world_m)
+float SunReaching(float3 world_m)
 {
-    float3 at = shadow_position(light, world_m);
+    float3 at = ShadowPosition(light, world_m);
     float own_radius = style.radius_m / light.shadow_range_m;
     float reach = 2.2 * style.radius_m / (light.shadow_texel_m * light.shadow_texels);
     const float2 taps[5] = { float2(0.0, 0.0), float2(0.9, 0.4), float2(-0.4, 0.9), float2(-0.9, -0.4), float2(0.4, -0.9) };
@@ -47,14 +47,14 @@ float sun_reaching(float3 world_m)
     [unroll]
     for (uint i = 0; i < 5; i++)
     {
-        float front = shadow_load(shadow_map, light, at.xy + reach * taps[i]);
+        float front = ShadowLoad(shadow_map, light, at.xy + reach * taps[i]);
         float depth_m = max(0.0, front - at.z - 2.0 * own_radius) * light.shadow_range_m;
         sum += exp(-depth_m / style.light_depth_m);
     }
     return sum / 5.0;
 }
 
-float3 shade(float3 normal, float3 to_eye, float3 albedo, float sun)
+float3 Shade(float3 normal, float3 to_eye, float3 albedo, float sun)
 {
     float n_dot_l = dot(normal, light.to_sun);
     float n_dot_v = saturate(dot(normal, to_eye));
@@ -62,16 +62,16 @@ float3 shade(float3 normal, float3 to_eye, float3 albedo, float sun)
     float wrapped = saturate((n_dot_l + 0.35) / 1.35);
     // A weak light from the viewer keeps the drops round in the shade.
     float3 color = albedo * (wrapped * wrapped * sun * light.sun_color * 0.9
-        + ambient_light(light, style.floor_color, normal) * (0.5 + 0.5 * sun)
+        + AmbientLight(light, style.floor_color, normal) * (0.5 + 0.5 * sun)
         + 0.22 * n_dot_v * n_dot_v * light.sky_horizon);
     // Water glows a little where the sun comes through from behind.
     float through = saturate(-dot(to_eye, light.to_sun)) * saturate(0.6 - n_dot_l);
     color += sqrt(albedo) * float3(0.10, 0.32, 0.36) * through * sun * light.sun_color * 0.35;
-    float f = fresnel(0.02, n_dot_v);
+    float f = Fresnel(0.02, n_dot_v);
     // Deep in the fluid a drop mirrors its neighbours and not the sky.
-    color += f * sky_gradient(light, reflect(-to_eye, normal)) * (0.04 + 0.8 * sun * sun);
+    color += f * SkyGradient(light, reflect(-to_eye, normal)) * (0.04 + 0.8 * sun * sun);
     float3 halfway = normalize(light.to_sun + to_eye);
-    color += power64(saturate(dot(normal, halfway))) * 0.45 * sun * light.sun_color;
+    color += Power64(saturate(dot(normal, halfway))) * 0.45 * sun * light.sun_color;
     return color;
 }
 
@@ -89,11 +89,11 @@ float4 ShadeFragment(Varyings input) : SV_Target0
     float half_chord_m = sqrt(max(style.radius_m * style.radius_m - dot(aside_m, aside_m), 0.0));
     float3 normal = -normalize(aside_m + half_chord_m * direction);
 #if defined(COLOR_FLUID)
-    float3 albedo = fluid_color((found.tag >> 24) & 127u);
+    float3 albedo = FluidColor((found.tag >> 24) & 127u);
 #elif defined(COLOR_DENSITY)
-    float3 albedo = density_color(density_ratios[particle]);
+    float3 albedo = DensityColor(density_ratios[particle]);
 #else
-    float3 albedo = speed_color(length(velocities[particle].velocity_m_s) * style.inverse_speed_scale_s_m);
+    float3 albedo = SpeedColor(length(velocities[particle].velocity_m_s) * style.inverse_speed_scale_s_m);
 #endif
-    return float4(shade(normal, -direction, albedo, sun_reaching(found.position_m)), 1.0);
+    return float4(Shade(normal, -direction, albedo, SunReaching(found.position_m)), 1.0);
 }

@@ -2,9 +2,9 @@
 #pragma vertex ShadowVertex
 #pragma fragment ShadowFragment
 
-#include "../shared/layout.hlsl"
-#include "camera.hlsl"
-#include "environment.hlsl"
+#include "../shared/layout.hlsli"
+#include "camera.hlsli"
+#include "environment.hlsli"
 
 StructuredBuffer<Position> positions;
 ConstantBuffer<FrameLight> light;
@@ -19,14 +19,14 @@ struct Varyings
 Varyings ShadowVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID)
 {
     Position particle = positions[instance];
-    float2 corner = disc_corner(vertex);
-    float3 center = shadow_position(light, particle.position_m);
+    float2 corner = DiscCorner(vertex);
+    float3 center = ShadowPosition(light, particle.position_m);
     float radius_uv = style.radius_m / (light.shadow_texel_m * light.shadow_texels);
     // The particle's front, so that the half facing the sun does not shade itself.
     float depth = center.z + style.radius_m / light.shadow_range_m;
 
     Varyings output;
-    output.position = clip_from_shadow(float3(center.xy + corner * radius_uv, depth));
+    output.position = ClipFromShadow(float3(center.xy + corner * radius_uv, depth));
     output.disc = corner;
     if (particle.tag >> 31)
         output.position = float4(0.0, 0.0, 0.0, 1.0);   // quarantined: every corner in one point

@@ -2,8 +2,8 @@
 #pragma vertex SkyVertex
 #pragma fragment SkyFragment
 
-#include "camera.hlsl"
-#include "environment.hlsl"
+#include "camera.hlsli"
+#include "environment.hlsli"
 
 ConstantBuffer<FrameView> view;
 ConstantBuffer<FrameLight> light;
@@ -16,14 +16,14 @@ struct Varyings
 
 Varyings SkyVertex(uint vertex : SV_VertexID)
 {
-    float2 corner = covering_corner(vertex);
+    float2 corner = CoveringCorner(vertex);
     Varyings output;
     output.position = float4(corner, 0.0, 1.0);
-    output.ray = ray_through(view, corner);
+    output.ray = RayThrough(view, corner);
     return output;
 }
 
 float4 SkyFragment(Varyings input) : SV_Target0
 {
-    return float4(sky_radiance(light, normalize(input.ray)), 1.0);
+    return float4(SkyRadiance(light, normalize(input.ray)), 1.0);
 }

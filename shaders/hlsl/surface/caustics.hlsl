@@ -7,8 +7,8 @@
 #pragma vertex CausticsVertex
 #pragma fragment CausticsFragment
 
-#include "sun_map.hlsl"
-#include "../frame/camera.hlsl"
+#include "sun_map.hlsli"
+#include "../frame/camera.hlsli"
 
 StructuredBuffer<Photon> photons;
 ConstantBuffer<FrameLight> light;
@@ -29,7 +29,7 @@ struct Varyings
 
 // How far apart photons land along a direction of the grid: the mean of both sides, or the side that is
 // of one surface; the grid's own spacing where none is.
-float2 landed_apart(int2 at, int2 along, Photon here, float2 unbent)
+float2 LandedApart(int2 at, int2 along, Photon here, float2 unbent)
 {
     int side = int(surface.photons);
     int step = along.x + along.y * side;
@@ -54,8 +54,8 @@ Varyings CausticsVertex(uint vertex : SV_VertexID)
     int2 at = int2(int(index % side), int(index / side));
     Photon photon = photons[index];
     float spacing = 1.0 / surface.photons;
-    float2 along_u = landed_apart(at, int2(1, 0), photon, float2(spacing, 0.0));
-    float2 along_v = landed_apart(at, int2(0, 1), photon, float2(0.0, spacing));
+    float2 along_u = LandedApart(at, int2(1, 0), photon, float2(spacing, 0.0));
+    float2 along_v = LandedApart(at, int2(0, 1), photon, float2(0.0, spacing));
     // As wide as the map can show, across as along: where rays meet, a parallelogram is a line.
     float least = LEAST_TEXELS / light.shadow_texels;
     float u_length = length(along_u);
@@ -66,9 +66,9 @@ Varyings CausticsVertex(uint vertex : SV_VertexID)
     along_v = dot(along_v, axis) * axis + (height < 0.0 ? -1.0 : 1.0) * max(abs(height), least) * across;
     float area = max(u_length, least) * max(abs(height), least);
 
-    float2 corner = quad_corner(vertex % 6);
+    float2 corner = QuadCorner(vertex % 6);
     Varyings output;
-    output.position = clip_from_shadow(float3(photon.uv + corner.x * along_u + corner.y * along_v, 0.5));
+    output.position = ClipFromShadow(float3(photon.uv + corner.x * along_u + corner.y * along_v, 0.5));
     output.tent = corner;
     output.light = photon.share * spacing * spacing / area * exp(-water.absorption_per_m * photon.path_m);
     if (photon.share <= 0.0)

@@ -4,10 +4,10 @@
 #pragma fragment FluidDepthFragment
 #pragma multi_compile _ SPRAY_SHAPE ELLIPSOID_SHAPE
 
-#include "../shared/layout.hlsl"
-#include "layout.hlsl"
-#include "impostor.hlsl"
-#include "spray.hlsl"
+#include "../shared/layout.hlsli"
+#include "layout.hlsli"
+#include "impostor.hlsli"
+#include "spray.hlsli"
 
 #if defined(ELLIPSOID_SHAPE)
 StructuredBuffer<Ellipsoid> ellipsoids;
@@ -31,9 +31,9 @@ struct Varyings
 
 Varyings FluidDepthVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID)
 {
-    float2 corner = disc_corner(vertex);
+    float2 corner = DiscCorner(vertex);
 #if defined(ELLIPSOID_SHAPE)
-    Impostor impostor = impostor_of_ellipsoid(view, ellipsoids[instance], surface.radius_m, corner);
+    Impostor impostor = ImpostorOfEllipsoid(view, ellipsoids[instance], surface.radius_m, corner);
     const float radius_m = 1.0; // as the impostor's distance: in radii
 #else
     Position particle = positions[instance];
@@ -41,12 +41,12 @@ Varyings FluidDepthVertex(uint vertex : SV_VertexID, uint instance : SV_Instance
 #if defined(SPRAY_SHAPE)
     radius_m *= SizeOf(list_heads[instance]);
 #endif
-    Impostor impostor = impostor_of(view, particle.position_m, particle.tag, radius_m, corner);
+    Impostor impostor = ImpostorOf(view, particle.position_m, particle.tag, radius_m, corner);
 #endif
     Varyings output;
     // The triangle stands at the sphere's nearest point, so the depth written is never nearer
     // than its own: hidden spheres can be rejected early (SV_DepthLessEqual).
-    output.position = clip_from_offset(view, impostor.ray * (impostor.distance_m - radius_m));
+    output.position = ClipFromOffset(view, impostor.ray * (impostor.distance_m - radius_m));
     output.disc = corner;
     output.ray = impostor.ray;
     output.shape = float3(impostor.distance_m, impostor.tan2, radius_m);

@@ -5,21 +5,21 @@
 #pragma fragment SmoothBilateralFragment
 #pragma multi_compile FILTER_X FILTER_Y FILTER_PLANE
 
-#include "filter.hlsl"
+#include "filter.hlsli"
 
 Varyings SmoothBilateralVertex(uint vertex : SV_VertexID)
 {
-    return covering(vertex);
+    return Covering(vertex);
 }
 
 float4 SmoothBilateralFragment(Varyings input) : SV_Target0
 {
     int2 pixel = int2(input.position.xy);
-    float here = inverse_depth_of(pixel);
+    float here = InverseDepthOf(pixel);
     if (here <= 0.0)
         return 0.0;
-    float reach = reach_of(here);
-    float inverse_range = 1.0 / inverse_depth_difference(surface.range_m, here);
+    float reach = ReachOf(here);
+    float inverse_range = 1.0 / InverseDepthDifference(surface.range_m, here);
     float sum = MIDDLE_WEIGHT * here;
     float weights = MIDDLE_WEIGHT;
     int most = int(reach);
@@ -47,9 +47,9 @@ float4 SmoothBilateralFragment(Varyings input) : SV_Target0
 #endif
             float squared = float(i * i);
 #endif
-            float there = inverse_depth_of(there_px);
+            float there = InverseDepthOf(there_px);
             float apart = (there - here) * inverse_range;
-            float weight = there > 0.0 ? spatial_weight(squared, reach) * exp(-0.5 * apart * apart) : 0.0;
+            float weight = there > 0.0 ? SpatialWeight(squared, reach) * exp(-0.5 * apart * apart) : 0.0;
             sum += weight * there;
             weights += weight;
         }

@@ -6,38 +6,38 @@
 #pragma vertex SmoothCurvatureFlowVertex
 #pragma fragment SmoothCurvatureFlowFragment
 
-#include "filter.hlsl"
+#include "filter.hlsli"
 
 Varyings SmoothCurvatureFlowVertex(uint vertex : SV_VertexID)
 {
-    return covering(vertex);
+    return Covering(vertex);
 }
 
 // Distance in a neighbour pixel; the pixel's own where another surface is seen or none, which
 // makes the derivative there zero: silhouettes do not move.
-float distance_at(int2 pixel, float here, float z_m)
+float DistanceAt(int2 pixel, float here, float z_m)
 {
-    float there = inverse_depth_of(pixel);
-    bool same = there > 0.0 && abs(there - here) < inverse_depth_difference(surface.range_m, here);
+    float there = InverseDepthOf(pixel);
+    bool same = there > 0.0 && abs(there - here) < InverseDepthDifference(surface.range_m, here);
     return same ? 1.0 / there : z_m;
 }
 
 float4 SmoothCurvatureFlowFragment(Varyings input) : SV_Target0
 {
     int2 pixel = int2(input.position.xy);
-    float here = inverse_depth_of(pixel);
+    float here = InverseDepthOf(pixel);
     if (here <= 0.0)
         return 0.0;
     float z = 1.0 / here;
     float p = z * view.pixel_angle;
-    float left = distance_at(pixel + int2(-1, 0), here, z);
-    float right = distance_at(pixel + int2(1, 0), here, z);
-    float above = distance_at(pixel + int2(0, -1), here, z);
-    float below = distance_at(pixel + int2(0, 1), here, z);
-    float left_above = distance_at(pixel + int2(-1, -1), here, z);
-    float right_above = distance_at(pixel + int2(1, -1), here, z);
-    float left_below = distance_at(pixel + int2(-1, 1), here, z);
-    float right_below = distance_at(pixel + int2(1, 1), here, z);
+    float left = DistanceAt(pixel + int2(-1, 0), here, z);
+    float right = DistanceAt(pixel + int2(1, 0), here, z);
+    float above = DistanceAt(pixel + int2(0, -1), here, z);
+    float below = DistanceAt(pixel + int2(0, 1), here, z);
+    float left_above = DistanceAt(pixel + int2(-1, -1), here, z);
+    float right_above = DistanceAt(pixel + int2(1, -1), here, z);
+    float left_below = DistanceAt(pixel + int2(-1, 1), here, z);
+    float right_below = DistanceAt(pixel + int2(1, 1), here, z);
 
     float zx = 0.5 * (right - left);
     float zy = 0.5 * (below - above);

@@ -4,7 +4,7 @@
 #pragma fragment SmoothGaussianFragment
 #pragma multi_compile ALONG_X ALONG_Y
 
-#include "filter.hlsl"
+#include "filter.hlsli"
 
 #if defined(ALONG_Y)
 static const int2 ALONG = int2(0, 1);
@@ -14,24 +14,24 @@ static const int2 ALONG = int2(1, 0);
 
 Varyings SmoothGaussianVertex(uint vertex : SV_VertexID)
 {
-    return covering(vertex);
+    return Covering(vertex);
 }
 
 float4 SmoothGaussianFragment(Varyings input) : SV_Target0
 {
     int2 pixel = int2(input.position.xy);
-    float here = inverse_depth_of(pixel);
+    float here = InverseDepthOf(pixel);
     if (here <= 0.0)
         return 0.0;
-    float reach = reach_of(here);
+    float reach = ReachOf(here);
     float sum = MIDDLE_WEIGHT * here;
     float weights = MIDDLE_WEIGHT;
     [loop]
     for (int i = 1; i <= int(reach); i++)
     {
-        float weight = spatial_weight(float(i * i), reach);
-        float before = inverse_depth_of(pixel - i * ALONG);
-        float after = inverse_depth_of(pixel + i * ALONG);
+        float weight = SpatialWeight(float(i * i), reach);
+        float before = InverseDepthOf(pixel - i * ALONG);
+        float after = InverseDepthOf(pixel + i * ALONG);
         sum += weight * (before + after);
         weights += weight * (float(before > 0.0) + float(after > 0.0));
     }

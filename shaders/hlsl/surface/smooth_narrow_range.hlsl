@@ -6,14 +6,14 @@
 #pragma fragment SmoothNarrowRangeFragment
 #pragma multi_compile FILTER_X FILTER_Y FILTER_PLANE
 
-#include "filter.hlsl"
+#include "filter.hlsli"
 
 // Pixels that FILTER_PLANE reaches.
 static const int PLANE_PX = 4;
 
 Varyings SmoothNarrowRangeVertex(uint vertex : SV_VertexID)
 {
-    return covering(vertex);
+    return Covering(vertex);
 }
 
 struct Range
@@ -26,7 +26,7 @@ struct Range
     float weights;
 };
 
-void take_pair(inout Range range, float before, float after, float weight)
+void TakePair(inout Range range, float before, float after, float weight)
 {
     if (max(before, after) > range.high)
         return;
@@ -49,15 +49,15 @@ void take_pair(inout Range range, float before, float after, float weight)
 float4 SmoothNarrowRangeFragment(Varyings input) : SV_Target0
 {
     int2 pixel = int2(input.position.xy);
-    float here = inverse_depth_of(pixel);
+    float here = InverseDepthOf(pixel);
     if (here <= 0.0)
         return 0.0;
-    float reach = reach_of(here);
+    float reach = ReachOf(here);
     Range range;
-    range.step = inverse_depth_difference(surface.range_m, here);
+    range.step = InverseDepthDifference(surface.range_m, here);
     range.low = here - range.step;
     range.high = here + range.step;
-    range.behind = here - inverse_depth_difference(surface.clamp_m, here);
+    range.behind = here - InverseDepthDifference(surface.clamp_m, here);
     range.sum = MIDDLE_WEIGHT * here;
     range.weights = MIDDLE_WEIGHT;
 #if defined(FILTER_PLANE)
@@ -72,8 +72,8 @@ float4 SmoothNarrowRangeFragment(Varyings input) : SV_Target0
             if (y > 0 || x > 0)
             {
                 int2 aside = int2(x, y);
-                take_pair(range, inverse_depth_of(pixel - aside), inverse_depth_of(pixel + aside),
-                          spatial_weight(float(x * x + y * y), small_reach + 1.0));
+                TakePair(range, InverseDepthOf(pixel - aside), InverseDepthOf(pixel + aside),
+                          SpatialWeight(float(x * x + y * y), small_reach + 1.0));
             }
 #else
 #if defined(FILTER_Y)
@@ -83,8 +83,8 @@ float4 SmoothNarrowRangeFragment(Varyings input) : SV_Target0
 #endif
     [loop]
     for (int i = 1; i <= int(reach); i++)
-        take_pair(range, inverse_depth_of(pixel - i * along), inverse_depth_of(pixel + i * along),
-                  spatial_weight(float(i * i), reach));
+        TakePair(range, InverseDepthOf(pixel - i * along), InverseDepthOf(pixel + i * along),
+                  SpatialWeight(float(i * i), reach));
 #endif
     return range.sum / range.weights;
 }

@@ -6,9 +6,9 @@
 #pragma fragment SunDepthFragment
 #pragma multi_compile _ SPRAY_SHAPE ELLIPSOID_SHAPE
 
-#include "impostor.hlsl"
-#include "spray.hlsl"
-#include "../frame/environment.hlsl"
+#include "impostor.hlsli"
+#include "spray.hlsli"
+#include "../frame/environment.hlsli"
 
 #if defined(ELLIPSOID_SHAPE)
 StructuredBuffer<Ellipsoid> ellipsoids;
@@ -36,7 +36,7 @@ struct Varyings
 
 Varyings SunDepthVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID)
 {
-    float2 corner = disc_corner(vertex);
+    float2 corner = DiscCorner(vertex);
     Varyings output;
     output.disc = corner;
 #if defined(ELLIPSOID_SHAPE)
@@ -47,7 +47,7 @@ Varyings SunDepthVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID
     uint tag = ellipsoids[instance].tag;
     // The mean of its axes is at least 1, but that of spray.
     bool is_spray = stretch[0][0] + stretch[1][1] + stretch[2][2] < 3.0 * LEAST_SIZE;
-    output.world_m = ellipsoids[instance].center_m + surface.radius_m * mul(stretch, across_axis(toward / along, corner));
+    output.world_m = ellipsoids[instance].center_m + surface.radius_m * mul(stretch, AcrossAxis(toward / along, corner));
     output.rise_m = surface.radius_m / along;
 #else
     float radius_m = surface.radius_m;
@@ -57,11 +57,11 @@ Varyings SunDepthVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID
     bool is_spray = false;
 #endif
     uint tag = positions[instance].tag;
-    output.world_m = positions[instance].position_m + radius_m * across_axis(light.to_sun, corner);
+    output.world_m = positions[instance].position_m + radius_m * AcrossAxis(light.to_sun, corner);
     output.rise_m = radius_m;
 #endif
     // At the nearest point, so the depth written is never nearer: hidden ones are rejected early.
-    output.position = clip_from_shadow(shadow_position(light, output.world_m + output.rise_m * light.to_sun));
+    output.position = ClipFromShadow(ShadowPosition(light, output.world_m + output.rise_m * light.to_sun));
     if ((tag >> 31) || is_spray)
         output.position = float4(0.0, 0.0, 0.0, 1.0);   // every corner in one point: nothing is drawn
     return output;
@@ -89,7 +89,7 @@ Surface SunDepthFragment(Varyings input)
     if (along_m < max(-rise_m, max(low.x, max(low.y, low.z))))
         discard;
     Surface output;
-    output.shadow_depth = shadow_position(light, input.world_m + along_m * light.to_sun).z;
+    output.shadow_depth = ShadowPosition(light, input.world_m + along_m * light.to_sun).z;
     output.depth = output.shadow_depth;
     return output;
 }

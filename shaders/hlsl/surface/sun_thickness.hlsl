@@ -3,9 +3,9 @@
 #pragma fragment SunThicknessFragment
 #pragma multi_compile _ ELLIPSOID_CENTERS
 
-#include "../frame/camera.hlsl"
-#include "../frame/environment.hlsl"
-#include "spread.hlsl"
+#include "../frame/camera.hlsli"
+#include "../frame/environment.hlsli"
+#include "thickness_kernel.hlsli"
 
 ConstantBuffer<FrameLight> light;
 ConstantBuffer<SurfaceParams> surface;
@@ -18,11 +18,11 @@ struct Varyings
 
 Varyings SunThicknessVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID)
 {
-    Center center = center_of(instance);
-    float2 corner = disc_corner(vertex);
-    float radius_uv = surface.spread_m / (light.shadow_texel_m * light.shadow_texels);
+    Center center = CenterOf(instance);
+    float2 corner = DiscCorner(vertex);
+    float radius_uv = surface.thickness_radius_m / (light.shadow_texel_m * light.shadow_texels);
     Varyings output;
-    output.position = clip_from_shadow(float3(shadow_position(light, center.at_m).xy + corner * radius_uv, 0.5));
+    output.position = ClipFromShadow(float3(ShadowPosition(light, center.at_m).xy + corner * radius_uv, 0.5));
     output.disc = corner;
     if (center.tag >> 31)
         output.position = float4(0.0, 0.0, 0.0, 1.0);   // quarantined: every corner in one point
@@ -31,5 +31,5 @@ Varyings SunThicknessVertex(uint vertex : SV_VertexID, uint instance : SV_Instan
 
 float4 SunThicknessFragment(Varyings input) : SV_Target0
 {
-    return spread_thickness(input.disc, surface);
+    return ThicknessKernel(input.disc, surface);
 }

@@ -3,19 +3,19 @@
 #pragma vertex SurfaceNormalsVertex
 #pragma fragment SurfaceNormalsFragment
 
-#include "filter.hlsl"
-#include "normal.hlsl"
+#include "filter.hlsli"
+#include "normal.hlsli"
 
 Varyings SurfaceNormalsVertex(uint vertex : SV_VertexID)
 {
-    return covering(vertex);
+    return Covering(vertex);
 }
 
 float4 SurfaceNormalsFragment(Varyings input) : SV_Target0
 {
     int2 pixel = int2(input.position.xy);
-    float here = inverse_depth_of(pixel);
+    float here = InverseDepthOf(pixel);
     if (here <= 0.0)
         return 0.0;
-    return float4(normal_at(inverse_depth, view, pixel, here, surface.range_m), 1.0);
+    return float4(NormalAt(inverse_depth, view, pixel, here, surface.range_m), 1.0);
 }

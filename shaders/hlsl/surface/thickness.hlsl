@@ -4,8 +4,8 @@
 #pragma fragment ThicknessFragment
 #pragma multi_compile _ ELLIPSOID_CENTERS
 
-#include "impostor.hlsl"
-#include "spread.hlsl"
+#include "impostor.hlsli"
+#include "thickness_kernel.hlsli"
 
 ConstantBuffer<FrameView> view;
 ConstantBuffer<SurfaceParams> surface;
@@ -18,11 +18,11 @@ struct Varyings
 
 Varyings ThicknessVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID)
 {
-    Center center = center_of(instance);
-    float2 corner = disc_corner(vertex);
-    Impostor impostor = impostor_of(view, center.at_m, center.tag, surface.spread_m, corner);
+    Center center = CenterOf(instance);
+    float2 corner = DiscCorner(vertex);
+    Impostor impostor = ImpostorOf(view, center.at_m, center.tag, surface.thickness_radius_m, corner);
     Varyings output;
-    output.position = clip_from_offset(view, impostor.ray * impostor.distance_m);
+    output.position = ClipFromOffset(view, impostor.ray * impostor.distance_m);
     output.disc = corner;
     if (!impostor.drawn)
         output.position = float4(0.0, 0.0, 0.0, 1.0);
@@ -31,5 +31,5 @@ Varyings ThicknessVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceI
 
 float4 ThicknessFragment(Varyings input) : SV_Target0
 {
-    return spread_thickness(input.disc, surface);
+    return ThicknessKernel(input.disc, surface);
 }

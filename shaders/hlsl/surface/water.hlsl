@@ -3,9 +3,9 @@
 #pragma vertex WaterVertex
 #pragma fragment WaterFragment
 
-#include "inverse_depth.hlsl"
-#include "normal.hlsl"
-#include "water_shading.hlsl"
+#include "inverse_depth.hlsli"
+#include "normal.hlsli"
+#include "water_shading.hlsli"
 
 Texture2D<float> inverse_depth;
 Texture2D<float> thickness;
@@ -26,17 +26,17 @@ struct Varyings
 
 Varyings WaterVertex(uint vertex : SV_VertexID)
 {
-    float2 corner = covering_corner(vertex);
+    float2 corner = CoveringCorner(vertex);
     Varyings output;
     output.position = float4(corner, 0.0, 1.0);
-    output.ray = ray_through(view, corner);
+    output.ray = RayThrough(view, corner);
     return output;
 }
 
 // The scene where a point is seen: what is opaque and in front of the water is not behind it.
-float3 scene_behind(float3 end_m, int2 own_px, float here)
+float3 SceneBehind(float3 end_m, int2 own_px, float here)
 {
-    float4 clip = clip_from_offset(view, end_m - view.eye_m);
+    float4 clip = ClipFromOffset(view, end_m - view.eye_m);
     float2 at = clip.w > view.near_m ? float2(0.5, -0.5) * clip.xy / clip.w + 0.5 : -1.0;
     int2 texel = int2(at * view.size_px);
     bool seen = all(at > 0.0) && all(at < 1.0);
@@ -49,16 +49,16 @@ float3 scene_behind(float3 end_m, int2 own_px, float here)
 float4 WaterFragment(Varyings input) : SV_Target0
 {
     int2 pixel = int2(input.position.xy);
-    float here = inverse_depth_at(inverse_depth, view.size_px, pixel);
+    float here = InverseDepthAt(inverse_depth, view.size_px, pixel);
     // Reversed depth is near / distance: what is opaque there may be nearer.
     if (here <= 0.0 || scene_depth.Load(int3(pixel, 0)) > 1.0005 * view.near_m * here)
         discard;
     WaterPoint point_;
     point_.position_m = view.eye_m + input.ray / here;
     point_.to_eye = -normalize(input.ray);
-    point_.normal = normal_at(inverse_depth, view, pixel, here, surface.range_m);
+    point_.normal = NormalAt(inverse_depth, view, pixel, here, surface.range_m);
     float2 uv = input.position.xy / view.size_px;
     point_.thickness_m = thickness.SampleLevel(sampler_linear_clamp, uv, 0.0) * surface.spacing_m;
-    float3 behind = scene_behind(refracted_end(water, point_), pixel, here);
-    return float4(water_radiance(light, style, water, point_, behind), 1.0);
+    float3 behind = SceneBehind(RefractedEnd(water, point_), pixel, here);
+    return float4(WaterRadiance(light, style, water, point_, behind), 1.0);
 }

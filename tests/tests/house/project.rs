@@ -215,7 +215,7 @@ fn long_files(files: &[(String, String)]) -> Vec<String> {
         .iter()
         .filter(|(file, _)| {
             let written = !file.starts_with("app/kernels/src/generated/");
-            written && [".rs", ".hlsl", ".compute", ".sh", ".py"].iter().any(|e| file.ends_with(e))
+            written && [".rs", ".hlsl", ".hlsli", ".compute", ".sh", ".py"].iter().any(|e| file.ends_with(e))
         })
         .map(|(file, text)| (file, text.lines().count()))
         .filter(|(_, lines)| *lines > MAX_LINES)

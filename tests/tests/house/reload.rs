@@ -87,8 +87,8 @@ fn an_edited_kernel_goes_on_with_the_particles_that_are_there() {
 #[test]
 fn an_include_brings_every_kernel_that_includes_it_and_a_comment_changes_none() {
     let (_folder, places) = checkout();
-    edit(&places, "shared/periodic.hlsl", "#ifndef", "// One line more.\n#ifndef");
-    let new = compile_one(&places, Path::new("shared/periodic.hlsl")).unwrap();
+    edit(&places, "shared/periodic.hlsli", "#ifndef", "// One line more.\n#ifndef");
+    let new = compile_one(&places, Path::new("shared/periodic.hlsli")).unwrap();
     let stages: std::collections::BTreeSet<&str> =
         names(&new).iter().map(|name| name.split('+').next().unwrap_or_default()).collect();
     assert!(stages.contains("Predict") && stages.contains("MeasureParticles"), "{stages:?}");
@@ -123,8 +123,8 @@ fn what_cannot_be_reloaded_says_where_and_why() {
     assert!(error.contains("its group has [32, 1, 1] threads, not [64, 1, 1]"), "{error}");
     let error = refused(predict, "#pragma kernel Predict", "#pragma kernel Predict SLOWER");
     assert!(error.contains("no such kernel or variant"), "{error}");
-    let error = refused("shared/layout.hlsl", "SCAN_ITEMS = 16", "SCAN_ITEMS = 8");
-    assert!(error.contains("layout.hlsl") && error.contains("the host has these"), "{error}");
+    let error = refused("shared/layout.hlsli", "SCAN_ITEMS = 16", "SCAN_ITEMS = 8");
+    assert!(error.contains("layout.hlsli") && error.contains("the host has these"), "{error}");
     let error = refused("grid/scan.compute", "[numthreads", "[numthreads(1, 2");
     assert!(error.contains("scan.compute"), "{error}");
 }

@@ -55,7 +55,7 @@ fn what_is_committed_belongs_to_the_shaders() {
 fn an_edited_include_is_noticed() {
     let (_folder, places) = copy_of_product();
     assert_eq!(stale(&places.shaders, &places.out).unwrap(), Vec::<String>::new());
-    append(&places.shaders.join("shared/wendland.hlsl"), "// one comment more\n");
+    append(&places.shaders.join("shared/wendland.hlsli"), "// one comment more\n");
     let found = stale(&places.shaders, &places.out).unwrap();
     assert!(found.iter().any(|line| line.contains("ConstrainDensity")), "{found:?}");
     assert!(!found.iter().any(|line| line.contains("ReduceGroups")), "{found:?}");
@@ -64,14 +64,14 @@ fn an_edited_include_is_noticed() {
 #[test]
 fn edited_lost_and_stray_files_are_noticed() {
     let (_folder, places) = copy_of_product();
-    append(&places.shaders.join("shared/layout.hlsl"), "struct Another { uint word; };\n");
+    append(&places.shaders.join("shared/layout.hlsli"), "struct Another { uint word; };\n");
     append(&places.shaders.join("grid/scan.compute"), "#pragma kernel Another\n");
     append(&places.out.join("src/generated/shared_layout.rs"), "// by hand\n");
     std::fs::remove_file(places.out.join("spirv/reduce_groups.spv")).unwrap();
     std::fs::write(places.out.join("spirv/stray.spv"), [0; 4]).unwrap();
     let found = stale(&places.shaders, &places.out).unwrap();
     for expected in [
-        "(layout) of shared/layout.hlsl: the source",
+        "(layout) of shared/layout.hlsli: the source",
         "Another of grid/scan.compute was never built",
         "src/generated/shared_layout.rs is not the file",
         "spirv/reduce_groups.spv is missing",

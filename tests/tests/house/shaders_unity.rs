@@ -144,18 +144,18 @@ fn a_struct_with_another_stride_than_unitys_is_refused() {
 #[test]
 fn hidden_padding_of_a_layout_is_refused_with_its_field() {
     let layout = "struct Good { float3 at; float mass; };\n\nstruct Bad\n{\n    float2 low;\n    float3 at;\n    float mass;\n    float2 end;\n};\n";
-    let kernel = one_kernel("#include \"layout.hlsl\"", "result[id.x] = 0;");
-    let trial = Trial::new(&[("layout.hlsl", layout), ("Trial.compute", &kernel)]);
-    let problem = trial.refused("layout.hlsl", 6);
+    let kernel = one_kernel("#include \"layout.hlsli\"", "result[id.x] = 0;");
+    let trial = Trial::new(&[("layout.hlsli", layout), ("Trial.compute", &kernel)]);
+    let problem = trial.refused("layout.hlsli", 6);
     assert!(problem.message.contains("field at of Bad"), "{problem}");
     assert!(problem.message.contains("gap of 8 bytes"), "{problem}");
     let array = "struct Bad\n{\n    uint4 head;\n    float weights[4];\n};\n";
-    let trial = Trial::new(&[("layout.hlsl", array)]);
-    let problem = trial.refused("layout.hlsl", 4);
+    let trial = Trial::new(&[("layout.hlsli", array)]);
+    let problem = trial.refused("layout.hlsli", 4);
     assert!(problem.message.contains("in a uniform buffer"), "{problem}");
     let end = "struct Bad\n{\n    float3 at;\n};\n";
-    let trial = Trial::new(&[("layout.hlsl", end)]);
-    assert!(trial.refused("layout.hlsl", 1).message.contains("behind its last field"));
+    let trial = Trial::new(&[("layout.hlsli", end)]);
+    assert!(trial.refused("layout.hlsli", 1).message.contains("behind its last field"));
 }
 
 #[test]

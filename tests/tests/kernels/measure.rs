@@ -237,7 +237,7 @@ fn check_percentile(got: f32, expected: f64) -> Result<(), String> {
 
 #[test]
 fn percentiles_are_those_of_a_walk_from_the_highest_bin_down() {
-    // The middle of a bin, as `measure/histogram.hlsl` has it.
+    // The middle of a bin, as `measure/histogram.hlsli` has it.
     let value =
         |bin: usize| if bin == 0 { 0.0 } else { f32::from_bits(((0x3880_0000 >> 18) + bin as u32) << 18 | 1 << 17) };
     let walked = |histogram: &[u32], particles: u32| {

@@ -31,7 +31,7 @@ impl Faulty {
             std::fs::create_dir_all(to.join(room)).unwrap();
             for entry in std::fs::read_dir(from.join(room)).unwrap() {
                 let name = format!("{room}/{}", entry.unwrap().file_name().to_string_lossy());
-                if name.ends_with(".hlsl") || name == kernel {
+                if name.ends_with(".hlsli") || name == kernel {
                     let mut text = std::fs::read_to_string(from.join(&name)).unwrap();
                     for (_, there, instead) in edits.iter().filter(|(file, ..)| *file == name) {
                         assert!(text.contains(there), "{name} has no `{there}` to put a fault at");
@@ -108,7 +108,7 @@ fn check(task: &Task, fault: Fault<'_>) {
 
 #[test]
 fn a_wrong_sign_in_the_kernels_gradient_is_found() {
-    let gradient = [("shared/wendland.hlsl", "return real(-20.0) * t", "return real(20.0) * t")];
+    let gradient = [("shared/wendland.hlsli", "return real(-20.0) * t", "return real(20.0) * t")];
     let faulty = Faulty::compile("solver/pbf/correct_positions.compute", &gradient);
     check(&validated("hydrostatic"), Fault { plan: &|plan| faulty.put_into(plan), ..SOUND });
 }
@@ -123,7 +123,7 @@ fn too_much_relaxation_is_found() {
 #[test]
 fn a_dropped_range_of_neighbours_is_found() {
     let rows = [(
-        "grid/rows.hlsl",
+        "grid/rows.hlsli",
         "rows.reach_squared_m2 = reach_m * reach_m;",
         "rows.low.y += 2; rows.reach_squared_m2 = reach_m * reach_m;",
     )];
@@ -134,7 +134,7 @@ fn a_dropped_range_of_neighbours_is_found() {
 #[test]
 fn compression_of_three_per_cent_that_is_overlooked_is_found() {
     let deaf = [(
-        "solver/pbf/density_sums.hlsl",
+        "solver/pbf/density_sums.hlsli",
         "float constraint = max(sums.density - 1.0, 0.0);",
         "float constraint = sums.density < 1.03 ? 0.0 : sums.density - 1.0;",
     )];
@@ -146,7 +146,7 @@ fn compression_of_three_per_cent_that_is_overlooked_is_found() {
 fn an_overflow_of_f16_is_found() {
     // 70,000 is infinity in f16, and infinity over itself is none.
     let large = [(
-        "shared/wendland.hlsl",
+        "shared/wendland.hlsli",
         "return real(-20.0) * t * t * t;",
         "return real(-20.0) * t * (t * real(70000.0) / real(70000.0)) * t;",
     )];

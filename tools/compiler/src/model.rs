@@ -297,7 +297,7 @@ fn add_structs(
                             ))
                             .at_place(place)
                             .kernel(stage.label.clone())
-                            .way_out("two structs of one name must be equal, with no gaps in uniform and in structured buffers; rename one, or move it to layout.hlsl"),
+                            .way_out("two structs of one name must be equal, with no gaps in uniform and in structured buffers; rename one, or move it to layout.hlsli"),
                         );
                     }
                     None => {

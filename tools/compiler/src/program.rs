@@ -166,7 +166,7 @@ pub struct Tree {
     pub sources: Vec<Source>,
     /// Every kernel and draw.
     pub programs: Vec<Program>,
-    /// The `layout.hlsl` files, flattened: the homes of host-visible structs.
+    /// The `layout.hlsli` files, flattened: the homes of host-visible structs.
     pub layouts: Vec<Source>,
 }
 
@@ -181,7 +181,7 @@ pub fn read_tree(folder: &Path) -> Result<Tree, Problems> {
     let mut tree = Tree::default();
     let mut problems = Vec::new();
     for path in paths {
-        if path == "layout.hlsl" || path.ends_with("/layout.hlsl") {
+        if path == "layout.hlsli" || path.ends_with("/layout.hlsli") {
             tree.layouts.push(source::read(folder, &path)?);
         } else if path.ends_with(".compute") || path.ends_with(".hlsl") {
             let source = match source::read(folder, &path) {

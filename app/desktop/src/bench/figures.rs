@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::{traffic::Traffic, workload::Load};
-use crate::timings::{PassTimes, Passes, Spread};
+use crate::timings::{PassTimes, Passes, Quantiles};
 
 /// The whole table.
 #[derive(Clone, Debug, Serialize)]
@@ -32,7 +32,7 @@ pub struct Row {
     /// Steps that were timed.
     pub steps: u64,
     /// From the first pass of a step to the end of its last, clears between them included.
-    pub step_ms: Spread,
+    pub step_ms: Quantiles,
     /// A measurement's part in a step, with the scene's interval between two of them.
     pub measure_ms: f64,
     pub particle_iterations_per_s: f64,

@@ -13,7 +13,7 @@ use crate::{
     interrupt::Interrupt,
     job, progress,
     table::{bytes, ms, table},
-    timings::{PassTimes, Passes, Spread, Timings},
+    timings::{PassTimes, Passes, Quantiles, Timings},
 };
 
 /// Pictures before those that are timed.
@@ -36,7 +36,7 @@ pub struct PictureCost {
     size_px: [u32; 2],
     pictures: u32,
     /// From the first pass's begin to the last one's end, ms.
-    picture_ms: Option<Spread>,
+    picture_ms: Option<Quantiles>,
     /// The part of the smoothing passes in all passes' times.
     smoothing_share: Option<f64>,
     /// Of everything that is there for pictures alone.

@@ -58,7 +58,7 @@ fn smallest(values: &[f64]) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::timings::{Passes, Spread};
+    use crate::timings::{Passes, Quantiles};
 
     fn row(particles: u32, every_term: bool, rate: f64) -> Row {
         Row {
@@ -67,7 +67,7 @@ mod tests {
             terms: "",
             iterations: 4,
             steps: 5,
-            step_ms: Spread { median: 1.0, p95: 1.0 },
+            step_ms: Quantiles { median: 1.0, p95: 1.0 },
             measure_ms: 0.0,
             particle_iterations_per_s: rate,
             ns_per_particle_iteration: 1e9 / rate,

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use brooklet_capture::{PassRatio, Spread, Verdict};
+use brooklet_capture::{PassRatio, Quantiles, Verdict};
 use plotters::{coord::Shift, prelude::*};
 
 use crate::{failure::Failure, out_dir::write_file};
@@ -25,15 +25,15 @@ const ROW: u32 = 22;
 const NAMES: u32 = 220;
 
 /// Draws each pass's median as a bar and its p95 as a line, the longest first.
-pub fn passes(path: &Path, passes: &[(&str, Spread)]) -> Result<(), Failure> {
+pub fn passes(path: &Path, passes: &[(&str, Quantiles)]) -> Result<(), Failure> {
     let mut longest = passes.to_vec();
     longest.sort_by(|a, b| b.1.median.total_cmp(&a.1.median));
     let names: Vec<&str> = longest.iter().map(|(name, _)| *name).collect();
-    let most = longest.iter().map(|(_, spread)| spread.p95).fold(1e-6, f64::max);
+    let most = longest.iter().map(|(_, quantiles)| quantiles.p95).fold(1e-6, f64::max);
     let title = "GPU time of each pass a frame, ms: median (bar) and p95 (line)";
     picture(path, title, &names, 0.0..1.05 * most, |row| {
-        let (_, spread) = longest[row];
-        vec![(Mark::Bar, BAR, 0.0, spread.median), (Mark::Line, TAIL, spread.median, spread.p95)]
+        let (_, quantiles) = longest[row];
+        vec![(Mark::Bar, BAR, 0.0, quantiles.median), (Mark::Line, TAIL, quantiles.median, quantiles.p95)]
     })
 }
 

@@ -1,6 +1,6 @@
 //! `brooklet capture summary`.
 
-use brooklet_capture::{CaptureSummary, Ending, Spread, summarize};
+use brooklet_capture::{CaptureSummary, Ending, Quantiles, summarize};
 
 use super::{options::SummaryOptions, plot};
 use crate::{
@@ -20,7 +20,8 @@ pub fn summary(options: &SummaryOptions) -> Result<(), Failure> {
         print(&summary);
     }
     if let Some(path) = &options.plot {
-        let passes: Vec<(&str, Spread)> = summary.passes.iter().map(|(name, spread)| (&**name, *spread)).collect();
+        let passes: Vec<(&str, Quantiles)> =
+            summary.passes.iter().map(|(name, quantiles)| (&**name, *quantiles)).collect();
         plot::passes(path, &passes)?;
     }
     Ok(())
@@ -109,13 +110,13 @@ fn print(summary: &CaptureSummary) {
 fn print_passes(summary: &CaptureSummary) {
     let frames = summary.frame_ms.map_or(0.0, |frame| frame.mean * frame.count as f64);
     let mut passes = table(&["pass", "median ms", "p95 ms", "largest ms", "of all"], &[1, 2, 3, 4]);
-    for (stage, spread) in &summary.passes {
-        let share = if frames > 0.0 { 100.0 * spread.mean * spread.count as f64 / frames } else { 0.0 };
+    for (stage, quantiles) in &summary.passes {
+        let share = if frames > 0.0 { 100.0 * quantiles.mean * quantiles.count as f64 / frames } else { 0.0 };
         passes.add_row([
             stage.clone(),
-            ms(Some(spread.median)),
-            ms(Some(spread.p95)),
-            ms(Some(spread.max)),
+            ms(Some(quantiles.median)),
+            ms(Some(quantiles.p95)),
+            ms(Some(quantiles.max)),
             format!("{share:.1} %"),
         ]);
     }

@@ -1,5 +1,5 @@
 //! What walls count, so that the shader's closed form of the wall-weight function (Harada, Koshizuka
-//! & Kawaguchi 2007) agrees with the lattice. (Shader: `boundary/walls.hlsl`.)
+//! & Kawaguchi 2007) agrees with the lattice. (Shader: `boundary/walls.hlsli`.)
 //!
 //! Beyond one wall at distance s lies the share P(s) of the kernel; beyond several at right angles
 //! nearly the product of their shares. By inclusion and exclusion the density ratio beyond the walls is

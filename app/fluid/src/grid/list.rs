@@ -1,5 +1,5 @@
 //! Each particle's neighbours: sorted indices in ascending order, 16 bits each, in slices of
-//! particles. (Shader: `shared/list.hlsl`, `grid/list_neighbours.compute`.)
+//! particles. (Shader: `shared/list.hlsli`, `grid/list_neighbours.compute`.)
 
 use brooklet_gpu::{Recording, Resources};
 use brooklet_kernels::{

@@ -311,7 +311,7 @@ impl Scene {
     }
 
     /// What the side of a periodic axis is a whole number of, m: 4 h, after which places repeat
-    /// (shader: `shared/quantized_position.hlsl`).
+    /// (shader: `shared/quantized_position.hlsli`).
     pub fn period_unit_m(&self) -> f64 {
         4.0 * self.support_m()
     }

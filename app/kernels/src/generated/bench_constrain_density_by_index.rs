@@ -89,5 +89,5 @@ static CONSTRAIN_DENSITY_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/constrain_density_by_index.compute",
-    hash: "30cc1c690c7485b8e31b605e132d9fc428b808021267cea5ce50044b53de5a8e",
+    hash: "d54ebe650bdb555d9ed95936406e25c0d27a7b275d7ec09fab26ae91ad57dc15",
 };

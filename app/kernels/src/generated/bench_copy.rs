@@ -57,5 +57,5 @@ static COPY_ELEMENTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/copy.compute",
-    hash: "fa1636bb59c87c30bfa4be6a3d48c82aa5e31e876875152f42cf5db7c7371ea4",
+    hash: "440e7128b254d71e179a7cf5d1dc2265b463abf25ca990a2fa63ae16b2356cd8",
 };

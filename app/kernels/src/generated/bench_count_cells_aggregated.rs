@@ -70,5 +70,5 @@ static COUNT_CELLS_AGGREGATED: Module = Module {
     shared_bytes: 512,
     tier: Tier::Floor,
     source: "bench/count_cells_aggregated.compute",
-    hash: "17e075cdb2ced745968b0d437436d0064eb649bcee03161d558eba3d3f4a50e8",
+    hash: "e2b191ada007640e4d0cbeb8d2ee1093624c4a4f76aefa59ba555ff0aec0214f",
 };

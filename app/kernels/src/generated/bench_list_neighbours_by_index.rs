@@ -90,5 +90,5 @@ static LIST_NEIGHBOURS_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/list_neighbours_by_index.compute",
-    hash: "dabee1237643eb4f8879e222bc2a9d781124e198d5e78dca8bc18597b361fb12",
+    hash: "e3d7dcf3c819c676da054a8e42b63cfac7e6762fa3205c4d20d4344db008ca0d",
 };

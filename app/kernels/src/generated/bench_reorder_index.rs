@@ -78,5 +78,5 @@ static REORDER_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/reorder_index.compute",
-    hash: "d24e21d572daf77f04f1764c8201d05917ae8d1c81044c639b38b8ed6c8bf9d1",
+    hash: "57f528b84400230db036a4da1f80d5371737f633d0afb15617775db842014908",
 };

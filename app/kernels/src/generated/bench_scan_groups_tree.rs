@@ -88,7 +88,7 @@ static SCAN_GROUPS_TREE: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "e4c853b4ce666c209e02dd0e6aba9d28c22afa7d7d88b46cc004a8f03f6bfe50",
+    hash: "a7de4c546e38233dca5a72f2c86f463b4161dc112f8e49110654c3505828f115",
 };
 
 static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
@@ -101,7 +101,7 @@ static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "b999715d0486b27571298db1bc2146b0582e54b4914f88f88745fcace51eba44",
+    hash: "14ecdc6650dac8878dd1cb43d0004a3c7a88703c32ca8c301550d9ebd0b1279b",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
@@ -114,7 +114,7 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "c01915e7d5a172811e4397680fea23b3e6079d9446f2f4c24b0397f4985b3a23",
+    hash: "93a79dd17b30d0d9d2cae29addad36fa927ee68a6c187118acbbd6768e970a25",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
@@ -127,5 +127,5 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "1faf5bd0d626c11132313bf3413b43b8e69387f3bda275b413aaf67277b96df3",
+    hash: "3515a74aa3fdef0a2c427215fc8b9f37cfa13d3de612a98865ceb52650324aa8",
 };

@@ -54,5 +54,5 @@ static SCAN_STEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/scan_step.compute",
-    hash: "c839b6a3d3e217d392a88663feabb4dc5d0430cb9f14a8445d8c251ec7eda334",
+    hash: "40c59e1f6bdbab2b7bd5d61d5d480702125cef4e8d86c70f3f5417077393e662",
 };

@@ -92,7 +92,7 @@ static DRAW_EDGES_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/edges.hlsl",
-    hash: "3de1b02718eb07afc2f87334711af31a35d07a564b6ead3eebcbe248a2d86696",
+    hash: "b140989b1d0fad3b3025094309cbd7931cd3bab9686eb7a5a8b8c4def4d659d7",
 };
 
 static DRAW_EDGES_FRAGMENT: Module = Module {
@@ -105,7 +105,7 @@ static DRAW_EDGES_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/edges.hlsl",
-    hash: "19824c12da92cfd12ef1c338b185b336c6486fbf752bb8697ae287e1f2267c16",
+    hash: "9dc85489baadd720d541e156ffb8637e9cd46fe34cb11f42e914f88fb74ad3b5",
 };
 
 static DRAW_EDGES_VERTEX_WITH_BEHIND_WATER: Module = Module {
@@ -118,7 +118,7 @@ static DRAW_EDGES_VERTEX_WITH_BEHIND_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/edges.hlsl",
-    hash: "51c8f57b348937c270f337cb2b5a954b12968fc5d2d81eb5c20000001a79ca58",
+    hash: "52282c80291d2b26e334b36d8cde946de18116b9b0bb798a6f395ed218e25075",
 };
 
 static DRAW_EDGES_FRAGMENT_WITH_BEHIND_WATER: Module = Module {
@@ -131,7 +131,7 @@ static DRAW_EDGES_FRAGMENT_WITH_BEHIND_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/edges.hlsl",
-    hash: "8064de036aa72bf20d4d683c3a8b29976e8fa57582862e52598ef6f2e4609cc0",
+    hash: "5ac3fc2da60768d1d41bc937eb54576675f6ab4c8a7d42a094a1e49b4f7ea4f0",
 };
 
 static DRAW_EDGES_FRAGMENT_WITH_BEFORE_WATER: Module = Module {
@@ -144,5 +144,5 @@ static DRAW_EDGES_FRAGMENT_WITH_BEFORE_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/edges.hlsl",
-    hash: "3437b0447c171141a86029edab6109db5408f0ec7f0f32c32f75aae16d3b4c34",
+    hash: "b0fc1cfb6726edd48716f3c5902f898681d3a54be81b26377a138977631b6c53",
 };

@@ -144,7 +144,7 @@ static DRAW_FLOOR_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "40f1e1cab3b877f8021d892fa7be9ec02238f5cf25ae72bc9e3503f176fb2c47",
+    hash: "d39986f2afc5200bf0be0d15910e34c46e03457864d7acf1f95bb63c2ee6172f",
 };
 
 static DRAW_FLOOR_FRAGMENT: Module = Module {
@@ -157,7 +157,7 @@ static DRAW_FLOOR_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "fd4fdf776789dfe4f59720fdbb32d777b4a68da381504be15e7c3fa9982b97a0",
+    hash: "a9fb99404f312686935c854b1dcf87c9635d8848aea6976b64bab7d7360b6508",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW: Module = Module {
@@ -170,7 +170,7 @@ static DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "bc13b7bc39aea46496f556d4840f70d1193e83cc3b0643ce0c023bf60d23ed1d",
+    hash: "ef126dacf73f59619ceac3dc336aa5b53f41dd5fe7e0903744242ff86fc40099",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW: Module = Module {
@@ -183,7 +183,7 @@ static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "ca366578eb50ca4bff22178e69b60a9560adcb8ac16d6e3b2e177ed5e70f7b87",
+    hash: "666226f66c7405c781edecf84cc75f38aa61fa5e999b78c4259e3eeacd547b5d",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW: Module = Module {
@@ -196,7 +196,7 @@ static DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "54f631765723a50d3fd84991dc0b6d6f7d199f277a71cd441c1e337f87fe1fee",
+    hash: "87c5effddc90a9ea0f9c84242158fa807b5be328e33714343c71fe7cecbdecdf",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW: Module = Module {
@@ -209,7 +209,7 @@ static DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "fa27c45aeaf880b942096b5da70d47bde501769feb350a8de39b0b75fb693558",
+    hash: "f3446155ba83e579aad7cef32242ddc02988c8687331a0e98021c6baba9a79f4",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW: Module = Module {
@@ -222,5 +222,5 @@ static DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "589be9da7796e560a5d7d30bcbc52a8b1a07a7776706dc83a5b137644eb727d1",
+    hash: "c33e243b8370a4565dfc9f7ba94328fef47e55ed45a4ef4ed0b63d60634ff15f",
 };

@@ -1,6 +1,6 @@
 // Written by the shader compiler; do not edit. `cargo run -p brooklet-compiler -- build`
-// makes it anew from frame/layout.hlsl.
-//! Host-visible structs of `frame/layout.hlsl`.
+// makes it anew from frame/layout.hlsli.
+//! Host-visible structs of `frame/layout.hlsli`.
 
 use std::mem::{offset_of, size_of};
 

@@ -62,7 +62,7 @@ static DRAW_PARTICLES_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "f6f8885312dbe89f6cc00ddfee78b14175915f886e2ea9f088ff290129806e2b",
+    hash: "f8ee60abde56904d52b6ab82c133d79f6a79a5b70d103aae0a1665cbe3d01d77",
 };
 
 static DRAW_PARTICLES_FRAGMENT: Module = Module {
@@ -75,5 +75,5 @@ static DRAW_PARTICLES_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "aacb3b0b8f337ca0e49fbe04f813ad97fe19d303a274756c20a03c44d2c8e78e",
+    hash: "f82765d489e653e93f81ac3df4094ffe1ce6e2a46b461cb7b42574c42da08f79",
 };

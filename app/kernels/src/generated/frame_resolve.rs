@@ -88,7 +88,7 @@ static DRAW_RESOLVE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/resolve.hlsl",
-    hash: "c8467c8dc04dbe744dd84311d182b1e4593465abb0223f28cb768ab2318f040f",
+    hash: "2ffce7cba40b85f832f5c47b4c8a0229e1985aa4f3f47d3689369b2be51aef90",
 };
 
 static DRAW_RESOLVE_FRAGMENT: Module = Module {
@@ -101,7 +101,7 @@ static DRAW_RESOLVE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/resolve.hlsl",
-    hash: "195545f78e391c895b6960b0fec8faa8c451d6fe8235e44a151b04243d6e846e",
+    hash: "cf3aaa8ff58d4c79b1d4c72f123b48f17c4bce465d175a6fde711e2a93290d00",
 };
 
 static DRAW_RESOLVE_FRAGMENT_WITH_WATER: Module = Module {
@@ -114,5 +114,5 @@ static DRAW_RESOLVE_FRAGMENT_WITH_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/resolve.hlsl",
-    hash: "fd74afd2552b5ce326a41eff0a005c5b35d5ca247452ad6a3604016bfebe8e33",
+    hash: "2beeda2c9b53b835676252aa5771e7567d30db366a9b8cabea12125898f95503",
 };

@@ -130,7 +130,7 @@ static DRAW_SHADE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "0ac7830aee9102d336ffa8ed9dd6e6acb32124943b5975b0346d83921802e56c",
+    hash: "0ec3b3024efce7531fc8799b4375b092f73f119960a84433e6dd9d822d8c2b55",
 };
 
 static DRAW_SHADE_FRAGMENT: Module = Module {
@@ -143,7 +143,7 @@ static DRAW_SHADE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "3bb277088b3f34129f6488075d8825b96c8cd3e6fa955a64ecfec5230b846ff9",
+    hash: "58a8c370bd3c2783983dde79590362761d18552af36c6f0ad6f4f867c4e92d04",
 };
 
 static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
@@ -156,7 +156,7 @@ static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "71f54d2226d1b7673a0aa6ce314fea622d055f03661d45dd0750f5148b19e77a",
+    hash: "f47df8fa2849e6f83c3685f162a5eb53f37cf48d9df33237b9744024369acc5f",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
@@ -169,7 +169,7 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "481720c96eb25bfe1605253733bd7293b9befd56482a65af3cda6f8e8f4fc57a",
+    hash: "af00811e963a4c1ab38a7efc566f4851ad0dc86ea5b25737f1d70b4269bb9ead",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
@@ -182,5 +182,5 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "9c49fc28d8c8a8c5fa0ef0f461e8f5d759f18aa542dc051441b3958e5cdc1c5f",
+    hash: "439dd6b41e62aeda2798aec1b8913d643fcc31063a6939a61e54865ff8227fc3",
 };

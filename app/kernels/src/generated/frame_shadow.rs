@@ -55,7 +55,7 @@ static DRAW_SHADOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "dba8e023442fb7e2d464eb70cbed56e207671ab8fe7a3d487804557fad17b92a",
+    hash: "44bd2df658330df33cf710adf339c3be8d8e2dcb4212fed25e138a3f77a9c515",
 };
 
 static DRAW_SHADOW_FRAGMENT: Module = Module {
@@ -68,5 +68,5 @@ static DRAW_SHADOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "296c509c557965c76c8892d69a22f7181129cf5189147c4a6e341f08d27bf281",
+    hash: "e0ca328e6245e5149ce81fa408858030a057612e6bb316347e912fc27f9f7cd1",
 };

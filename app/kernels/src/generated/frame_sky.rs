@@ -46,7 +46,7 @@ static DRAW_SKY_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/sky.hlsl",
-    hash: "6cb97b0da230317bb15cfc686e9005e2e89ba93a34a68b1e60d4b043aa12c4df",
+    hash: "b4e623e0ba0853feef8e40e6553a1345d2226f4462671e3db3058a6748540e7a",
 };
 
 static DRAW_SKY_FRAGMENT: Module = Module {
@@ -59,5 +59,5 @@ static DRAW_SKY_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/sky.hlsl",
-    hash: "7e2e1892eb259931e79bcb43566f378c8b59585f9a44f327e970b25a29c5bc69",
+    hash: "752ec92eb26bc6f1cf99196db2f67b2b788de566fcc356c7589af35d4666345c",
 };

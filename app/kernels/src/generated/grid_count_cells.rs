@@ -86,7 +86,7 @@ static COUNT_CELLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "0844e102dee86d3999d8c3be974968cf1bc1001f8ad6e6167d35946c8f9533de",
+    hash: "a44cec7aba82e14ef7b33bbd10abbfbfe109ab6ba244e857f2610a5186293d2c",
 };
 
 static COUNT_CELLS_WITH_PERIODIC: Module = Module {
@@ -99,7 +99,7 @@ static COUNT_CELLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "8aaeeeda047432eb601ddc947762cf43b6d2cae67b59f51be29616821e74f47c",
+    hash: "57e5d96ba5d4a9278750e39e83313fc4834a5140f0a45136632ad23c738e2111",
 };
 
 static COUNT_CELLS_WITH_WRAPPED: Module = Module {
@@ -112,7 +112,7 @@ static COUNT_CELLS_WITH_WRAPPED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "2482e122f56bc0bfc5a25bd98541b6bf2da55567c6d37ee45ad68e76aeae972b",
+    hash: "83705db9484f7147bbf7f6e879977ee4c7a2d63c0593a5ecdd21fb1e81c9d2ad",
 };
 
 static COUNT_CELLS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
@@ -125,5 +125,5 @@ static COUNT_CELLS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "614be61687e1fce1abea04cba37c6ae1b3eea4ec7edb8d680b27db0e17bed24f",
+    hash: "4b084871a6adbab4bb9690e3319ef7e64595fda87d7fe8e4d6d2074a54af1f29",
 };

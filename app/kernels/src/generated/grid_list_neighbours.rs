@@ -123,7 +123,7 @@ static LIST_NEIGHBOURS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "f98bc529fa8ec461407013d09d443bfdabe2fc3515a88a6103ef4b738ca19c18",
+    hash: "c3724742ea552275d951580c433222b63e80864bd9d6da690e1a7cd0f90d67f8",
 };
 
 static LIST_NEIGHBOURS_WITH_PACKED: Module = Module {
@@ -136,7 +136,7 @@ static LIST_NEIGHBOURS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "ad7fd9073457ce0f1edd5b613c5ade44c95d5030a6f8b894729cdaf80fc52dc7",
+    hash: "170d49cedeb00bca7665cd7809974ffa37af19dc0e4cb1654f1ae71fcccd8058",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
@@ -149,7 +149,7 @@ static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "1fc7c5081cb242ceccc780257add069b25e2787af8a510e57e6054d6ed475d06",
+    hash: "75b90efd8251e79dfac3c467c2380317819da7d7ac16892639d3621fab5fda6c",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_PACKED: Module = Module {
@@ -162,7 +162,7 @@ static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "7e7383c2c3c0f2d86245a3269e95a9d1a5fd0137a7a5d52b1e353a6fdbb5369a",
+    hash: "5f7866fa6fe741156b3a7ec763dd8701d52c9340090cf1b879ed82036d321c15",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
@@ -175,7 +175,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "26f24125ee58c6548be2f8881f9eccc291203dd92bde1b9b5064592470ce2d28",
+    hash: "439100791bae91c3a566f1678a6fc5b8c36b1a56a81b19b09cbca070c38b4b11",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PACKED: Module = Module {
@@ -188,7 +188,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "3d869eca075d0fe6345093d188789e6b627d8c814e669f95510742b2f0688dfb",
+    hash: "541ba70b72a7cc53813a75c445da977048dcce80ddbc8839be648952e1adc34b",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
@@ -201,7 +201,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "6a6d7bb9ab5c769c0cc543924d83a27ac72fc31684247ece4195d352ac7e7b81",
+    hash: "e56253420dd082d8c90798a43389fd7d54610364fff86f4aa9549233ae5c83c3",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_PACKED: Module = Module {
@@ -214,5 +214,5 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "8df877548e3aed4b676db8d0aa29fd3c6aabcc47e29f5119dda126ce49d0c791",
+    hash: "661f368673ee215e026621de3d0b233a3d316285185298a90061ac8b5fa365cc",
 };

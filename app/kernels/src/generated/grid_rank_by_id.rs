@@ -72,5 +72,5 @@ static RANK_BY_ID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/rank_by_id.compute",
-    hash: "870d2da8b429b2fd610e8bef7e7efbfe5b318b52b7a0e82f6617e52f75f175c8",
+    hash: "b0aea9dca9f16af3749b33cdc14b63c51a6c641510b4d74d11f6d00cfe9aeed4",
 };

@@ -98,7 +98,7 @@ static REORDER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "a6b5b54e878d32dbefec54348d40ced61ddd36048d503943882e1aae238a55ad",
+    hash: "0ff819113601c83aa6c96403417046924ff24ddeb88fa41acc2f368127fa9625",
 };
 
 static REORDER_WITH_PACKED: Module = Module {
@@ -111,5 +111,5 @@ static REORDER_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "04adc9315e0e030cf879bd4959a4a43841a43a3d7443f5f7ba3e9f30f5d4f33d",
+    hash: "96ba288edf018a641dbae03b743c20195f48bbbf0c805b286314cb874629130a",
 };

@@ -109,7 +109,7 @@ static REDUCE_GROUPS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "d32b89c87c25686a7d6ffed5d0e875cb1c0935366acf79074ff177359736be39",
+    hash: "8e9fbec5f8c591dc1b7debe73fd672aec3cb58c6132ff83907496c9f42e45209",
 };
 
 static SCAN_GROUPS: Module = Module {
@@ -122,7 +122,7 @@ static SCAN_GROUPS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "c386c774f8c5d93fc1061b2fe4091436a75222e297f27986f93e22469c173600",
+    hash: "1a7f554792f2c406de9599a4f781c4880c8d4be4c7f78737e43e63c8d868f69f",
 };
 
 static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
@@ -135,5 +135,5 @@ static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "485c84468196a1f1f12b260a201bf8f7fcb3f41ed286c577b423eb5294bee879",
+    hash: "f550a1ca50fa5960911e29dea36c2a6fdbac28d166ed11492769372cd6689959",
 };

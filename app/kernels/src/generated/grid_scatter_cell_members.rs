@@ -65,5 +65,5 @@ static SCATTER_CELL_MEMBERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/scatter_cell_members.compute",
-    hash: "be6a8fb8101ac8ed08e7b7c7703a55386289a60e34236c63e6196679e02304d3",
+    hash: "75360e801842c123891917e08e027105ef3f9696f15c55113953bce51f1210fd",
 };

@@ -93,7 +93,7 @@ static DENSITY_RATIOS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "9cdef81e9e09cc30759b641627b83ea799a719db7e4ed74b5ccde68f32e39481",
+    hash: "fcfaae7e1c26d04af7d62765986045d61fe79570679dfd116f77916bd1d00032",
 };
 
 static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
@@ -106,7 +106,7 @@ static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "a5ab0ac37466b232b2a072f1175f93524dd90551b6de63cdc50f3d74930e5968",
+    hash: "47c09bbfb95235cc3a521ab6c90a7f12863e5b1ab66ec3ead72aec39b007dfac",
 };
 
 static DENSITY_RATIOS_WITH_WALLS: Module = Module {
@@ -119,7 +119,7 @@ static DENSITY_RATIOS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "234808cfab233c2d59372d2ee5507a48fd02e13c29ccb9f06cc434edbfa9bd50",
+    hash: "f0f179a388596466ea046ba1643ef47928a5d995e6dc82b786ff2a0d80a37ebe",
 };
 
 static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -132,5 +132,5 @@ static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "b82e87369cca2040f95864a267198ed12564cccf659d024aa1eedc575eca8d29",
+    hash: "94009ff31c81973dce0d3a57b94431492975fb5d0ef427ac554519db48056635",
 };

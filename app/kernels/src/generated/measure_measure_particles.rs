@@ -108,7 +108,7 @@ static MEASURE_PARTICLES: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "4039a1df5a73b456b882d4a4da1bf20cdff8433a2e5b57f03a82768fbed165f4",
+    hash: "63b1363fc4efa0c244b4763668a2440fd7d438fe9c03075fa8bf2da8782ca4bc",
 };
 
 static MEASURE_PARTICLES_WITH_PERIODIC: Module = Module {
@@ -121,7 +121,7 @@ static MEASURE_PARTICLES_WITH_PERIODIC: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "1a8ac08cf5d3548f121e00eabc8bfd7190997d97f036ffb15e970d4f94b01a09",
+    hash: "63966af78a24d09a4bd3c20403b654ad16d25f7d0ae5d12ed63fec5d68fcb2a0",
 };
 
 static MEASURE_PARTICLES_WITH_WALLS: Module = Module {
@@ -134,7 +134,7 @@ static MEASURE_PARTICLES_WITH_WALLS: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "7db326a9681a5581f98dbd769fe652558e8ed1d1aec4c5a127399bb074f2f1d0",
+    hash: "87204ade48595b53f8bcb5bac529e3537e0f927dd19eed05ec1c4a5ea588a05f",
 };
 
 static MEASURE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -147,5 +147,5 @@ static MEASURE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "37a9d50c462ab4739a5e2000c688ef3401c5934903ae05613e3af134f1842dd6",
+    hash: "0bfe5a939e424137dbbf2147ca931c3603af816ede52dab3c5b46d7dc6d91784",
 };

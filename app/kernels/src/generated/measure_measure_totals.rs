@@ -73,5 +73,5 @@ static MEASURE_TOTALS: Module = Module {
     shared_bytes: 4616,
     tier: Tier::Floor,
     source: "measure/measure_totals.compute",
-    hash: "d21831fa34f80fa436a2109190105545bcecfdd27b7f1940f4083243820f6495",
+    hash: "bb4193a6111e4c91c7fb5de3e96a32ea65c122c603971f634f921fa0bd216e1e",
 };

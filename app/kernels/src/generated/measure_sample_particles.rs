@@ -67,5 +67,5 @@ static SAMPLE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/sample_particles.compute",
-    hash: "6f63f72f4e24104f70fef973bbc43d96ee4b00b4bfb4af2e41476736fd2364a7",
+    hash: "940c19ecd72658c437649aadec19896ecf24791ed7ee11fc7995853c1ed9c5a0",
 };

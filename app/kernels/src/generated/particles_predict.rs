@@ -90,7 +90,7 @@ static PREDICT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "b048b307b51405e5d70e7195abb9984e9cebf3548d9ac3eccc62ad2195ed498a",
+    hash: "b1fe2e532177d5164c3a398562240c2e8b018d420d50fc0912b8998c7e6708af",
 };
 
 static PREDICT_WITH_PERIODIC: Module = Module {
@@ -103,7 +103,7 @@ static PREDICT_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "77b93962dad29cf3df3af8bcb75929d733fe7ba43f537c96a90f76ff5bbeda47",
+    hash: "e8f2b0af8c2c3e79702a40f08e69b985791adf822362e5da86f40b94581049ae",
 };
 
 static PREDICT_WITH_WALLS: Module = Module {
@@ -116,7 +116,7 @@ static PREDICT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "9f9a00f0f4de4aeef983362fa24943ab106c5f6dca4f6146492e25fa8d5efa0d",
+    hash: "bfd649761f54599a4a71e6842e7b61c13cf064b9d360724807ab994ffcb6c47d",
 };
 
 static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -129,5 +129,5 @@ static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "a445609e329c5da5ab1793485a21bac9af99078cfa294bb716bfb3198c14bde7",
+    hash: "6014f2e7d6f4489979b41d9f4ae6c65193e2305ecd981cade2627b5189645bde",
 };

@@ -62,5 +62,5 @@ static PUSH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/push.compute",
-    hash: "56ba6e320b68eb73dda487d8182b99c05aa81554ebf119b7cb22c0b421df8f07",
+    hash: "68438d25b372b0c73c038b3b5a51196825ce443eb4fff7cc7c43d3a7dfc00ea5",
 };

@@ -1,6 +1,6 @@
 // Written by the shader compiler; do not edit. `cargo run -p brooklet-compiler -- build`
-// makes it anew from shared/layout.hlsl.
-//! Host-visible structs of `shared/layout.hlsl`.
+// makes it anew from shared/layout.hlsli.
+//! Host-visible structs of `shared/layout.hlsli`.
 
 use std::mem::{offset_of, size_of};
 
@@ -52,7 +52,7 @@ const _: () = {
     assert!(size_of::<Position>() == 16);
 };
 
-/// A particle's quantized position (shared/quantized\_position.hlsl) during an iteration, with its constraint's multiplier.
+/// A particle's quantized position (shared/quantized\_position.hlsli) during an iteration, with its constraint's multiplier.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct PositionLambda {
@@ -115,7 +115,7 @@ const _: () = {
     assert!(size_of::<CellSlot>() == 8);
 };
 
-/// How a particle's neighbour list begins (shared/list.hlsl).
+/// How a particle's neighbour list begins (shared/list.hlsli).
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct ListHead {
@@ -229,7 +229,7 @@ const _: () = {
 };
 
 /// The smoothing kernel, Wendland C2, scaled so that the initial lattice has density ratio 1, and
-/// what it counts beyond walls (boundary/walls.hlsl).
+/// what it counts beyond walls (boundary/walls.hlsli).
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct SmoothingKernelParams {

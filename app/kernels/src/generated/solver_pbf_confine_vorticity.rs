@@ -106,7 +106,7 @@ static CONFINE_VORTICITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "a77356a83701c8693671205c9cfa34eed3b3f0765ec3f04fb935e03793054e70",
+    hash: "16fe2e15df3ab516e522b8a1945bfc54999527f1fc5769aceb8442f4cfdcfc70",
 };
 
 static CONFINE_VORTICITY_WITH_PACKED: Module = Module {
@@ -119,7 +119,7 @@ static CONFINE_VORTICITY_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "58549c580cb1504990bf400b71ceab5f16722f3430018a4c79b7854e1d53c6ce",
+    hash: "e35cefa9ed27d0ef82065a0a160080dca5b0d2f0e369f2904278abf71ae5dbe6",
 };
 
 static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -132,7 +132,7 @@ static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "de28e245e917a3777bed6c902c4fc5920a0aaa0b33e03ae7c34b118bfc31b1b6",
+    hash: "375dcff60c2f7a00e485597258976de788b30fab89fe39d3029ef1709c04e45f",
 };
 
 static CONFINE_VORTICITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -145,7 +145,7 @@ static CONFINE_VORTICITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "9354ddc28aed46750aac6bcd32da079ed62f9e2c311bf16e4bd15f923b680c1a",
+    hash: "a25a95e66e421b9193267f29f9228ff1c89aa853e5851095006cd3a18327e145",
 };
 
 static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
@@ -158,7 +158,7 @@ static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "bdd8084df0fcbcbb42e353c0be86eca36d885f828993eb9bee1a35896c54687d",
+    hash: "1a3f04080f5067a6df726b184d62c640010472514bc1a1d0f3afc648c9f73663",
 };
 
 static CONFINE_VORTICITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -171,5 +171,5 @@ static CONFINE_VORTICITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/confine_vorticity.compute",
-    hash: "d6e7fd3d12f0aa8d5bfa13240f4f21699b3532264a6535a1973e0773458abbdf",
+    hash: "ed36ea139e6ceee9003b6bbe4081bbafbff5280fa126a95dff4d2666c6c96b4d",
 };

@@ -193,7 +193,7 @@ static CONSTRAIN_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "45a6fceba8438560a056b42da9174aa1187a5836d650f5fe9de75fc8a5a0c217",
+    hash: "f90935dcf5d9a65dba40f53fbdeb4469c802a80164b01c1401f283ea055b6654",
 };
 
 static CONSTRAIN_DENSITY_WITH_PACKED: Module = Module {
@@ -206,7 +206,7 @@ static CONSTRAIN_DENSITY_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "17d935ed8d581273e72f61831a10faaabd640a03b0308895662695dc06eefd9c",
+    hash: "79789528facbf8390189b4bc406712455e60d42f2a68da43591e2a5483ce8647",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -219,7 +219,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "b086586acd354790fa03db2cf19f6521fc9363da77927f65b83bed5ba31572b0",
+    hash: "187d7e03aac3d23fb92f8255018cdbad5a84de9060e70184e3d7128bc272ef0e",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -232,7 +232,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "70da0f5b5d104e420f7aa7f70d66a3be349b592ae7d3be743bddee14ea24c790",
+    hash: "b7543e172a772c9b2c4d3ac2ffe6de90df775013848acc3370afa106ea88d53d",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -245,7 +245,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "b3c3ae7b993f51e4fe07c0ebf6189b3ad84066bc78cbb3d10fcb4e62b83fef4a",
+    hash: "8e6301048f6fca750839b7905839306fc568e70e4adc98dd1c1dc99e7a658572",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -258,7 +258,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "3cf03ffcaae57ac746c7aeff3fc1ce2cb2e876a02d0efaef8b6d9109a5d40cb6",
+    hash: "92e72804d3d870d7d6cd59814599b5bcdd53916e662d636b11748c9e57f035ec",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
@@ -271,7 +271,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "945b64adf80e5a9112ed984b4aecc11617058a95d61c3484a1cbf6f21c2675bb",
+    hash: "7826297aa8f97cbcfcdea18dd46870ec8fa80bf7ceee47f6b5622a55cbb21f9e",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_PACKED: Module = Module {
@@ -284,7 +284,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "f7e92066111aae93cf18deacf98c71301b71752c27409e0b5c30213b44fa0fa1",
+    hash: "ac3452064dbc60e86519d5134562a9aabf64528e12e6ca21a871ba4f0e3b1ee1",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -297,7 +297,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "5c0f3e61cd66082c1c0e37ae91b65d9be11271df7f9eb8abcf65a14d6e4396a4",
+    hash: "b2447afcb8803d1e533697a97fd5f39f9f6b201a2e4c1452f271ae236eae3c87",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -310,7 +310,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "4500c26c3b618a6406afb7e86554612ac4bf51b081879ecc7d34e34dbf9daf32",
+    hash: "183d6faed618665376355f530aca8b255c75e359ece6c300664ee80ab50e8688",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -323,7 +323,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "56c1ee6fd5699ce2779275bcc0db9d1c00eb1c3ff050fdc5b8b8e9e4beae7889",
+    hash: "a9ed41979a93c85f15992597102b59c8fcc7df5325c93e0b1255ab5763c8deac",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -336,5 +336,5 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "29281df1a403fbf130d45a6b0d4f494441fd3031a6b370afb94bf3fd9a7069db",
+    hash: "03e93e0e68d3f035bf1ad080e810e8fc59cef42951fe4f2dea65c9e8cc6e7a0a",
 };

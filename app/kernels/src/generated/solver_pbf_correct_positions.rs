@@ -218,7 +218,7 @@ static CORRECT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "e82b464b22f15dcfa725faecfefdbf11ee7c08903ac8669084398cb2dd85bfb1",
+    hash: "ed961ecad645f38ddcb1de1e646758216db47afcf11d4357d2c1f23cfdd83761",
 };
 
 static CORRECT_POSITIONS_WITH_PACKED: Module = Module {
@@ -231,7 +231,7 @@ static CORRECT_POSITIONS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "c7d1cc2af564f6e937e62b85231a446f0edb8fa7a0b03447c5528dc6f92c29ff",
+    hash: "e3f51a652a86aec0aa4e64ce3a57ee1d03d0cde24ac7548d2bbffce8337ec2cb",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
@@ -244,7 +244,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "c97a5ae8c76c26bf39b166022b8e2ae0f8e7c06b3cbf191d7f53bc29416bddd5",
+    hash: "1bbd7ad22ee101ce4b859a523bb44dfe4b117ceb41feef9033ada42a17f07133",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -257,7 +257,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "c398ab4f7103adebcb156c317dfe0736732991896da4f7e32f681109cfd16b7f",
+    hash: "de9605f151be6a71e1d665e33d3a417dab15f4d804596732d9612a6403e50e3f",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
@@ -270,7 +270,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "2a3dfaf25ef944b829ae6a946d23e5818e1fd360387568d7d8174f4a73595665",
+    hash: "b7ae13e0ac047164ee884399a418e1a55ab1980c319478971ed9615b6b7f27dc",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -283,7 +283,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "6ac5f8c3221b0365b10a00825d796ab631c70cfbf4695c953a1283e09b495298",
+    hash: "caa08196fb83b2ad22838ad01a23866b3a9328dc6d68c8c1ef4146306ac24f7d",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
@@ -296,7 +296,7 @@ static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "2f0dde575d713a1734c9ec42c8c7b38776a1c0d5bd255857dc928fd597685215",
+    hash: "f5b8ed0ee860cd5819b0f1bbaeb0b00d3e1afa7d66cd7b46d90558114e29dd8f",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_PACKED: Module = Module {
@@ -309,7 +309,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "4094492991500ec25d29d8fb9f1d677c67cd6a261211e1ee4765594da7145983",
+    hash: "2c56b96575508dbd68769df2af20001b712de5f983b5a3b2a082944f47c48273",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -322,7 +322,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "c17a67e4e8e04664372e6590adf8b80c87ea37bcba9ae6d2c97a56f970974306",
+    hash: "30f2239468b386a44d61376f8bc7eb25ff26f0715d45f8cfd3e9203bbe6d12d5",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -335,7 +335,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "8540c31bfa0396d2bf4643970fbb2dc959e57f9792e39715497afcc3d9c834ae",
+    hash: "4cbc94192e64e25789ce252553ca15fbef7c5641c7511fcc9f87a00fc00e18e7",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -348,7 +348,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "5d112597c88e5eb10901effb1a22a874da4e429ed8140569a0958ae6cc9f47cb",
+    hash: "bf004bfec2b45079596f3ad77411c582a93d6aa957723f951610dc2e7d1e5aa6",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -361,7 +361,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = M
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "9c612138e2257ce1950de07855bdf9b45ad5a620ae485ce4383520164070c218",
+    hash: "3def9d8a741f8775cc90e48eb494ba354a4ef73c7c801009e8fb26488afc3cd9",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
@@ -374,7 +374,7 @@ static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "c775593f4fcd3dd8d7e2c605b8e8eabfe8fae87a3781864fb93b599a26796f91",
+    hash: "ee1120665c5bb23ea0e37c182061a457686d4b3144d92b5782925e69438743cb",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_PACKED: Module = Module {
@@ -387,7 +387,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "b52c6b91ae6756e290cf77dbe0fc7de8058bb9af1109fc9b90c4f825bb3c5a1a",
+    hash: "3a31a51b8e5aa45b97df19375175c0f8b69b239ce1f23c8ec4835002215e84e2",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -400,7 +400,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "c01f32d047821e0d00fe4cd4a25df5031ed694cd12fe2d3eff1bebff798d69ff",
+    hash: "32c9554eb3e1de327d4d131087329c781c6bf89422ca49af18d23437aad153c9",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -413,7 +413,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "c19b301778663008bc063834d1390c11bde1354d2d560157703f82e0032a2ef3",
+    hash: "72199a13bea05d2bf833c4eed8b708c3a1fb54765ad513a998c4e74b44d24819",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -426,7 +426,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "154a7ccadbb5f67cfb850504baf52194c065fcb408139ddc853444ddbb2694e7",
+    hash: "e8411a15bdbcfe3f939aa3e8683ec35e6802388601acaade5dc7b7fc0856c477",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -439,7 +439,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "391713603ab9e9453230fd9aad75dd40f9a9ea85facd2921341bb74294ec05d5",
+    hash: "dea5fc45068063fa839ef61eb2ff80a4217a0116d30b06b33b59d0be1b8d3419",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
@@ -452,7 +452,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "5b0cd4f55785f8222e4853c5b78b0c351a678e02b757d9ecc82ec5f9e57400a2",
+    hash: "7be935e34c6c49f8a46c77263047e709967153e49da34abd7237455dde8cb652",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_PACKED: Module = Module {
@@ -465,7 +465,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "c75b02d2945b2a8c06959651c8d0d03aacb78d361b5ac430edd7c1a4c5dcc112",
+    hash: "8d5595304e5375d1f5d072ce4c6976a70c19b72dfc43d0d829c576deb775aa4a",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -478,7 +478,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "f648888f30eeeff88b09a27ed1d069884dd89db306cbb13dc653233ef3999527",
+    hash: "2bfbaf7badad268a5eaa5cc411d4b97d26ac9cde5226199e9c95f4d5b79ff968",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -491,7 +491,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACK
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "3f60d16051d4f4ea1848752125ebd2f4d35516959609357dc7814642775d7780",
+    hash: "d42f517f09a050ed7c39e9cd73c77b53ba92ab570ccee36375f36a7c49035f61",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -504,7 +504,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "1ecf3e043d16b142d4b1ca2d10519fd15a94cf7fa9c2b6941af7895436cd9cf5",
+    hash: "759416431158955752f193110065d797f5285865ca85b44419112d583c4cfec4",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -517,5 +517,5 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED:
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "1b4c193cc849a5ae8478dc38aa82f3df369cb38ba9269198711e5a76fea6e8fc",
+    hash: "8c2151715acba9b71dba2a260c9d516779d2b9cfd2377256d7bef69c888e2a90",
 };

@@ -105,7 +105,7 @@ static CURL: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/curl.compute",
-    hash: "635344545b1c3a8ac5d1e70aef0770a7febb3b21540585599c5bbbe35be721de",
+    hash: "4a5d6497beb68b71a98776a2eb43b27cc84e2d3731665dab81af1c70c407a9f1",
 };
 
 static CURL_WITH_PACKED: Module = Module {
@@ -118,7 +118,7 @@ static CURL_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/curl.compute",
-    hash: "89c4b284588c9e43d767412f376d73d7d55c71168fac4e2f21f4fd9ed1a26e3f",
+    hash: "25aabb77836deb59903d3926259ba0040c7dc1a6a27bbc05c942d3a6b22af604",
 };
 
 static CURL_WITH_RELAXED_PRECISION: Module = Module {
@@ -131,7 +131,7 @@ static CURL_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/curl.compute",
-    hash: "9b48bbeeb1be70a33dff4bf4c201c7f27016385fb7d55ddacddf8bf1347b3f3c",
+    hash: "534df757b31a70941bbfc351c9318d1229c28996d1e94a45254fc70f65f44748",
 };
 
 static CURL_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -144,7 +144,7 @@ static CURL_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/curl.compute",
-    hash: "404fae3813a0e48a0a27f74ca0d03d465a3389edc70860e90c85baf31374d207",
+    hash: "a01f74aa1654efb05e115a41d387ff85afba8d82861ef68217af14634c2ca2c8",
 };
 
 static CURL_WITH_HALF_PRECISION: Module = Module {
@@ -157,7 +157,7 @@ static CURL_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/curl.compute",
-    hash: "858f78a0ef39577df654d781ab4cadc5cbbb8204bd0746b49bc470e3edf2e404",
+    hash: "52c8d216455a8808a1b99a2775fbe8b48183aed49f5fd9ba1f4e9b2623f0a41d",
 };
 
 static CURL_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -170,5 +170,5 @@ static CURL_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/curl.compute",
-    hash: "685459925fed435e70f0d3f8d9b62e3491eeb1802ed539918d852d8b1e4fe660",
+    hash: "45199517c725bcd4dc449c88ff7ff78e10329cbb51ac5a6142538f784e9f43a9",
 };

@@ -123,7 +123,7 @@ static UPDATE_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "3c9a67ef9dcc27a90d3079b096695c7d47cad66694f908b0739df8687dc3a5c3",
+    hash: "acd7eff5695b1ee31f34507bf0620bd243235215fd7993bf17b0da20df4117d7",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
@@ -136,7 +136,7 @@ static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "19d58f8c9293d1e37ee107d3295e7a20b8869133a8496951c673d7b21116790d",
+    hash: "b8f3ad58abfd2f5e9b37667873f66d72a11d5b7984c86010c3105a5910e12b25",
 };
 
 static UPDATE_VELOCITY_WITH_PACKED: Module = Module {
@@ -149,7 +149,7 @@ static UPDATE_VELOCITY_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "bb6e233ba601df84c0911a735974571552be25043b747db1482202e4a8f47187",
+    hash: "24ee2b24905eca6715a24299af9666c2cd33727e419369adfd9bfb798a069cc6",
 };
 
 static UPDATE_VELOCITY_WITH_PACKED_WITH_PERIODIC: Module = Module {
@@ -162,5 +162,5 @@ static UPDATE_VELOCITY_WITH_PACKED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "2167514aabc0aad4c54391847cf0c0d28e7ae49ab881c35578fb92f859bb99b4",
+    hash: "8ede66b5b3a7bf973240ac2b3372645a34133e20b36a48cfdec293f165f94752",
 };

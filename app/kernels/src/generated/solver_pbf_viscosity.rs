@@ -110,7 +110,7 @@ static VISCOSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/viscosity.compute",
-    hash: "2643921dcb5b881f89e031931b0bbb6bedae2a22ab8e889cf1148b23029e059f",
+    hash: "75bed59da46143ed5d7e7fb37bfbaa8d941f645f3db61f195c1593c359e18340",
 };
 
 static VISCOSITY_WITH_PACKED: Module = Module {
@@ -123,7 +123,7 @@ static VISCOSITY_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/viscosity.compute",
-    hash: "3e85e76d9e46ffb17cc44bf7304f6c93a231e91b441abbd3a78915c165ba3c64",
+    hash: "034988b2703544e2296b78dd886d715a763f30ce5af014855a42a83038405598",
 };
 
 static VISCOSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -136,7 +136,7 @@ static VISCOSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/viscosity.compute",
-    hash: "cc9ec613369fc4e0675472d1648a7e373d3abf25992fb105a9b71d69e097e59b",
+    hash: "7c50c42de888e1c324fd6100f8c4f72b4aee5716ff77152312471611f3effe8e",
 };
 
 static VISCOSITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -149,7 +149,7 @@ static VISCOSITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/viscosity.compute",
-    hash: "0e97111d6df107f14816b4d13fb36a0f18181c1992cd6054e1007b67479b6e30",
+    hash: "31623c869dc3446d9ed0a7219941784b7c5f0210703d37ba204c794aac75f53c",
 };
 
 static VISCOSITY_WITH_HALF_PRECISION: Module = Module {
@@ -162,7 +162,7 @@ static VISCOSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/viscosity.compute",
-    hash: "dec38cb628ac399f7021d952af067314d50a680e93d129da92402ae2bb81b858",
+    hash: "e36a1a3565bc6fba09d366c37985d474e46daaaf1a2408e6e9257ca51101c1ef",
 };
 
 static VISCOSITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -175,5 +175,5 @@ static VISCOSITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/viscosity.compute",
-    hash: "b7110e60d9a7acc0aaabc71d3fc7b3fbfdba13e2427411b587931824d72eb8d6",
+    hash: "aa3d87872f74f2353977f7edf14214d674585e64c4f086b493c750592c683081",
 };

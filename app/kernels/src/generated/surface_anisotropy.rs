@@ -69,5 +69,5 @@ static ANISOTROPY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/anisotropy.compute",
-    hash: "7c5e45a34203385e451b845941bdea03e5643d6d06f33b16d634d3a9fae28ee1",
+    hash: "f4264bcb13c07df62e24df4c9713898c491673c1888aadff3669da80c5ff409c",
 };

@@ -63,7 +63,7 @@ static DRAW_CAUSTICS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/caustics.hlsl",
-    hash: "eeeaef3e8e6fdd1ab1b4dbaead487ebea8f0928a23399bd61a0da973cb63ee89",
+    hash: "3aaa626f248c487edf46e1f750cb5a8eb0dfdd88c070408837cf1b6286859dec",
 };
 
 static DRAW_CAUSTICS_FRAGMENT: Module = Module {
@@ -76,5 +76,5 @@ static DRAW_CAUSTICS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/caustics.hlsl",
-    hash: "3518646aa6c58f38fa60ec937fe20ea59f7a8f2ddc55d91b72f47c9c0835739c",
+    hash: "6480341c6918f4f1847498aefeb604f39e116a41e9689f5443c1e195afd6979a",
 };

@@ -112,7 +112,7 @@ static DRAW_FLUID_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "e327a3affc9025f4967fdbb80575c614cc134b19b09536a2c08f7123be9a3707",
+    hash: "701f2a76b1dadc019bd9e4fa7a46faa604be03e15454852f5897830b5b8f8128",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
@@ -125,7 +125,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "7dbb50424f77364b5db51afbd6a5e5723a635966c97f3666d8511f911f790232",
+    hash: "2d192f37621e43f0783cf006006d06911ea6654a1318d30f9afe05068bd5362a",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -138,7 +138,7 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "5d1fbe41d35252bba29dde8e63439ac8ee9cea019bc595fdac3db58c4ed76c47",
+    hash: "dd49f09441a81c45adcf2417a30d52fd2405d04e38be2ea90134531f91394c46",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -151,7 +151,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "ca237cfdd6f233bf2ec3852e994d5ef03b2b66725d0feb11f20f40bff912b7e4",
+    hash: "270d0656dbbaaae1bc3e6b5da2ca8847ae395ca792aa425bf3d2c70ae5bdc3e7",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -164,5 +164,5 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "8cfe246e766a358fbc125df2a02188b4730a457473896bb297eb4a2cddf818d9",
+    hash: "e997403ab210dea1d87e567f3e85e50fed90e388569f5933fa940c5eef828aa1",
 };

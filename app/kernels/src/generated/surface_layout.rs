@@ -1,6 +1,6 @@
 // Written by the shader compiler; do not edit. `cargo run -p brooklet-compiler -- build`
-// makes it anew from surface/layout.hlsl.
-//! Host-visible structs of `surface/layout.hlsl`.
+// makes it anew from surface/layout.hlsli.
+//! Host-visible structs of `surface/layout.hlsli`.
 
 use std::mem::{offset_of, size_of};
 
@@ -55,7 +55,7 @@ const _: () = {
     assert!(size_of::<AnisotropyParams>() == 48);
 };
 
-/// A particle's ellipsoid (surface/ellipsoid.hlsl).
+/// A particle's ellipsoid (surface/ellipsoid.hlsli).
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct Ellipsoid {
@@ -87,7 +87,7 @@ pub struct SurfaceParams {
     /// `float3`.
     pub box_max_m: [f32; 3],
     /// radius of the disc on which a particle's volume counts as thickness
-    pub spread_m: f32,
+    pub thickness_radius_m: f32,
     /// thickness is kept in spacings: f16 then fits any scene's size
     pub spacing_m: f32,
     /// reach of the smoothing filters, two standard deviations
@@ -109,7 +109,7 @@ const _: () = {
     assert!(offset_of!(SurfaceParams, box_min_m) == 0);
     assert!(offset_of!(SurfaceParams, radius_m) == 12);
     assert!(offset_of!(SurfaceParams, box_max_m) == 16);
-    assert!(offset_of!(SurfaceParams, spread_m) == 28);
+    assert!(offset_of!(SurfaceParams, thickness_radius_m) == 28);
     assert!(offset_of!(SurfaceParams, spacing_m) == 32);
     assert!(offset_of!(SurfaceParams, smoothing_m) == 36);
     assert!(offset_of!(SurfaceParams, most_reach_px) == 40);

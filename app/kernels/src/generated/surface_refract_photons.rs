@@ -70,5 +70,5 @@ static REFRACT_PHOTONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refract_photons.compute",
-    hash: "6605223997adb46fc0cf17d745845f9b7134da746d0fe677002d4098265178d4",
+    hash: "fea87693c915334ad1a65d2508932a4373709a73ac9baa62d37920bf59f061b1",
 };

@@ -77,7 +77,7 @@ static DRAW_SMOOTH_BILATERAL_VERTEX_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "08f789bd43d02bac9b1c91e5f740f9c887e53b9e84b9f345a63d2e98ce86eaf5",
+    hash: "808a1547d4f235bce3de12d0280236e389357d221ae6d5e6a819739261aa9f4a",
 };
 
 static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_X: Module = Module {
@@ -90,7 +90,7 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "575de0b762eab76e67016920a353a0ed15d4c80a364167ee1e5e57907c4c24bf",
+    hash: "c8147f516b61b4a1340138d050dffb12068ade7b1179a8ac32398fa09ed69af4",
 };
 
 static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_Y: Module = Module {
@@ -103,7 +103,7 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "cbd4841bb2f14d169a43bbcb19bb9205899f32de0775c249d13969d554509184",
+    hash: "d78302c62a7a8754d41db173767b4bba87ca583b3a16af9c04c1cd1c9bc60e4a",
 };
 
 static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
@@ -116,5 +116,5 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "963a2836287ae9b87573ab9b40f7e31a2373be6feef466214bd7127c5356acf7",
+    hash: "048f3e0d7b717224d341b83cb68730c654290ef7590e8dbfff3bfff3e6df480d",
 };

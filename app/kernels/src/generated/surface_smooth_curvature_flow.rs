@@ -61,7 +61,7 @@ static DRAW_SMOOTH_CURVATURE_FLOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_curvature_flow.hlsl",
-    hash: "8e3790f28cc28e47a4ae12aa3a6545477a5d4176c143521abcc3e4bce450e57b",
+    hash: "cc191b9322c7a1e509a9970e9d89fc0c0b4e872920e3b75e853293b0833acbb9",
 };
 
 static DRAW_SMOOTH_CURVATURE_FLOW_FRAGMENT: Module = Module {
@@ -74,5 +74,5 @@ static DRAW_SMOOTH_CURVATURE_FLOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_curvature_flow.hlsl",
-    hash: "01454115d9b03f3928f0ae6bb8d6904b1538e71545a0ebc94a6c5ba3d05476c0",
+    hash: "8c3396b7a17308a147de5a424fa1a29d75e54dc08ef9e11a44bf808d98493b17",
 };

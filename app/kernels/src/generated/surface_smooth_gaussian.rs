@@ -74,7 +74,7 @@ static DRAW_SMOOTH_GAUSSIAN_VERTEX_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_gaussian.hlsl",
-    hash: "b580892bb6ba89ff24855b030ebbcfaf11b27a5501812057350a4ac5c8dedfc7",
+    hash: "aebebf5bd942ebcea53c01dae6dc1489f0db1032cddfd377695a4d2da437058b",
 };
 
 static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_X: Module = Module {
@@ -87,7 +87,7 @@ static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_gaussian.hlsl",
-    hash: "693290eff5badb7d23e2e641408a81385db8711be2b9a74ddd5b8de130016405",
+    hash: "35047294430eba7775e2420bce481835141db4c00433bea810c50d881b740ae9",
 };
 
 static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_Y: Module = Module {
@@ -100,5 +100,5 @@ static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_gaussian.hlsl",
-    hash: "0f9f116f2ac771c371e39b8f794d1d694947e5fb0c1384c839bb7a6b1fa8eac2",
+    hash: "375718a404c72ff6d2a4973ee0b835879c4c81d72958c49fe63cb698850c9627",
 };

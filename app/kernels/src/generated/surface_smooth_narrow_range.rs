@@ -78,7 +78,7 @@ static DRAW_SMOOTH_NARROW_RANGE_VERTEX_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "ee51577c3a0767b00473d920c51d493539a34b2222557e0464d41e68228c81d2",
+    hash: "091949c8b6abb124b21b19a2f3a827ccccb18429a4cac08a07f2025ec3ecc0e4",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_X: Module = Module {
@@ -91,7 +91,7 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "4383d60c016aa8d3516934ff1f8bda628759631635a292767e47559f5e828562",
+    hash: "7a06138eac97f242f7eaec045a1eaf713f6b52d3914283702f112b80998dde64",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_Y: Module = Module {
@@ -104,7 +104,7 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "85d12f7f2e0f79329d76298fb917a11ccfd2459359a7f1cbbc13dfca5da8b105",
+    hash: "ca74128eb269f5e75f755fc35939f930f9da502489373d508ca8d76415e728ea",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
@@ -117,5 +117,5 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "aca934014575f9b7f976a58afad2de2b8166934259532ca14c65d6cbd3b5635a",
+    hash: "374943e77d6730a392c04763c0c284d9f2068801c4f7e6a8e05bb4f20af4d738",
 };

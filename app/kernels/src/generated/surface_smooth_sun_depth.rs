@@ -75,7 +75,7 @@ static DRAW_SMOOTH_SUN_DEPTH_VERTEX_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_sun_depth.hlsl",
-    hash: "bd6247aa30c6aa79cdf1f3a2270721bcb5750ccbae1ad19fa34882953fa9734b",
+    hash: "8002f96e4fc60855c3e263051d9ff906ee8d37a22a95fb39306270cb8a8aefa2",
 };
 
 static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_X: Module = Module {
@@ -88,7 +88,7 @@ static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_sun_depth.hlsl",
-    hash: "f099de8bc149321b97a05fd4d31bd0adf49a8cd6899940c7b40b6e319a50f2ea",
+    hash: "a7baa747dfd813bfc32b3b43b054a302afcbe4c3c0f1b401e5777f3bc045f490",
 };
 
 static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_Y: Module = Module {
@@ -101,5 +101,5 @@ static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_sun_depth.hlsl",
-    hash: "4ec68df9dbb26bb1f75915f45b1d90b28ddd77c125a0bb7ab1f04fcfd5b8370d",
+    hash: "fe8a5eb2a3854736441a19c78072f0baff50b2956a4517fbdacaf47a423ac2df",
 };

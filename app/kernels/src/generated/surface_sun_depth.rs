@@ -114,7 +114,7 @@ static DRAW_SUN_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "55a49fdf281c7ac01ab49b2e5e58a703e3b2a921fc93a29595da03a54652bcf0",
+    hash: "bf0d914b2cf69054e9a4a0f29b72e72ea6309833b471258d73b885a16d221158",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
@@ -127,7 +127,7 @@ static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "7aeeb129df4b3b8f217c96afc799794d7033023e5db50ae3af32ff4bc220fd86",
+    hash: "11f625d08a34c42e1f2a7148e17db3b81872c89741e54881d8281bbd87995cd4",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -140,7 +140,7 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "ff8e13c9422790cc27147689bcb91dbb39f412903b5b74a5ecfac6e185d9113b",
+    hash: "7d98878b9da74363b39589606ea6e5f3117762a37a62006f741941295e00633b",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -153,7 +153,7 @@ static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "4297a5195e920f62ca4d00515fc0c231add3cc27301c834e1fffe0bff8ada3ee",
+    hash: "e028ce6deb515ee966a393c1437e9aac579ec6d8623ae39f53ccafb0600f498b",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -166,5 +166,5 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "7d997ee2584e2af0e6a4893e18b7e1d8c297a39052964f49064cb3a32dc58272",
+    hash: "67e87c1752151c6cbeee2f555a7c586c498d8523b87fe9b2aa1cabd13c168657",
 };

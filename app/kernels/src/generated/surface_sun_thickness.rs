@@ -85,7 +85,7 @@ static DRAW_SUN_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "018b042f6314c41da263799c51dc85d39ee923d3605ccfd34b43962799a8ae52",
+    hash: "8cc2c86449dac10815a87ae7b556a92dd7806db12a21788ef867f25a8a68ab9b",
 };
 
 static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
@@ -98,7 +98,7 @@ static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "4d3ccbd0d957aa63eec9f75d8507e5ebca18900740bf361b6070ba6cb3f12a8b",
+    hash: "f471f303da00203baed3dc4a1ca5f4f7abc0995f2d0e399530a404649e7c1526",
 };
 
 static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -111,5 +111,5 @@ static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "30e7c47fe1c6379b88c9554f1cce6ff745acc665cd429bb7db34862785ea0c1a",
+    hash: "08d79ff897c49812f41dbe50b5ebb780016ce4be15faf47b75cf9447efef91db",
 };

@@ -58,7 +58,7 @@ static DRAW_SURFACE_NORMALS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/surface_normals.hlsl",
-    hash: "be0c4112751d10338066b798b281ffb9f8fedb6a87f189c9863ba1637d3fab62",
+    hash: "6d1a289d16dc7b8faf99cede789cdcef0732a86671c3bbd49336f5f5a697aa59",
 };
 
 static DRAW_SURFACE_NORMALS_FRAGMENT: Module = Module {
@@ -71,5 +71,5 @@ static DRAW_SURFACE_NORMALS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/surface_normals.hlsl",
-    hash: "1282969405574936c0c263ee246702b6bc94bd2c604e792e1d75c2d5dced3bd8",
+    hash: "65f8f924ed23e664778873ce2f7a42a74aa7d4ee84ded0574aa755c5ec0f2c44",
 };

@@ -86,7 +86,7 @@ static DRAW_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "394ec7514989f1525bad5f09bf013a32b4edb98d40fee0a8bb8d3d6a8fedfbe5",
+    hash: "dec9b80e97e2b00a82ac8f96842b76aa60b5b0362a1f1f00df05002e948c1dd5",
 };
 
 static DRAW_THICKNESS_FRAGMENT: Module = Module {
@@ -99,7 +99,7 @@ static DRAW_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "6fe7a9bd2624efffa7e2dabe0d678e5f589c4b322cb4f0481bd41946e4974bf2",
+    hash: "bdf1b5734ddc6e86faa2c6388f586466e6d5ba68fc4fca268988e37e149a2a33",
 };
 
 static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -112,5 +112,5 @@ static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "741931c9fb37dfd55cd1c2911a87bea01d0240a99ce965d310fd7564be386ade",
+    hash: "f28d07199dcbb52b6ad07b82fe852d1ef2bf57dfdedc0fe0e6b80ab5125cc269",
 };

@@ -85,7 +85,7 @@ static DRAW_WATER_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "a3cf5e4e66174c65ad37df749e6d61aabae00b6995abcc59af8d9825f4e999f6",
+    hash: "a767ca7ca945eccb2dc7f91f9a3e01b5fbdeb67060534d050c5f5336a35b29b1",
 };
 
 static DRAW_WATER_FRAGMENT: Module = Module {
@@ -98,5 +98,5 @@ static DRAW_WATER_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "228cd4d7ead291891ea3b3db90662be69d43dba333857c88a3d77a9da3f66257",
+    hash: "5fac632c947e5148356501caee05421385653bffc8fc8d582112974f1bc8bcaa",
 };

@@ -1,5 +1,5 @@
 //! The wall-weight function as the shader has it: in closed form, a little off the integrals
-//! ([`crate::boundary::wall_integrals`]) beyond edges and corners. (Shader: `boundary/walls.hlsl`.)
+//! ([`crate::boundary::wall_integrals`]) beyond edges and corners. (Shader: `boundary/walls.hlsli`.)
 
 use crate::shared::lattice;
 use glam::{BVec3, DVec3, Vec3Swizzles};

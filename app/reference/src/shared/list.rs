@@ -1,4 +1,4 @@
-//! The neighbour list's encoding: ascending indices as 16-bit deltas. (Shader: `shared/list.hlsl`.)
+//! The neighbour list's encoding: ascending indices as 16-bit deltas. (Shader: `shared/list.hlsli`.)
 
 use brooklet_kernels::{LIST_CHUNK, LIST_ESCAPE, LIST_MAX_DELTA, LIST_SLICE, ListHead};
 

@@ -1,4 +1,4 @@
-//! Fixed-point quantization modulo four supports. (Shader: `shared/quantized_position.hlsl`.)
+//! Fixed-point quantization modulo four supports. (Shader: `shared/quantized_position.hlsli`.)
 
 use glam::DVec3;
 

@@ -96,7 +96,7 @@ mod tests {
             box_min_m: [-1e18; 3],
             radius_m: 0.1,
             box_max_m: [1e18; 3],
-            spread_m: 0.1,
+            thickness_radius_m: 0.1,
             spacing_m: 0.1,
             smoothing_m: 0.1,
             most_reach_px: 64.0,

@@ -45,12 +45,12 @@ pub(crate) fn rows(light: &FrameLight) -> [(DVec3, f64); 3] {
     })
 }
 
-/// Column and row in 0..1, and depth, 1 nearest the sun. (Shader: `shadow_position`.)
+/// Column and row in 0..1, and depth, 1 nearest the sun. (Shader: `ShadowPosition`.)
 pub fn shadow_position(light: &FrameLight, at_m: DVec3) -> DVec3 {
     DVec3::from_array(rows(light).map(|(row, shift)| row.dot(at_m) + shift))
 }
 
-/// The place in the world that a place in the map is. (Shader: `world_from_shadow`.)
+/// The place in the world that a place in the map is. (Shader: `WorldFromShadow`.)
 pub fn world_from_shadow(light: &FrameLight, at: DVec3) -> DVec3 {
     let parts = rows(light).into_iter().zip(at.to_array());
     parts.map(|((row, shift), at)| row * ((at - shift) / row.length_squared())).sum()

@@ -5,7 +5,7 @@ use brooklet_kernels::{FrameView, SurfaceParams};
 use glam::DVec3;
 
 /// Unit normals toward the eye, in world axes; `None` where no fluid is. (Shader:
-/// `surface/normal.hlsl`.)
+/// `surface/normal.hlsli`.)
 pub fn surface_normals(from: &InverseDepth, params: &SurfaceParams, view: &FrameView) -> Vec<Option<DVec3>> {
     let [width, height] = from.size_px;
     let tan = [view.tan_half_width, view.tan_half_height].map(f64::from);

@@ -5,16 +5,16 @@ use brooklet_kernels::{FrameLight, FrameView, SurfaceParams};
 use glam::DVec3;
 
 /// What a particle adds at `squared`, the square of the distance from its disc's middle over its radius: its
-/// volume d^3 spread as (1 - s)^2. (Shader: `surface/spread.hlsl`.)
-fn spread(squared: f64, params: &SurfaceParams) -> f64 {
-    let ratio = f64::from(params.spacing_m) / f64::from(params.spread_m);
+/// volume d^3 spread as (1 - s)^2. (Shader: `surface/thickness_kernel.hlsli`.)
+fn thickness_kernel(squared: f64, params: &SurfaceParams) -> f64 {
+    let ratio = f64::from(params.spacing_m) / f64::from(params.thickness_radius_m);
     3.0 / std::f64::consts::PI * ratio * ratio * (1.0 - squared).max(0.0).powi(2)
 }
 
 /// Along the rays of a picture's pixels. (Shader: `surface/thickness.hlsl`.)
 pub fn thickness(centers_m: &[DVec3], params: &SurfaceParams, view: &FrameView, size_px: [usize; 2]) -> Vec<f64> {
     let eye_m = DVec3::from_array(view.eye_m.map(f64::from));
-    let radius_m2 = f64::from(params.spread_m).powi(2);
+    let radius_m2 = f64::from(params.thickness_radius_m).powi(2);
     let through = |index: usize| {
         let ray = super::ray_of(view, size_px, index).normalize();
         let of = |center_m: &DVec3| {
@@ -24,7 +24,7 @@ pub fn thickness(centers_m: &[DVec3], params: &SurfaceParams, view: &FrameView, 
             // Outside, and ahead of the eye: tangents of the angles from the disc's middle and to its rim.
             let is_ahead = distance_m2 > radius_m2 && along_m > 0.0;
             let tan2 = (distance_m2 - along_m * along_m) / (along_m * along_m);
-            if is_ahead { spread(tan2 * (distance_m2 - radius_m2) / radius_m2, params) } else { 0.0 }
+            if is_ahead { thickness_kernel(tan2 * (distance_m2 - radius_m2) / radius_m2, params) } else { 0.0 }
         };
         centers_m.iter().map(of).sum()
     };
@@ -41,7 +41,7 @@ pub fn sun_thickness(centers_m: &[DVec3], params: &SurfaceParams, light: &FrameL
         let of = |center_m: &DVec3| {
             let apart_m = *center_m - from_m;
             let aside_m2 = (apart_m - apart_m.dot(to_sun) * to_sun).length_squared();
-            spread(aside_m2 / f64::from(params.spread_m).powi(2), params)
+            thickness_kernel(aside_m2 / f64::from(params.thickness_radius_m).powi(2), params)
         };
         centers_m.iter().map(of).sum()
     };

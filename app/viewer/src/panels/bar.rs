@@ -67,12 +67,12 @@ fn scenes(ui: &mut Ui, shown: &Shown<'_>, actions: &mut Vec<Action>) {
 
 fn status(ui: &mut Ui, shown: &Shown<'_>) {
     let Some(world) = shown.world else { return };
-    let speed = match (shown.paused, shown.times.speed.spread()) {
+    let speed = match (shown.paused, shown.times.speed.quantiles()) {
         (true, _) => "paused".to_owned(),
         (false, Some(speed)) => format!("{:.2} × real time", speed.p50),
         (false, None) => String::new(),
     };
-    let frames = shown.times.frame_ms.spread().filter(|frame| frame.p50 > 0.0);
+    let frames = shown.times.frame_ms.quantiles().filter(|frame| frame.p50 > 0.0);
     let frames = frames.map_or(String::new(), |frame| {
         let rate = 1000.0 / frame.p50;
         if rate < 9.95 { format!("{rate:.1} frames/s") } else { format!("{rate:.0} frames/s") }

@@ -12,7 +12,7 @@ use crate::times::PassTimes;
 pub(super) fn show(ui: &mut Ui, shown: &Shown<'_>) {
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
         let times = shown.times;
-        heading(ui, "GPU", times.gpu_ms.spread().map(|ms| format!("{:.1} ms, p95 {:.1}", ms.p50, ms.p95)));
+        heading(ui, "GPU", times.gpu_ms.quantiles().map(|ms| format!("{:.1} ms, p95 {:.1}", ms.p50, ms.p95)));
         plot(ui, "gpu plot", &times.gpu_ms, style::ACCENT, Some(shown.governor.budget_ms));
         bars(ui, &times.passes);
         if times.flagged_spans > 0 {
@@ -61,9 +61,9 @@ fn plot(ui: &mut Ui, name: &str, history: &History, color: Color32, limit: Optio
 
 /// A bar a pass: filled to the median, a tick at the 95th percentile.
 fn bars(ui: &mut Ui, passes: &[PassTimes]) {
-    let spreads = || passes.iter().filter_map(|pass| Some((pass.stage, pass.spread?)));
-    let most = spreads().map(|(_, spread)| spread.p95).fold(1e-6, f64::max);
-    for (stage, spread) in spreads() {
+    let quantiles = || passes.iter().filter_map(|pass| Some((pass.stage, pass.quantiles?)));
+    let most = quantiles().map(|(_, quantiles)| quantiles.p95).fold(1e-6, f64::max);
+    for (stage, quantiles) in quantiles() {
         let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), 15.0), Sense::hover());
         let bar = Rect::from_min_max(rect.min + vec2(142.0, 2.0), rect.max - vec2(40.0, 2.0));
         let at = |ms: f64| bar.left() + bar.width() * (ms / most) as f32;
@@ -72,14 +72,14 @@ fn bars(ui: &mut Ui, passes: &[PassTimes]) {
         let text = ui.visuals().text_color();
         painter.text(rect.left_center(), egui::Align2::LEFT_CENTER, stage, small.clone(), text);
         painter.rect_filled(bar, 2, ui.visuals().extreme_bg_color);
-        painter.rect_filled(Rect::from_min_max(bar.min, egui::pos2(at(spread.p50), bar.bottom())), 2, style::ACCENT);
-        let p95 = at(spread.p95).min(bar.right() - 1.0);
+        painter.rect_filled(Rect::from_min_max(bar.min, egui::pos2(at(quantiles.p50), bar.bottom())), 2, style::ACCENT);
+        let p95 = at(quantiles.p95).min(bar.right() - 1.0);
         painter.vline(p95, bar.y_range(), Stroke::new(1.5, style::WARNING));
         painter.rect_stroke(bar, 2, Stroke::new(0.5, style::QUIET.gamma_multiply(0.3)), StrokeKind::Outside);
-        let ms = if spread.p50 < 10.0 { format!("{:.2}", spread.p50) } else { format!("{:.1}", spread.p50) };
+        let ms = if quantiles.p50 < 10.0 { format!("{:.2}", quantiles.p50) } else { format!("{:.1}", quantiles.p50) };
         painter.text(rect.right_center(), egui::Align2::RIGHT_CENTER, ms, small, style::QUIET);
         mark(&response, &format!("pass {stage}"));
-        response.on_hover_text(format!("{stage}: p50 {:.3} ms, p95 {:.3} ms a frame", spread.p50, spread.p95));
+        response.on_hover_text(format!("{stage}: p50 {:.3} ms, p95 {:.3} ms a frame", quantiles.p50, quantiles.p95));
     }
 }
 

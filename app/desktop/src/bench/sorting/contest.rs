@@ -3,7 +3,7 @@
 use brooklet_gpu::{Engine, FrameReport, Gpu, Plan, Recording, Resources};
 use serde::Serialize;
 
-use crate::{failure::Failure, interrupt::Interrupt, timings::Spread};
+use crate::{failure::Failure, interrupt::Interrupt, timings::Quantiles};
 
 /// Uploads, run once.
 pub const INIT: &str = "init";
@@ -103,8 +103,8 @@ fn outcome(names: Names, times: &[(f64, f64)]) -> Option<Outcome> {
         case: names.case,
         baseline: names.baseline,
         alternative: names.alternative,
-        baseline_ms: Spread::of(times.iter().map(|(baseline, _)| *baseline).collect())?.median,
-        alternative_ms: Spread::of(times.iter().map(|(_, alternative)| *alternative).collect())?.median,
+        baseline_ms: Quantiles::of(times.iter().map(|(baseline, _)| *baseline).collect())?.median,
+        alternative_ms: Quantiles::of(times.iter().map(|(_, alternative)| *alternative).collect())?.median,
         ratio: rank(0.5),
         ratio_p10: rank(0.1),
         ratio_p90: rank(0.9),

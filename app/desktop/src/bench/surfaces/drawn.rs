@@ -15,7 +15,7 @@ use super::{
     seen::Seen,
     shapes::{DOMAIN_M, SPACING_M, Shape},
 };
-use crate::{failure::Failure, interrupt::Interrupt, timings::Spread};
+use crate::{failure::Failure, interrupt::Interrupt, timings::Quantiles};
 
 const INIT: &str = "init";
 const DRAW: &str = "draw";
@@ -134,7 +134,7 @@ pub fn draw(
         let stages = |report: &brooklet_gpu::FrameReport| -> f64 {
             report.stage_ms().iter().filter(|(stage, ..)| wanted(stage)).fold(0.0, |sum, (_, ms, _)| sum + ms)
         };
-        Spread::of(times.iter().skip(WARM_UP).map(stages).collect()).map_or(0.0, |spread| spread.median)
+        Quantiles::of(times.iter().skip(WARM_UP).map(stages).collect()).map_or(0.0, |quantiles| quantiles.median)
     };
     // The normals' own pass is the study's: the water restores them where it shades.
     let smoothing_ms = ms_of(&|stage| stage.contains("smooth_"));

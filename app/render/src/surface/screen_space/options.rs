@@ -136,7 +136,7 @@ impl ScreenSpaceOptions {
             box_min_m: corner(self.box_m[0]),
             radius_m: self.radius_m as f32,
             box_max_m: corner(self.box_m[1]),
-            spread_m: (SPREAD_RATIO * self.spacing_m) as f32,
+            thickness_radius_m: (SPREAD_RATIO * self.spacing_m) as f32,
             spacing_m: self.spacing_m as f32,
             smoothing_m: self.smoothing_m as f32,
             most_reach_px: self.most_reach_px as f32,

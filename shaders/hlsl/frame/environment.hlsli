@@ -2,11 +2,11 @@
 #ifndef BROOKLET_ENVIRONMENT
 #define BROOKLET_ENVIRONMENT
 
-#include "layout.hlsl"
+#include "layout.hlsli"
 
 // Where a ray leaves to: a gradient from horizon to zenith with a soft sun. Below the horizon it
 // stays the horizon's colour, which is what the floor melts into.
-float3 sky_gradient(FrameLight light, float3 direction)
+float3 SkyGradient(FrameLight light, float3 direction)
 {
     // Steep near the horizon, as a real sky's is. Squares, as `pow` is dear on a CPU driver.
     float below = 1.0 - saturate(direction.y);
@@ -15,15 +15,15 @@ float3 sky_gradient(FrameLight light, float3 direction)
 }
 
 // The same with the sun's glow.
-float3 sky_radiance(FrameLight light, float3 direction)
+float3 SkyRadiance(FrameLight light, float3 direction)
 {
     float toward_sun = saturate(dot(direction, light.to_sun));
     float glow = 0.08 * pow(toward_sun, 6.0) + 0.25 * pow(toward_sun, 48.0) + 2.0 * pow(toward_sun, 900.0);
-    return sky_gradient(light, direction) + glow * light.sun_color;
+    return SkyGradient(light, direction) + glow * light.sun_color;
 }
 
 // x to the power of 64.
-float power64(float x)
+float Power64(float x)
 {
     x *= x;
     x *= x;
@@ -34,7 +34,7 @@ float power64(float x)
 }
 
 // Diffuse light of sky and floor on a surface facing `normal`.
-float3 ambient_light(FrameLight light, float3 floor_color, float3 normal)
+float3 AmbientLight(FrameLight light, float3 floor_color, float3 normal)
 {
     // Brighter than the part of the sky that is seen, as a studio is lit from above.
     float3 sky = 1.5 * lerp(light.sky_horizon, light.sky_zenith, 0.5);
@@ -43,7 +43,7 @@ float3 ambient_light(FrameLight light, float3 floor_color, float3 normal)
 }
 
 // Share of light a smooth dielectric reflects: Schlick 1994.
-float fresnel(float f0, float cosine)
+float Fresnel(float f0, float cosine)
 {
     float x = 1.0 - saturate(cosine);
     float x2 = x * x;
@@ -51,7 +51,7 @@ float fresnel(float f0, float cosine)
 }
 
 // Column and row in the shadow map, and depth there (1 nearest the sun).
-float3 shadow_position(FrameLight light, float3 world_m)
+float3 ShadowPosition(FrameLight light, float3 world_m)
 {
     float4 p = float4(world_m, 1.0);
     return float3(dot(light.shadow_u, p), dot(light.shadow_v, p), dot(light.shadow_depth, p));
@@ -59,7 +59,7 @@ float3 shadow_position(FrameLight light, float3 world_m)
 
 // The place in the world that a place in the shadow map is. Its rows stand at right angles, each
 // with the length of its inverse scale.
-float3 world_from_shadow(FrameLight light, float3 at)
+float3 WorldFromShadow(FrameLight light, float3 at)
 {
     float3 u = light.shadow_u.xyz, v = light.shadow_v.xyz, depth = light.shadow_depth.xyz;
     return u * ((at.x - light.shadow_u.w) / dot(u, u)) + v * ((at.y - light.shadow_v.w) / dot(v, v))
@@ -67,13 +67,13 @@ float3 world_from_shadow(FrameLight light, float3 at)
 }
 
 // Clip position of a place in the shadow map.
-float4 clip_from_shadow(float3 at)
+float4 ClipFromShadow(float3 at)
 {
     return float4(2.0 * at.x - 1.0, 1.0 - 2.0 * at.y, at.z, 1.0);
 }
 
 // Depth of the map's texel at `uv`; zero (nothing there) outside.
-float shadow_load(Texture2D<float> shadow_map, FrameLight light, float2 uv)
+float ShadowLoad(Texture2D<float> shadow_map, FrameLight light, float2 uv)
 {
     float2 texel = clamp(uv * light.shadow_texels, 0.0, light.shadow_texels - 1.0);
     return shadow_map.Load(int3(int2(texel), 0));

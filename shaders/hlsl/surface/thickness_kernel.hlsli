@@ -1,9 +1,9 @@
 // How a particle's volume d^3 is spread over a disc, for those who look through the fluid.
-#ifndef BROOKLET_SPREAD
-#define BROOKLET_SPREAD
+#ifndef BROOKLET_THICKNESS_KERNEL
+#define BROOKLET_THICKNESS_KERNEL
 
-#include "../shared/layout.hlsl"
-#include "layout.hlsl"
+#include "../shared/layout.hlsli"
+#include "layout.hlsli"
 
 // Around the center of what is drawn: a particle's ellipsoid, or its sphere.
 struct Center
@@ -15,7 +15,7 @@ struct Center
 #if defined(ELLIPSOID_CENTERS)
 StructuredBuffer<Ellipsoid> ellipsoids;
 
-Center center_of(uint particle)
+Center CenterOf(uint particle)
 {
     Center center = { ellipsoids[particle].center_m, ellipsoids[particle].tag };
     return center;
@@ -23,7 +23,7 @@ Center center_of(uint particle)
 #else
 StructuredBuffer<Position> positions;
 
-Center center_of(uint particle)
+Center CenterOf(uint particle)
 {
     Center center = { positions[particle].position_m, positions[particle].tag };
     return center;
@@ -32,10 +32,10 @@ Center center_of(uint particle)
 
 // Thickness at a place in the unit disc, in spacings; 0 outside. (1 - s)^2 is smooth at the rim, and
 // its integral over a disc of radius r is pi r^2 / 3.
-float spread_thickness(float2 disc, SurfaceParams surface)
+float ThicknessKernel(float2 disc, SurfaceParams surface)
 {
     float inside = saturate(1.0 - dot(disc, disc));
-    float ratio = surface.spacing_m / surface.spread_m;
+    float ratio = surface.spacing_m / surface.thickness_radius_m;
     return 0.95492966 * ratio * ratio * inside * inside;
 }
 

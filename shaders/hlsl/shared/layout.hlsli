@@ -32,7 +32,7 @@ struct Position
     uint tag;           // bits 0-23 id, 24-30 fluid, 31 quarantined
 };
 
-// A particle's quantized position (shared/quantized_position.hlsl) during an iteration, with its constraint's multiplier.
+// A particle's quantized position (shared/quantized_position.hlsli) during an iteration, with its constraint's multiplier.
 struct PositionLambda
 {
     uint2 quantized_position;
@@ -60,7 +60,7 @@ struct CellSlot
     uint rank;
 };
 
-// How a particle's neighbour list begins (shared/list.hlsl).
+// How a particle's neighbour list begins (shared/list.hlsli).
 struct ListHead
 {
     uint entries;   // neighbours, and deltas too wide for one
@@ -106,7 +106,7 @@ struct GridParams
 };
 
 // The smoothing kernel, Wendland C2, scaled so that the initial lattice has density ratio 1, and
-// what it counts beyond walls (boundary/walls.hlsl).
+// what it counts beyond walls (boundary/walls.hlsli).
 struct SmoothingKernelParams
 {
     float support_m;

@@ -1,4 +1,4 @@
-// What the host tells the drawing stages. The rule of shared/layout.hlsl holds: every field is
+// What the host tells the drawing stages. The rule of shared/layout.hlsli holds: every field is
 // placed alike in a uniform and in a structured buffer, with no hidden padding.
 // Lengths are metres, relative to the domain's lowest corner; y is up. "World" is that frame.
 #ifndef BROOKLET_FRAME_LAYOUT

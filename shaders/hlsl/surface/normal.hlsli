@@ -4,12 +4,12 @@
 #ifndef BROOKLET_NORMAL
 #define BROOKLET_NORMAL
 
-#include "inverse_depth.hlsl"
+#include "inverse_depth.hlsli"
 
 // Slope of the inverse_depth across a pixel, from those before and after. Where both lie on one surface
 // it is the central difference; at an edge the smaller of the one-sided ones, which looks along the
 // surface and not over its edge (van der Laan, Green & Sainz 2009, section 4.2).
-float slope(float before, float here, float after, float same)
+float Slope(float before, float here, float after, float same)
 {
     float backward = before > 0.0 ? here - before : 1e30;
     float forward = after > 0.0 ? after - here : 1e30;
@@ -20,14 +20,14 @@ float slope(float before, float here, float after, float same)
 }
 
 // Normal toward the eye at a pixel with inverse_depth `here` above 0, in world axes.
-float3 normal_at(Texture2D<float> inverse_depth, FrameView view, int2 pixel, float here, float range_m)
+float3 NormalAt(Texture2D<float> inverse_depth, FrameView view, int2 pixel, float here, float range_m)
 {
-    float same = inverse_depth_difference(range_m, here);
-    float along_x = slope(inverse_depth_at(inverse_depth, view.size_px, pixel - int2(1, 0)), here,
-                          inverse_depth_at(inverse_depth, view.size_px, pixel + int2(1, 0)), same);
+    float same = InverseDepthDifference(range_m, here);
+    float along_x = Slope(InverseDepthAt(inverse_depth, view.size_px, pixel - int2(1, 0)), here,
+                          InverseDepthAt(inverse_depth, view.size_px, pixel + int2(1, 0)), same);
     // Rows count downward, the picture's y upward.
-    float along_y = -slope(inverse_depth_at(inverse_depth, view.size_px, pixel - int2(0, 1)), here,
-                           inverse_depth_at(inverse_depth, view.size_px, pixel + int2(0, 1)), same);
+    float along_y = -Slope(InverseDepthAt(inverse_depth, view.size_px, pixel - int2(0, 1)), here,
+                           InverseDepthAt(inverse_depth, view.size_px, pixel + int2(0, 1)), same);
     float2 ndc = (float2(pixel) + 0.5) / view.size_px * float2(2.0, -2.0) + float2(-1.0, 1.0);
     float2 ray = ndc * float2(view.tan_half_width, view.tan_half_height);
     // Pixels are 2 tan_half / size apart in the ray's coordinates.

@@ -3,7 +3,7 @@
 #ifndef BROOKLET_TAG
 #define BROOKLET_TAG
 
-#include "layout.hlsl"
+#include "layout.hlsli"
 
 uint IdOf(uint tag)
 {

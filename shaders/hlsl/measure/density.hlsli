@@ -1,6 +1,6 @@
 // A particle's density ratio where a step left it: itself, its neighbours, the walls. Includers
-// declare `positions`, the lists, `step_params` and `kernel`, and WALLS includes boundary/walls.hlsl,
-// PERIODIC shared/periodic.hlsl.
+// declare `positions`, the lists, `step_params` and `kernel`, and WALLS includes boundary/walls.hlsli,
+// PERIODIC shared/periodic.hlsli.
 #ifndef BROOKLET_DENSITY
 #define BROOKLET_DENSITY
 

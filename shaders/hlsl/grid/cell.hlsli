@@ -2,7 +2,7 @@
 #ifndef BROOKLET_CELL
 #define BROOKLET_CELL
 
-#include "../shared/layout.hlsl"
+#include "../shared/layout.hlsli"
 
 // Row-major, x fastest, so that a run of cells along x is one range of sorted particles. What is
 // outside gets the cell behind the last.

@@ -2,7 +2,7 @@
 #ifndef BROOKLET_DISPATCH
 #define BROOKLET_DISPATCH
 
-#include "layout.hlsl"
+#include "layout.hlsli"
 
 // Threads of a group where nothing is shared: one wave of every Adreno and of most desktop GPUs.
 #define PARTICLE_GROUP 64

@@ -1,4 +1,4 @@
-// What the host tells the stages that make a surface of particles. The rule of shared/layout.hlsl
+// What the host tells the stages that make a surface of particles. The rule of shared/layout.hlsli
 // holds: no hidden padding. Lengths are metres.
 #ifndef BROOKLET_SURFACE_LAYOUT
 #define BROOKLET_SURFACE_LAYOUT
@@ -28,7 +28,7 @@ struct AnisotropyParams
     uint reserved2;
 };
 
-// A particle's ellipsoid (surface/ellipsoid.hlsl).
+// A particle's ellipsoid (surface/ellipsoid.hlsli).
 struct Ellipsoid
 {
     float3 center_m;
@@ -43,7 +43,7 @@ struct SurfaceParams
     float3 box_min_m;           // the fluid is cut off outside this box: at a tank's glass
     float radius_m;             // of a particle's sphere
     float3 box_max_m;
-    float spread_m;             // radius of the disc on which a particle's volume counts as thickness
+    float thickness_radius_m;             // radius of the disc on which a particle's volume counts as thickness
     float spacing_m;            // thickness is kept in spacings: f16 then fits any scene's size
     float smoothing_m;          // reach of the smoothing filters, two standard deviations
     float most_reach_px;        // the reach is clamped to this, so that a near camera has an end

@@ -3,7 +3,7 @@
 #ifndef BROOKLET_HISTOGRAM
 #define BROOKLET_HISTOGRAM
 
-#include "../shared/layout.hlsl"
+#include "../shared/layout.hlsli"
 
 static const uint HISTOGRAM_FIRST = 0x38800000u >> 18; // the bits of 2^-14
 

@@ -6,7 +6,7 @@
 #ifndef BROOKLET_SEARCH
 #define BROOKLET_SEARCH
 
-#include "rows.hlsl"
+#include "rows.hlsli"
 
 // Visits everything near particle i, which is at x_i_m, in some cell, in sorted order.
 void Search(uint i, float3 x_i_m, inout Found found)

@@ -4,8 +4,8 @@
 #ifndef BROOKLET_DENSITY_SUMS
 #define BROOKLET_DENSITY_SUMS
 
-#include "../../shared/quantized_position.hlsl"
-#include "../../shared/wendland.hlsl"
+#include "../../shared/quantized_position.hlsli"
+#include "../../shared/wendland.hlsli"
 
 struct DensitySums
 {

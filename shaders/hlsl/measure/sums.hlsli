@@ -2,8 +2,8 @@
 #ifndef BROOKLET_SUMS
 #define BROOKLET_SUMS
 
-#include "../shared/layout.hlsl"
-#include "../shared/dispatch.hlsl"
+#include "../shared/layout.hlsli"
+#include "../shared/dispatch.hlsli"
 
 groupshared MeasureSums shared_measures[PARTICLE_GROUP];
 

@@ -7,7 +7,7 @@
 #ifndef BROOKLET_QUANTIZED_POSITION
 #define BROOKLET_QUANTIZED_POSITION
 
-#include "layout.hlsl"
+#include "layout.hlsli"
 
 // Support radii in one unit of a coordinate: 2^32 units are 4 h.
 static const float SUPPORTS_PER_UNIT = 1.0 / 1073741824.0;

@@ -3,8 +3,8 @@
 #ifndef BROOKLET_SPRAY
 #define BROOKLET_SPRAY
 
-#include "../shared/layout.hlsl"
-#include "layout.hlsl"
+#include "../shared/layout.hlsli"
+#include "layout.hlsli"
 
 static const float SPRAY_NEIGHBOURS = 14.0; // about those of a flat surface at h = 2 d
 

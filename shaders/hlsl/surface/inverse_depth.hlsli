@@ -5,10 +5,10 @@
 #ifndef BROOKLET_INVERSE_DEPTH
 #define BROOKLET_INVERSE_DEPTH
 
-#include "../frame/layout.hlsl"
+#include "../frame/layout.hlsli"
 
 // The inverse_depth at a pixel, 0 outside the picture.
-float inverse_depth_at(Texture2D<float> inverse_depth, float2 size_px, int2 pixel)
+float InverseDepthAt(Texture2D<float> inverse_depth, float2 size_px, int2 pixel)
 {
     bool inside = pixel.x >= 0 && pixel.y >= 0 && pixel.x < int(size_px.x) && pixel.y < int(size_px.y);
     return inside ? inverse_depth.Load(int3(pixel, 0)) : 0.0;
@@ -16,13 +16,13 @@ float inverse_depth_at(Texture2D<float> inverse_depth, float2 size_px, int2 pixe
 
 // A small difference of distance as one of inverse_depth: d(1/z) = dz / z^2. Never more than half the
 // inverse_depth itself, so that what is near the eye keeps apart from nothing at all.
-float inverse_depth_difference(float distance_m, float inverse_depth)
+float InverseDepthDifference(float distance_m, float inverse_depth)
 {
     return min(distance_m * inverse_depth * inverse_depth, 0.5 * inverse_depth);
 }
 
 // Reach of a filter in pixels: `reach_m` in the world, whatever the distance and the resolution.
-float reach_px(float reach_m, float inverse_depth, float pixel_angle, float most_px)
+float ReachPx(float reach_m, float inverse_depth, float pixel_angle, float most_px)
 {
     return min(reach_m * inverse_depth / pixel_angle, most_px);
 }
@@ -30,7 +30,7 @@ float reach_px(float reach_m, float inverse_depth, float pixel_angle, float most
 // Weight at a distance from the filter's middle: a Gaussian of which the reach is two standard
 // deviations, lowered to be zero there. So a tap comes in at nothing as the reach grows from pixel
 // to pixel and frame to frame, and nothing pops.
-float spatial_weight(float squared_px, float reach)
+float SpatialWeight(float squared_px, float reach)
 {
     return max(exp(-2.0 * squared_px / (reach * reach)) - 0.13533528, 0.0);
 }

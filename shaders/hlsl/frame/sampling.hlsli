@@ -3,7 +3,7 @@
 #define BROOKLET_SAMPLING
 
 // Sample `index` of `count` on the unit disc, all with the same share of its area (Vogel 1979).
-float2 disc_tap(uint index, uint count)
+float2 DiscTap(uint index, uint count)
 {
     float angle = index * 2.3999632;
     return sqrt((index + 0.5) / count) * float2(cos(angle), sin(angle));
@@ -11,7 +11,7 @@ float2 disc_tap(uint index, uint count)
 
 // Noise without clumps: neighbouring pixels differ much, a few together average well
 // (Jimenez 2014, interleaved gradient noise).
-float pixel_noise(float2 pixel)
+float PixelNoise(float2 pixel)
 {
     return frac(52.9829189 * frac(dot(pixel, float2(0.06711056, 0.00583715))));
 }

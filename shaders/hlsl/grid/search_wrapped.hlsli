@@ -1,4 +1,4 @@
-// As search.hlsl, where a cell of the grid stands for others of the domain too.
+// As search.hlsli, where a cell of the grid stands for others of the domain too.
 //
 // PERIODIC: cells beyond the seam of a periodic axis are those of the other side.
 // WRAPPED: in a grid onto which the domain's cells are wrapped, a cell also holds particles from a
@@ -10,7 +10,7 @@
 #ifndef BROOKLET_SEARCH_WRAPPED
 #define BROOKLET_SEARCH_WRAPPED
 
-#include "rows.hlsl"
+#include "rows.hlsli"
 
 // The first cell from `low` on that stands in cell 0.
 int FirstTurned(int low, uint cells, uint seam)

@@ -2,8 +2,8 @@
 #ifndef BROOKLET_IMPOSTOR
 #define BROOKLET_IMPOSTOR
 
-#include "../frame/camera.hlsl"
-#include "ellipsoid.hlsl"
+#include "../frame/camera.hlsli"
+#include "ellipsoid.hlsli"
 
 struct Impostor
 {
@@ -13,7 +13,7 @@ struct Impostor
     bool drawn;         // not quarantined, and the eye is outside of it
 };
 
-Impostor impostor_of(FrameView view, float3 center_m, uint tag, float radius_m, float2 corner)
+Impostor ImpostorOf(FrameView view, float3 center_m, uint tag, float radius_m, float2 corner)
 {
     float3 center = center_m - view.eye_m;
     float distance_m = length(center);
@@ -31,7 +31,7 @@ Impostor impostor_of(FrameView view, float3 center_m, uint tag, float radius_m, 
 }
 
 // `corner` in two directions across a unit axis that may point anywhere (Duff et al. 2017).
-float3 across_axis(float3 axis, float2 corner)
+float3 AcrossAxis(float3 axis, float2 corner)
 {
     float side = axis.z < 0.0 ? -1.0 : 1.0;
     float a = -1.0 / (side + axis.z);
@@ -44,7 +44,7 @@ float3 across_axis(float3 axis, float2 corner)
 // An ellipsoid's, as that of the unit sphere in the space that its matrix stretches from: a linear
 // map takes the tangent cone to the tangent cone, so the triangle is as tight, and lengths along a
 // ray, in units of it, stay. `distance_m` is then in radii.
-Impostor impostor_of_ellipsoid(FrameView view, Ellipsoid ellipsoid, float radius_m, float2 corner)
+Impostor ImpostorOfEllipsoid(FrameView view, Ellipsoid ellipsoid, float radius_m, float2 corner)
 {
     float3x3 stretch = StretchOf(ellipsoid.stretch);
     float3 center = Unstretched(stretch, ellipsoid.center_m - view.eye_m) / radius_m;
@@ -53,7 +53,7 @@ Impostor impostor_of_ellipsoid(FrameView view, Ellipsoid ellipsoid, float radius
     Impostor impostor;
     impostor.distance_m = distance;
     impostor.tan2 = 1.0 / (distance * distance - 1.0);
-    impostor.ray = radius_m * mul(stretch, axis + sqrt(impostor.tan2) * across_axis(axis, corner));
+    impostor.ray = radius_m * mul(stretch, axis + sqrt(impostor.tan2) * AcrossAxis(axis, corner));
     impostor.drawn = (ellipsoid.tag >> 31) == 0 && distance > 1.0;
     return impostor;
 }

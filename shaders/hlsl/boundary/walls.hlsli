@@ -12,7 +12,7 @@
 #ifndef BROOKLET_WALLS
 #define BROOKLET_WALLS
 
-#include "../shared/layout.hlsl"
+#include "../shared/layout.hlsli"
 
 // Along each axis, what of the kernel lies beyond the two walls.
 struct WallKernelFractions

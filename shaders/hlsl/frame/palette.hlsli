@@ -3,7 +3,7 @@
 #define BROOKLET_PALETTE
 
 // Deep water at rest, through azure, to foam: `t` is speed over the speed that foams.
-float3 speed_color(float t)
+float3 SpeedColor(float t)
 {
     const float3 deep = float3(0.006, 0.050, 0.190);
     const float3 blue = float3(0.012, 0.145, 0.440);
@@ -19,7 +19,7 @@ float3 speed_color(float t)
 
 // From deep blue at half the rest density over white at it to deep red at a tenth above: compression
 // is what a solver is judged by, and a free surface is always below.
-float3 density_color(float ratio)
+float3 DensityColor(float ratio)
 {
     const float3 thin = float3(0.010, 0.070, 0.280);
     const float3 rest = float3(0.700, 0.700, 0.680);
@@ -29,7 +29,7 @@ float3 density_color(float ratio)
 }
 
 // One colour for each fluid, well apart also for colour-blind eyes (after Okabe & Ito 2008).
-float3 fluid_color(uint fluid)
+float3 FluidColor(uint fluid)
 {
     switch (fluid % 6u)
     {

@@ -7,10 +7,10 @@
 #ifndef BROOKLET_WATER_SHADING
 #define BROOKLET_WATER_SHADING
 
-#include "layout.hlsl"
-#include "water_optics.hlsl"
-#include "../frame/camera.hlsl"
-#include "../frame/environment.hlsl"
+#include "layout.hlsli"
+#include "water_optics.hlsli"
+#include "../frame/camera.hlsli"
+#include "../frame/environment.hlsli"
 
 struct WaterPoint
 {
@@ -23,7 +23,7 @@ struct WaterPoint
 // A ring of tall soft windows around the scene, as a photographer lights glass: what calm water
 // mirrors toward any camera is brighter than the floor seen through it, and waves bend the
 // windows' outlines into highlights.
-float3 windows(FrameLight light, float3 direction)
+float3 Windows(FrameLight light, float3 direction)
 {
     float height = smoothstep(0.10, 0.22, direction.y) * (1.0 - smoothstep(0.50, 0.75, direction.y));
     float2 around = direction.xz * rsqrt(max(dot(direction.xz, direction.xz), 1e-6));
@@ -34,9 +34,9 @@ float3 windows(FrameLight light, float3 direction)
 }
 
 // What a mirrored ray meets: the sky, or the floor as light falls on it on the whole.
-float3 surroundings(FrameLight light, FrameStyle style, float3 position_m, float3 direction)
+float3 Surroundings(FrameLight light, FrameStyle style, float3 position_m, float3 direction)
 {
-    float3 sky = sky_radiance(light, direction) + windows(light, direction);
+    float3 sky = SkyRadiance(light, direction) + Windows(light, direction);
     float3 ambient = 1.5 * lerp(light.sky_horizon, light.sky_zenith, 0.4);
     float3 floor_light = style.floor_color * (0.75 * light.to_sun.y * light.sun_color + 0.75 * ambient);
     // The floor melts into the horizon as it does in the picture.
@@ -47,7 +47,7 @@ float3 surroundings(FrameLight light, FrameStyle style, float3 position_m, float
 
 // Where the line of sight, refracted at the surface, has gone through the water or met the floor:
 // beta = gamma T, with Snell's direction for the normal's part in the screen.
-float3 refracted_end(WaterStyle water, WaterPoint point_)
+float3 RefractedEnd(WaterStyle water, WaterPoint point_)
 {
     float3 straight = -point_.to_eye;
     float3 bent = refract(straight, point_.normal, AIR_OVER_WATER);
@@ -57,7 +57,7 @@ float3 refracted_end(WaterStyle water, WaterPoint point_)
 }
 
 // GGX (Walter et al. 2007) with Smith's visibility as one factor (Karis 2013): the sun's highlight.
-float3 sun_highlight(FrameLight light, WaterStyle water, WaterPoint point_)
+float3 SunHighlight(FrameLight light, WaterStyle water, WaterPoint point_)
 {
     float3 halfway = normalize(light.to_sun + point_.to_eye);
     float n_h = saturate(dot(point_.normal, halfway));
@@ -69,15 +69,15 @@ float3 sun_highlight(FrameLight light, WaterStyle water, WaterPoint point_)
     float distribution = alpha2 / (3.14159265 * d * d);
     float k = 0.5 * alpha;
     float visibility = 0.25 / ((n_l * (1.0 - k) + k) * (n_v * (1.0 - k) + k));
-    float f = fresnel(WATER_F0, dot(halfway, light.to_sun));
+    float f = Fresnel(WATER_F0, dot(halfway, light.to_sun));
     // No brighter than film can tell: one pixel must not outshine those around it.
     return min(distribution * visibility * f * n_l * light.sun_color, 12.0);
 }
 
 // What the water shows of its own: light of sun and sky scattered back from inside.
-float3 water_glow(FrameLight light, FrameStyle style, WaterStyle water, WaterPoint point_)
+float3 WaterGlow(FrameLight light, FrameStyle style, WaterStyle water, WaterPoint point_)
 {
-    float3 ambient = ambient_light(light, style.floor_color, point_.normal);
+    float3 ambient = AmbientLight(light, style.floor_color, point_.normal);
     float wrapped = saturate(0.6 + 0.4 * dot(point_.normal, light.to_sun));
     // Toward the sun thin crests light up from behind.
     float through = saturate(-dot(point_.to_eye, light.to_sun));
@@ -85,15 +85,15 @@ float3 water_glow(FrameLight light, FrameStyle style, WaterStyle water, WaterPoi
 }
 
 // `behind` is the radiance that arrives at the refracted line's end.
-float3 water_radiance(FrameLight light, FrameStyle style, WaterStyle water, WaterPoint point_, float3 behind)
+float3 WaterRadiance(FrameLight light, FrameStyle style, WaterStyle water, WaterPoint point_, float3 behind)
 {
-    float f = fresnel(WATER_F0, dot(point_.normal, point_.to_eye));
+    float f = Fresnel(WATER_F0, dot(point_.normal, point_.to_eye));
     float3 mirrored = reflect(-point_.to_eye, point_.normal);
     float3 passed = exp(-water.absorption_per_m * point_.thickness_m);
     float milky = exp(-water.scatter_per_m * point_.thickness_m);
-    float3 inside = lerp(water_glow(light, style, water, point_), behind * passed, milky);
-    return (1.0 - f) * inside + f * surroundings(light, style, point_.position_m, mirrored)
-        + sun_highlight(light, water, point_);
+    float3 inside = lerp(WaterGlow(light, style, water, point_), behind * passed, milky);
+    return (1.0 - f) * inside + f * Surroundings(light, style, point_.position_m, mirrored)
+        + SunHighlight(light, water, point_);
 }
 
 #endif

@@ -1,10 +1,10 @@
 // Periodic axes: what leaves the domain on one side comes in on the other, and particles on either
 // side of that seam are neighbours. A periodic side is a whole number of 4 h, after which places
-// (quantized_position.hlsl) repeat, so that the iterations know nothing of it.
+// (quantized_position.hlsli) repeat, so that the iterations know nothing of it.
 #ifndef BROOKLET_PERIODIC
 #define BROOKLET_PERIODIC
 
-#include "layout.hlsl"
+#include "layout.hlsli"
 
 // The position's image inside the domain.
 float3 Wrapped(float3 position_m, StepParams step)

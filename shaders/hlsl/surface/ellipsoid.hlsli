@@ -4,7 +4,7 @@
 #ifndef BROOKLET_ELLIPSOID
 #define BROOKLET_ELLIPSOID
 
-#include "layout.hlsl"
+#include "layout.hlsli"
 
 uint Halves(float low, float high)
 {

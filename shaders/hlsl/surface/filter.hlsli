@@ -4,9 +4,9 @@
 #ifndef BROOKLET_FILTER
 #define BROOKLET_FILTER
 
-#include "layout.hlsl"
-#include "inverse_depth.hlsl"
-#include "../frame/camera.hlsl"
+#include "layout.hlsli"
+#include "inverse_depth.hlsli"
+#include "../frame/camera.hlsli"
 
 Texture2D<float> inverse_depth;
 ConstantBuffer<FrameView> view;
@@ -17,21 +17,21 @@ struct Varyings
     float4 position : SV_Position;
 };
 
-Varyings covering(uint vertex)
+Varyings Covering(uint vertex)
 {
     Varyings output;
-    output.position = float4(covering_corner(vertex), 0.0, 1.0);
+    output.position = float4(CoveringCorner(vertex), 0.0, 1.0);
     return output;
 }
 
-float inverse_depth_of(int2 pixel)
+float InverseDepthOf(int2 pixel)
 {
-    return inverse_depth_at(inverse_depth, view.size_px, pixel);
+    return InverseDepthAt(inverse_depth, view.size_px, pixel);
 }
 
-float reach_of(float here)
+float ReachOf(float here)
 {
-    return reach_px(surface.smoothing_m, here, view.pixel_angle, surface.most_reach_px);
+    return ReachPx(surface.smoothing_m, here, view.pixel_angle, surface.most_reach_px);
 }
 
 #endif

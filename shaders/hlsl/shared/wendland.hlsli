@@ -4,7 +4,7 @@
 #ifndef BROOKLET_WENDLAND
 #define BROOKLET_WENDLAND
 
-#include "precision.hlsl"
+#include "precision.hlsli"
 
 real WendlandW(real q)
 {

@@ -10,7 +10,7 @@
 #ifndef BROOKLET_LIST
 #define BROOKLET_LIST
 
-#include "layout.hlsl"
+#include "layout.hlsli"
 
 // Where the first four neighbours of particle i stand; the next are LIST_SLICE further.
 uint FirstChunk(uint i, uint chunks_a_list)
