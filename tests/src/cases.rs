@@ -7,12 +7,12 @@ use crate::harness::{Bench, small};
 use brooklet_fluid::grid::NO_SEAM;
 use brooklet_gpu::Tier;
 use brooklet_kernels::{
-    Buffer, GridParams, LIST_CHUNK, ListHead, PbfParams, Position, PrecisionKeyword, SmoothingKernelParams, StepParams,
-    Velocity,
+    Buffer, ForceParams, GridParams, LIST_CHUNK, ListHead, PbfParams, Position, PrecisionKeyword,
+    SmoothingKernelParams, StepParams, Velocity,
 };
 use brooklet_reference::boundary::walls::{DomainWalls, WallScales};
 use brooklet_reference::grid::list_neighbours::{Neighbours, list_neighbours};
-use brooklet_reference::params::{Pbf, Smoothing, Step};
+use brooklet_reference::params::{Forces, Pbf, Smoothing, Step};
 use brooklet_reference::shared::quantized_position::Quantization;
 use brooklet_reference::shared::{lattice, list};
 use glam::{BVec3, DVec3};
@@ -165,11 +165,15 @@ pub fn pbf_params() -> PbfParams {
         cfm: 0.05,
         s_corr_k: 0.02,
         s_corr_inverse_w: 4.0,
-        xsph: 0.1,
-        vorticity: 0.02,
         max_correction_m: (0.5 * SPACING_M) as f32,
         separation: 0.25,
+        ..PbfParams::default()
     }
+}
+
+/// Coefficients of the forces, each on.
+pub fn force_params() -> ForceParams {
+    ForceParams { xsph: 0.1, vorticity_m_s: 0.02, ..ForceParams::default() }
 }
 
 /// Settings of a grid over `size_m` with cells of `cell_m`.
@@ -209,6 +213,11 @@ pub fn smoothing_of(params: &SmoothingKernelParams) -> Smoothing {
     Smoothing::new(f64::from(params.support_m), f64::from(params.weight))
 }
 
+/// The twin's forces.
+pub fn forces_of(params: &ForceParams) -> Forces {
+    Forces { xsph: f64::from(params.xsph), vorticity_m_s: f64::from(params.vorticity_m_s) }
+}
+
 /// The twin's solver.
 pub fn pbf_of(params: &PbfParams) -> Pbf {
     Pbf {
@@ -216,8 +225,6 @@ pub fn pbf_of(params: &PbfParams) -> Pbf {
         cfm: f64::from(params.cfm),
         s_corr_k: f64::from(params.s_corr_k),
         s_corr_inverse_w: f64::from(params.s_corr_inverse_w),
-        xsph: f64::from(params.xsph),
-        vorticity: f64::from(params.vorticity),
         max_correction_m: f64::from(params.max_correction_m),
         separation: f64::from(params.separation),
     }

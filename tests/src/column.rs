@@ -5,10 +5,10 @@ use crate::extreme::{Case, State};
 use brooklet_fluid::Scene;
 use brooklet_reference::column::Column;
 use brooklet_reference::grid::list_neighbours::list_neighbours;
+use brooklet_reference::measure::density::density_ratio;
 use brooklet_reference::params::Smoothing;
 use brooklet_reference::shared::lattice;
 use brooklet_reference::shared::wendland::kernel;
-use brooklet_reference::solver::pbf::density_ratio;
 use glam::DVec3;
 
 /// What to run. Spacing 0.02 m, gravity 9.81 m/s^2, the program's defaults otherwise.

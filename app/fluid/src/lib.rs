@@ -5,6 +5,7 @@
 //! program that only simulates.
 
 pub mod boundary;
+pub mod forces;
 pub mod grid;
 pub mod interact;
 pub mod measure;
@@ -17,6 +18,7 @@ pub mod solver;
 mod stat_fields;
 pub mod state;
 mod step;
+mod step_context;
 mod step_params;
 
 pub use interact::PUSH;
@@ -26,4 +28,5 @@ pub use scene::{Scene, SceneError, shipped_scenes};
 pub use simulation::{Simulation, SimulationError};
 pub use stat_fields::{STAT_FIELDS, StatField, captured_fields, captured_values};
 pub use step::{INIT, MEASURE, Recorded, STEP, record, record_count, record_particles};
+pub use step_context::{Particles, StepContext};
 pub use step_params::step_params;

@@ -7,12 +7,12 @@ pub use sample_particles::{SAMPLE, Sample, record_sample};
 use brooklet_gpu::{Recording, Resources};
 use brooklet_kernels::{
     Buffer, Counters, DensityRatios, DensityRatiosVariant, HISTOGRAM_BINS, Kernel, Measure, MeasureParticles,
-    MeasureParticlesVariant, MeasureSums, MeasureTotals, Position, SmoothingKernelParams, StepParams, Velocity,
+    MeasureParticlesVariant, MeasureSums, MeasureTotals, Position, SmoothingKernelParams, StepParams,
 };
 
-use crate::grid::Neighbours;
+use crate::grid::{NeighbourSearch, Neighbours};
 use crate::scene::Scene;
-use crate::solver::pbf::Shared;
+use crate::step_context::{Particles, StepContext};
 
 /// The measuring stages' buffers.
 pub struct Measuring {
@@ -33,44 +33,48 @@ impl Measuring {
         }
     }
 
-    /// Measures the state after a step, with the neighbour lists of its last substep.
+    /// Measures the state after a step: densities with the neighbour lists of its last substep, where there are some.
     pub fn record(
         &mut self,
         recording: &mut Recording,
-        shared: &mut Shared,
-        neighbours: &Neighbours,
-        positions: &Buffer<Position>,
-        velocities: &Buffer<Velocity>,
+        context: &mut StepContext,
+        search: Option<&NeighbourSearch>,
+        particles: &Particles,
     ) {
         // Without particles nothing else writes it.
         recording.clear(&mut self.group_measures);
         recording.clear(&mut self.histograms);
+        let has_density = search.is_some();
         recording.dispatch(
             &MeasureParticles {
-                variant: MeasureParticlesVariant { walls: shared.walls, periodic: shared.periodic },
-                positions: positions.read(),
-                velocities: velocities.read(),
-                neighbours: neighbours.deltas.read(),
-                list_heads: neighbours.heads.read(),
+                variant: MeasureParticlesVariant {
+                    density: has_density,
+                    walls: has_density && context.walls,
+                    periodic: has_density && context.periodic,
+                },
+                positions: particles.positions.read(),
+                velocities: particles.velocities.read(),
+                neighbours: search.map(|search| search.neighbours.deltas.read()),
+                list_heads: search.map(|search| search.neighbours.heads.read()),
                 group_measures: self.group_measures.write(),
-                histograms: self.histograms.write(),
-                step_params: shared.step.uniform(),
-                kernel: shared.kernel.uniform(),
+                histograms: has_density.then(|| self.histograms.write()),
+                step_params: context.step.uniform(),
+                kernel: search.map(|search| search.smoothing_kernel.uniform()),
             },
-            positions.len,
+            particles.positions.len,
         );
         recording.dispatch_groups(
             &MeasureTotals {
                 group_measures: self.group_measures.read(),
                 histograms: self.histograms.read(),
-                counters: shared.counters.read(),
+                counters: context.counters.read(),
                 measure: self.measure.write(),
-                step_params: shared.step.uniform(),
+                step_params: context.step.uniform(),
             },
             [1; 3],
         );
         // Counted from one measurement to the next.
-        recording.clear(&mut shared.counters);
+        recording.clear(&mut context.counters);
     }
 }
 
@@ -83,13 +87,13 @@ pub struct Densities {
 }
 
 impl Densities {
-    /// Of a simulation with these settings.
-    pub fn of(shared: &Shared) -> Self {
+    /// Of a simulation with these settings and this kernel.
+    pub fn of(context: &StepContext, search: &NeighbourSearch) -> Self {
         Self {
-            step: shared.step.alias(),
-            kernel: shared.kernel.alias(),
-            walls: shared.walls,
-            periodic: shared.periodic,
+            step: context.step.alias(),
+            kernel: search.smoothing_kernel.alias(),
+            walls: context.walls,
+            periodic: context.periodic,
         }
     }
 

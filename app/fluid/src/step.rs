@@ -1,15 +1,15 @@
-//! The chain of one step, top to bottom: predict, sort, list, solve; and its measurement.
+//! A scene as recordings: its start, one step of its solver's substeps, and its measurement.
 
 use brooklet_gpu::{Engine, GpuError, Recording, Resources};
-use brooklet_kernels::{Buffer, Measure, Position, PrecisionKeyword, Predict, PredictVariant, Velocity};
+use brooklet_kernels::{Buffer, Measure, Position, Velocity};
 
-use crate::grid::{self, Grid, Neighbours, Sorted};
+use crate::grid::Neighbours;
 use crate::measure::{Densities, Measuring};
 use crate::parameters::Parameters;
 use crate::particles::{ParticleSet, sample_lattice};
-use crate::scene::{Precision, Scene};
-use crate::smoothing_kernel;
-use crate::solver::pbf::{self, Pbf, Shared};
+use crate::scene::Scene;
+use crate::solver::Solver;
+use crate::step_context::{Particles, StepContext};
 use crate::step_params::step_params;
 
 /// Name of the recording that uploads the scene; run it once, first.
@@ -30,10 +30,10 @@ pub struct Recorded {
     pub positions: Buffer<Position>,
     /// Their velocities, in the same order.
     pub velocities: Buffer<Velocity>,
-    /// Their neighbours, as the last step listed them.
-    pub neighbours: Neighbours,
-    /// What their density ratios are computed from.
-    pub densities: Densities,
+    /// Their neighbours, as the last step listed them; `None` of particles that do not interact.
+    pub neighbours: Option<Neighbours>,
+    /// What their density ratios are computed from, if they have neighbours.
+    pub densities: Option<Densities>,
     /// The last measurement, if the scene measures.
     pub measure: Option<Buffer<Measure>>,
     /// The settings that a run takes as it goes.
@@ -69,85 +69,36 @@ pub fn record_particles(resources: &mut Resources, scene: &Scene, emitted: Parti
 /// does not grow with them. They are at rest at the domain's lowest corner until
 /// `Engine::write` puts them elsewhere.
 pub fn record_count(resources: &mut Resources, scene: &Scene, particle_count: u32) -> Recorded {
-    let grid_params = grid::params(scene, particle_count);
-    let mut positions = resources.persistent("positions", particle_count);
-    let mut velocities = resources.persistent("velocities", particle_count);
-    let mut grid = Grid::declare(resources, scene, &grid_params);
-    let mut neighbours = Neighbours::declare(resources, &grid_params);
-    let mut sorted = Sorted::declare(resources, scene, particle_count);
-    let mut pbf = Pbf::declare(resources, scene, particle_count);
-    let mut shared = Shared {
-        step: resources.persistent("step_params", 1),
-        kernel: resources.persistent("smoothing_kernel_params", 1),
-        walls: scene.domain.has_walls(),
-        periodic: scene.domain.is_periodic(),
-        precision: match scene.solver.precision {
-            Precision::Full => PrecisionKeyword::Off,
-            Precision::Relaxed => PrecisionKeyword::RelaxedPrecision,
-            Precision::Half => PrecisionKeyword::HalfPrecision,
-        },
-        counters: resources.persistent("counters", 1),
-    };
+    let mut context = StepContext::declare(resources, scene);
+    let mut particles = Particles::declare(resources, particle_count);
+    let mut solver = Solver::declare(resources, scene, particle_count);
 
     let mut init = Recording::new(INIT);
-    init.upload(&mut grid.params, &[grid_params]);
-    init.upload(&mut shared.step, &[step_params(scene, particle_count)]);
-    init.upload(&mut shared.kernel, &[smoothing_kernel::params(scene)]);
-    init.upload(&mut pbf.params, &[pbf::params(scene)]);
-    init.clear(&mut shared.counters);
-    init.clear(&mut neighbours.heads);
+    init.upload(&mut context.step, &[step_params(scene, particle_count)]);
+    init.clear(&mut context.counters);
+    solver.record_init(&mut init, scene);
 
     let mut step = Recording::new(STEP);
     for _ in 0..scene.solver.substeps {
-        predict(&mut step, &mut shared, &mut positions, &mut velocities);
-        grid.record_sort(&mut step, &positions, &velocities, &mut sorted);
-        neighbours.record(&mut step, &grid, &sorted, &mut shared.counters);
-        pbf.record(&mut step, &mut shared, &neighbours, &mut sorted, &mut positions, &mut velocities);
+        solver.record_substep(&mut step, &mut context, &mut particles);
     }
 
     let mut recordings = vec![init, step];
     let measure = (scene.outputs.measure_every_steps > 0).then(|| {
         let mut measuring = Measuring::declare(resources, particle_count);
         let mut recording = Recording::new(MEASURE);
-        measuring.record(&mut recording, &mut shared, &neighbours, &positions, &velocities);
+        measuring.record(&mut recording, &mut context, solver.search(), &particles);
         recordings.push(recording);
         measuring.measure
     });
     Recorded {
         particle_count,
         recordings,
-        positions,
-        velocities,
-        neighbours,
-        densities: Densities::of(&shared),
+        neighbours: solver.search().map(|search| search.neighbours.alias()),
+        densities: solver.search().map(|search| Densities::of(&context, search)),
         measure,
-        parameters: Parameters {
-            scene: scene.clone(),
-            particle_count,
-            grid: grid.params.alias(),
-            step: shared.step.alias(),
-            kernel: shared.kernel.alias(),
-            pbf: pbf.params.alias(),
-        },
+        parameters: Parameters::of(scene, particle_count, &context, &solver),
+        positions: particles.positions,
+        velocities: particles.velocities,
     }
-}
-
-/// (Shader: `particles/predict.compute`.)
-fn predict(
-    recording: &mut Recording,
-    shared: &mut Shared,
-    positions: &mut Buffer<Position>,
-    velocities: &mut Buffer<Velocity>,
-) {
-    let count = positions.len;
-    recording.dispatch(
-        &Predict {
-            variant: PredictVariant { walls: shared.walls, periodic: shared.periodic },
-            positions: positions.write(),
-            velocities: velocities.write(),
-            counters: shared.counters.write(),
-            step_params: shared.step.uniform(),
-        },
-        count,
-    );
 }

@@ -113,8 +113,6 @@ mod tests {
                 cfm: 0.0,
                 s_corr_k: 0.0,
                 s_corr_inverse_w: 0.0,
-                xsph: 0.0,
-                vorticity: 0.0,
                 max_correction_m: 1.0,
                 separation: 0.0,
             };

@@ -121,12 +121,17 @@ pub struct Pbf {
     pub s_corr_k: f64,
     /// 1 / W at the distance where the artificial pressure is k.
     pub s_corr_inverse_w: f64,
-    /// XSPH viscosity.
-    pub xsph: f64,
-    /// Vorticity confinement, m/s.
-    pub vorticity: f64,
     /// An iteration moves a particle no further.
     pub max_correction_m: f64,
     /// Two particles closer than this, in h, part even below rest density.
     pub separation: f64,
+}
+
+/// What acts on velocities alone; see `ForceParams`. A coefficient of 0 leaves its force out.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Forces {
+    /// XSPH viscosity.
+    pub xsph: f64,
+    /// Vorticity confinement, m/s.
+    pub vorticity_m_s: f64,
 }

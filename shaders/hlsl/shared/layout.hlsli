@@ -127,10 +127,19 @@ struct PbfParams
     float cfm;              // constraint force mixing, in units of |grad C|^2 h^2
     float s_corr_k;         // artificial pressure, eq. (13)
     float s_corr_inverse_w; // 1 / W(dq)
-    float xsph;             // eq. (17)
-    float vorticity;        // eq. (16), m/s
     float max_correction_m; // an iteration moves a particle no further
     float separation;       // two particles closer than this part even below rest density
+    float reserved0;
+    float reserved1;
+};
+
+// What acts on velocities alone, whichever solver there is.
+struct ForceParams
+{
+    float xsph;             // XSPH viscosity, Macklin & Muller 2013, eq. (17)
+    float vorticity_m_s;    // vorticity confinement, eq. (16)
+    float reserved0;
+    float reserved1;
 };
 
 // What is counted rather than hidden. Each is a sum since it was last cleared.

@@ -59,8 +59,8 @@ fn check(scene: &Scene, emitted: ParticleSet, images: bool) -> Result<usize, Str
     let mut engine = Engine::new(&gpu(), plan).unwrap();
     engine.run(&[INIT, STEP], &[]).unwrap();
     let positions: Vec<Position> = engine.read(&recorded.positions).unwrap();
-    let heads: Vec<ListHead> = engine.read(&recorded.neighbours.heads).unwrap();
-    let deltas: Vec<[u32; 2]> = engine.read(&recorded.neighbours.deltas).unwrap();
+    let heads: Vec<ListHead> = engine.read(&recorded.neighbours.as_ref().unwrap().heads).unwrap();
+    let deltas: Vec<[u32; 2]> = engine.read(&recorded.neighbours.as_ref().unwrap().deltas).unwrap();
 
     let at_m = vectors(&positions);
     let size_m = DVec3::from_array(scene.domain.size_m().map(|x| f64::from(x as f32)));

@@ -3,9 +3,9 @@
 
 use brooklet_reference::boundary::walls::{DomainWalls, WallScales};
 use brooklet_reference::grid::list_neighbours::list_neighbours;
+use brooklet_reference::measure::density::density_ratio;
 use brooklet_reference::params::Smoothing;
 use brooklet_reference::shared::lattice;
-use brooklet_reference::solver::pbf::density_ratio;
 use brooklet_tests::compare::Worst;
 use brooklet_tests::extreme::Case;
 use brooklet_tests::rng;

@@ -101,7 +101,7 @@ const TERMS: &[Term] = &[
     Term {
         without: "solver.xsph=0",
         with: "solver.xsph=0.05",
-        stages: &["viscosity"],
+        stages: &["xsph"],
         buffers: &["unsmoothed_velocities"],
         variant: None,
     },

@@ -2,8 +2,8 @@
 //! and largest over a squeezed, jittered lattice at d = 2 cm, h = 2 d. (`app/fluid/PRECISION.md`.)
 
 use brooklet_kernels::{ConstrainDensity, ConstrainDensityVariant, PbfParams, PositionLambda, PrecisionKeyword};
+use brooklet_reference::measure::density::density_ratio;
 use brooklet_reference::shared::quantized_position::Quantization;
-use brooklet_reference::solver::pbf::density_ratio;
 use brooklet_tests::cases::{Case, fluid, kernel_params, pbf_params, precisions, smoothing_of};
 use brooklet_tests::harness::{Bench, small};
 use brooklet_tests::rng;

@@ -87,15 +87,15 @@ fn densities(positions: &[Position], size_m: DVec3) -> Vec<f64> {
         let mut histograms = bench.output("histograms", 1024);
         bench.dispatch(
             &MeasureParticles {
-                variant: MeasureParticlesVariant { walls: true, periodic: false },
+                variant: MeasureParticlesVariant { density: true, walls: true, periodic: false },
                 positions: positions.read(),
                 velocities: velocities.read(),
-                neighbours: neighbours.read(),
-                list_heads: list_heads.read(),
+                neighbours: Some(neighbours.read()),
+                list_heads: Some(list_heads.read()),
                 group_measures: group_measures.write(),
-                histograms: histograms.write(),
+                histograms: Some(histograms.write()),
                 step_params: step_params.uniform(),
-                kernel: kernel.uniform(),
+                kernel: Some(kernel.uniform()),
             },
             1,
         );

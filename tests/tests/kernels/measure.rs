@@ -5,11 +5,11 @@ use brooklet_kernels::{
     MeasureParticlesVariant, MeasureSums, MeasureTotals, StepParams,
 };
 use brooklet_reference::boundary::walls::DomainWalls;
+use brooklet_reference::measure::density::density_ratio;
 use brooklet_reference::measure::density_ratios::density_ratios as density_ratios_twin;
 use brooklet_reference::measure::measure_particles::{Sample, Sums, measure_particles};
 use brooklet_reference::measure::measure_totals::{measure_totals, percentile_99};
 use brooklet_reference::shared::list;
-use brooklet_reference::solver::pbf::density_ratio;
 use brooklet_tests::cases::{
     Around, Case, LIST_CHUNKS, SUPPORT_M, fluid, kernel_params, sizes, smoothing_of, walls_of,
 };
@@ -39,15 +39,15 @@ fn run_particles(case: &Case, params: StepParams, walls: Around) -> (Vec<Measure
     let kernel = bench.uniform("kernel", kernel_params());
     bench.dispatch(
         &MeasureParticles {
-            variant: MeasureParticlesVariant { walls: walls.has_walls(), periodic: false },
+            variant: MeasureParticlesVariant { density: true, walls: walls.has_walls(), periodic: false },
             positions: positions.read(),
             velocities: velocities.read(),
-            neighbours: neighbours.read(),
-            list_heads: list_heads.read(),
+            neighbours: Some(neighbours.read()),
+            list_heads: Some(list_heads.read()),
             group_measures: group_measures.write(),
-            histograms: histograms.write(),
+            histograms: Some(histograms.write()),
             step_params: step_params.uniform(),
-            kernel: kernel.uniform(),
+            kernel: Some(kernel.uniform()),
         },
         case.count(),
     );

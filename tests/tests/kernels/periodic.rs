@@ -6,10 +6,10 @@ use brooklet_kernels::{
     Position, Predict, PredictVariant, StepParams, UpdateVelocity, UpdateVelocityVariant, Velocity,
 };
 use brooklet_reference::grid::list_neighbours::{list_images, list_neighbours};
+use brooklet_reference::measure::density::density_ratio;
 use brooklet_reference::params::{Smoothing, nearest_image};
 use brooklet_reference::particles::predict::{Particle, predict};
 use brooklet_reference::shared::quantized_position::Quantization;
-use brooklet_reference::solver::pbf::density_ratio;
 use brooklet_reference::solver::pbf::update_velocity::update_velocity;
 use brooklet_tests::cases::{Case, SUPPORT_M, fluid, kernel_params, sizes, smoothing_of, step_of};
 use brooklet_tests::compare::{ROUNDING, Worst, vector};
@@ -208,15 +208,15 @@ fn densities_match_their_twins() {
             );
             bench.dispatch(
                 &MeasureParticles {
-                    variant: MeasureParticlesVariant { walls: false, periodic: true },
+                    variant: MeasureParticlesVariant { density: true, walls: false, periodic: true },
                     positions: positions.read(),
                     velocities: velocities.read(),
-                    neighbours: neighbours.read(),
-                    list_heads: list_heads.read(),
+                    neighbours: Some(neighbours.read()),
+                    list_heads: Some(list_heads.read()),
                     group_measures: group_measures.write(),
-                    histograms: histograms.write(),
+                    histograms: Some(histograms.write()),
                     step_params: step_params.uniform(),
-                    kernel: kernel.uniform(),
+                    kernel: Some(kernel.uniform()),
                 },
                 size,
             );

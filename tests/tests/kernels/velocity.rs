@@ -1,23 +1,23 @@
-//! The stages of `solver/pbf/` that work on velocities alone, against their twins: viscosity, curl,
+//! The stages of `forces/` that work on velocities alone, against their twins: viscosity, curl,
 //! vorticity confinement. Tolerances are those of sums over pairs (`tolerance_of_pairs`).
 
 use brooklet_kernels::{
-    ConfineVorticity, ConfineVorticityVariant, Curl, CurlVariant, Kernel, PrecisionKeyword, Viscosity,
-    ViscosityVariant, Vorticity,
+    ConfineVorticity, ConfineVorticityVariant, Curl, CurlVariant, Kernel, PrecisionKeyword, Vorticity, Xsph,
+    XsphVariant,
 };
+use brooklet_reference::forces::confine_vorticity::confine_vorticity;
+use brooklet_reference::forces::curl::curl;
+use brooklet_reference::forces::xsph::xsph;
 use brooklet_reference::shared::quantized_position::Quantization;
 use brooklet_reference::shared::wendland;
-use brooklet_reference::solver::pbf::confine_vorticity::confine_vorticity;
-use brooklet_reference::solver::pbf::curl::curl;
-use brooklet_reference::solver::pbf::viscosity::viscosity;
-use brooklet_tests::cases::{fluid, kernel_params, pbf_of, pbf_params, precisions, sizes, smoothing_of, step_of};
+use brooklet_tests::cases::{fluid, force_params, forces_of, kernel_params, precisions, sizes, smoothing_of, step_of};
 use brooklet_tests::compare::{Worst, tolerance_of_pairs, vector};
 use brooklet_tests::harness::Bench;
 use brooklet_tests::rng;
 use rand::RngExt;
 
 /// Roundings of f16 that a viscous velocity may be off by: .33 are measured.
-const VISCOSITY_HALF: f64 = 1.0;
+const XSPH_HALF: f64 = 1.0;
 /// And a curl: 3.3.
 const CURL_HALF: f64 = 12.0;
 /// And a confined velocity: .23.
@@ -36,13 +36,12 @@ fn name(kernel: &str, precision: PrecisionKeyword, quantization: Quantization) -
 }
 
 #[test]
-fn viscosity_matches_its_twin() {
+fn xsph_matches_its_twin() {
     for (precision, rounding, quantization) in variants() {
-        let mut worst =
-            Worst::new(name(Viscosity::STAGE, precision, quantization), tolerance_of_pairs(rounding, VISCOSITY_HALF));
+        let mut worst = Worst::new(name(Xsph::STAGE, precision, quantization), tolerance_of_pairs(rounding, XSPH_HALF));
         let mut rng = rng(41);
-        let (smoothing, pbf) = (smoothing_of(&kernel_params()), pbf_of(&pbf_params()));
-        for size in sizes(Viscosity::GROUP_SIZE[0] as usize) {
+        let (smoothing, forces) = (smoothing_of(&kernel_params()), forces_of(&force_params()));
+        for size in sizes(Xsph::GROUP_SIZE[0] as usize) {
             let case = fluid(&mut rng, size);
             let mut bench = Bench::new();
             let quantized_buffer = bench.input("quantized_positions", &case.quantized_positions(quantization));
@@ -51,10 +50,10 @@ fn viscosity_matches_its_twin() {
             let mut smoothed = bench.output("smoothed_velocities", size);
             let step_params = bench.uniform("step_params", case.step_params());
             let kernel = bench.uniform("kernel", kernel_params());
-            let pbf_buffer = bench.uniform("pbf", pbf_params());
+            let force_buffer = bench.uniform("forces", force_params());
             bench.dispatch(
-                &Viscosity {
-                    variant: ViscosityVariant { precision, packed: quantization == Quantization::Packed },
+                &Xsph {
+                    variant: XsphVariant { precision, packed: quantization == Quantization::Packed },
                     quantized_positions: quantized_buffer.read(),
                     velocities: velocities.read(),
                     neighbours: neighbours.read(),
@@ -62,14 +61,14 @@ fn viscosity_matches_its_twin() {
                     smoothed_velocities: smoothed.write(),
                     step_params: step_params.uniform(),
                     kernel: kernel.uniform(),
-                    pbf: pbf_buffer.uniform(),
+                    forces: force_buffer.uniform(),
                 },
                 size,
             );
             let got = bench.run().read(&smoothed, size);
             let (positions_m, velocities_m_s) = (case.quantized_m(quantization), case.velocities_m_s());
             for (i, got) in got.iter().enumerate() {
-                let expected = viscosity(i, &positions_m, &velocities_m_s, &case.neighbours[i], &smoothing, &pbf);
+                let expected = xsph(i, &positions_m, &velocities_m_s, &case.neighbours[i], &smoothing, &forces);
                 // No speed is above 2 sqrt(3) m/s.
                 worst.check3(got.velocity_m_s, expected, 3.5).unwrap();
             }
@@ -136,7 +135,7 @@ fn confine_vorticity_matches_its_twin() {
             tolerance_of_pairs(rounding, CONFINE_HALF),
         );
         let mut rng = rng(43);
-        let (smoothing, pbf) = (smoothing_of(&kernel_params()), pbf_of(&pbf_params()));
+        let (smoothing, forces) = (smoothing_of(&kernel_params()), forces_of(&force_params()));
         for size in sizes(ConfineVorticity::GROUP_SIZE[0] as usize) {
             let case = fluid(&mut rng, size);
             let swirls: Vec<Vorticity> = (0..size)
@@ -151,7 +150,7 @@ fn confine_vorticity_matches_its_twin() {
             let (neighbours, list_heads) = case.upload_neighbours(&mut bench);
             let mut velocities = bench.input("velocities", &case.velocities);
             let step_params = bench.uniform("step_params", case.step_params());
-            let pbf_buffer = bench.uniform("pbf", pbf_params());
+            let force_buffer = bench.uniform("forces", force_params());
             bench.dispatch(
                 &ConfineVorticity {
                     variant: ConfineVorticityVariant { precision, packed: quantization == Quantization::Packed },
@@ -161,7 +160,7 @@ fn confine_vorticity_matches_its_twin() {
                     list_heads: list_heads.read(),
                     velocities: velocities.write(),
                     step_params: step_params.uniform(),
-                    pbf: pbf_buffer.uniform(),
+                    forces: force_buffer.uniform(),
                 },
                 size,
             );
@@ -178,10 +177,10 @@ fn confine_vorticity_matches_its_twin() {
                     &case.neighbours[i],
                     &step,
                     &smoothing,
-                    &pbf,
+                    &forces,
                 );
                 // The push is along a direction, known as well as its terms are to their sum.
-                let push = pbf.vorticity * swirls[i].length() * step.dt_s;
+                let push = forces.vorticity_m_s * swirls[i].length() * step.dt_s;
                 let doubt = match expected.steepness_per_s {
                     0.0 => 1.0,
                     steepness => 1.0 + (expected.terms_per_s + swirls[i].length()) / steepness,

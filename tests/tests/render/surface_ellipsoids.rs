@@ -196,7 +196,7 @@ fn before_first_step(anisotropic: bool, listed: bool, head: Option<ListHead>) ->
     let mut engine = Engine::new(&gpu(), plan).expect("an engine");
     engine.run(&["init", frame::DRAW_INIT], &[]).expect("it starts");
     if let Some(head) = head {
-        engine.write(&recorded.neighbours.heads, &vec![head; recorded.particle_count as usize]);
+        engine.write(&recorded.neighbours.as_ref().unwrap().heads, &vec![head; recorded.particle_count as usize]);
     }
     engine.run(&[frame::DRAW], &[]).expect("a picture");
     engine.read_texture(&passes.color).expect("a picture")

@@ -30,7 +30,7 @@ fn color_of(stage: &str) -> RGBColor {
         "constrain_density" => RGBColor(35, 139, 69),
         "correct_positions" => RGBColor(120, 198, 121),
         "update_velocity" => RGBColor(128, 115, 172),
-        "viscosity" => RGBColor(178, 171, 210),
+        "xsph" => RGBColor(178, 171, 210),
         BETWEEN => RGBColor(200, 200, 200),
         _ => RGBColor(214, 96, 77),
     }

@@ -23,7 +23,7 @@ const GATHERS: &[(&str, &[&str])] = &[
     ("correct_positions", &["position_lambdas", "packed_position_lambdas"]),
     ("curl", &["quantized_positions", "velocities"]),
     ("confine_vorticity", &["quantized_positions", "vorticities"]),
-    ("viscosity", &["quantized_positions", "velocities"]),
+    ("xsph", &["quantized_positions", "velocities"]),
     ("measure_particles", &["positions"]),
     ("anisotropy", &["positions"]),
     ("density_ratios", &["positions"]),

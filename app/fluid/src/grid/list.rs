@@ -51,6 +51,11 @@ impl Neighbours {
         }
     }
 
+    /// The same lists, for another owner.
+    pub fn alias(&self) -> Self {
+        Self { deltas: self.deltas.alias(), heads: self.heads.alias() }
+    }
+
     /// Lists the neighbours of the sorted particles.
     pub fn record(&mut self, recording: &mut Recording, grid: &Grid, sorted: &Sorted, counters: &mut Buffer<Counters>) {
         recording.dispatch(

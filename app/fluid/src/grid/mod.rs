@@ -2,9 +2,11 @@
 //! the domain has far more cells than the fluid fills, they are wrapped onto fewer.
 
 mod list;
+mod neighbour_search;
 mod scan;
 
 pub use list::{Neighbours, list_chunks, list_length, listed};
+pub use neighbour_search::NeighbourSearch;
 pub use scan::{SCAN_GROUP, Scan};
 
 use brooklet_gpu::{Recording, Resources};

@@ -1,3 +1,47 @@
-//! Solvers: what turns sorted, listed particles into their next positions and velocities.
+//! What moves the particles of a substep. A solver is an arm of [`Solver`] that records its own substep out of the
+//! shared stages (`predict`, `sort`, `list`, `forces`) and its own.
 
 pub mod pbf;
+
+use brooklet_gpu::{Recording, Resources};
+
+use crate::grid::NeighbourSearch;
+use crate::scene::{Method, Scene};
+use crate::step_context::{Particles, StepContext};
+use pbf::Pbf;
+
+/// The solver of a scene.
+pub enum Solver {
+    /// Position Based Fluids.
+    Pbf(Pbf),
+}
+
+impl Solver {
+    /// Declares the buffers of the solver that `scene` chooses.
+    pub fn declare(resources: &mut Resources, scene: &Scene, particle_count: u32) -> Self {
+        match scene.solver.method {
+            Method::Pbf => Self::Pbf(Pbf::declare(resources, scene, particle_count)),
+        }
+    }
+
+    /// Uploads its settings.
+    pub fn record_init(&mut self, init: &mut Recording, scene: &Scene) {
+        match self {
+            Self::Pbf(pbf) => pbf.record_init(init, scene),
+        }
+    }
+
+    /// Records one substep of `particles`.
+    pub fn record_substep(&mut self, recording: &mut Recording, context: &mut StepContext, particles: &mut Particles) {
+        match self {
+            Self::Pbf(pbf) => pbf.record_substep(recording, context, particles),
+        }
+    }
+
+    /// Neighbours as the last substep listed them; `None` of particles that do not interact.
+    pub fn search(&self) -> Option<&NeighbourSearch> {
+        match self {
+            Self::Pbf(pbf) => Some(&pbf.search),
+        }
+    }
+}

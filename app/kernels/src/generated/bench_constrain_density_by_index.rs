@@ -89,5 +89,5 @@ static CONSTRAIN_DENSITY_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/constrain_density_by_index.compute",
-    hash: "d54ebe650bdb555d9ed95936406e25c0d27a7b275d7ec09fab26ae91ad57dc15",
+    hash: "23462bd7cbb702ec5118c0f50fd87a1ffb0230c179003ea347b1b1ce9f948a05",
 };

@@ -57,5 +57,5 @@ static COPY_ELEMENTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/copy.compute",
-    hash: "440e7128b254d71e179a7cf5d1dc2265b463abf25ca990a2fa63ae16b2356cd8",
+    hash: "9622ce2ea9bfa3a5d33f3dea997aa82d143206d6b519101a89c1befed8a18cb4",
 };

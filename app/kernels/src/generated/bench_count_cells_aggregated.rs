@@ -70,5 +70,5 @@ static COUNT_CELLS_AGGREGATED: Module = Module {
     shared_bytes: 512,
     tier: Tier::Floor,
     source: "bench/count_cells_aggregated.compute",
-    hash: "e2b191ada007640e4d0cbeb8d2ee1093624c4a4f76aefa59ba555ff0aec0214f",
+    hash: "59d6f88e83d1717afc86bcb7ba60bdab1c7b82833197bb925aa664352bc34f59",
 };

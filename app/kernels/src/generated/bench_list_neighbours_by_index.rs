@@ -90,5 +90,5 @@ static LIST_NEIGHBOURS_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/list_neighbours_by_index.compute",
-    hash: "e3d7dcf3c819c676da054a8e42b63cfac7e6762fa3205c4d20d4344db008ca0d",
+    hash: "f46be28ef54e51b34ee72e16edb0f21878789a16dc4c3e69d6b9b3bc5f1bc4c5",
 };

@@ -78,5 +78,5 @@ static REORDER_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/reorder_index.compute",
-    hash: "57f528b84400230db036a4da1f80d5371737f633d0afb15617775db842014908",
+    hash: "642b046f2a39c3b5783cc3a09fb4350d25f9738a516146a5baf800899bdac948",
 };

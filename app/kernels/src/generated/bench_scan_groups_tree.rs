@@ -88,7 +88,7 @@ static SCAN_GROUPS_TREE: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "a7de4c546e38233dca5a72f2c86f463b4161dc112f8e49110654c3505828f115",
+    hash: "7e79e8c4fcf44c2c60c0919aed90fc01b835e44488e17e38839d6c37338e9636",
 };
 
 static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
@@ -101,7 +101,7 @@ static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "14ecdc6650dac8878dd1cb43d0004a3c7a88703c32ca8c301550d9ebd0b1279b",
+    hash: "b92282ceef404a6b5497dfdf871e182bbd35c78958771952379fdda1a19cb779",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
@@ -114,7 +114,7 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "93a79dd17b30d0d9d2cae29addad36fa927ee68a6c187118acbbd6768e970a25",
+    hash: "e4d4596c95b22da243460d207eaf59853381680ac6a0b6a0d30559d2ba4544cf",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
@@ -127,5 +127,5 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "3515a74aa3fdef0a2c427215fc8b9f37cfa13d3de612a98865ceb52650324aa8",
+    hash: "1478ba671c3bedc9247ae39d21be47a1e4413d0e6e1d1c4336af0f1c7cfdbed3",
 };

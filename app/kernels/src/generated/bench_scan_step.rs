@@ -54,5 +54,5 @@ static SCAN_STEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/scan_step.compute",
-    hash: "40c59e1f6bdbab2b7bd5d61d5d480702125cef4e8d86c70f3f5417077393e662",
+    hash: "9ae8446e71d3316e4bbf831cccc564db2685b163dd3573ff07f315df29985877",
 };

@@ -62,7 +62,7 @@ static DRAW_PARTICLES_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "f8ee60abde56904d52b6ab82c133d79f6a79a5b70d103aae0a1665cbe3d01d77",
+    hash: "81b412b2853229980fa9dc477a3c6ef903196ddac1ca1b93189733f251b08a04",
 };
 
 static DRAW_PARTICLES_FRAGMENT: Module = Module {
@@ -75,5 +75,5 @@ static DRAW_PARTICLES_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "f82765d489e653e93f81ac3df4094ffe1ce6e2a46b461cb7b42574c42da08f79",
+    hash: "2a37431cf67c52d875269133d9c10cb17f2e7f67aa545adbb673631242354b35",
 };

@@ -130,7 +130,7 @@ static DRAW_SHADE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "0ec3b3024efce7531fc8799b4375b092f73f119960a84433e6dd9d822d8c2b55",
+    hash: "0b96cffc20be1c075307269e07a8255fd6eb1d2db87f2e86701df573634d40c3",
 };
 
 static DRAW_SHADE_FRAGMENT: Module = Module {
@@ -143,7 +143,7 @@ static DRAW_SHADE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "58a8c370bd3c2783983dde79590362761d18552af36c6f0ad6f4f867c4e92d04",
+    hash: "9c9f8f72c00e20383e68abf97ad5ba67dd949641bc88b609dcf846d48a19e91e",
 };
 
 static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
@@ -156,7 +156,7 @@ static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "f47df8fa2849e6f83c3685f162a5eb53f37cf48d9df33237b9744024369acc5f",
+    hash: "f6dfbec9fd351b67f770f831cd0649b71eef5305d20e161a050c16fb7b1a7a51",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
@@ -169,7 +169,7 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "af00811e963a4c1ab38a7efc566f4851ad0dc86ea5b25737f1d70b4269bb9ead",
+    hash: "1f326ce96fee390fe9f5c385be4d63772dbf54616424deba62bc9b056012b19a",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
@@ -182,5 +182,5 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "439dd6b41e62aeda2798aec1b8913d643fcc31063a6939a61e54865ff8227fc3",
+    hash: "2f55894480a67c7f990488d5bd3751143be7f3270be9d93f700d84ae4ee9cc3e",
 };

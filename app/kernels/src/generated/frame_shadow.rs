@@ -55,7 +55,7 @@ static DRAW_SHADOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "44bd2df658330df33cf710adf339c3be8d8e2dcb4212fed25e138a3f77a9c515",
+    hash: "e2bde6b7d459d86371f070ead33a9f7d008d00a621ab066129bf421a5ae6487d",
 };
 
 static DRAW_SHADOW_FRAGMENT: Module = Module {
@@ -68,5 +68,5 @@ static DRAW_SHADOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "e0ca328e6245e5149ce81fa408858030a057612e6bb316347e912fc27f9f7cd1",
+    hash: "9e2fca86059f6343c6e8b2fd6e98f275ea096297c55540252c07e216a42b926c",
 };

@@ -86,7 +86,7 @@ static COUNT_CELLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "a44cec7aba82e14ef7b33bbd10abbfbfe109ab6ba244e857f2610a5186293d2c",
+    hash: "93fd4b22048c4602ac512a40c92d84158189c46bc7f0539ef574b2181c3442bf",
 };
 
 static COUNT_CELLS_WITH_PERIODIC: Module = Module {
@@ -99,7 +99,7 @@ static COUNT_CELLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "57e5d96ba5d4a9278750e39e83313fc4834a5140f0a45136632ad23c738e2111",
+    hash: "e5baec1a7383bc13ab7d491b83493de0be5cb45b7f9b4c59afe06e4be3a2c144",
 };
 
 static COUNT_CELLS_WITH_WRAPPED: Module = Module {
@@ -112,7 +112,7 @@ static COUNT_CELLS_WITH_WRAPPED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "83705db9484f7147bbf7f6e879977ee4c7a2d63c0593a5ecdd21fb1e81c9d2ad",
+    hash: "7237e40023aa288d7278fa92d12e6128705e4aaac556cde214f9a673824a51fa",
 };
 
 static COUNT_CELLS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
@@ -125,5 +125,5 @@ static COUNT_CELLS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "4b084871a6adbab4bb9690e3319ef7e64595fda87d7fe8e4d6d2074a54af1f29",
+    hash: "28cb06d00b87e4681812565039c830220db6a0da2870af5d90104b65268bb2d3",
 };

@@ -123,7 +123,7 @@ static LIST_NEIGHBOURS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "c3724742ea552275d951580c433222b63e80864bd9d6da690e1a7cd0f90d67f8",
+    hash: "ede2c5ebd35a01f9a68a03895abe4c03475e3b763b41c300ffb81b559197ebd6",
 };
 
 static LIST_NEIGHBOURS_WITH_PACKED: Module = Module {
@@ -136,7 +136,7 @@ static LIST_NEIGHBOURS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "170d49cedeb00bca7665cd7809974ffa37af19dc0e4cb1654f1ae71fcccd8058",
+    hash: "8bbf285fc2394fb83cf957caa24cda8267b2ed8fad8051e8b52f917ce2617772",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
@@ -149,7 +149,7 @@ static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "75b90efd8251e79dfac3c467c2380317819da7d7ac16892639d3621fab5fda6c",
+    hash: "c36e492343a32ad00bf317cf7c9222a35aaef9d6e14f2e0179e48688563c4818",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_PACKED: Module = Module {
@@ -162,7 +162,7 @@ static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "5f7866fa6fe741156b3a7ec763dd8701d52c9340090cf1b879ed82036d321c15",
+    hash: "de5579b71eac5207ddbb265a678ecc288e5c79a2b8113560978c28a510037f0d",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
@@ -175,7 +175,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "439100791bae91c3a566f1678a6fc5b8c36b1a56a81b19b09cbca070c38b4b11",
+    hash: "f1876be97114314a459c4437d3f006b9542c2c56bb411de2235ec4b0fa3c46ea",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PACKED: Module = Module {
@@ -188,7 +188,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "541ba70b72a7cc53813a75c445da977048dcce80ddbc8839be648952e1adc34b",
+    hash: "5c355e04ca4afe95ea38b64c28f3c38cee713e6b9390e6054c62989a30e24151",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
@@ -201,7 +201,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "e56253420dd082d8c90798a43389fd7d54610364fff86f4aa9549233ae5c83c3",
+    hash: "67b3ad3fcab3f0dcaf19063cb9cd9e880790a9e263d03543662bda1e1bd41b5a",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_PACKED: Module = Module {
@@ -214,5 +214,5 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "661f368673ee215e026621de3d0b233a3d316285185298a90061ac8b5fa365cc",
+    hash: "1cd9c50b6e8b9f046dded997cbf4b8f7a6bc234975d81e1706d85b0d81bee706",
 };

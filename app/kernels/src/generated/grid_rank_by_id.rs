@@ -72,5 +72,5 @@ static RANK_BY_ID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/rank_by_id.compute",
-    hash: "b0aea9dca9f16af3749b33cdc14b63c51a6c641510b4d74d11f6d00cfe9aeed4",
+    hash: "77b64794b0551510784b0dd0613c36e02af17de3530979540564d09a9f39ee01",
 };

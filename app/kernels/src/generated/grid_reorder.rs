@@ -98,7 +98,7 @@ static REORDER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "0ff819113601c83aa6c96403417046924ff24ddeb88fa41acc2f368127fa9625",
+    hash: "a2c4dcb2c40323c0a138ce64a76215390ff8dc83381e337efef6a9c2708b42b7",
 };
 
 static REORDER_WITH_PACKED: Module = Module {
@@ -111,5 +111,5 @@ static REORDER_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "96ba288edf018a641dbae03b743c20195f48bbbf0c805b286314cb874629130a",
+    hash: "456692259fa8521ba39437b60a8f44f2e7e5ba8400abf9ccec62d9d96da2b9a3",
 };

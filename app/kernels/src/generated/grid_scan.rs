@@ -109,7 +109,7 @@ static REDUCE_GROUPS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "8e9fbec5f8c591dc1b7debe73fd672aec3cb58c6132ff83907496c9f42e45209",
+    hash: "010faa4f95a677e179faac4085cc1c727b0d2c0f43ea29dd93db0834645ff662",
 };
 
 static SCAN_GROUPS: Module = Module {
@@ -122,7 +122,7 @@ static SCAN_GROUPS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "1a7f554792f2c406de9599a4f781c4880c8d4be4c7f78737e43e63c8d868f69f",
+    hash: "39bc1f3da9c9b9b1fad8cbf788fbb908928467b12c5cb1ac9fd18543d2328e37",
 };
 
 static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
@@ -135,5 +135,5 @@ static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "f550a1ca50fa5960911e29dea36c2a6fdbac28d166ed11492769372cd6689959",
+    hash: "4841b4bce01d2ad0ddd2147495f05bbba17826899746dd824d7409f9e7f27430",
 };

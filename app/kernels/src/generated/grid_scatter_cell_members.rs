@@ -65,5 +65,5 @@ static SCATTER_CELL_MEMBERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/scatter_cell_members.compute",
-    hash: "75360e801842c123891917e08e027105ef3f9696f15c55113953bce51f1210fd",
+    hash: "67bae087dd16eba189f908caeb800ca6f409a2b6048e2485745ceaa75d1e3080",
 };

@@ -93,7 +93,7 @@ static DENSITY_RATIOS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "fcfaae7e1c26d04af7d62765986045d61fe79570679dfd116f77916bd1d00032",
+    hash: "b56c5e87ee5d7ec51b148f84f469bb7bdfe87d1799cfc2c3068d02f5710ab546",
 };
 
 static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
@@ -106,7 +106,7 @@ static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "47c09bbfb95235cc3a521ab6c90a7f12863e5b1ab66ec3ead72aec39b007dfac",
+    hash: "72ab6d53ea3894709451ce705de0c07e92f570676e2e98d4deff630c3b6a73b3",
 };
 
 static DENSITY_RATIOS_WITH_WALLS: Module = Module {
@@ -119,7 +119,7 @@ static DENSITY_RATIOS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "f0f179a388596466ea046ba1643ef47928a5d995e6dc82b786ff2a0d80a37ebe",
+    hash: "e0f3e9553309266d9df6075fa5d2fe14eee86021f0bc3f9df6495f9271eaf4fb",
 };
 
 static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -132,5 +132,5 @@ static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "94009ff31c81973dce0d3a57b94431492975fb5d0ef427ac554519db48056635",
+    hash: "a8f3119e8095c11c74ae6df9ee3f066ee1675ed96dd526dbafc77980f10d0099",
 };

@@ -10,13 +10,16 @@ use crate::{
 /// Which variant of [`MeasureParticles`] runs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct MeasureParticlesVariant {
+    /// Keyword `DENSITY`.
+    pub density: bool,
     /// Keyword `WALLS`.
     pub walls: bool,
     /// Keyword `PERIODIC`.
     pub periodic: bool,
 }
 
-/// Density error, compression, energy and place of every particle, summed a group. Percentiles
+/// Energy and place of every particle, and with DENSITY, where particles have neighbours, density error and
+/// compression, summed a group. Percentiles
 /// come from histograms whose bins grow with the value: 32 to an octave, so a percentile is known
 /// within 3 % of itself. A group fills histograms of its own and adds their bins once: in fluid at rest most
 /// particles fall into one bin, and an atomic for each of them in global memory would wait for all others.
@@ -28,18 +31,18 @@ pub struct MeasureParticles<'a> {
     pub positions: Buf<'a, Position>,
     /// `StructuredBuffer<Velocity> velocities`.
     pub velocities: Buf<'a, Velocity>,
-    /// `StructuredBuffer<uint2> neighbours`.
-    pub neighbours: Buf<'a, [u32; 2]>,
-    /// `StructuredBuffer<ListHead> list_heads`.
-    pub list_heads: Buf<'a, ListHead>,
     /// `RWStructuredBuffer<MeasureSums> group_measures`.
     pub group_measures: BufMut<'a, MeasureSums>,
-    /// `RWStructuredBuffer<uint> histograms`.
-    pub histograms: BufMut<'a, u32>,
     /// `ConstantBuffer<StepParams> step_params`.
     pub step_params: Uniform<'a, StepParams>,
+    /// `StructuredBuffer<uint2> neighbours`.
+    pub neighbours: Option<Buf<'a, [u32; 2]>>,
+    /// `StructuredBuffer<ListHead> list_heads`.
+    pub list_heads: Option<Buf<'a, ListHead>>,
+    /// `RWStructuredBuffer<uint> histograms`.
+    pub histograms: Option<BufMut<'a, u32>>,
     /// `ConstantBuffer<SmoothingKernelParams> kernel`.
-    pub kernel: Uniform<'a, SmoothingKernelParams>,
+    pub kernel: Option<Uniform<'a, SmoothingKernelParams>>,
 }
 
 impl Kernel for MeasureParticles<'_> {
@@ -47,11 +50,15 @@ impl Kernel for MeasureParticles<'_> {
     const GROUP_SIZE: [u32; 3] = [64, 1, 1];
 
     fn module(&self) -> &'static Module {
-        match (self.variant.walls, self.variant.periodic) {
-            (false, false) => &MEASURE_PARTICLES,
-            (false, true) => &MEASURE_PARTICLES_WITH_PERIODIC,
-            (true, false) => &MEASURE_PARTICLES_WITH_WALLS,
-            (true, true) => &MEASURE_PARTICLES_WITH_WALLS_WITH_PERIODIC,
+        match (self.variant.density, self.variant.walls, self.variant.periodic) {
+            (false, false, false) => &MEASURE_PARTICLES,
+            (false, false, true) => &MEASURE_PARTICLES,
+            (false, true, false) => &MEASURE_PARTICLES,
+            (false, true, true) => &MEASURE_PARTICLES,
+            (true, false, false) => &MEASURE_PARTICLES_WITH_DENSITY,
+            (true, false, true) => &MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC,
+            (true, true, false) => &MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS,
+            (true, true, true) => &MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC,
         }
     }
     fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
@@ -60,12 +67,12 @@ impl Kernel for MeasureParticles<'_> {
             &[
                 ("positions", Some(self.positions.id)),
                 ("velocities", Some(self.velocities.id)),
-                ("neighbours", Some(self.neighbours.id)),
-                ("list_heads", Some(self.list_heads.id)),
                 ("group_measures", Some(self.group_measures.id)),
-                ("histograms", Some(self.histograms.id)),
                 ("step_params", Some(self.step_params.id)),
-                ("kernel", Some(self.kernel.id)),
+                ("neighbours", self.neighbours.as_ref().map(|bound| bound.id)),
+                ("list_heads", self.list_heads.as_ref().map(|bound| bound.id)),
+                ("histograms", self.histograms.as_ref().map(|bound| bound.id)),
+                ("kernel", self.kernel.as_ref().map(|bound| bound.id)),
             ],
         )
     }
@@ -74,12 +81,24 @@ impl Kernel for MeasureParticles<'_> {
 /// The modules of this file.
 pub(super) static MODULES: &[&Module] = &[
     &MEASURE_PARTICLES,
-    &MEASURE_PARTICLES_WITH_PERIODIC,
-    &MEASURE_PARTICLES_WITH_WALLS,
-    &MEASURE_PARTICLES_WITH_WALLS_WITH_PERIODIC,
+    &MEASURE_PARTICLES_WITH_DENSITY,
+    &MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC,
+    &MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS,
+    &MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC,
 ];
 
 static BINDINGS_0: &[BindingInfo] = &[
+    BindingInfo { name: "positions", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
+    BindingInfo { name: "velocities", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
+    BindingInfo {
+        name: "group_measures",
+        slot: 2,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 64 },
+    },
+    BindingInfo { name: "step_params", slot: 3, kind: BindingKind::Uniform { bytes: 96 } },
+];
+
+static BINDINGS_1: &[BindingInfo] = &[
     BindingInfo { name: "positions", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
     BindingInfo { name: "velocities", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
     BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
@@ -105,47 +124,60 @@ static MEASURE_PARTICLES: Module = Module {
     spirv: include_bytes!("../../spirv/measure_particles.spv"),
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
-    shared_bytes: 8192,
+    shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "63b1363fc4efa0c244b4763668a2440fd7d438fe9c03075fa8bf2da8782ca4bc",
+    hash: "c7b736c2317bb0410df83c01d8e8ff1ad58b26c2e528ebb012380a99e8aacbb4",
 };
 
-static MEASURE_PARTICLES_WITH_PERIODIC: Module = Module {
-    name: "MeasureParticles+PERIODIC",
+static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
+    name: "MeasureParticles+DENSITY",
     entry: "MeasureParticles",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/measure_particles+periodic.spv"),
-    bindings: BINDINGS_0,
+    spirv: include_bytes!("../../spirv/measure_particles+density.spv"),
+    bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "63966af78a24d09a4bd3c20403b654ad16d25f7d0ae5d12ed63fec5d68fcb2a0",
+    hash: "41a645336dfc5b35715f110658131c24887819551e8bd92464e72bb92e5f833f",
 };
 
-static MEASURE_PARTICLES_WITH_WALLS: Module = Module {
-    name: "MeasureParticles+WALLS",
+static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
+    name: "MeasureParticles+DENSITY+PERIODIC",
     entry: "MeasureParticles",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/measure_particles+walls.spv"),
-    bindings: BINDINGS_0,
+    spirv: include_bytes!("../../spirv/measure_particles+density+periodic.spv"),
+    bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "87204ade48595b53f8bcb5bac529e3537e0f927dd19eed05ec1c4a5ea588a05f",
+    hash: "1cfbdb98ed6b8ff7e226608625d6d08a8f8d213dc136963a9e6a6565086c1cb0",
 };
 
-static MEASURE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
-    name: "MeasureParticles+WALLS+PERIODIC",
+static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
+    name: "MeasureParticles+DENSITY+WALLS",
     entry: "MeasureParticles",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/measure_particles+walls+periodic.spv"),
-    bindings: BINDINGS_0,
+    spirv: include_bytes!("../../spirv/measure_particles+density+walls.spv"),
+    bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "0bfe5a939e424137dbbf2147ca931c3603af816ede52dab3c5b46d7dc6d91784",
+    hash: "f0260791d6b528326b07511aed3881715073a49b291cb52e86d7d91eff184cd9",
+};
+
+static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module {
+    name: "MeasureParticles+DENSITY+WALLS+PERIODIC",
+    entry: "MeasureParticles",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/measure_particles+density+walls+periodic.spv"),
+    bindings: BINDINGS_1,
+    group_size: [64, 1, 1],
+    shared_bytes: 8192,
+    tier: Tier::Floor,
+    source: "measure/measure_particles.compute",
+    hash: "e34a2226e9fa0acb56e2668f1520ace56513938bd50788ae8c12c12ec6a88164",
 };

@@ -73,5 +73,5 @@ static MEASURE_TOTALS: Module = Module {
     shared_bytes: 4616,
     tier: Tier::Floor,
     source: "measure/measure_totals.compute",
-    hash: "bb4193a6111e4c91c7fb5de3e96a32ea65c122c603971f634f921fa0bd216e1e",
+    hash: "649cf20a3feeaf86cf606cb24f558eaab4f2633f3e4e22159994ae53f0b62e16",
 };

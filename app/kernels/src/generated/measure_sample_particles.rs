@@ -67,5 +67,5 @@ static SAMPLE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/sample_particles.compute",
-    hash: "940c19ecd72658c437649aadec19896ecf24791ed7ee11fc7995853c1ed9c5a0",
+    hash: "a034ff5fd55f0d4b0aa23f5dce0ce0858a61a1c86ef2310cd62ea2c23ec96b9a",
 };

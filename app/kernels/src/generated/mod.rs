@@ -9,6 +9,9 @@ mod bench_list_neighbours_by_index;
 mod bench_reorder_index;
 mod bench_scan_groups_tree;
 mod bench_scan_step;
+mod forces_confine_vorticity;
+mod forces_curl;
+mod forces_xsph;
 mod frame_edges;
 mod frame_floor;
 mod frame_layout;
@@ -31,12 +34,9 @@ mod measure_sample_particles;
 mod particles_predict;
 mod particles_push;
 mod shared_layout;
-mod solver_pbf_confine_vorticity;
 mod solver_pbf_constrain_density;
 mod solver_pbf_correct_positions;
-mod solver_pbf_curl;
 mod solver_pbf_update_velocity;
-mod solver_pbf_viscosity;
 mod surface_anisotropy;
 mod surface_caustics;
 mod surface_fluid_depth;
@@ -60,6 +60,9 @@ pub use bench_list_neighbours_by_index::*;
 pub use bench_reorder_index::*;
 pub use bench_scan_groups_tree::*;
 pub use bench_scan_step::*;
+pub use forces_confine_vorticity::*;
+pub use forces_curl::*;
+pub use forces_xsph::*;
 pub use frame_edges::*;
 pub use frame_floor::*;
 pub use frame_layout::*;
@@ -82,12 +85,9 @@ pub use measure_sample_particles::*;
 pub use particles_predict::*;
 pub use particles_push::*;
 pub use shared_layout::*;
-pub use solver_pbf_confine_vorticity::*;
 pub use solver_pbf_constrain_density::*;
 pub use solver_pbf_correct_positions::*;
-pub use solver_pbf_curl::*;
 pub use solver_pbf_update_velocity::*;
-pub use solver_pbf_viscosity::*;
 pub use surface_anisotropy::*;
 pub use surface_caustics::*;
 pub use surface_fluid_depth::*;
@@ -114,6 +114,9 @@ pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
         bench_reorder_index::MODULES,
         bench_scan_groups_tree::MODULES,
         bench_scan_step::MODULES,
+        forces_confine_vorticity::MODULES,
+        forces_curl::MODULES,
+        forces_xsph::MODULES,
         frame_edges::MODULES,
         frame_floor::MODULES,
         frame_particles::MODULES,
@@ -133,12 +136,9 @@ pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
         measure_sample_particles::MODULES,
         particles_predict::MODULES,
         particles_push::MODULES,
-        solver_pbf_confine_vorticity::MODULES,
         solver_pbf_constrain_density::MODULES,
         solver_pbf_correct_positions::MODULES,
-        solver_pbf_curl::MODULES,
         solver_pbf_update_velocity::MODULES,
-        solver_pbf_viscosity::MODULES,
         surface_anisotropy::MODULES,
         surface_caustics::MODULES,
         surface_fluid_depth::MODULES,

@@ -90,7 +90,7 @@ static PREDICT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "b1fe2e532177d5164c3a398562240c2e8b018d420d50fc0912b8998c7e6708af",
+    hash: "d39aab5602eb6e9db91c2c9e7ab79642c1da4cc83f4db059022ffa13439bf1b7",
 };
 
 static PREDICT_WITH_PERIODIC: Module = Module {
@@ -103,7 +103,7 @@ static PREDICT_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "e8f2b0af8c2c3e79702a40f08e69b985791adf822362e5da86f40b94581049ae",
+    hash: "52c611c6f0b09af7b40af2e1240810323e1412d3cb44db629e86926a99fcb445",
 };
 
 static PREDICT_WITH_WALLS: Module = Module {
@@ -116,7 +116,7 @@ static PREDICT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "bfd649761f54599a4a71e6842e7b61c13cf064b9d360724807ab994ffcb6c47d",
+    hash: "cce94369e1e4981306de3378ec5bc6fd644d7d5d76e68a53bb804d1ff1419a02",
 };
 
 static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -129,5 +129,5 @@ static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "6014f2e7d6f4489979b41d9f4ae6c65193e2305ecd981cade2627b5189645bde",
+    hash: "3c21f6d69ab91a472f6cb8af83ba342fbf749ab58bff281fe2397e6f0bf70aca",
 };

@@ -62,5 +62,5 @@ static PUSH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/push.compute",
-    hash: "68438d25b372b0c73c038b3b5a51196825ce443eb4fff7cc7c43d3a7dfc00ea5",
+    hash: "d2c0e7010251b9ec51796a849008d4a13eb99d1403ece43cef53e6b81093fe05",
 };

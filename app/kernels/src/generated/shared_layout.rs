@@ -277,25 +277,46 @@ pub struct PbfParams {
     pub s_corr_k: f32,
     /// 1 / W(dq)
     pub s_corr_inverse_w: f32,
-    /// eq. (17)
-    pub xsph: f32,
-    /// eq. (16), m/s
-    pub vorticity: f32,
     /// an iteration moves a particle no further
     pub max_correction_m: f32,
     /// two particles closer than this part even below rest density
     pub separation: f32,
+    /// `float`.
+    pub reserved0: f32,
+    /// `float`.
+    pub reserved1: f32,
 }
 const _: () = {
     assert!(offset_of!(PbfParams, relaxation) == 0);
     assert!(offset_of!(PbfParams, cfm) == 4);
     assert!(offset_of!(PbfParams, s_corr_k) == 8);
     assert!(offset_of!(PbfParams, s_corr_inverse_w) == 12);
-    assert!(offset_of!(PbfParams, xsph) == 16);
-    assert!(offset_of!(PbfParams, vorticity) == 20);
-    assert!(offset_of!(PbfParams, max_correction_m) == 24);
-    assert!(offset_of!(PbfParams, separation) == 28);
+    assert!(offset_of!(PbfParams, max_correction_m) == 16);
+    assert!(offset_of!(PbfParams, separation) == 20);
+    assert!(offset_of!(PbfParams, reserved0) == 24);
+    assert!(offset_of!(PbfParams, reserved1) == 28);
     assert!(size_of::<PbfParams>() == 32);
+};
+
+/// What acts on velocities alone, whichever solver there is.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+pub struct ForceParams {
+    /// XSPH viscosity, Macklin & Muller 2013, eq. (17)
+    pub xsph: f32,
+    /// vorticity confinement, eq. (16)
+    pub vorticity_m_s: f32,
+    /// `float`.
+    pub reserved0: f32,
+    /// `float`.
+    pub reserved1: f32,
+}
+const _: () = {
+    assert!(offset_of!(ForceParams, xsph) == 0);
+    assert!(offset_of!(ForceParams, vorticity_m_s) == 4);
+    assert!(offset_of!(ForceParams, reserved0) == 8);
+    assert!(offset_of!(ForceParams, reserved1) == 12);
+    assert!(size_of::<ForceParams>() == 16);
 };
 
 /// What is counted rather than hidden. Each is a sum since it was last cleared.

@@ -193,7 +193,7 @@ static CONSTRAIN_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "f90935dcf5d9a65dba40f53fbdeb4469c802a80164b01c1401f283ea055b6654",
+    hash: "b976be60f5da6af29444f68f3c04e6ee7bfbf0b0efb7670639ba6c53defe49fb",
 };
 
 static CONSTRAIN_DENSITY_WITH_PACKED: Module = Module {
@@ -206,7 +206,7 @@ static CONSTRAIN_DENSITY_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "79789528facbf8390189b4bc406712455e60d42f2a68da43591e2a5483ce8647",
+    hash: "33e2d0614b2017c0e206a28e710d52ded3349167344d97118f3db5c814496109",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -219,7 +219,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "187d7e03aac3d23fb92f8255018cdbad5a84de9060e70184e3d7128bc272ef0e",
+    hash: "b1d28b570f5d6e23d961985aa0959aa949560a0a011264255d0891bb1df4f219",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -232,7 +232,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "b7543e172a772c9b2c4d3ac2ffe6de90df775013848acc3370afa106ea88d53d",
+    hash: "c7c5d1aec44da1a39df0f67d3721ece3b5c690ae57378e9fbc744197edcafaa9",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -245,7 +245,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "8e6301048f6fca750839b7905839306fc568e70e4adc98dd1c1dc99e7a658572",
+    hash: "029e18b8f89b173bc6efc0c13455883b83d97a9f4195677801384d9adf5ea539",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -258,7 +258,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "92e72804d3d870d7d6cd59814599b5bcdd53916e662d636b11748c9e57f035ec",
+    hash: "3fdb34eae575609d05e07d221466a16384949c973f0cd5e61a7b7c3b53509d3d",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
@@ -271,7 +271,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "7826297aa8f97cbcfcdea18dd46870ec8fa80bf7ceee47f6b5622a55cbb21f9e",
+    hash: "3ba165ee2e227b295a4232b8e5079ffbcb9a833349fab1fb1606eb4e34164c91",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_PACKED: Module = Module {
@@ -284,7 +284,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "ac3452064dbc60e86519d5134562a9aabf64528e12e6ca21a871ba4f0e3b1ee1",
+    hash: "61f3053f1b55b6a6bd96700ea9786c1e6f0a00ffe09c03504ae15eef40c5d043",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -297,7 +297,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "b2447afcb8803d1e533697a97fd5f39f9f6b201a2e4c1452f271ae236eae3c87",
+    hash: "20568290abcd79b3fa9224a47264fc9c8969c76a267b2f3bbb3cbacc4e6220d9",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -310,7 +310,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "183d6faed618665376355f530aca8b255c75e359ece6c300664ee80ab50e8688",
+    hash: "a5f95cdcca8c866d0dccaf165a47197984edfe142f83728da7ea7d6eec00be2b",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -323,7 +323,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "a9ed41979a93c85f15992597102b59c8fcc7df5325c93e0b1255ab5763c8deac",
+    hash: "f83855c45baa95ce0f813583f84df0f9bea69bbb8cfd4ea92bbc319f4e49e43e",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -336,5 +336,5 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "03e93e0e68d3f035bf1ad080e810e8fc59cef42951fe4f2dea65c9e8cc6e7a0a",
+    hash: "f081081d0bc6bfe8e78f40662d5b8e8213d936c2b3f0c62a1280be8eaf76c919",
 };

@@ -218,7 +218,7 @@ static CORRECT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "ed961ecad645f38ddcb1de1e646758216db47afcf11d4357d2c1f23cfdd83761",
+    hash: "e309731519a94e971054d6f0f4bbedf82f67ab2504feaac82bed610c0bd2378c",
 };
 
 static CORRECT_POSITIONS_WITH_PACKED: Module = Module {
@@ -231,7 +231,7 @@ static CORRECT_POSITIONS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "e3f51a652a86aec0aa4e64ce3a57ee1d03d0cde24ac7548d2bbffce8337ec2cb",
+    hash: "fffeb1f0fa252f8ec207d2f986e380e16d7f4cd1516a02f67a9995fccbdf4ed2",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
@@ -244,7 +244,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "1bbd7ad22ee101ce4b859a523bb44dfe4b117ceb41feef9033ada42a17f07133",
+    hash: "996257faa2e4d1033533a9476b57bcc3493e453db0206a015ea54a83e7f8a8f1",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -257,7 +257,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "de9605f151be6a71e1d665e33d3a417dab15f4d804596732d9612a6403e50e3f",
+    hash: "fd92801f61d0a3051fbf3008446f89931e293cce31d85e46c9f5bd1bb6db6e49",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
@@ -270,7 +270,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "b7ae13e0ac047164ee884399a418e1a55ab1980c319478971ed9615b6b7f27dc",
+    hash: "990dac389f6136f4b4467e1bbd5d8af2ef9658c67a896d2ccb7ba69f78ce1f37",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -283,7 +283,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "caa08196fb83b2ad22838ad01a23866b3a9328dc6d68c8c1ef4146306ac24f7d",
+    hash: "6860e4cb189f3ab44c5fcb9c2da28bb1e4485ce29716908d8df728f06b92283c",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
@@ -296,7 +296,7 @@ static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "f5b8ed0ee860cd5819b0f1bbaeb0b00d3e1afa7d66cd7b46d90558114e29dd8f",
+    hash: "3ff794dad1bca3a482cd17467a27e38a37265593cca5a4387a96d69c896ca371",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_PACKED: Module = Module {
@@ -309,7 +309,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "2c56b96575508dbd68769df2af20001b712de5f983b5a3b2a082944f47c48273",
+    hash: "90d8cfac89ee9bb71ecc96f1d2d4424239ef2c8c2f5805aa342077e75714c667",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -322,7 +322,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "30f2239468b386a44d61376f8bc7eb25ff26f0715d45f8cfd3e9203bbe6d12d5",
+    hash: "66c90b68105058e0412d92078b7dfe9235085668c12f408a3375aa870de87232",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -335,7 +335,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "4cbc94192e64e25789ce252553ca15fbef7c5641c7511fcc9f87a00fc00e18e7",
+    hash: "832f5733f87ac331f683a6421dfd7dee4b9728258836f3d2cbb087cd7d3688e3",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -348,7 +348,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "bf004bfec2b45079596f3ad77411c582a93d6aa957723f951610dc2e7d1e5aa6",
+    hash: "158e88f21f36f0d294fd075acee6514ef23559123cffa74ae1475be5d7c9f0b7",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -361,7 +361,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = M
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "3def9d8a741f8775cc90e48eb494ba354a4ef73c7c801009e8fb26488afc3cd9",
+    hash: "c2278eba49fa5038581b8acb86f56460c9ec773f3f5c48c61351eb7c308e4cbb",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
@@ -374,7 +374,7 @@ static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "ee1120665c5bb23ea0e37c182061a457686d4b3144d92b5782925e69438743cb",
+    hash: "fdb094acf1b3e04d631dd819bd524eaa70f180312587af1c2ffa59c2b3dd2e23",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_PACKED: Module = Module {
@@ -387,7 +387,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "3a31a51b8e5aa45b97df19375175c0f8b69b239ce1f23c8ec4835002215e84e2",
+    hash: "6bf8d876310a4b4cf60896f1a7c803cdc6345097a2dc6ebd9c8c1c94e2238b4e",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -400,7 +400,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "32c9554eb3e1de327d4d131087329c781c6bf89422ca49af18d23437aad153c9",
+    hash: "699b0eba7a71c1b47dafe81718c0390f17bdc618f209e75901b1550246fa73b5",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -413,7 +413,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "72199a13bea05d2bf833c4eed8b708c3a1fb54765ad513a998c4e74b44d24819",
+    hash: "30d337c3e17e847109efbbe8a7f9478c4433d006ba01ea8e48fc4eb4201ddd03",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -426,7 +426,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "e8411a15bdbcfe3f939aa3e8683ec35e6802388601acaade5dc7b7fc0856c477",
+    hash: "5e43bb4add42a749826edf5219c6948f50c8c0268c6fe5354741b8142a70f5b9",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -439,7 +439,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "dea5fc45068063fa839ef61eb2ff80a4217a0116d30b06b33b59d0be1b8d3419",
+    hash: "be0363ddfdbf4c6592a8e5fae516ee2cf53907fd7c074cde9adbdbe221c57a07",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
@@ -452,7 +452,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "7be935e34c6c49f8a46c77263047e709967153e49da34abd7237455dde8cb652",
+    hash: "f2cc749e556a964974afb7399a4f6c1248af019c9fada8e21cc15b4248d99f39",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_PACKED: Module = Module {
@@ -465,7 +465,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "8d5595304e5375d1f5d072ce4c6976a70c19b72dfc43d0d829c576deb775aa4a",
+    hash: "b31538958233de3908aba604b8f980935969985832fefb7afec7e030f8d4d944",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -478,7 +478,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "2bfbaf7badad268a5eaa5cc411d4b97d26ac9cde5226199e9c95f4d5b79ff968",
+    hash: "87259f7bdaecb8bdbc403722fc29f4b6e707c85efae3c058508b5e1d96d6a620",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -491,7 +491,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACK
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "d42f517f09a050ed7c39e9cd73c77b53ba92ab570ccee36375f36a7c49035f61",
+    hash: "021a17b53490422b0b30b4028be9182fbd7c6407b48159c54c51244054d767b8",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -504,7 +504,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "759416431158955752f193110065d797f5285865ca85b44419112d583c4cfec4",
+    hash: "72f9784bfb56235c7a3c1e64becfcc82a675bb06ead69a72170af1f04a7b03af",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -517,5 +517,5 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED:
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "8c2151715acba9b71dba2a260c9d516779d2b9cfd2377256d7bef69c888e2a90",
+    hash: "4d1e512322e7c090304104ad3d3d166334c67ab721f3e835a2fbd388487d59c0",
 };

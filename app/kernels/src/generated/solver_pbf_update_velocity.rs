@@ -123,7 +123,7 @@ static UPDATE_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "acd7eff5695b1ee31f34507bf0620bd243235215fd7993bf17b0da20df4117d7",
+    hash: "d46a51ab07af58874ec26d54c0197314060a5e03688e877ef3ea6ea2b7dbbbf8",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
@@ -136,7 +136,7 @@ static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "b8f3ad58abfd2f5e9b37667873f66d72a11d5b7984c86010c3105a5910e12b25",
+    hash: "4f412f3adda42d0373fc3a1bbfa861f77e04b8b5613ae7fce5f0d7799891e926",
 };
 
 static UPDATE_VELOCITY_WITH_PACKED: Module = Module {
@@ -149,7 +149,7 @@ static UPDATE_VELOCITY_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "24ee2b24905eca6715a24299af9666c2cd33727e419369adfd9bfb798a069cc6",
+    hash: "a65f07585be435f0393a4dbf9f0ef8aca1e1531709be21e91c017cab959e8a92",
 };
 
 static UPDATE_VELOCITY_WITH_PACKED_WITH_PERIODIC: Module = Module {
@@ -162,5 +162,5 @@ static UPDATE_VELOCITY_WITH_PACKED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "8ede66b5b3a7bf973240ac2b3372645a34133e20b36a48cfdec293f165f94752",
+    hash: "01f716fddd4f4412ded5f000af535d646694d958b445da1f1ab33afea495908e",
 };

@@ -69,5 +69,5 @@ static ANISOTROPY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/anisotropy.compute",
-    hash: "f4264bcb13c07df62e24df4c9713898c491673c1888aadff3669da80c5ff409c",
+    hash: "95d287274477173dfc16b3ef9277b837795c5d1b4cb310cc150e7aed6d3e864b",
 };

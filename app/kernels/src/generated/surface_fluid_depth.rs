@@ -112,7 +112,7 @@ static DRAW_FLUID_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "701f2a76b1dadc019bd9e4fa7a46faa604be03e15454852f5897830b5b8f8128",
+    hash: "856211e2a2b169105c09743f3723a2bf119e92789a5b2f94a560c76507010a97",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
@@ -125,7 +125,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "2d192f37621e43f0783cf006006d06911ea6654a1318d30f9afe05068bd5362a",
+    hash: "56fc2c296d675d9ed995da09c1ee1bc029dcff14ef79bd6776b8a30d2ac0a701",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -138,7 +138,7 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "dd49f09441a81c45adcf2417a30d52fd2405d04e38be2ea90134531f91394c46",
+    hash: "3987c91d65b8431710aa7e362efc0bb5c396371ad55279a57b574cb8783b57fc",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -151,7 +151,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "270d0656dbbaaae1bc3e6b5da2ca8847ae395ca792aa425bf3d2c70ae5bdc3e7",
+    hash: "96dceefe3f7616476e2521fa8546dc653199db3360009905825e2ef1f9c800f9",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -164,5 +164,5 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "e997403ab210dea1d87e567f3e85e50fed90e388569f5933fa940c5eef828aa1",
+    hash: "d40ac64a2ff4c44948fb66bf8a42cf8233d4160289b74d13e3b3a7b915d02757",
 };

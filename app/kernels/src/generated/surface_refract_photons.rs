@@ -70,5 +70,5 @@ static REFRACT_PHOTONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refract_photons.compute",
-    hash: "fea87693c915334ad1a65d2508932a4373709a73ac9baa62d37920bf59f061b1",
+    hash: "b3e40de9e403f8b2a4839e6ab9681562eb9bd52c2a407afcedfb505226593319",
 };

@@ -114,7 +114,7 @@ static DRAW_SUN_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "bf0d914b2cf69054e9a4a0f29b72e72ea6309833b471258d73b885a16d221158",
+    hash: "80b1ae85282d75ca5833719f06f0300bbffbd520f5c26b0182871bb0b8c4ce5e",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
@@ -127,7 +127,7 @@ static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "11f625d08a34c42e1f2a7148e17db3b81872c89741e54881d8281bbd87995cd4",
+    hash: "f2b9c6b7c14b84f26cf8c399f6d3827e8a91a135a4360810c129c49c390f9069",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -140,7 +140,7 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "7d98878b9da74363b39589606ea6e5f3117762a37a62006f741941295e00633b",
+    hash: "da8f8e01b9704dee0cf03df1761bb2a531eb801066caae9d66b8bbfe7a2748e2",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -153,7 +153,7 @@ static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "e028ce6deb515ee966a393c1437e9aac579ec6d8623ae39f53ccafb0600f498b",
+    hash: "a700cd2353d9e33562d308d48f5541de1f3a3fbd3295a118d00a49c64e3c1129",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -166,5 +166,5 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "67e87c1752151c6cbeee2f555a7c586c498d8523b87fe9b2aa1cabd13c168657",
+    hash: "fe9b76e34815b323122697d4355a71619b0ac0ac6ac1fde274040549764597cb",
 };

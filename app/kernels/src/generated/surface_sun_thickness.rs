@@ -85,7 +85,7 @@ static DRAW_SUN_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "8cc2c86449dac10815a87ae7b556a92dd7806db12a21788ef867f25a8a68ab9b",
+    hash: "72c9321943c93be972db57ee2668524afc9d585fcd235a0e127404cd990b3b5f",
 };
 
 static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
@@ -98,7 +98,7 @@ static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "f471f303da00203baed3dc4a1ca5f4f7abc0995f2d0e399530a404649e7c1526",
+    hash: "49b07158121b008b5892ca3f8f8893e962cffb51f4e9d7c0abedbd76e4310df8",
 };
 
 static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -111,5 +111,5 @@ static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "08d79ff897c49812f41dbe50b5ebb780016ce4be15faf47b75cf9447efef91db",
+    hash: "04012f0577948f2e36a7195e464bf57b8203e5e02d9f3de567ffcea3d7d2acca",
 };

@@ -86,7 +86,7 @@ static DRAW_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "dec9b80e97e2b00a82ac8f96842b76aa60b5b0362a1f1f00df05002e948c1dd5",
+    hash: "6ec3a530a041a6b12d488e6c80b8ffa857976b541ee000f4728c4c5399548f5b",
 };
 
 static DRAW_THICKNESS_FRAGMENT: Module = Module {
@@ -99,7 +99,7 @@ static DRAW_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "bdf1b5734ddc6e86faa2c6388f586466e6d5ba68fc4fca268988e37e149a2a33",
+    hash: "588fbc6ed2ad2aae19fc1e822e12d32d951eacc59f95c8e752d6edce99f6e1f9",
 };
 
 static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -112,5 +112,5 @@ static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "f28d07199dcbb52b6ad07b82fe852d1ef2bf57dfdedc0fe0e6b80ab5125cc269",
+    hash: "ab9b7b2495678497245724873edbdce5e20fda3a4ef487a5cbd440682e749d9f",
 };

@@ -1,8 +1,8 @@
 //! Density ratios of all particles.
 
 use crate::boundary::walls::DomainWalls;
+use crate::measure::density::density_ratio;
 use crate::params::Smoothing;
-use crate::solver::pbf::density_ratio;
 use glam::DVec3;
 
 /// The ratio of each particle, 0 where `quarantined` says so. (Shader: `measure/density_ratios.compute`.)

@@ -1,5 +1,6 @@
 //! What is measured of the particles.
 
+pub mod density;
 pub mod density_ratios;
 pub mod measure_particles;
 pub mod measure_totals;

@@ -34,8 +34,8 @@ impl<'a> Particles<'a> {
             positions: &recorded.positions,
             velocities: &recorded.velocities,
             count: recorded.particle_count,
-            neighbours: Some(&recorded.neighbours),
-            densities: Some(&recorded.densities),
+            neighbours: recorded.neighbours.as_ref(),
+            densities: recorded.densities.as_ref(),
         }
     }
 }

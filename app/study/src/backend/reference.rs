@@ -6,8 +6,9 @@ use std::path::PathBuf;
 use brooklet_fluid::{smoothing_kernel, solver::pbf};
 use brooklet_kernels::QUARANTINED;
 use brooklet_reference::boundary::walls::{DomainWalls, WallScales};
-use brooklet_reference::params::{Pbf, Smoothing, Step};
+use brooklet_reference::params::{self, Forces, Smoothing, Step};
 use brooklet_reference::particles::predict::Particle;
+use brooklet_reference::solver::{Solver, pbf::substep::Pbf};
 use brooklet_reference::step::Fluid;
 use glam::{BVec3, DVec3};
 use serde::{Deserialize, Serialize};
@@ -58,20 +59,21 @@ pub fn reference_fluid(setup: &Setup) -> Fluid {
             wall_offset_m: 0.5 * scene.fitted_spacing_m(),
             max_speed_m_s: scene.max_speed_m_s(),
         },
-        smoothing,
-        pbf: Pbf {
-            relaxation: scene.solver.relaxation,
-            cfm: f64::from(pbf.cfm),
-            s_corr_k: scene.solver.s_corr_k,
-            s_corr_inverse_w: f64::from(pbf.s_corr_inverse_w),
-            xsph: scene.solver.xsph,
-            vorticity: scene.solver.vorticity_m_s,
-            max_correction_m: f64::from(pbf.max_correction_m),
-            separation: f64::from(pbf.separation),
-        },
-        iterations: scene.solver.iterations,
+        solver: Solver::Pbf(Pbf {
+            smoothing,
+            params: params::Pbf {
+                relaxation: scene.solver.relaxation,
+                cfm: f64::from(pbf.cfm),
+                s_corr_k: scene.solver.s_corr_k,
+                s_corr_inverse_w: f64::from(pbf.s_corr_inverse_w),
+                max_correction_m: f64::from(pbf.max_correction_m),
+                separation: f64::from(pbf.separation),
+            },
+            iterations: scene.solver.iterations,
+            forces: Forces { xsph: scene.solver.xsph, vorticity_m_s: scene.solver.vorticity_m_s },
+            grid_ends_at_domain: true,
+        }),
         walls: domain.has_walls().then_some(walls),
-        grid_ends_at_domain: true,
     }
 }
 

@@ -113,8 +113,6 @@ impl Block {
             cfm: 1e-4,
             s_corr_k: 0.0,
             s_corr_inverse_w: 0.0,
-            xsph: 0.0,
-            vorticity: 0.0,
             max_correction_m: f64::INFINITY,
             separation: 0.0,
         };

@@ -1,52 +1,37 @@
-//! Position Based Fluids (Macklin & Müller 2013): Jacobi iterations of the density constraint,
-//! then velocities, vorticity confinement and XSPH viscosity. Each optional term is a variant or
-//! a pass of its own, chosen here once.
+//! Position Based Fluids (Macklin & Müller 2013): Jacobi iterations of the density constraint, then velocities.
 
-mod constraint;
-mod velocity;
+mod constrain_density;
+mod correct_positions;
+mod update_velocity;
 
 use brooklet_gpu::{Recording, Resources};
-use brooklet_kernels::{
-    Buffer, Counters, PbfParams, Position, PositionLambda, PrecisionKeyword, SmoothingKernelParams, StepParams,
-    Velocity,
-};
+use brooklet_kernels::{Buffer, PbfParams, PositionLambda};
 
-use crate::grid::{Neighbours, Sorted};
+use crate::forces::Forces;
+use crate::grid::NeighbourSearch;
+use crate::particles::predict;
 use crate::scene::Scene;
 use crate::smoothing_kernel::{lattice, wendland};
-use velocity::Vortices;
-
-/// What every stage of a substep shares.
-pub struct Shared {
-    /// Time, gravity, domain.
-    pub step: Buffer<StepParams>,
-    /// The smoothing kernel.
-    pub kernel: Buffer<SmoothingKernelParams>,
-    /// Whether the domain has walls.
-    pub walls: bool,
-    /// Whether it has periodic axes.
-    pub periodic: bool,
-    /// How what is computed for pairs of particles is rounded.
-    pub precision: PrecisionKeyword,
-    /// Events that are counted.
-    pub counters: Buffer<Counters>,
-}
+use crate::step_context::{Particles, StepContext};
+use constrain_density::constrain_density;
+use correct_positions::correct_positions;
+use update_velocity::update_velocity;
 
 /// The solver's settings and buffers.
 pub struct Pbf {
     /// Settings as the shaders see them.
-    pub params: Buffer<PbfParams>,
+    pub(crate) params: Buffer<PbfParams>,
+    /// The neighbours of its substep.
+    pub(crate) search: NeighbourSearch,
+    pub(crate) forces: Forces,
     iterations: u32,
     s_corr: bool,
-    position_lambdas: Lambdas,
-    vortices: Option<Vortices>,
-    /// Velocities before viscosity; without it they are the result.
-    unsmoothed: Option<Buffer<Velocity>>,
+    lambdas: Lambdas,
 }
 
-/// Places with their multipliers, as they are during one iteration.
-pub(crate) enum Lambdas {
-    /// Places of 21 bits an axis, multipliers in f32.
+/// Quantized positions with their lambdas, as they are during one iteration.
+enum Lambdas {
+    /// 21 bits an axis, lambdas in f32.
     Full(Buffer<PositionLambda>),
     /// Both in eight bytes.
     Packed(Buffer<[u32; 2]>),
@@ -60,12 +45,11 @@ pub fn params(scene: &Scene) -> PbfParams {
         cfm: (solver.cfm * lattice(scene.domain.dimensions, solver.support_ratio).stiffness) as f32,
         s_corr_k: solver.s_corr_k as f32,
         s_corr_inverse_w: (1.0 / wendland(solver.s_corr_distance_ratio)) as f32,
-        xsph: solver.xsph as f32,
-        vorticity: solver.vorticity_m_s as f32,
         // Half a spacing: further, and two particles a correction drives together pass each other.
         max_correction_m: (0.5 * scene.fitted_spacing_m()) as f32,
         // Half a spacing: fluid at rest, however dense, keeps further apart.
         separation: (0.5 / solver.support_ratio) as f32,
+        ..PbfParams::default()
     }
 }
 
@@ -75,39 +59,38 @@ impl Pbf {
         let solver = &scene.solver;
         Self {
             params: resources.persistent("pbf_params", 1),
+            search: NeighbourSearch::declare(resources, scene, particle_count),
+            forces: Forces::declare(resources, scene, particle_count),
             iterations: solver.iterations,
             s_corr: solver.s_corr_k > 0.0,
-            position_lambdas: if solver.packed_positions {
-                Lambdas::Packed(resources.buffer("position_lambdas", particle_count))
-            } else {
-                Lambdas::Full(resources.buffer("position_lambdas", particle_count))
+            lambdas: match solver.packed_positions {
+                true => Lambdas::Packed(resources.buffer("position_lambdas", particle_count)),
+                false => Lambdas::Full(resources.buffer("position_lambdas", particle_count)),
             },
-            vortices: (solver.vorticity_m_s > 0.0).then(|| Vortices::declare(resources, particle_count)),
-            unsmoothed: (solver.xsph > 0.0).then(|| resources.buffer("unsmoothed_velocities", particle_count)),
         }
     }
 
-    /// From predicted, sorted particles to their positions and velocities after the substep.
-    pub fn record(
+    pub(super) fn record_init(&mut self, init: &mut Recording, scene: &Scene) {
+        init.upload(&mut self.params, &[params(scene)]);
+        self.search.record_init(init, scene, self.search.sorted.positions.len);
+        self.forces.record_init(init, scene);
+    }
+
+    pub(super) fn record_substep(
         &mut self,
         recording: &mut Recording,
-        shared: &mut Shared,
-        neighbours: &Neighbours,
-        sorted: &mut Sorted,
-        positions: &mut Buffer<Position>,
-        velocities: &mut Buffer<Velocity>,
+        context: &mut StepContext,
+        particles: &mut Particles,
     ) {
+        predict(recording, context, particles);
+        self.search.sort(recording, particles);
+        self.search.list(recording, context);
         for _ in 0..self.iterations {
-            constraint::constrain_density(recording, self, shared, neighbours, sorted);
-            constraint::correct_positions(recording, self, shared, neighbours, sorted);
+            constrain_density(recording, self, context);
+            correct_positions(recording, self, context);
         }
-        let updated = self.unsmoothed.as_mut().unwrap_or(&mut *velocities);
-        velocity::update_velocity(recording, shared, sorted, positions, updated);
-        if let Some(vortices) = &mut self.vortices {
-            vortices.record(recording, &self.params, shared, neighbours, sorted, updated);
-        }
-        if let Some(unsmoothed) = &self.unsmoothed {
-            velocity::viscosity(recording, &self.params, shared, neighbours, sorted, unsmoothed, velocities);
-        }
+        let updated = self.forces.input(&mut particles.velocities);
+        update_velocity(recording, context, &self.search, &mut particles.positions, updated);
+        self.forces.record(recording, context, &self.search, &mut particles.velocities);
     }
 }

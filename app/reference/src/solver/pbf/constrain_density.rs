@@ -1,8 +1,8 @@
 //! The density constraint's multiplier (Macklin & Muller 2013, eq. 1, 8-11), unilateral: only
 //! compression is a violation.
 
-use super::density_ratio;
 use crate::boundary::walls::DomainWalls;
+use crate::measure::density::density_ratio;
 use crate::params::{Pbf, Smoothing};
 use crate::shared::wendland;
 use glam::DVec3;
@@ -58,8 +58,6 @@ mod tests {
         cfm: 1e-4,
         s_corr_k: 0.0,
         s_corr_inverse_w: 0.0,
-        xsph: 0.0,
-        vorticity: 0.0,
         max_correction_m: 1.0,
         separation: 0.0,
     };

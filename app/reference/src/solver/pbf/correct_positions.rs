@@ -116,8 +116,6 @@ mod tests {
             cfm: 1e-4,
             s_corr_k: 1e-3,
             s_corr_inverse_w: 2.0,
-            xsph: 0.0,
-            vorticity: 0.0,
             max_correction_m: 1.0,
             separation: 0.0,
         };

@@ -1,26 +1,27 @@
 // Written by the shader compiler; do not edit. `cargo run -p brooklet-compiler -- build`
-// makes it anew from solver/pbf/curl.compute.
-//! Kernels of `solver/pbf/curl.compute`.
+// makes it anew from forces/xsph.compute.
+//! Kernels of `forces/xsph.compute`.
 
-use super::{ListHead, PrecisionKeyword, SmoothingKernelParams, StepParams, Velocity, Vorticity};
+use super::{ForceParams, ListHead, PrecisionKeyword, SmoothingKernelParams, StepParams, Velocity};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
 
-/// Which variant of [`Curl`] runs.
+/// Which variant of [`Xsph`] runs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub struct CurlVariant {
+pub struct XsphVariant {
     /// Keyword `RELAXED_PRECISION` or `HALF_PRECISION`.
     pub precision: PrecisionKeyword,
     /// Keyword `PACKED`.
     pub packed: bool,
 }
 
-/// Curl of the velocity field (Monaghan 1992; Macklin & Muller 2013, eq. 15).
+/// XSPH viscosity (Schechter & Bridson 2012; Macklin & Muller 2013, eq. 17): each velocity moves
+/// towards its neighbours' mean. Bounded for any coefficient up to 1, whatever dt is.
 #[derive(Debug)]
-pub struct Curl<'a> {
+pub struct Xsph<'a> {
     /// Its variant.
-    pub variant: CurlVariant,
+    pub variant: XsphVariant,
     /// `StructuredBuffer<uint2> quantized_positions`.
     pub quantized_positions: Buf<'a, [u32; 2]>,
     /// `StructuredBuffer<Velocity> velocities`.
@@ -29,26 +30,28 @@ pub struct Curl<'a> {
     pub neighbours: Buf<'a, [u32; 2]>,
     /// `StructuredBuffer<ListHead> list_heads`.
     pub list_heads: Buf<'a, ListHead>,
-    /// `RWStructuredBuffer<Vorticity> vorticities`.
-    pub vorticities: BufMut<'a, Vorticity>,
+    /// `RWStructuredBuffer<Velocity> smoothed_velocities`.
+    pub smoothed_velocities: BufMut<'a, Velocity>,
     /// `ConstantBuffer<StepParams> step_params`.
     pub step_params: Uniform<'a, StepParams>,
     /// `ConstantBuffer<SmoothingKernelParams> kernel`.
     pub kernel: Uniform<'a, SmoothingKernelParams>,
+    /// `ConstantBuffer<ForceParams> forces`.
+    pub forces: Uniform<'a, ForceParams>,
 }
 
-impl Kernel for Curl<'_> {
-    const STAGE: &'static str = "curl";
+impl Kernel for Xsph<'_> {
+    const STAGE: &'static str = "xsph";
     const GROUP_SIZE: [u32; 3] = [64, 1, 1];
 
     fn module(&self) -> &'static Module {
         match (self.variant.precision, self.variant.packed) {
-            (PrecisionKeyword::Off, false) => &CURL,
-            (PrecisionKeyword::Off, true) => &CURL_WITH_PACKED,
-            (PrecisionKeyword::RelaxedPrecision, false) => &CURL_WITH_RELAXED_PRECISION,
-            (PrecisionKeyword::RelaxedPrecision, true) => &CURL_WITH_RELAXED_PRECISION_WITH_PACKED,
-            (PrecisionKeyword::HalfPrecision, false) => &CURL_WITH_HALF_PRECISION,
-            (PrecisionKeyword::HalfPrecision, true) => &CURL_WITH_HALF_PRECISION_WITH_PACKED,
+            (PrecisionKeyword::Off, false) => &XSPH,
+            (PrecisionKeyword::Off, true) => &XSPH_WITH_PACKED,
+            (PrecisionKeyword::RelaxedPrecision, false) => &XSPH_WITH_RELAXED_PRECISION,
+            (PrecisionKeyword::RelaxedPrecision, true) => &XSPH_WITH_RELAXED_PRECISION_WITH_PACKED,
+            (PrecisionKeyword::HalfPrecision, false) => &XSPH_WITH_HALF_PRECISION,
+            (PrecisionKeyword::HalfPrecision, true) => &XSPH_WITH_HALF_PRECISION_WITH_PACKED,
         }
     }
     fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
@@ -59,9 +62,10 @@ impl Kernel for Curl<'_> {
                 ("velocities", Some(self.velocities.id)),
                 ("neighbours", Some(self.neighbours.id)),
                 ("list_heads", Some(self.list_heads.id)),
-                ("vorticities", Some(self.vorticities.id)),
+                ("smoothed_velocities", Some(self.smoothed_velocities.id)),
                 ("step_params", Some(self.step_params.id)),
                 ("kernel", Some(self.kernel.id)),
+                ("forces", Some(self.forces.id)),
             ],
         )
     }
@@ -69,12 +73,12 @@ impl Kernel for Curl<'_> {
 
 /// The modules of this file.
 pub(super) static MODULES: &[&Module] = &[
-    &CURL,
-    &CURL_WITH_PACKED,
-    &CURL_WITH_RELAXED_PRECISION,
-    &CURL_WITH_RELAXED_PRECISION_WITH_PACKED,
-    &CURL_WITH_HALF_PRECISION,
-    &CURL_WITH_HALF_PRECISION_WITH_PACKED,
+    &XSPH,
+    &XSPH_WITH_PACKED,
+    &XSPH_WITH_RELAXED_PRECISION,
+    &XSPH_WITH_RELAXED_PRECISION_WITH_PACKED,
+    &XSPH_WITH_HALF_PRECISION,
+    &XSPH_WITH_HALF_PRECISION_WITH_PACKED,
 ];
 
 static BINDINGS_0: &[BindingInfo] = &[
@@ -87,88 +91,89 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
     BindingInfo { name: "list_heads", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
     BindingInfo {
-        name: "vorticities",
+        name: "smoothed_velocities",
         slot: 4,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
     BindingInfo { name: "step_params", slot: 5, kind: BindingKind::Uniform { bytes: 96 } },
     BindingInfo { name: "kernel", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "forces", slot: 7, kind: BindingKind::Uniform { bytes: 16 } },
 ];
 
-static CURL: Module = Module {
-    name: "Curl",
-    entry: "Curl",
+static XSPH: Module = Module {
+    name: "Xsph",
+    entry: "Xsph",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/curl.spv"),
+    spirv: include_bytes!("../../spirv/xsph.spv"),
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
-    source: "solver/pbf/curl.compute",
-    hash: "4a5d6497beb68b71a98776a2eb43b27cc84e2d3731665dab81af1c70c407a9f1",
+    source: "forces/xsph.compute",
+    hash: "96a8a3d90c313944431567d94f1c8182a261d2dca767a8a54de099b9a8572720",
 };
 
-static CURL_WITH_PACKED: Module = Module {
-    name: "Curl+PACKED",
-    entry: "Curl",
+static XSPH_WITH_PACKED: Module = Module {
+    name: "Xsph+PACKED",
+    entry: "Xsph",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/curl+packed.spv"),
+    spirv: include_bytes!("../../spirv/xsph+packed.spv"),
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
-    source: "solver/pbf/curl.compute",
-    hash: "25aabb77836deb59903d3926259ba0040c7dc1a6a27bbc05c942d3a6b22af604",
+    source: "forces/xsph.compute",
+    hash: "9cf5208d26200e2a3913f6b8fa841d01e3f6130bafcec5b8a8bf335dc6dbaf55",
 };
 
-static CURL_WITH_RELAXED_PRECISION: Module = Module {
-    name: "Curl+RELAXED_PRECISION",
-    entry: "Curl",
+static XSPH_WITH_RELAXED_PRECISION: Module = Module {
+    name: "Xsph+RELAXED_PRECISION",
+    entry: "Xsph",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/curl+relaxed_precision.spv"),
+    spirv: include_bytes!("../../spirv/xsph+relaxed_precision.spv"),
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
-    source: "solver/pbf/curl.compute",
-    hash: "534df757b31a70941bbfc351c9318d1229c28996d1e94a45254fc70f65f44748",
+    source: "forces/xsph.compute",
+    hash: "488be30df706647a291174b9400279c4efba29865a4bf30c90c0946c519ed9f6",
 };
 
-static CURL_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
-    name: "Curl+RELAXED_PRECISION+PACKED",
-    entry: "Curl",
+static XSPH_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
+    name: "Xsph+RELAXED_PRECISION+PACKED",
+    entry: "Xsph",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/curl+relaxed_precision+packed.spv"),
+    spirv: include_bytes!("../../spirv/xsph+relaxed_precision+packed.spv"),
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
-    source: "solver/pbf/curl.compute",
-    hash: "a01f74aa1654efb05e115a41d387ff85afba8d82861ef68217af14634c2ca2c8",
+    source: "forces/xsph.compute",
+    hash: "b4bfe7a71543cd657c072430b86306ba9e22eb2efbee6d69ecc44570a201e631",
 };
 
-static CURL_WITH_HALF_PRECISION: Module = Module {
-    name: "Curl+HALF_PRECISION",
-    entry: "Curl",
+static XSPH_WITH_HALF_PRECISION: Module = Module {
+    name: "Xsph+HALF_PRECISION",
+    entry: "Xsph",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/curl+half_precision.spv"),
+    spirv: include_bytes!("../../spirv/xsph+half_precision.spv"),
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
-    source: "solver/pbf/curl.compute",
-    hash: "52c8d216455a8808a1b99a2775fbe8b48183aed49f5fd9ba1f4e9b2623f0a41d",
+    source: "forces/xsph.compute",
+    hash: "5439637dfdca3a2e603c6e53ca11fdbe096356a3b023c7c3180288521168b3c3",
 };
 
-static CURL_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
-    name: "Curl+HALF_PRECISION+PACKED",
-    entry: "Curl",
+static XSPH_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
+    name: "Xsph+HALF_PRECISION+PACKED",
+    entry: "Xsph",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/curl+half_precision+packed.spv"),
+    spirv: include_bytes!("../../spirv/xsph+half_precision+packed.spv"),
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
-    source: "solver/pbf/curl.compute",
-    hash: "45199517c725bcd4dc449c88ff7ff78e10329cbb51ac5a6142538f784e9f43a9",
+    source: "forces/xsph.compute",
+    hash: "195e4adc8af4f8a84c9fb7ea9b1ae1250937634835c4591affdb032216fbbe58",
 };

@@ -1,8 +1,8 @@
 // Written by the shader compiler; do not edit. `cargo run -p brooklet-compiler -- build`
-// makes it anew from solver/pbf/confine_vorticity.compute.
-//! Kernels of `solver/pbf/confine_vorticity.compute`.
+// makes it anew from forces/confine_vorticity.compute.
+//! Kernels of `forces/confine_vorticity.compute`.
 
-use super::{ListHead, PbfParams, PrecisionKeyword, StepParams, Velocity, Vorticity};
+use super::{ForceParams, ListHead, PrecisionKeyword, StepParams, Velocity, Vorticity};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
@@ -34,8 +34,8 @@ pub struct ConfineVorticity<'a> {
     pub velocities: BufMut<'a, Velocity>,
     /// `ConstantBuffer<StepParams> step_params`.
     pub step_params: Uniform<'a, StepParams>,
-    /// `ConstantBuffer<PbfParams> pbf`.
-    pub pbf: Uniform<'a, PbfParams>,
+    /// `ConstantBuffer<ForceParams> forces`.
+    pub forces: Uniform<'a, ForceParams>,
 }
 
 impl Kernel for ConfineVorticity<'_> {
@@ -62,7 +62,7 @@ impl Kernel for ConfineVorticity<'_> {
                 ("list_heads", Some(self.list_heads.id)),
                 ("velocities", Some(self.velocities.id)),
                 ("step_params", Some(self.step_params.id)),
-                ("pbf", Some(self.pbf.id)),
+                ("forces", Some(self.forces.id)),
             ],
         )
     }
@@ -93,7 +93,7 @@ static BINDINGS_0: &[BindingInfo] = &[
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
     BindingInfo { name: "step_params", slot: 5, kind: BindingKind::Uniform { bytes: 96 } },
-    BindingInfo { name: "pbf", slot: 6, kind: BindingKind::Uniform { bytes: 32 } },
+    BindingInfo { name: "forces", slot: 6, kind: BindingKind::Uniform { bytes: 16 } },
 ];
 
 static CONFINE_VORTICITY: Module = Module {
@@ -105,8 +105,8 @@ static CONFINE_VORTICITY: Module = Module {
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
-    source: "solver/pbf/confine_vorticity.compute",
-    hash: "16fe2e15df3ab516e522b8a1945bfc54999527f1fc5769aceb8442f4cfdcfc70",
+    source: "forces/confine_vorticity.compute",
+    hash: "dfced7e15b5ac024e6c5b9e2504afb8c48f4fffc1b380adea78a0b122c4a2860",
 };
 
 static CONFINE_VORTICITY_WITH_PACKED: Module = Module {
@@ -118,8 +118,8 @@ static CONFINE_VORTICITY_WITH_PACKED: Module = Module {
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
-    source: "solver/pbf/confine_vorticity.compute",
-    hash: "e35cefa9ed27d0ef82065a0a160080dca5b0d2f0e369f2904278abf71ae5dbe6",
+    source: "forces/confine_vorticity.compute",
+    hash: "5976870d0e658caf8f345bb5d8217eeab3956e7cb79ffda8d82d4dbf2773a3a0",
 };
 
 static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -131,8 +131,8 @@ static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
-    source: "solver/pbf/confine_vorticity.compute",
-    hash: "375dcff60c2f7a00e485597258976de788b30fab89fe39d3029ef1709c04e45f",
+    source: "forces/confine_vorticity.compute",
+    hash: "cab388c7fa0878eb555ec58633741051d01fe9c59bf0970279edaf024054cd70",
 };
 
 static CONFINE_VORTICITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -144,8 +144,8 @@ static CONFINE_VORTICITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
-    source: "solver/pbf/confine_vorticity.compute",
-    hash: "a25a95e66e421b9193267f29f9228ff1c89aa853e5851095006cd3a18327e145",
+    source: "forces/confine_vorticity.compute",
+    hash: "287b326bbaf169fc859ac611c42014532ff68f189cdb8cf0377cb6f1be0822f7",
 };
 
 static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
@@ -157,8 +157,8 @@ static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
-    source: "solver/pbf/confine_vorticity.compute",
-    hash: "1a3f04080f5067a6df726b184d62c640010472514bc1a1d0f3afc648c9f73663",
+    source: "forces/confine_vorticity.compute",
+    hash: "0a9222ba91667e25d237feb4975834eabdb734f884ec8ee00349ef03cb923f65",
 };
 
 static CONFINE_VORTICITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -170,6 +170,6 @@ static CONFINE_VORTICITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
-    source: "solver/pbf/confine_vorticity.compute",
-    hash: "ed36ea139e6ceee9003b6bbe4081bbafbff5280fa126a95dff4d2666c6c96b4d",
+    source: "forces/confine_vorticity.compute",
+    hash: "14dbd9b4b3a24d5a2b2eff0cc1cdeeb3570c7063f332dcf0b051753430d91e63",
 };

@@ -1,6 +1,6 @@
 //! Vorticity confinement (Fedkiw, Stam & Jensen 2001; Macklin & Muller 2013, eq. 16).
 
-use crate::params::{Pbf, Smoothing, Step};
+use crate::params::{Forces, Smoothing, Step};
 use crate::shared::wendland;
 use glam::DVec3;
 
@@ -25,7 +25,7 @@ pub fn confine_vorticity(
     neighbours: &[usize],
     step: &Step,
     smoothing: &Smoothing,
-    pbf: &Pbf,
+    forces: &Forces,
 ) -> Confined {
     let here = vorticities_per_s[i];
     let mut slope = DVec3::ZERO;
@@ -39,7 +39,7 @@ pub fn confine_vorticity(
     }
     let steepness = slope.length();
     let push_m_s2 = if steepness > FLAT * here.length() && steepness > 0.0 {
-        (slope / steepness).cross(here) * pbf.vorticity
+        (slope / steepness).cross(here) * forces.vorticity_m_s
     } else {
         DVec3::ZERO
     };
@@ -69,20 +69,11 @@ mod tests {
             max_speed_m_s: 10.0,
         };
         let smoothing = Smoothing::new(1.0, 1.0);
-        let pbf = Pbf {
-            relaxation: 0.5,
-            cfm: 0.0,
-            s_corr_k: 0.0,
-            s_corr_inverse_w: 0.0,
-            xsph: 0.0,
-            vorticity: 0.3,
-            max_correction_m: 1.0,
-            separation: 0.0,
-        };
-        let push = confine_vorticity(0, &points, DVec3::ZERO, &swirls, &[1], &step, &smoothing, &pbf);
+        let forces = Forces { vorticity_m_s: 0.3, ..Forces::default() };
+        let push = confine_vorticity(0, &points, DVec3::ZERO, &swirls, &[1], &step, &smoothing, &forces);
         assert!((push.velocity_m_s - DVec3::NEG_Y * 0.03).length() < 1e-15);
         let even = [DVec3::Z, DVec3::Z];
-        let push = confine_vorticity(0, &points, DVec3::ZERO, &even, &[1], &step, &smoothing, &pbf);
+        let push = confine_vorticity(0, &points, DVec3::ZERO, &even, &[1], &step, &smoothing, &forces);
         assert_eq!(push.velocity_m_s, DVec3::ZERO);
     }
 }

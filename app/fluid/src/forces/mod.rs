@@ -1,0 +1,69 @@
+//! What acts on velocities alone, whichever solver made them. Each is a pass of its own, and not there where its
+//! coefficient is 0.
+
+mod vorticity;
+mod xsph;
+
+use brooklet_gpu::{Recording, Resources};
+use brooklet_kernels::{Buffer, ForceParams, Velocity};
+
+use crate::grid::NeighbourSearch;
+use crate::scene::Scene;
+use crate::step_context::StepContext;
+use vorticity::VorticityConfinement;
+
+/// The forces of a scene.
+pub struct Forces {
+    pub(crate) params: Buffer<ForceParams>,
+    vorticity: Option<VorticityConfinement>,
+    /// Velocities before XSPH; without it they are the result.
+    unsmoothed: Option<Buffer<Velocity>>,
+}
+
+/// What the shaders are given.
+pub fn params(scene: &Scene) -> ForceParams {
+    ForceParams {
+        xsph: scene.solver.xsph as f32,
+        vorticity_m_s: scene.solver.vorticity_m_s as f32,
+        ..ForceParams::default()
+    }
+}
+
+impl Forces {
+    /// Declares the buffers of the forces that `scene` has.
+    pub fn declare(resources: &mut Resources, scene: &Scene, particle_count: u32) -> Self {
+        Self {
+            params: resources.persistent("force_params", 1),
+            vorticity: (scene.solver.vorticity_m_s > 0.0)
+                .then(|| VorticityConfinement::declare(resources, particle_count)),
+            unsmoothed: (scene.solver.xsph > 0.0).then(|| resources.buffer("unsmoothed_velocities", particle_count)),
+        }
+    }
+
+    /// Uploads the coefficients.
+    pub fn record_init(&mut self, init: &mut Recording, scene: &Scene) {
+        init.upload(&mut self.params, &[params(scene)]);
+    }
+
+    /// Where the solver leaves the velocities that [`Forces::record`] begins with.
+    pub fn input<'a>(&'a mut self, velocities: &'a mut Buffer<Velocity>) -> &'a mut Buffer<Velocity> {
+        self.unsmoothed.as_mut().unwrap_or(velocities)
+    }
+
+    /// From [`Forces::input`] to `velocities`, which are in the search's order.
+    pub fn record(
+        &mut self,
+        recording: &mut Recording,
+        context: &StepContext,
+        search: &NeighbourSearch,
+        velocities: &mut Buffer<Velocity>,
+    ) {
+        if let Some(vorticity) = &mut self.vorticity {
+            let input = self.unsmoothed.as_mut().unwrap_or(&mut *velocities);
+            vorticity.record(recording, &self.params, context, search, input);
+        }
+        if let Some(unsmoothed) = &self.unsmoothed {
+            xsph::xsph(recording, &self.params, context, search, unsmoothed, velocities);
+        }
+    }
+}

@@ -1,0 +1,57 @@
+//! Vorticity confinement: one buffer and two passes. (Shaders: `forces/curl.compute`,
+//! `forces/confine_vorticity.compute`.)
+
+use brooklet_gpu::{Recording, Resources};
+use brooklet_kernels::{
+    Buffer, ConfineVorticity, ConfineVorticityVariant, Curl, CurlVariant, ForceParams, Velocity, Vorticity,
+};
+
+use crate::grid::NeighbourSearch;
+use crate::step_context::StepContext;
+
+pub(super) struct VorticityConfinement {
+    vorticities: Buffer<Vorticity>,
+}
+
+impl VorticityConfinement {
+    pub(super) fn declare(resources: &mut Resources, particle_count: u32) -> Self {
+        Self { vorticities: resources.buffer("vorticities", particle_count) }
+    }
+
+    pub(super) fn record(
+        &mut self,
+        recording: &mut Recording,
+        params: &Buffer<ForceParams>,
+        context: &StepContext,
+        search: &NeighbourSearch,
+        velocities: &mut Buffer<Velocity>,
+    ) {
+        let (sorted, neighbours) = (&search.sorted, &search.neighbours);
+        recording.dispatch(
+            &Curl {
+                variant: CurlVariant { precision: context.precision, packed: sorted.packed },
+                quantized_positions: sorted.quantized_positions.read(),
+                velocities: velocities.read(),
+                neighbours: neighbours.deltas.read(),
+                list_heads: neighbours.heads.read(),
+                vorticities: self.vorticities.write(),
+                step_params: context.step.uniform(),
+                kernel: search.smoothing_kernel.uniform(),
+            },
+            sorted.positions.len,
+        );
+        recording.dispatch(
+            &ConfineVorticity {
+                variant: ConfineVorticityVariant { precision: context.precision, packed: sorted.packed },
+                quantized_positions: sorted.quantized_positions.read(),
+                vorticities: self.vorticities.read(),
+                neighbours: neighbours.deltas.read(),
+                list_heads: neighbours.heads.read(),
+                velocities: velocities.write(),
+                step_params: context.step.uniform(),
+                forces: params.uniform(),
+            },
+            sorted.positions.len,
+        );
+    }
+}

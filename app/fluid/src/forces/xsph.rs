@@ -1,0 +1,31 @@
+//! XSPH viscosity. (Shader: `forces/xsph.compute`.)
+
+use brooklet_gpu::Recording;
+use brooklet_kernels::{Buffer, ForceParams, Velocity, Xsph, XsphVariant};
+
+use crate::grid::NeighbourSearch;
+use crate::step_context::StepContext;
+
+pub(super) fn xsph(
+    recording: &mut Recording,
+    params: &Buffer<ForceParams>,
+    context: &StepContext,
+    search: &NeighbourSearch,
+    velocities: &Buffer<Velocity>,
+    smoothed: &mut Buffer<Velocity>,
+) {
+    recording.dispatch(
+        &Xsph {
+            variant: XsphVariant { precision: context.precision, packed: search.sorted.packed },
+            quantized_positions: search.sorted.quantized_positions.read(),
+            velocities: velocities.read(),
+            neighbours: search.neighbours.deltas.read(),
+            list_heads: search.neighbours.heads.read(),
+            smoothed_velocities: smoothed.write(),
+            step_params: context.step.uniform(),
+            kernel: search.smoothing_kernel.uniform(),
+            forces: params.uniform(),
+        },
+        search.sorted.positions.len,
+    );
+}

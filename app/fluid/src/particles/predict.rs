@@ -1,0 +1,21 @@
+//! Where each particle would go without its neighbours. (Shader: `particles/predict.compute`.)
+
+use brooklet_gpu::Recording;
+use brooklet_kernels::{Predict, PredictVariant};
+
+use crate::step_context::{Particles, StepContext};
+
+/// Records v += g dt, x += v dt, and what the domain's faces make of it.
+pub fn predict(recording: &mut Recording, context: &mut StepContext, particles: &mut Particles) {
+    let count = particles.positions.len;
+    recording.dispatch(
+        &Predict {
+            variant: PredictVariant { walls: context.walls, periodic: context.periodic },
+            positions: particles.positions.write(),
+            velocities: particles.velocities.write(),
+            counters: context.counters.write(),
+            step_params: context.step.uniform(),
+        },
+        count,
+    );
+}

@@ -1,0 +1,37 @@
+//! Moves the quantized positions by what the lambdas ask for. (Shader: `solver/pbf/correct_positions.compute`.)
+
+use brooklet_gpu::Recording;
+use brooklet_kernels::{CorrectPositions, CorrectPositionsVariant};
+
+use super::{Lambdas, Pbf};
+use crate::step_context::StepContext;
+
+/// One Jacobi correction of all particles.
+pub(super) fn correct_positions(recording: &mut Recording, pbf: &mut Pbf, context: &mut StepContext) {
+    let (position_lambdas, packed_position_lambdas) = match &pbf.lambdas {
+        Lambdas::Full(lambdas) => (Some(lambdas.read()), None),
+        Lambdas::Packed(lambdas) => (None, Some(lambdas.read())),
+    };
+    let (sorted, neighbours) = (&mut pbf.search.sorted, &pbf.search.neighbours);
+    recording.dispatch(
+        &CorrectPositions {
+            variant: CorrectPositionsVariant {
+                walls: context.walls,
+                s_corr: pbf.s_corr,
+                precision: context.precision,
+                packed: sorted.packed,
+            },
+            position_lambdas,
+            packed_position_lambdas,
+            sorted_positions: sorted.positions.read(),
+            neighbours: neighbours.deltas.read(),
+            list_heads: neighbours.heads.read(),
+            quantized_positions: sorted.quantized_positions.write(),
+            counters: context.counters.write(),
+            step_params: context.step.uniform(),
+            kernel: pbf.search.smoothing_kernel.uniform(),
+            pbf: pbf.params.uniform(),
+        },
+        sorted.positions.len,
+    );
+}

@@ -1,0 +1,32 @@
+//! Positions and velocities after the corrections. (Shader: `solver/pbf/update_velocity.compute`.)
+
+use brooklet_gpu::Recording;
+use brooklet_kernels::{Buffer, Position, UpdateVelocity, UpdateVelocityVariant, Velocity};
+
+use crate::grid::NeighbourSearch;
+use crate::step_context::StepContext;
+
+/// From what the sort predicted and where the iterations moved it.
+pub(super) fn update_velocity(
+    recording: &mut Recording,
+    context: &mut StepContext,
+    search: &NeighbourSearch,
+    positions: &mut Buffer<Position>,
+    velocities: &mut Buffer<Velocity>,
+) {
+    let (count, sorted) = (positions.len, &search.sorted);
+    recording.dispatch(
+        &UpdateVelocity {
+            variant: UpdateVelocityVariant { packed: sorted.packed, periodic: context.periodic },
+            quantized_positions: sorted.quantized_positions.read(),
+            sorted_positions: sorted.positions.read(),
+            sorted_velocities: sorted.velocities.read(),
+            positions: positions.write(),
+            velocities: velocities.write(),
+            counters: context.counters.write(),
+            step_params: context.step.uniform(),
+            kernel: search.smoothing_kernel.uniform(),
+        },
+        count,
+    );
+}

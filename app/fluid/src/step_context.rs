@@ -1,0 +1,55 @@
+//! What every stage of a substep is given, whichever solver records it.
+
+use brooklet_gpu::Resources;
+use brooklet_kernels::{Buffer, Counters, Position, PrecisionKeyword, StepParams, Velocity};
+
+use crate::scene::{Precision, Scene};
+
+/// Settings, counters and variants that the stages of a substep share.
+pub struct StepContext {
+    /// Time, gravity, domain.
+    pub step: Buffer<StepParams>,
+    /// Events that are counted.
+    pub counters: Buffer<Counters>,
+    /// Whether the domain has walls.
+    pub walls: bool,
+    /// Whether it has periodic axes.
+    pub periodic: bool,
+    /// How what is computed for pairs of particles is rounded.
+    pub precision: PrecisionKeyword,
+}
+
+impl StepContext {
+    /// Declares what `scene` needs.
+    pub fn declare(resources: &mut Resources, scene: &Scene) -> Self {
+        Self {
+            step: resources.persistent("step_params", 1),
+            counters: resources.persistent("counters", 1),
+            walls: scene.domain.has_walls(),
+            periodic: scene.domain.is_periodic(),
+            precision: match scene.solver.precision {
+                Precision::Full => PrecisionKeyword::Off,
+                Precision::Relaxed => PrecisionKeyword::RelaxedPrecision,
+                Precision::Half => PrecisionKeyword::HalfPrecision,
+            },
+        }
+    }
+}
+
+/// The particles between two substeps.
+pub struct Particles {
+    /// Where they are, relative to the domain's lowest corner.
+    pub positions: Buffer<Position>,
+    /// How fast they are, in the same order.
+    pub velocities: Buffer<Velocity>,
+}
+
+impl Particles {
+    /// Declares `count` particles.
+    pub fn declare(resources: &mut Resources, count: u32) -> Self {
+        Self {
+            positions: resources.persistent("positions", count),
+            velocities: resources.persistent("velocities", count),
+        }
+    }
+}

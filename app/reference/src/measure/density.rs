@@ -1,0 +1,20 @@
+//! Density over its rest value. (Shader: `measure/density.hlsli`.)
+
+use crate::boundary::walls::DomainWalls;
+use crate::params::Smoothing;
+use crate::shared::wendland;
+use glam::DVec3;
+
+/// Density ratio of particle `i`: itself, its neighbours, the walls.
+pub fn density_ratio(
+    i: usize,
+    positions_m: &[DVec3],
+    neighbours: &[usize],
+    smoothing: &Smoothing,
+    walls: Option<&DomainWalls>,
+) -> f64 {
+    let near: f64 =
+        neighbours.iter().map(|&j| wendland::kernel(smoothing.apart(positions_m[i], positions_m[j]).length())).sum();
+    let beyond = walls.map_or(0.0, |walls| walls.at(positions_m[i]).density);
+    smoothing.weight * (wendland::kernel(0.0) + near) + beyond
+}
