@@ -16,8 +16,10 @@ use thiserror::Error;
 use crate::particles::{MAX_PARTICLES, ParticleSet};
 use crate::scene::{Scene, SceneError};
 
-/// The format's version; a file of another one is not read.
-pub const VERSION: u32 = 1;
+/// The format's version, which is written. Of version 1, whose scenes have keys in other places, files are read.
+pub const VERSION: u32 = 2;
+/// The oldest version that is read.
+const OLDEST: u32 = 1;
 /// What files are called by.
 pub const EXTENSION: &str = "brooklet";
 
@@ -166,9 +168,9 @@ impl State {
         let foreign = || damaged("it is no saved state of Brooklet".to_owned());
         let version =
             bytes.strip_prefix(MAGIC).ok_or_else(foreign).and_then(|rest| number(rest).ok_or_else(foreign))?;
-        if version != VERSION {
+        if !(OLDEST..=VERSION).contains(&version) {
             return Err(damaged(format!(
-                "it has version {version} of the format, and this program reads version {VERSION}"
+                "it has version {version} of the format, and this program reads versions {OLDEST} to {VERSION}"
             )));
         }
         let cut = |needed: usize| damaged(format!("it is cut off: it has {} bytes of {needed}", bytes.len()));
@@ -202,8 +204,11 @@ impl State {
         if !(header.time_s.is_finite() && header.time_s >= 0.0) {
             return Err(damaged(format!("its time is {} s; it must be 0 or more", header.time_s)));
         }
-        let mut scene = Scene::from_toml(&header.scene, &header.name, &[])
-            .map_err(|error| StateError::Scene { path: path.to_owned(), error: Box::new(error) })?;
+        let read = match version {
+            1 => Scene::from_old_toml(&header.scene, &header.name),
+            _ => Scene::from_toml(&header.scene, &header.name, &[]),
+        };
+        let mut scene = read.map_err(|error| StateError::Scene { path: path.to_owned(), error: Box::new(error) })?;
         scene.name = header.name;
         let particles = ParticleSet {
             positions: content[particles_at..velocities_at].chunks_exact(16).map(position).collect(),

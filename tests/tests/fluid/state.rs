@@ -38,7 +38,7 @@ fn a_state_comes_back_as_it_was() {
 
 #[test]
 fn going_on_from_a_saved_state_is_going_on() {
-    let scene = scene(&["solver.deterministic=true", "solver.vorticity_m_s=0.05"]);
+    let scene = scene(&["solver.deterministic=true", "forces.vorticity_m_s=0.05"]);
     let gpu = gpu();
     let mut simulation = Simulation::new(&gpu, &scene).unwrap();
     let run = |simulation: &mut Simulation| {
@@ -86,6 +86,80 @@ fn patched(bytes: &[u8], at: usize, with: &[u8]) -> Vec<u8> {
     bytes
 }
 
+fn of_version(bytes: &[u8], version: u32) -> Vec<u8> {
+    patched(bytes, 8, &version.to_le_bytes())
+}
+
+/// The bytes that version 1 of the format has of a state whose scene is `scene`, as TOML.
+fn version_1(state: &State, scene: &str) -> Vec<u8> {
+    let header = serde_json::json!({
+        "program": "0.1.0",
+        "name": state.scene.name,
+        "scene": scene,
+        "time_s": state.time_s,
+        "steps": state.steps,
+        "particles": state.particles.positions.len(),
+    });
+    let header = header.to_string();
+    let mut bytes = b"BROOKLET\x01\0\0\0".to_vec();
+    bytes.extend((header.len() as u32).to_le_bytes());
+    bytes.extend(header.as_bytes());
+    for position in &state.particles.positions {
+        bytes.extend(position.position_m.iter().flat_map(|x| x.to_le_bytes()));
+        bytes.extend(position.tag.to_le_bytes());
+    }
+    bytes.extend(state.particles.velocities.iter().flat_map(|v| v.velocity_m_s).flat_map(f32::to_le_bytes));
+    let checksum = crc32fast::hash(&bytes);
+    bytes.extend(checksum.to_le_bytes());
+    bytes
+}
+
+/// As version 1 wrote it: PBF's keys, XSPH and vorticity in `[solver]`.
+const OLD_SCENE: &str = "summary = \"old\"\nspacing_m = 0.08\ngravity_m_s2 = [0.0, -9.81, 0.0]\n\
+    [domain]\nmin_m = [0.0, 0.0, 0.0]\nmax_m = [1.6, 1.0, 0.6]\nwalls = true\nperiodic = [false, false, false]\ndimensions = 3\n\
+    [[fluid]]\nvelocity_m_s = [0.25, -1.0, 0.5]\nrest_density_kg_m3 = 1000.0\n\
+    [fluid.block]\nmin_m = [0.0, 0.0, 0.0]\nmax_m = [0.6, 0.68, 0.6]\n\
+    [solver]\nmethod = \"pbf\"\ndt_s = 0.004166667\nsubsteps = 1\niterations = 7\nsupport_ratio = 2.0\nrelaxation = 0.4\n\
+    cfm = 0.02\ns_corr_k = 0.001\ns_corr_distance_ratio = 0.3\nxsph = 0.05\nvorticity_m_s = 0.125\ndeterministic = true\n\
+    precision = \"full\"\npacked_positions = false\n\
+    [outputs]\nseconds = 2.0\nimages = 6\nwidth_px = 960\nheight_px = 540\nmeasure_every_steps = 4\n";
+
+#[test]
+fn a_state_of_the_version_before_opens_with_its_settings_where_they_are_now() {
+    let state = state();
+    let bytes = version_1(&state, OLD_SCENE);
+    let loaded = State::from_bytes(&bytes, "old").unwrap();
+    let settings = [
+        "fluid.0.velocity_m_s=[0.25,-1,0.5]",
+        "summary=old",
+        "solver.deterministic=true",
+        "solver.pbf.iterations=7",
+        "solver.pbf.relaxation=0.4",
+        "solver.pbf.cfm=0.02",
+        "solver.pbf.s_corr_k=0.001",
+        "solver.pbf.s_corr_distance_ratio=0.3",
+        "forces.xsph=0.05",
+        "forces.vorticity_m_s=0.125",
+    ];
+    assert_eq!(loaded.scene, scene(&settings));
+    assert_eq!((loaded.time_s, loaded.steps), (state.time_s, state.steps));
+    assert_eq!(bits(&loaded.particles), bits(&state.particles));
+    let again = State::from_bytes(&loaded.to_bytes(), "new").unwrap();
+    assert_eq!(again.scene, loaded.scene, "and is saved as the new version");
+    let newer = State::from_bytes(&of_version(&bytes, 2), "newer").expect_err("old keys in a new file").to_string();
+    assert!(newer.contains("solver.iterations = 7 is now solver.pbf.iterations"), "{newer}");
+    for (damage, words) in [
+        (bytes[..bytes.len() - 1].to_vec(), "it is cut off"),
+        ([&bytes[..], &[0]].concat(), "particles take"),
+        (patched(&bytes, bytes.len() - 8, &f32::NAN.to_le_bytes()), "the velocity of particle"),
+        (version_1(&state, &OLD_SCENE.replace("iterations = 7", "iterations = -7")), "solver.pbf.iterations = -7"),
+        (version_1(&state, &OLD_SCENE.replace("iterations = 7", "iterations 7")), "its scene"),
+    ] {
+        let error = State::from_bytes(&damage, "old.brooklet").expect_err(words).to_string();
+        assert!(error.starts_with("state old.brooklet: ") && error.contains(words), "{error}");
+    }
+}
+
 fn replaced(bytes: &[u8], text: &str, with: &str) -> Vec<u8> {
     assert_eq!(text.len(), with.len());
     let at = bytes.windows(text.len()).position(|window| window == text.as_bytes()).unwrap();
@@ -102,8 +176,6 @@ fn every_fault_is_one_line_that_names_the_file_and_what_is_wrong() {
     flipped[particles_at + 5] ^= 1;
     let mut longer = good.clone();
     longer.push(0);
-    let mut old = good.clone();
-    old[8..12].copy_from_slice(&7u32.to_le_bytes());
     let count_text = format!("\"particles\":{count}");
     let more_text = format!("\"particles\":{}", count + 1);
     let nan = f32::NAN.to_le_bytes();
@@ -111,7 +183,8 @@ fn every_fault_is_one_line_that_names_the_file_and_what_is_wrong() {
         (Vec::new(), "it is no saved state"),
         (b"BROOK".to_vec(), "it is no saved state"),
         (b"\x89PNG\r\n\x1a\n and so on".to_vec(), "it is no saved state"),
-        (old, "version 7 of the format, and this program reads version 1"),
+        (of_version(&good, 3), "version 3 of the format, and this program reads versions 1 to 2"),
+        (of_version(&good, 0), "version 0 of the format, and this program reads versions 1 to 2"),
         (good[..14].to_vec(), "it is cut off"),
         (good[..100].to_vec(), "it is cut off: it has 100 bytes of"),
         (good[..good.len() - 1].to_vec(), "it is cut off"),

@@ -157,6 +157,12 @@ fn scene_files_with_wrong_values() {
             "spacing_m = 0.0013",
             &["2.922e7 particles", "16777216 fit", "make it 0.00158 or more"],
         ),
+        // Keys that have moved.
+        (
+            scene("[[fluid]]", "[solver]\niterations = 4\nxsph = 0.02\n[[fluid]]"),
+            "",
+            &["solver.iterations = 4 is now solver.pbf.iterations, solver.xsph = 0.02 is now forces.xsph"],
+        ),
         (camera, "camera.eye_m = [1, 0, 0]", &["away from target_m"]),
     ];
     for (text, field, words) in rows {
@@ -173,13 +179,14 @@ fn command_lines_that_cannot_be_done() {
     std::fs::write(workshop.path("file"), "mine").unwrap();
     std::fs::create_dir(workshop.path("folder")).unwrap();
     let rows: &[(&[&str], &[&str])] = &[
-        (&["--set", "solver.iteration=8"], &["`iteration`", "did you mean `iterations`"]),
-        (&["--set", "solver.iterations"], &["--set solver.iterations", "path=value"]),
-        (&["--set", "solver.relaxation=7"], &["scene.toml", "solver.relaxation = 7", "0.001 to 1"]),
-        (&["--set", "solver.iterations=many"], &["solver.iterations = \"many\"", "whole number"]),
+        (&["--set", "solver.pbf.iteration=8"], &["`iteration`", "did you mean `iterations`"]),
+        (&["--set", "solver.pbf.iterations"], &["--set solver.pbf.iterations", "path=value"]),
+        (&["--set", "solver.iterations=8"], &["--set solver.iterations=8", "the key is now solver.pbf.iterations"]),
+        (&["--set", "solver.pbf.relaxation=7"], &["scene.toml", "solver.pbf.relaxation = 7", "0.001 to 1"]),
+        (&["--set", "solver.pbf.iterations=many"], &["solver.pbf.iterations = \"many\"", "whole number"]),
         (
-            &["--set", "solver.substeps=1000", "--set", "solver.iterations=1000"],
-            &["solver.iterations", "at most 10000"],
+            &["--set", "solver.substeps=1000", "--set", "solver.pbf.iterations=1000"],
+            &["solver.pbf.iterations", "at most 10000"],
         ),
         (&["--seconds", "-1"], &["--seconds", "-1"]),
         (&["--seconds", "nan"], &["--seconds", "nan"]),

@@ -54,14 +54,14 @@ pub(crate) enum Lambdas {
 
 /// What the shaders are given.
 pub fn params(scene: &Scene) -> PbfParams {
-    let solver = &scene.solver;
+    let (solver, forces) = (&scene.solver, &scene.forces);
     PbfParams {
-        relaxation: solver.relaxation as f32,
-        cfm: (solver.cfm * lattice(scene.domain.dimensions, solver.support_ratio).stiffness) as f32,
-        s_corr_k: solver.s_corr_k as f32,
-        s_corr_inverse_w: (1.0 / wendland(solver.s_corr_distance_ratio)) as f32,
-        xsph: solver.xsph as f32,
-        vorticity: solver.vorticity_m_s as f32,
+        relaxation: solver.pbf.relaxation as f32,
+        cfm: (solver.pbf.cfm * lattice(scene.domain.dimensions, solver.support_ratio).stiffness) as f32,
+        s_corr_k: solver.pbf.s_corr_k as f32,
+        s_corr_inverse_w: (1.0 / wendland(solver.pbf.s_corr_distance_ratio)) as f32,
+        xsph: forces.xsph as f32,
+        vorticity: forces.vorticity_m_s as f32,
         // Half a spacing: further, and two particles a correction drives together pass each other.
         max_correction_m: (0.5 * scene.fitted_spacing_m()) as f32,
         // Half a spacing: fluid at rest, however dense, keeps further apart.
@@ -72,18 +72,18 @@ pub fn params(scene: &Scene) -> PbfParams {
 impl Pbf {
     /// Declares the buffers of the terms that `scene` has.
     pub fn declare(resources: &mut Resources, scene: &Scene, particle_count: u32) -> Self {
-        let solver = &scene.solver;
+        let (solver, forces) = (&scene.solver, &scene.forces);
         Self {
             params: resources.persistent("pbf_params", 1),
-            iterations: solver.iterations,
-            s_corr: solver.s_corr_k > 0.0,
+            iterations: solver.pbf.iterations,
+            s_corr: solver.pbf.s_corr_k > 0.0,
             position_lambdas: if solver.packed_positions {
                 Lambdas::Packed(resources.buffer("position_lambdas", particle_count))
             } else {
                 Lambdas::Full(resources.buffer("position_lambdas", particle_count))
             },
-            vortices: (solver.vorticity_m_s > 0.0).then(|| Vortices::declare(resources, particle_count)),
-            unsmoothed: (solver.xsph > 0.0).then(|| resources.buffer("unsmoothed_velocities", particle_count)),
+            vortices: (forces.vorticity_m_s > 0.0).then(|| Vortices::declare(resources, particle_count)),
+            unsmoothed: (forces.xsph > 0.0).then(|| resources.buffer("unsmoothed_velocities", particle_count)),
         }
     }
 
