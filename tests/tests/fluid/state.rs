@@ -146,11 +146,16 @@ fn a_state_of_the_version_before_opens_with_its_settings_where_they_are_now() {
     assert_eq!(bits(&loaded.particles), bits(&state.particles));
     let again = State::from_bytes(&loaded.to_bytes(), "new").unwrap();
     assert_eq!(again.scene, loaded.scene, "and is saved as the new version");
-    let newer = State::from_bytes(&of_version(&bytes, 2), "newer").expect_err("old keys in a new file").to_string();
+    // The same with a list of sections.
+    let at = sections_at(&bytes);
+    let length = 28 * state.particles.positions.len() as u64;
+    let list = [&b"\x01\0\0\0PART\x01\0\0\0"[..], &length.to_le_bytes()].concat();
+    let newer = of_version(&[&bytes[..at], &list, &bytes[at..]].concat(), 2);
+    let newer = State::from_bytes(&newer, "newer").expect_err("old keys in a new file").to_string();
     assert!(newer.contains("solver.iterations = 7 is now solver.pbf.iterations"), "{newer}");
     for (damage, words) in [
         (bytes[..bytes.len() - 1].to_vec(), "it is cut off"),
-        ([&bytes[..], &[0]].concat(), "particles take"),
+        ([&bytes[..], &[0]].concat(), "and ends at"),
         (patched(&bytes, bytes.len() - 8, &f32::NAN.to_le_bytes()), "the velocity of particle"),
         (version_1(&state, &OLD_SCENE.replace("iterations = 7", "iterations = -7")), "solver.pbf.iterations = -7"),
         (version_1(&state, &OLD_SCENE.replace("iterations = 7", "iterations 7")), "its scene"),
@@ -188,11 +193,11 @@ fn every_fault_is_one_line_that_names_the_file_and_what_is_wrong() {
         (good[..14].to_vec(), "it is cut off"),
         (good[..100].to_vec(), "it is cut off: it has 100 bytes of"),
         (good[..good.len() - 1].to_vec(), "it is cut off"),
-        (longer, "particles take"),
+        (longer, "and ends at"),
         (flipped, "its checksum is another"),
         (patched(&good, 12, &u32::MAX.to_le_bytes()), "its header has 4294967295 bytes"),
         (patched(&good, 16, b"?"), "its header is damaged"),
-        (replaced(&good, &count_text, &more_text), "it is cut off"),
+        (replaced(&good, &count_text, &more_text), "its section PART has"),
         (replaced(&good, "\"time_s\":0.125", "\"time_s\":-1.25"), "its time is -1.25 s"),
         (replaced(&good, "spacing_m = 0.08", "spacing_m = -.08"), "its scene"),
         (replaced(&good, "spacing_m = 0.08", "spacing_m = 9e99"), "its scene"),
@@ -211,6 +216,64 @@ fn every_fault_is_one_line_that_names_the_file_and_what_is_wrong() {
     let nowhere = folder.path().join("no/such/folder.brooklet");
     assert!(matches!(state.save(&nowhere), Err(StateError::Io { doing: "written", .. })));
     assert!(State::load(folder.path()).is_err(), "a folder");
+}
+
+/// Where the list of sections starts: behind the header.
+fn sections_at(bytes: &[u8]) -> usize {
+    16 + u32::from_le_bytes(*bytes[12..].first_chunk().unwrap()) as usize
+}
+
+/// The file with one section more, in front of the others.
+fn with_section(bytes: &[u8], name: &[u8; 4], version: u16, flags: u16, content: &[u8]) -> Vec<u8> {
+    let at = sections_at(bytes);
+    let count = u32::from_le_bytes(*bytes[at..].first_chunk().unwrap());
+    let mut more = bytes[..at].to_vec();
+    more.extend((count + 1).to_le_bytes());
+    more.extend(name);
+    more.extend([version.to_le_bytes(), flags.to_le_bytes()].concat());
+    more.extend((content.len() as u64).to_le_bytes());
+    more.extend(content);
+    more.extend(&bytes[at + 4..]);
+    patched(&more, 0, b"BROOKLET")
+}
+
+#[test]
+fn sections_of_newer_programs_are_told_or_left_out() {
+    let state = state();
+    let good = state.to_bytes();
+    let count = state.particles.positions.len() as u64;
+    let at = sections_at(&good);
+    assert_eq!(good[at..at + 12], *b"\x01\0\0\0PART\x01\0\0\0");
+    assert_eq!(good[at + 12..at + 20], (28 * count).to_le_bytes());
+    let refused = |bytes: &[u8]| State::from_bytes(bytes, "newer.brooklet").expect_err("refused").to_string();
+    for content in [&b""[..], b"what a later version knows"] {
+        let message = refused(&with_section(&good, b"EMIT", 1, 0, content));
+        for words in ["state newer.brooklet: ", "a section EMIT of version 1", "a newer one, 0.1.0, wrote it"] {
+            assert!(message.contains(words), "{message}");
+        }
+        // Unknown, and nothing that is needed.
+        let loaded = State::from_bytes(&with_section(&good, b"LOOK", 3, 1, content), "newer").unwrap();
+        assert_eq!(loaded.scene, state.scene);
+        assert_eq!(bits(&loaded.particles), bits(&state.particles));
+    }
+    assert!(refused(&with_section(&good, b"\n\xff\"A", 1, 0, b"")).contains("a section \\n\\xff\\\"A of version 1"));
+    assert!(refused(&with_section(&good, b"PART", 1, 0, b"")).contains("two sections PART"));
+    // A section that is known, in a later version of it.
+    assert!(refused(&patched(&good, at + 8, &2u16.to_le_bytes())).contains("a section PART of version 2"));
+    let skipped = patched(&good, at + 8, &[2, 0, 1, 0]);
+    assert!(refused(&skipped).contains("no section PART of version 1"));
+    let none = patched(&good[..good.len() - 28 * count as usize - 16], at, &0u32.to_le_bytes());
+    assert!(refused(&none).contains("no section PART of version 1"));
+    // Lengths and counts that lead out of the file.
+    for (offset, number) in [(12, u64::MAX), (12, good.len() as u64), (12, u64::MAX - 30)] {
+        assert!(refused(&patched(&good, at + offset, &number.to_le_bytes())).contains("it is cut off"));
+    }
+    assert!(refused(&patched(&good, at, &u32::MAX.to_le_bytes())).contains("it is cut off"));
+    assert!(refused(&patched(&good, at + 12, &(28 * count - 28).to_le_bytes())).contains("and ends at"));
+    // Damage is told before what it made of the sections' names.
+    let mut damaged = good.clone();
+    damaged[at + 4] = b'Q';
+    assert!(refused(&damaged).contains("its checksum is another"));
 }
 
 #[test]

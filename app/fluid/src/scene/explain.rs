@@ -131,7 +131,7 @@ fn one_line(text: &str) -> String {
 
 /// As much of a text as a message of one line has room for, without what would break
 /// or colour the line.
-pub(super) fn shortened(text: &str) -> String {
+pub(crate) fn shortened(text: &str) -> String {
     const MOST: usize = 80;
     let mut line: String = text.chars().take(MOST).map(|c| if c.is_control() { ' ' } else { c }).collect();
     if text.chars().nth(MOST).is_some() {

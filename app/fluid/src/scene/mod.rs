@@ -30,6 +30,7 @@ pub use applied::Applied;
 pub use change::Change;
 pub use domain::Domain;
 pub use error::SceneError;
+pub(crate) use explain::shortened;
 pub use field::{Field, Kind, Limits};
 pub use forces::Forces;
 pub use panel::Setting;
