@@ -114,6 +114,11 @@ struct Header {
 }
 
 impl State {
+    /// Whether a file of this name is a state's.
+    pub fn is_file_name(name: &str) -> bool {
+        Path::new(name).extension().is_some_and(|ending| ending == EXTENSION)
+    }
+
     /// Writes the state to `path`, whole or not at all: to another name first, which then becomes `path`.
     /// A particle whose numbers are not finite is saved as the next step would leave it: quarantined.
     ///

@@ -3,7 +3,11 @@
 
 use std::path::Path;
 
+use brooklet_fluid::Scene;
+use brooklet_fluid::particles::sample_lattice;
+use brooklet_fluid::state::State;
 use brooklet_tests::program::{Ended, SCENE, Workshop, without_fluid};
+use brooklet_tests::states::{OLD_SCENE, of_version, version_1, with_section};
 
 /// The run of a bad input must end so, and leave the folder as it was.
 fn assert_refused(workshop: &Workshop, arguments: &[&str], words: &[&str]) {
@@ -303,4 +307,34 @@ fn what_is_unusual_but_right_runs() {
     assert!(summary["particles"].as_u64().unwrap() > 64);
     assert_eq!(summary["counters"]["quarantined"], 0);
     assert!(summary["max_speed_m_s"].as_f64().unwrap() < 10.0, "{}", summary["max_speed_m_s"]);
+}
+
+#[test]
+fn saved_states_that_cannot_be_gone_on_with() {
+    let workshop = Workshop::new();
+    let scene = Scene::load("dam-break", &["spacing_m=0.08".into()]).unwrap();
+    let state = State { particles: sample_lattice(&scene), scene, time_s: 0.125, steps: 30 };
+    let good = state.to_bytes();
+    let flat = version_1(&state, &OLD_SCENE.replace("iterations = 7", "iterations = -7"));
+    for (name, bytes, words) in [
+        ("foreign", b"PK\x03\x04".to_vec(), "it is no saved state of Brooklet"),
+        ("cut", good[..good.len() / 2].to_vec(), "it is cut off: it has"),
+        ("later", of_version(&good, 3), "version 3 of the format, and this program reads versions 1 to 2"),
+        ("newer", with_section(&good, b"EMIT", 1, 0, b"x"), "a section EMIT of version 1, which this program does not"),
+        ("old", flat, "its scene dam-break:42:14: solver.pbf.iterations = -7: must be a whole number"),
+    ] {
+        let name = format!("{name}.brooklet");
+        std::fs::write(workshop.path(&name), bytes).unwrap();
+        assert_refused(&workshop, &["view", &name], &[&format!("state {name}: "), words]);
+    }
+    assert_refused(&workshop, &["view", "none.brooklet"], &["state none.brooklet: cannot be read"]);
+    // States that are read, new and old: what stops the window is the display.
+    for (name, bytes) in [("good.brooklet", good), ("before.brooklet", version_1(&state, OLD_SCENE))] {
+        std::fs::write(workshop.path(name), bytes).unwrap();
+        let mut command = workshop.command(["view", name]);
+        let command = command.env_remove("DISPLAY").env_remove("WAYLAND_DISPLAY").env_remove("WAYLAND_SOCKET");
+        let said = String::from_utf8_lossy(&command.output().unwrap().stderr).into_owned();
+        assert!(said.contains("no window can be opened here"), "{said}");
+        assert_refused(&workshop, &["view", name, "--set", "spacing_m=1"], &["--set spacing_m=1", "saved state"]);
+    }
 }
