@@ -27,7 +27,7 @@ fn main() {
             fluid.substep();
         }
         let seconds = start.elapsed().as_secs_f64();
-        let iterations = fluid.particles.len() * steps * scene.solver.iterations as usize;
+        let iterations = fluid.particles.len() * steps * scene.solver.pbf.iterations as usize;
         println!(
             "{name}: {} particles, {:.1} ms a step, {:.2} M particle iterations a second",
             fluid.particles.len(),

@@ -56,9 +56,9 @@ impl Setup {
             support_ratio: scene.solver.support_ratio,
             gravity_m_s2: -scene.gravity_m_s2[1],
             dt_s: scene.substep_s(),
-            relaxation: scene.solver.relaxation,
+            relaxation: scene.solver.pbf.relaxation,
             iterations: self.iterations,
-            cfm: scene.solver.cfm,
+            cfm: scene.solver.pbf.cfm,
         }
     }
 
@@ -72,7 +72,7 @@ impl Setup {
         let text = format!(
             "spacing_m = {SPACING_M}\n[domain]\nmin_m = [0, 0, 0]\nmax_m = [{width_m}, {}, {width_m}]\n\
              [[fluid]]\nblock = {{ min_m = [0, 0, 0], max_m = [{width_m}, {height_m}, {width_m}] }}\n\
-             [solver]\ndt_s = {}\nsubsteps = {}\niterations = {}\n[outputs]\nmeasure_every_steps = 0\n",
+             [solver]\ndt_s = {}\nsubsteps = {}\n[solver.pbf]\niterations = {}\n[outputs]\nmeasure_every_steps = 0\n",
             height_m + 4.0 * SPACING_M,
             self.dt_s,
             self.substeps,

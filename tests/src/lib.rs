@@ -12,6 +12,7 @@ pub mod harness;
 pub mod peers;
 pub mod program;
 pub mod scan;
+pub mod states;
 pub mod twin;
 pub mod validation;
 

@@ -30,7 +30,7 @@ pub fn scene(spacing_m: f64, settings: &[String]) -> Result<Scene, String> {
     let text = format!(
         "spacing_m = {spacing_m}\n[domain]\nmin_m = [0, 0, 0]\nmax_m = [2, 1, 1]\n\
          [[fluid]]\nblock = {{ min_m = [0, 0, 0], max_m = [0.5, 0.5, 1.0] }}\n\
-         [solver]\ndt_s = {}\niterations = 4\n[outputs]\nmeasure_every_steps = 0\n",
+         [solver]\ndt_s = {}\n[solver.pbf]\niterations = 4\n[outputs]\nmeasure_every_steps = 0\n",
         1.0 / 240.0
     );
     Scene::from_toml(&text, "peers.toml", settings).map_err(|error| error.to_string())

@@ -9,7 +9,7 @@ pub struct SceneOptions {
     /// A shipped scene's name (see `brooklet scenes`), or the path of a scene file
     #[arg(value_name = "SCENE", default_value = "dam-break")]
     pub scene: String,
-    /// Change a value of the scene, as solver.iterations=8; may be given again
+    /// Change a value of the scene, as solver.pbf.iterations=8; may be given again
     #[arg(long = "set", value_name = "PATH=VALUE")]
     pub settings: Vec<String>,
 }

@@ -179,7 +179,7 @@ impl Summary {
             interrupted: facts.interrupted,
             solver: Solver {
                 name: scene.solver.method.name(),
-                iterations: scene.solver.iterations,
+                iterations: scene.solver.pbf.iterations,
                 substeps: scene.solver.substeps,
                 dt_s: scene.solver.dt_s,
             },

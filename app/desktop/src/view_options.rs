@@ -9,7 +9,7 @@ use crate::shared_options::{DeviceOptions, SceneOptions};
 /// `brooklet view`.
 #[derive(Clone, Debug, Args)]
 pub struct ViewOptions {
-    /// The scene.
+    /// The scene, or a saved state.
     #[command(flatten)]
     pub scene: SceneOptions,
     /// The device.

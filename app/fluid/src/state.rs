@@ -1,9 +1,28 @@
 //! A running scene in a file: saved in one go, read back whole or not at all.
 //!
-//! A `.brooklet` file is, in this order and little-endian: the 8 bytes `BROOKLET`; the format's version,
-//! u32; the header's length in bytes, u32; the header, JSON ([`State`] without its particles); for each
-//! particle its position relative to the domain's lowest corner, 3 f32 in m, and its tag, u32
-//! (`shared/layout.hlsli`); for each its velocity, 3 f32 in m/s; the CRC-32 of everything before it, u32.
+//! A `.brooklet` file is, in this order and little-endian:
+//!
+//! | bytes | what |
+//! |---|---|
+//! | 8 | `BROOKLET` |
+//! | 4 | version of the format, u32: 2 |
+//! | 4 | length of the header in bytes, u32 |
+//! | | the header, JSON: program's version, name, scene as TOML, time, steps, number of particles |
+//! | 4 | number of sections, u32 |
+//! | 16 and its length | each section: name, 4 ASCII characters; its version, u16; flags, u16; length in bytes, u64; content |
+//! | 4 | CRC-32 of everything before it, u32 |
+//!
+//! Of a section's flags bit 0 says that a program which does not know the section may leave it out; without it, a
+//! section that is unknown, or of a newer version than is known, refuses the file. Sections are in any order, each once.
+//!
+//! | section | version | content |
+//! |---|---|---|
+//! | `PART` | 1 | for each particle its position relative to the domain's lowest corner, 3 f32 in m, and its tag, u32 (`shared/layout.hlsli`); then for each its velocity, 3 f32 in m/s |
+//!
+//! In version 1 of the format the content of `PART` follows the header, without a list of sections, and the scene has
+//! the keys of `[solver.pbf]` and `[forces]` in `[solver]`.
+
+mod sections;
 
 use std::fs::File;
 use std::io::{Read, Write};
@@ -14,10 +33,13 @@ use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 use crate::particles::{MAX_PARTICLES, ParticleSet};
-use crate::scene::{Scene, SceneError};
+use crate::scene::{Scene, SceneError, shortened};
+use sections::{Cut, Name, Section};
 
-/// The format's version; a file of another one is not read.
-pub const VERSION: u32 = 1;
+/// The format's version, which is written.
+pub const VERSION: u32 = 2;
+/// The oldest version that is read.
+const OLDEST: u32 = 1;
 /// What files are called by.
 pub const EXTENSION: &str = "brooklet";
 
@@ -26,6 +48,11 @@ const MAGIC: &[u8; 8] = b"BROOKLET";
 const FRONT_BYTES: usize = 16;
 const CHECKSUM_BYTES: usize = 4;
 const PARTICLE_BYTES: usize = 28;
+const PARTICLES: Name = *b"PART";
+/// Every section that this program knows, with its version.
+const SECTIONS: &[(Name, u16)] = &[(PARTICLES, 1)];
+/// More than any state has; a device that never ends is none.
+const MOST_BYTES: u64 = 1 << 30;
 /// A header is a scene, which has at most 1 MiB, and a line.
 const MOST_HEADER_BYTES: usize = 4 << 20;
 
@@ -87,6 +114,11 @@ struct Header {
 }
 
 impl State {
+    /// Whether a file of this name is a state's.
+    pub fn is_file_name(name: &str) -> bool {
+        Path::new(name).extension().is_some_and(|ending| ending == EXTENSION)
+    }
+
     /// Writes the state to `path`, whole or not at all: to another name first, which then becomes `path`.
     /// A particle whose numbers are not finite is saved as the next step would leave it: quarantined.
     ///
@@ -116,9 +148,12 @@ impl State {
         let unreadable =
             |error: std::io::Error| StateError::Io { path: name.clone(), doing: "read", reason: error.to_string() };
         let file = File::open(path).map_err(unreadable)?;
-        let most = FRONT_BYTES + MOST_HEADER_BYTES + PARTICLE_BYTES * MAX_PARTICLES as usize + CHECKSUM_BYTES;
         let mut bytes = Vec::new();
-        file.take(most as u64 + 1).read_to_end(&mut bytes).map_err(unreadable)?;
+        file.take(MOST_BYTES + 1).read_to_end(&mut bytes).map_err(unreadable)?;
+        if bytes.len() as u64 > MOST_BYTES {
+            let reason = format!("it has more than the {MOST_BYTES} bytes that a state may have");
+            return Err(StateError::Damaged { path: name, reason });
+        }
         Self::from_bytes(&bytes, &name)
     }
 
@@ -140,19 +175,8 @@ impl State {
         bytes.extend_from_slice(&VERSION.to_le_bytes());
         bytes.extend_from_slice(&(header.len() as u32).to_le_bytes());
         bytes.extend_from_slice(&header);
-        let (mut positions, mut velocities) = (Vec::new(), Vec::new());
-        for (position, velocity) in self.particles.positions.iter().zip(&self.particles.velocities) {
-            let finite = position.position_m.iter().chain(&velocity.velocity_m_s).all(|x| x.is_finite());
-            let (position, velocity) = match finite {
-                true => (*position, *velocity),
-                false => (Position { position_m: [0.0; 3], tag: position.tag | QUARANTINED }, Velocity::default()),
-            };
-            positions.extend(position.position_m.iter().flat_map(|x| x.to_le_bytes()));
-            positions.extend(position.tag.to_le_bytes());
-            velocities.extend(velocity.velocity_m_s.iter().flat_map(|v| v.to_le_bytes()));
-        }
-        bytes.append(&mut positions);
-        bytes.append(&mut velocities);
+        bytes.extend_from_slice(&(SECTIONS.len() as u32).to_le_bytes());
+        sections::append(&mut bytes, PARTICLES, 1, |bytes| append_particles(bytes, &self.particles));
         bytes.extend_from_slice(&crc32fast::hash(&bytes).to_le_bytes());
         bytes
     }
@@ -166,9 +190,9 @@ impl State {
         let foreign = || damaged("it is no saved state of Brooklet".to_owned());
         let version =
             bytes.strip_prefix(MAGIC).ok_or_else(foreign).and_then(|rest| number(rest).ok_or_else(foreign))?;
-        if version != VERSION {
+        if !(OLDEST..=VERSION).contains(&version) {
             return Err(damaged(format!(
-                "it has version {version} of the format, and this program reads version {VERSION}"
+                "it has version {version} of the format, and this program reads versions {OLDEST} to {VERSION}"
             )));
         }
         let cut = |needed: usize| damaged(format!("it is cut off: it has {} bytes of {needed}", bytes.len()));
@@ -177,21 +201,26 @@ impl State {
             let most = MOST_HEADER_BYTES;
             return Err(damaged(format!("its header has {header_bytes} bytes; at most {most} are allowed")));
         }
-        let particles_at = FRONT_BYTES + header_bytes;
-        let header = bytes.get(FRONT_BYTES..particles_at).ok_or_else(|| cut(particles_at))?;
+        let cut_at = |Cut { needed }: Cut| cut(needed);
+        let header = sections::slice(bytes, FRONT_BYTES, header_bytes).map_err(cut_at)?;
         let header: Header =
             serde_json::from_slice(header).map_err(|error| damaged(format!("its header is damaged: {error}")))?;
         if header.particles > MAX_PARTICLES {
             return Err(damaged(format!("it has {} particles; at most {MAX_PARTICLES} are allowed", header.particles)));
         }
         let count = header.particles as usize;
-        let velocities_at = particles_at + 16 * count;
-        let end = particles_at + PARTICLE_BYTES * count;
-        let needed = end + CHECKSUM_BYTES;
+        let start = FRONT_BYTES + header_bytes;
+        let (sections, end) = match version {
+            1 => {
+                let content = sections::slice(bytes, start, PARTICLE_BYTES * count).map_err(cut_at)?;
+                (vec![Section { name: PARTICLES, version: 1, optional: false, content }], start + content.len())
+            }
+            _ => sections::read(bytes, start).map_err(cut_at)?,
+        };
         match bytes.len() {
-            has if has < needed => return Err(cut(needed)),
-            has if has > needed => {
-                return Err(damaged(format!("it has {has} bytes, and its {count} particles take {needed}")));
+            has if has < end + CHECKSUM_BYTES => return Err(cut(end + CHECKSUM_BYTES)),
+            has if has > end + CHECKSUM_BYTES => {
+                return Err(damaged(format!("it has {has} bytes, and ends at {}", end + CHECKSUM_BYTES)));
             }
             _ => {}
         }
@@ -199,19 +228,66 @@ impl State {
         if number(checksum) != Some(crc32fast::hash(content)) {
             return Err(damaged("its content is damaged: its checksum is another".to_owned()));
         }
+        let content = known(&sections, &header.program).map_err(damaged)?;
+        if content.len() != PARTICLE_BYTES * count {
+            let (has, needed) = (content.len(), PARTICLE_BYTES * count);
+            return Err(damaged(format!("its section PART has {has} bytes, and its {count} particles take {needed}")));
+        }
         if !(header.time_s.is_finite() && header.time_s >= 0.0) {
             return Err(damaged(format!("its time is {} s; it must be 0 or more", header.time_s)));
         }
-        let mut scene = Scene::from_toml(&header.scene, &header.name, &[])
-            .map_err(|error| StateError::Scene { path: path.to_owned(), error: Box::new(error) })?;
+        let read = match version {
+            1 => Scene::from_old_toml(&header.scene, &header.name),
+            _ => Scene::from_toml(&header.scene, &header.name, &[]),
+        };
+        let mut scene = read.map_err(|error| StateError::Scene { path: path.to_owned(), error: Box::new(error) })?;
         scene.name = header.name;
         let particles = ParticleSet {
-            positions: content[particles_at..velocities_at].chunks_exact(16).map(position).collect(),
-            velocities: content[velocities_at..].chunks_exact(12).map(velocity).collect(),
+            positions: content[..16 * count].chunks_exact(16).map(position).collect(),
+            velocities: content[16 * count..].chunks_exact(12).map(velocity).collect(),
         };
         check(&particles).map_err(damaged)?;
         Ok(State { scene, time_s: header.time_s, steps: header.steps, particles })
     }
+}
+
+/// Appends what is finite of the particles, and what is not as the next step would leave it.
+fn append_particles(bytes: &mut Vec<u8>, particles: &ParticleSet) {
+    let pairs = || {
+        particles.positions.iter().zip(&particles.velocities).map(|(position, velocity)| {
+            match position.position_m.iter().chain(&velocity.velocity_m_s).all(|x| x.is_finite()) {
+                true => (*position, *velocity),
+                false => (Position { position_m: [0.0; 3], tag: position.tag | QUARANTINED }, Velocity::default()),
+            }
+        })
+    };
+    for (position, _) in pairs() {
+        bytes.extend(position.position_m.iter().flat_map(|x| x.to_le_bytes()));
+        bytes.extend(position.tag.to_le_bytes());
+    }
+    for (_, velocity) in pairs() {
+        bytes.extend(velocity.velocity_m_s.iter().flat_map(|v| v.to_le_bytes()));
+    }
+}
+
+/// The content of the particles' section, if this program knows all it needs to know of the others.
+fn known<'a>(sections: &[Section<'a>], program: &str) -> Result<&'a [u8], String> {
+    for (index, section) in sections.iter().enumerate() {
+        let (name, version) = (section.name.escape_ascii(), section.version);
+        let is_known = SECTIONS.iter().any(|(known, newest)| *known == section.name && version <= *newest);
+        if !is_known && !section.optional {
+            return Err(format!(
+                "it has a section {name} of version {version}, which this program does not know: a newer one, {}, \
+                 wrote it and can read it",
+                shortened(program)
+            ));
+        }
+        if sections[..index].iter().any(|before| before.name == section.name) {
+            return Err(format!("it has two sections {name}"));
+        }
+    }
+    let particles = sections.iter().find(|section| section.name == PARTICLES && section.version == 1);
+    particles.map(|section| section.content).ok_or_else(|| "it has no section PART of version 1".to_owned())
 }
 
 /// Finite numbers, and each id once and below the number of particles: sorts and samples count on it.

@@ -37,19 +37,19 @@ struct Term {
 
 const TERMS: &[Term] = &[
     Term {
-        reason: "solver.vorticity_m_s = 0",
-        is_off: |scene, _| scene.solver.vorticity_m_s == 0.0,
-        turn_on: |scene| scene.solver.vorticity_m_s = 0.1,
+        reason: "forces.vorticity_m_s = 0",
+        is_off: |scene, _| scene.forces.vorticity_m_s == 0.0,
+        turn_on: |scene| scene.forces.vorticity_m_s = 0.1,
     },
     Term {
-        reason: "solver.xsph = 0",
-        is_off: |scene, _| scene.solver.xsph == 0.0,
-        turn_on: |scene| scene.solver.xsph = 0.01,
+        reason: "forces.xsph = 0",
+        is_off: |scene, _| scene.forces.xsph == 0.0,
+        turn_on: |scene| scene.forces.xsph = 0.01,
     },
     Term {
-        reason: "solver.s_corr_k = 0",
-        is_off: |scene, _| scene.solver.s_corr_k == 0.0,
-        turn_on: |scene| scene.solver.s_corr_k = 0.1,
+        reason: "solver.pbf.s_corr_k = 0",
+        is_off: |scene, _| scene.solver.pbf.s_corr_k == 0.0,
+        turn_on: |scene| scene.solver.pbf.s_corr_k = 0.1,
     },
     Term {
         reason: "solver.deterministic = false",
@@ -210,22 +210,22 @@ mod tests {
     #[test]
     fn a_term_that_is_off_is_named_with_all_it_would_bring() {
         let base = ["spacing_m=0.1", "outputs.images=0"];
-        let off = scene(&[&base[..], &["solver.vorticity_m_s=0"]].concat());
-        let on = scene(&[&base[..], &["solver.vorticity_m_s=0.5"]].concat());
+        let off = scene(&[&base[..], &["forces.vorticity_m_s=0"]].concat());
+        let on = scene(&[&base[..], &["forces.vorticity_m_s=0.5"]].concat());
         let ScenePlan { plan: plan_off, recorded, .. } = ScenePlan::new(&off, Tier::Desktop).unwrap();
         let particles = recorded.particle_count;
         let plan_on = ScenePlan::new(&on, Tier::Desktop).unwrap().plan;
         let vorticity: Vec<Absent> = list(&off, particles, Tier::Desktop, &plan_off, &Recorded::default())
             .unwrap()
             .into_iter()
-            .filter(|absent| absent.reason.starts_with("solver.vorticity"))
+            .filter(|absent| absent.reason.starts_with("forces.vorticity"))
             .collect();
         assert_eq!(names(&vorticity, "pass"), ["confine_vorticity", "curl"]);
         let bytes: u64 = vorticity.iter().map(|absent| absent.bytes).sum();
         assert!(bytes > 0);
         assert_eq!(plan_off.bytes() + bytes, plan_on.bytes());
         let on_list = list(&on, particles, Tier::Desktop, &plan_on, &Recorded::default()).unwrap();
-        assert!(on_list.iter().all(|absent| !absent.reason.starts_with("solver.vorticity")));
+        assert!(on_list.iter().all(|absent| !absent.reason.starts_with("forces.vorticity")));
     }
 
     #[test]

@@ -54,13 +54,13 @@ pub const PBF: &[Knob] = &[
     },
     Knob {
         name: "iterations",
-        path: "solver.iterations",
+        path: "solver.pbf.iterations",
         values: Values::Numbers(&[1.0, 2.0, 4.0, 8.0, 16.0]),
         quick: &[1, 2, 3],
     },
     Knob {
         name: "relaxation",
-        path: "solver.relaxation",
+        path: "solver.pbf.relaxation",
         values: Values::Numbers(&[0.2, 0.35, 0.5, 0.65, 0.8]),
         quick: &[1, 2],
     },
@@ -70,8 +70,13 @@ pub const PBF: &[Knob] = &[
         values: Values::Numbers(&[1.6, 2.0, 2.5, 3.0, 3.5]),
         quick: &[1, 3],
     },
-    Knob { name: "XSPH", path: "solver.xsph", values: Values::Numbers(&[0.0, 0.01, 0.05, 0.2]), quick: &[0, 1] },
-    Knob { name: "s_corr", path: "solver.s_corr_k", values: Values::Numbers(&[0.0, 0.001, 0.01, 0.1]), quick: &[0] },
+    Knob { name: "XSPH", path: "forces.xsph", values: Values::Numbers(&[0.0, 0.01, 0.05, 0.2]), quick: &[0, 1] },
+    Knob {
+        name: "s_corr",
+        path: "solver.pbf.s_corr_k",
+        values: Values::Numbers(&[0.0, 0.001, 0.01, 0.1]),
+        quick: &[0],
+    },
     Knob {
         name: "precision",
         path: "solver.precision",

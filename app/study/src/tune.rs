@@ -96,7 +96,7 @@ impl Candidate {
     pub fn apply(self, scene: &Scene) -> Scene {
         let mut scene = scene.clone();
         scene.solver.substeps = self.substeps;
-        scene.solver.iterations = self.iterations;
+        scene.solver.pbf.iterations = self.iterations;
         scene.solver.packed_positions = self.packed;
         scene
     }

@@ -53,7 +53,7 @@ impl Viewer {
     /// Opens a shipped scene by its name, or a file: a scene, or a saved state. An error is said, and the
     /// scene that runs goes on.
     pub fn open(&mut self, name_or_path: &str) {
-        if name_or_path.ends_with(&format!(".{}", state::EXTENSION)) {
+        if State::is_file_name(name_or_path) {
             return self.restore_state(Path::new(name_or_path));
         }
         match Scene::load(name_or_path, &[]) {
@@ -143,7 +143,7 @@ impl Viewer {
             paused: self.running.paused,
             particles: Some(u64::from(world.particles)),
             substeps: Some(solver.substeps),
-            iterations: Some(solver.iterations),
+            iterations: Some(solver.pbf.iterations),
             ..StateRow::default()
         };
         self.running.note(&state, &mut self.messages);

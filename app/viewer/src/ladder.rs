@@ -57,7 +57,7 @@ impl Rung {
         }
         if self.fewer_substeps {
             let solver = &mut scene.solver;
-            let halved = if solver.substeps > 1 { &mut solver.substeps } else { &mut solver.iterations };
+            let halved = if solver.substeps > 1 { &mut solver.substeps } else { &mut solver.pbf.iterations };
             *halved = halved.div_ceil(2);
         }
         scene
@@ -196,7 +196,7 @@ mod tests {
             let run = rung.scene(&scene);
             let drawn = rung.options(options);
             let particles = brooklet_fluid::particles::count(&run) as f64;
-            let rounds = f64::from(run.solver.substeps * run.solver.iterations);
+            let rounds = f64::from(run.solver.substeps * run.solver.pbf.iterations);
             let cost = if run.solver.precision == Precision::Full { 1.0 } else { 0.8 };
             let side = rung.picture_px([1000, 1000])[0] * drawn.supersample;
             let texels = match drawn.surface {

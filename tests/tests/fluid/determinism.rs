@@ -14,8 +14,9 @@ min_m = [0, 0, 0]
 max_m = [1.2, 0.8, 0.5]
 [[fluid]]
 block = { min_m = [0, 0, 0], max_m = [0.4, 0.6, 0.5] }
-[solver]
+[solver.pbf]
 iterations = 3
+[forces]
 xsph = 0.02
 vorticity_m_s = 0.02
 ";

@@ -113,7 +113,7 @@ fn a_seam_is_nowhere() {
 #[test]
 fn momentum_is_kept_across_seams() {
     for (name, text) in [("box", filled([16, 16, 8], 16, BOX)), ("sheet", filled([32, 32, 1], 32, SHEET))] {
-        let mut case = Case::new(&text, &["solver.xsph=0.05"]);
+        let mut case = Case::new(&text, &["forces.xsph=0.05"]);
         let mut rng = rng(95);
         let dimensions = case.scene().domain.dimensions as usize;
         case.place(|_, position, velocity| {
@@ -158,9 +158,9 @@ fn columns_between_seams_and_in_tanks_are_compressed_as_the_law_says() {
             support_ratio: solver.support_ratio,
             gravity_m_s2: 9.81,
             dt_s: solver.dt_s,
-            relaxation: solver.relaxation,
-            iterations: solver.iterations,
-            cfm: solver.cfm,
+            relaxation: solver.pbf.relaxation,
+            iterations: solver.pbf.iterations,
+            cfm: solver.pbf.cfm,
         }
         .bottom_compression();
         let stats = case.recovers(1.2);

@@ -19,7 +19,7 @@ fn scene(cells: [u32; 3], periodic: [bool; 3], dimensions: u32, packed: bool) ->
     let text = format!(
         "spacing_m = {SPACING_M}\ngravity_m_s2 = [0, 0, 0]\n[domain]\nmin_m = [0, 0, 0]\nmax_m = [{x}, {y}, {z}]\n\
          walls = false\nperiodic = {periodic:?}\ndimensions = {dimensions}\n\
-         [solver]\niterations = 0\nxsph = 0\nneighbour_slots = 256\npacked_positions = {packed}\n"
+         [solver]\nneighbour_slots = 256\npacked_positions = {packed}\n[solver.pbf]\niterations = 0\n[forces]\nxsph = 0\n"
     );
     Scene::from_toml(&text, "lists.toml", &[]).unwrap()
 }

@@ -92,7 +92,7 @@ fn neighbours_beyond_the_slots_are_counted_and_the_drift_is_known() {
 fn lists_hold_their_slots_and_no_more() {
     let slots = 16;
     for (count, overflow) in [(slots, 0), (slots + 1, 0), (slots + 2, slots + 2)] {
-        let mut case = Case::new(&cloud(3), &["solver.neighbour_slots=16", "solver.iterations=0", "solver.xsph=0"]);
+        let mut case = Case::new(&cloud(3), &["solver.neighbour_slots=16", "solver.pbf.iterations=0", "forces.xsph=0"]);
         let mut rng = rng(5);
         // `count` particles within h of each other; the others far from them and from one another.
         case.place(|id, position_m, _| {

@@ -13,7 +13,7 @@ fn a_hundred_thousand_in_one_cell_are_bounded_work_and_counted() {
          [[fluid]]\nblock = { min_m = [0, 0, 0], max_m = [1.0, 0.8, 1.0] }\n\
          [outputs]\nmeasure_every_steps = 1\n";
     for deterministic in [false, true] {
-        let mut case = Case::new(scene, &[&format!("solver.deterministic={deterministic}"), "solver.iterations=1"]);
+        let mut case = Case::new(scene, &[&format!("solver.deterministic={deterministic}"), "solver.pbf.iterations=1"]);
         assert_eq!(case.count(), COUNT);
         let mut rng = rng(100);
         // Cells are h/2 = 0.02 m wide; the 25th of each axis.
@@ -36,7 +36,7 @@ fn as_many_as_are_looked_at_are_not_crowded() {
             x + 0.02,
             y + 0.02
         );
-        let mut case = Case::new(&scene, &["solver.iterations=0"]);
+        let mut case = Case::new(&scene, &["solver.pbf.iterations=0"]);
         assert_eq!(case.count(), count);
         case.place(|_, position_m, _| *position_m = [0.21, 0.21, 0.21]);
         case.run(1).counters.crowded as usize

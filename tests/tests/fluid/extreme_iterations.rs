@@ -13,8 +13,8 @@ fn a_thousand_iterations_move_no_particle_by_a_support() {
              [[fluid]]\nblock = { min_m = [0.2, 0.2, 0.2], max_m = [0.36, 0.36, 0.36] }\n\
              [outputs]\nmeasure_every_steps = 1\n";
         let settings = [
-            "solver.iterations=1000",
-            "solver.xsph=0",
+            "solver.pbf.iterations=1000",
+            "forces.xsph=0",
             "solver.neighbour_slots=512",
             &format!("solver.packed_positions={packed}"),
         ];

@@ -21,7 +21,7 @@ fn not_finite() -> [f32; 6] {
 
 #[test]
 fn what_is_not_finite_is_quarantined_and_spreads_nothing() {
-    let mut case = Case::new(POOL, &["solver.vorticity_m_s=0.01"]);
+    let mut case = Case::new(POOL, &["forces.vorticity_m_s=0.01"]);
     let count = case.count();
     // Every kind in every component, of particles all over the pool.
     let bad = |id: usize| (id % 27 == 13 && id / 27 < 36).then_some(id / 27);

@@ -30,7 +30,7 @@ fn densities_are_those_of_brute_force() {
     let mut rng = rng(16);
     let mut worst = Worst::new("densities in thin domains", 1.0e-5);
     for cells in CELLS {
-        let mut case = Case::new(&thin(cells, 0.0), &["solver.iterations=0", "solver.xsph=0"]);
+        let mut case = Case::new(&thin(cells, 0.0), &["solver.pbf.iterations=0", "forces.xsph=0"]);
         let size_m = DVec3::from_array(case.scene().domain.size_m());
         // Anywhere that the walls leave: nothing moves then.
         case.place(|_, position_m, _| {

@@ -31,7 +31,7 @@ fn compression_is_below_that_of_splishsplash() {
 
 #[test]
 fn a_fluid_that_is_solved_too_little_is_told_apart() {
-    let lazy = average(&run(&scene(0.04, &["solver.iterations=1".into()]).unwrap()).unwrap());
+    let lazy = average(&run(&scene(0.04, &["solver.pbf.iterations=1".into()]).unwrap()).unwrap());
     println!("peers' workload at 0.04 m, 1 iteration: {lazy:?}");
     assert!(lazy.all.max > MOST && lazy.all.mean > MOST_MEAN, "{lazy:?}");
 }

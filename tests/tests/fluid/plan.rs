@@ -92,22 +92,22 @@ const TERMS: &[Term] = &[
         variant: None,
     },
     Term {
-        without: "solver.vorticity_m_s=0",
-        with: "solver.vorticity_m_s=0.1",
+        without: "forces.vorticity_m_s=0",
+        with: "forces.vorticity_m_s=0.1",
         stages: &["curl", "confine_vorticity"],
         buffers: &["vorticities"],
         variant: None,
     },
     Term {
-        without: "solver.xsph=0",
-        with: "solver.xsph=0.05",
+        without: "forces.xsph=0",
+        with: "forces.xsph=0.05",
         stages: &["xsph"],
         buffers: &["unsmoothed_velocities"],
         variant: None,
     },
     Term {
-        without: "solver.s_corr_k=0",
-        with: "solver.s_corr_k=0.1",
+        without: "solver.pbf.s_corr_k=0",
+        with: "solver.pbf.s_corr_k=0.1",
         stages: &[],
         buffers: &[],
         variant: Some("S_CORR"),
@@ -202,8 +202,8 @@ const TERMS: &[Term] = &[
         variant: None,
     },
     Term {
-        without: "solver.iterations=0",
-        with: "solver.iterations=2",
+        without: "solver.pbf.iterations=0",
+        with: "solver.pbf.iterations=2",
         stages: &["constrain_density", "correct_positions"],
         buffers: &["position_lambdas"],
         variant: None,
@@ -317,7 +317,7 @@ fn without_times_no_query_is_made_and_nothing_is_allocated_for_them() {
 /// What `brooklet plan` and the list of what is left out use: a plan of so many particles, without them.
 #[test]
 fn a_plan_of_a_number_of_particles_is_that_of_the_particles() {
-    let settings = ["outputs.images=0", "solver.vorticity_m_s=0.1"];
+    let settings = ["outputs.images=0", "forces.vorticity_m_s=0.1"];
     let made = plan(&settings);
     let scene = scene(&settings);
     let particles = brooklet_fluid::particles::count(&scene) as u32;
@@ -335,7 +335,7 @@ fn a_plan_of_a_number_of_particles_is_that_of_the_particles() {
 
 #[test]
 fn a_simulation_whose_reports_nobody_takes_keeps_few() {
-    let mut simulation = Simulation::new(&gpu(), &scene(&["solver.iterations=1"])).unwrap();
+    let mut simulation = Simulation::new(&gpu(), &scene(&["solver.pbf.iterations=1"])).unwrap();
     simulation.measure().unwrap();
     for _ in 0..200 {
         simulation.step().unwrap();

@@ -14,8 +14,8 @@ use toml::Value;
 /// Every term on, so that a small change of none leaves it out.
 const TERMS_ON: &[&str] = &[
     "spacing_m=0.1",
-    "solver.s_corr_k=0.01",
-    "solver.vorticity_m_s=0.05",
+    "solver.pbf.s_corr_k=0.01",
+    "forces.vorticity_m_s=0.05",
     "solver.deterministic=true",
     "camera.eye_m=[4,2,5]",
     "camera.target_m=[0,0,0]",
@@ -130,15 +130,15 @@ fn writing_a_live_field_is_what_a_new_engine_would_have() {
         }
     }
     let expected = [
+        "forces.vorticity_m_s",
+        "forces.xsph",
         "gravity_m_s2",
-        "solver.cfm",
         "solver.dt_s",
         "solver.max_speed_m_s",
-        "solver.relaxation",
-        "solver.s_corr_distance_ratio",
-        "solver.s_corr_k",
-        "solver.vorticity_m_s",
-        "solver.xsph",
+        "solver.pbf.cfm",
+        "solver.pbf.relaxation",
+        "solver.pbf.s_corr_distance_ratio",
+        "solver.pbf.s_corr_k",
     ];
     assert_eq!(moved.iter().map(String::as_str).collect::<Vec<_>>(), expected, "what the uniforms hold");
     // And it steps as the new engine does.
@@ -172,7 +172,7 @@ fn a_rebuild_carries_the_particles_over_bit_for_bit() {
 #[test]
 fn a_term_that_comes_or_goes_is_a_rebuild() {
     let on = scene(&[]);
-    for setting in ["solver.xsph", "solver.vorticity_m_s", "solver.s_corr_k", "outputs.measure_every_steps"] {
+    for setting in ["forces.xsph", "forces.vorticity_m_s", "solver.pbf.s_corr_k", "outputs.measure_every_steps"] {
         let off = on.with_setting(&format!("{setting}=0")).unwrap();
         for (from, to) in [(&on, &off), (&off, &on)] {
             let change = from.change_to(to);
@@ -187,9 +187,9 @@ fn the_worst_field_decides_and_all_are_named() {
     let scene = scene(&[]);
     assert!(scene.change_to(&scene).is_nothing());
     assert_eq!(scene.change_to(&scene).applied, Applied::Live);
-    let other = scene.with_setting("solver.dt_s=0.002").unwrap().with_setting("solver.iterations=3").unwrap();
+    let other = scene.with_setting("solver.dt_s=0.002").unwrap().with_setting("solver.pbf.iterations=3").unwrap();
     let change = scene.change_to(&other);
-    let expected = [("solver.dt_s", Applied::Live), ("solver.iterations", Applied::Rebuild)];
+    let expected = [("solver.dt_s", Applied::Live), ("solver.pbf.iterations", Applied::Rebuild)];
     assert_eq!(change.fields, expected.map(|(path, applied)| (path.to_owned(), applied)));
     assert_eq!(change.applied, Applied::Rebuild);
     for reset in ["spacing_m=0.09", "domain.dimensions=2", "fluid.0.velocity_m_s=[1,0,0]"] {
@@ -220,7 +220,7 @@ fn a_panel_can_show_and_set_every_field_of_every_scene() {
     let of = |path: &str| scene(&[]).settings().into_iter().find(|setting| setting.path == path).unwrap();
     assert_eq!(of("solver.dt_s").doc, "Time a step advances, s.");
     assert!(matches!(of("solver.dt_s").kind, Kind::Number(limits) if limits.unit == "s" && limits.least > 0.0));
-    assert_eq!((of("solver.xsph").applied, of("solver.xsph").at_zero), (Applied::Live, Applied::Rebuild));
+    assert_eq!((of("forces.xsph").applied, of("forces.xsph").at_zero), (Applied::Live, Applied::Rebuild));
     assert_eq!(of("solver.max_speed_m_s").value, None);
 }
 
@@ -228,8 +228,8 @@ fn a_panel_can_show_and_set_every_field_of_every_scene() {
 fn a_setting_is_checked_as_a_file_is_and_can_be_taken_back() {
     let scene = scene(&[]);
     for setting in [
-        "solver.xsph=3",
-        "solver.xsph=water",
+        "forces.xsph=3",
+        "forces.xsph=water",
         "solver.nothing=1",
         "solver.dt_s",
         "camera.eye_m=[0,0,0]",
@@ -242,7 +242,7 @@ fn a_setting_is_checked_as_a_file_is_and_can_be_taken_back() {
     let fast = scene.with_setting("solver.max_speed_m_s=3").unwrap();
     assert_eq!(fast.solver.max_speed_m_s, Some(3.0));
     assert_eq!(fast.with_default("solver.max_speed_m_s").unwrap(), scene);
-    assert_eq!(scene.with_default("solver.vorticity_m_s").unwrap().solver.vorticity_m_s, 0.0);
+    assert_eq!(scene.with_default("forces.vorticity_m_s").unwrap().forces.vorticity_m_s, 0.0);
     assert_eq!(scene.with_default("no.such.field").unwrap(), scene);
     let error = scene.with_default("spacing_m").unwrap_err().to_string();
     assert!(error.contains("spacing_m is missing"), "{error}");

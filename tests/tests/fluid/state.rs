@@ -4,6 +4,7 @@ use brooklet_fluid::particles::{ParticleSet, sample_lattice};
 use brooklet_fluid::state::{State, StateError};
 use brooklet_fluid::{Scene, Simulation};
 use brooklet_kernels::QUARANTINED;
+use brooklet_tests::states::{OLD_SCENE, of_version, patched, sections_at, version_1, with_section};
 use brooklet_tests::{gpu, rng};
 use rand::{Rng, RngExt};
 
@@ -38,7 +39,7 @@ fn a_state_comes_back_as_it_was() {
 
 #[test]
 fn going_on_from_a_saved_state_is_going_on() {
-    let scene = scene(&["solver.deterministic=true", "solver.vorticity_m_s=0.05"]);
+    let scene = scene(&["solver.deterministic=true", "forces.vorticity_m_s=0.05"]);
     let gpu = gpu();
     let mut simulation = Simulation::new(&gpu, &scene).unwrap();
     let run = |simulation: &mut Simulation| {
@@ -76,14 +77,45 @@ fn what_is_not_finite_is_saved_as_the_next_step_would_leave_it() {
     }
 }
 
-/// The file with other bytes from `at` on, and a checksum that is right again.
-fn patched(bytes: &[u8], at: usize, with: &[u8]) -> Vec<u8> {
-    let mut bytes = bytes.to_vec();
-    bytes[at..at + with.len()].copy_from_slice(with);
-    let end = bytes.len() - 4;
-    let checksum = crc32fast::hash(&bytes[..end]);
-    bytes[end..].copy_from_slice(&checksum.to_le_bytes());
-    bytes
+#[test]
+fn a_state_of_the_version_before_opens_with_its_settings_where_they_are_now() {
+    let state = state();
+    let bytes = version_1(&state, OLD_SCENE);
+    let loaded = State::from_bytes(&bytes, "old").unwrap();
+    let settings = [
+        "fluid.0.velocity_m_s=[0.25,-1,0.5]",
+        "summary=old",
+        "solver.deterministic=true",
+        "solver.pbf.iterations=7",
+        "solver.pbf.relaxation=0.4",
+        "solver.pbf.cfm=0.02",
+        "solver.pbf.s_corr_k=0.001",
+        "solver.pbf.s_corr_distance_ratio=0.3",
+        "forces.xsph=0.05",
+        "forces.vorticity_m_s=0.125",
+    ];
+    assert_eq!(loaded.scene, scene(&settings));
+    assert_eq!((loaded.time_s, loaded.steps), (state.time_s, state.steps));
+    assert_eq!(bits(&loaded.particles), bits(&state.particles));
+    let again = State::from_bytes(&loaded.to_bytes(), "new").unwrap();
+    assert_eq!(again.scene, loaded.scene, "and is saved as the new version");
+    // The same with a list of sections.
+    let at = sections_at(&bytes);
+    let length = 28 * state.particles.positions.len() as u64;
+    let list = [&b"\x01\0\0\0PART\x01\0\0\0"[..], &length.to_le_bytes()].concat();
+    let newer = of_version(&[&bytes[..at], &list, &bytes[at..]].concat(), 2);
+    let newer = State::from_bytes(&newer, "newer").expect_err("old keys in a new file").to_string();
+    assert!(newer.contains("solver.iterations = 7 is now solver.pbf.iterations"), "{newer}");
+    for (damage, words) in [
+        (bytes[..bytes.len() - 1].to_vec(), "it is cut off"),
+        ([&bytes[..], &[0]].concat(), "and ends at"),
+        (patched(&bytes, bytes.len() - 8, &f32::NAN.to_le_bytes()), "the velocity of particle"),
+        (version_1(&state, &OLD_SCENE.replace("iterations = 7", "iterations = -7")), "solver.pbf.iterations = -7"),
+        (version_1(&state, &OLD_SCENE.replace("iterations = 7", "iterations 7")), "its scene"),
+    ] {
+        let error = State::from_bytes(&damage, "old.brooklet").expect_err(words).to_string();
+        assert!(error.starts_with("state old.brooklet: ") && error.contains(words), "{error}");
+    }
 }
 
 fn replaced(bytes: &[u8], text: &str, with: &str) -> Vec<u8> {
@@ -102,8 +134,6 @@ fn every_fault_is_one_line_that_names_the_file_and_what_is_wrong() {
     flipped[particles_at + 5] ^= 1;
     let mut longer = good.clone();
     longer.push(0);
-    let mut old = good.clone();
-    old[8..12].copy_from_slice(&7u32.to_le_bytes());
     let count_text = format!("\"particles\":{count}");
     let more_text = format!("\"particles\":{}", count + 1);
     let nan = f32::NAN.to_le_bytes();
@@ -111,15 +141,16 @@ fn every_fault_is_one_line_that_names_the_file_and_what_is_wrong() {
         (Vec::new(), "it is no saved state"),
         (b"BROOK".to_vec(), "it is no saved state"),
         (b"\x89PNG\r\n\x1a\n and so on".to_vec(), "it is no saved state"),
-        (old, "version 7 of the format, and this program reads version 1"),
+        (of_version(&good, 3), "version 3 of the format, and this program reads versions 1 to 2"),
+        (of_version(&good, 0), "version 0 of the format, and this program reads versions 1 to 2"),
         (good[..14].to_vec(), "it is cut off"),
         (good[..100].to_vec(), "it is cut off: it has 100 bytes of"),
         (good[..good.len() - 1].to_vec(), "it is cut off"),
-        (longer, "particles take"),
+        (longer, "and ends at"),
         (flipped, "its checksum is another"),
         (patched(&good, 12, &u32::MAX.to_le_bytes()), "its header has 4294967295 bytes"),
         (patched(&good, 16, b"?"), "its header is damaged"),
-        (replaced(&good, &count_text, &more_text), "it is cut off"),
+        (replaced(&good, &count_text, &more_text), "its section PART has"),
         (replaced(&good, "\"time_s\":0.125", "\"time_s\":-1.25"), "its time is -1.25 s"),
         (replaced(&good, "spacing_m = 0.08", "spacing_m = -.08"), "its scene"),
         (replaced(&good, "spacing_m = 0.08", "spacing_m = 9e99"), "its scene"),
@@ -138,6 +169,45 @@ fn every_fault_is_one_line_that_names_the_file_and_what_is_wrong() {
     let nowhere = folder.path().join("no/such/folder.brooklet");
     assert!(matches!(state.save(&nowhere), Err(StateError::Io { doing: "written", .. })));
     assert!(State::load(folder.path()).is_err(), "a folder");
+}
+
+#[test]
+fn sections_of_newer_programs_are_told_or_left_out() {
+    let state = state();
+    let good = state.to_bytes();
+    let count = state.particles.positions.len() as u64;
+    let at = sections_at(&good);
+    assert_eq!(good[at..at + 12], *b"\x01\0\0\0PART\x01\0\0\0");
+    assert_eq!(good[at + 12..at + 20], (28 * count).to_le_bytes());
+    let refused = |bytes: &[u8]| State::from_bytes(bytes, "newer.brooklet").expect_err("refused").to_string();
+    for content in [&b""[..], b"what a later version knows"] {
+        let message = refused(&with_section(&good, b"EMIT", 1, 0, content));
+        for words in ["state newer.brooklet: ", "a section EMIT of version 1", "a newer one, 0.1.0, wrote it"] {
+            assert!(message.contains(words), "{message}");
+        }
+        // Unknown, and nothing that is needed.
+        let loaded = State::from_bytes(&with_section(&good, b"LOOK", 3, 1, content), "newer").unwrap();
+        assert_eq!(loaded.scene, state.scene);
+        assert_eq!(bits(&loaded.particles), bits(&state.particles));
+    }
+    assert!(refused(&with_section(&good, b"\n\xff\"A", 1, 0, b"")).contains("a section \\n\\xff\\\"A of version 1"));
+    assert!(refused(&with_section(&good, b"PART", 1, 0, b"")).contains("two sections PART"));
+    // A section that is known, in a later version of it.
+    assert!(refused(&patched(&good, at + 8, &2u16.to_le_bytes())).contains("a section PART of version 2"));
+    let skipped = patched(&good, at + 8, &[2, 0, 1, 0]);
+    assert!(refused(&skipped).contains("no section PART of version 1"));
+    let none = patched(&good[..good.len() - 28 * count as usize - 16], at, &0u32.to_le_bytes());
+    assert!(refused(&none).contains("no section PART of version 1"));
+    // Lengths and counts that lead out of the file.
+    for (offset, number) in [(12, u64::MAX), (12, good.len() as u64), (12, u64::MAX - 30)] {
+        assert!(refused(&patched(&good, at + offset, &number.to_le_bytes())).contains("it is cut off"));
+    }
+    assert!(refused(&patched(&good, at, &u32::MAX.to_le_bytes())).contains("it is cut off"));
+    assert!(refused(&patched(&good, at + 12, &(28 * count - 28).to_le_bytes())).contains("and ends at"));
+    // Damage is told before what it made of the sections' names.
+    let mut damaged = good.clone();
+    damaged[at + 4] = b'Q';
+    assert!(refused(&damaged).contains("its checksum is another"));
 }
 
 #[test]

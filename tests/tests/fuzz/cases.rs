@@ -116,8 +116,9 @@ fn scene_corpus() -> Vec<String> {
     // Every optional key, which no shipped scene has.
     texts.push(format!(
         "{}[camera]\neye_m = [3, 2, 5]\ntarget_m = [1, 2, 3]\nfov_deg = 50\n[solver]\nmethod = \"pbf\"\n\
-         support_ratio = 2\nrelaxation = 0.4\ncfm = 0.1\ns_corr_k = 0.1\ns_corr_distance_ratio = 0.3\n\
-         xsph = 0.1\nvorticity_m_s = 0.2\nmax_speed_m_s = 9\nneighbour_slots = 64\nsubsteps = 2\n",
+         support_ratio = 2\nmax_speed_m_s = 9\nneighbour_slots = 64\nsubsteps = 2\n[solver.pbf]\niterations = 3\n\
+         relaxation = 0.4\ncfm = 0.1\ns_corr_k = 0.1\ns_corr_distance_ratio = 0.3\n\
+         [forces]\nxsph = 0.1\nvorticity_m_s = 0.2\n",
         brooklet_tests::program::SCENE
     ));
     texts

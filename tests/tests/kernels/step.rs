@@ -18,8 +18,10 @@ block = { min_m = [-1.0, 2.0, 5.0], max_m = [-0.84, 2.2, 5.12] }
 [solver]
 dt_s = 0.005
 substeps = 2
+[solver.pbf]
 iterations = 4
 s_corr_k = 0.001
+[forces]
 xsph = 0.05
 vorticity_m_s = 0.01
 ";
@@ -37,8 +39,10 @@ velocity_m_s = [0.8, 0.0, -0.6]
 [solver]
 dt_s = 0.005
 substeps = 2
+[solver.pbf]
 iterations = 4
 s_corr_k = 0.001
+[forces]
 xsph = 0.05
 vorticity_m_s = 0.01
 ";
@@ -55,8 +59,10 @@ block = { min_m = [-1.0, 2.0, 5.0], max_m = [-0.6, 2.4, 5.02] }
 [solver]
 dt_s = 0.005
 substeps = 2
+[solver.pbf]
 iterations = 4
 s_corr_k = 0.001
+[forces]
 xsph = 0.05
 vorticity_m_s = 0.01
 ";
@@ -136,13 +142,13 @@ fn a_step_matches_its_twin() {
 
 #[test]
 fn a_step_without_its_optional_terms_matches_its_twin() {
-    let off = ["solver.s_corr_k=0", "solver.xsph=0", "solver.vorticity_m_s=0"];
+    let off = ["solver.pbf.s_corr_k=0", "forces.xsph=0", "forces.vorticity_m_s=0"];
     matches(&off, 1, 1e-4, "step without optional terms");
 }
 
 #[test]
 fn a_step_in_an_open_domain_matches_its_twin() {
-    matches(&["domain.walls=false", "solver.iterations=1"], 1, 1e-4, "step without walls");
+    matches(&["domain.walls=false", "solver.pbf.iterations=1"], 1, 1e-4, "step without walls");
 }
 
 #[test]
@@ -189,12 +195,12 @@ fn ten_steps_stay_near_their_twin() {
 fn a_missing_or_wrong_term_is_seen() {
     let scene = scene_with(&[]);
     let wrong = [
-        "solver.s_corr_k=0",
-        "solver.xsph=0",
-        "solver.vorticity_m_s=0",
-        "solver.iterations=3",
-        "solver.relaxation=0.501",
-        "solver.cfm=0.2",
+        "solver.pbf.s_corr_k=0",
+        "forces.xsph=0",
+        "forces.vorticity_m_s=0",
+        "solver.pbf.iterations=3",
+        "solver.pbf.relaxation=0.501",
+        "solver.pbf.cfm=0.2",
         "domain.walls=false",
     ];
     for setting in wrong {

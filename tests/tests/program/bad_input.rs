@@ -3,7 +3,11 @@
 
 use std::path::Path;
 
+use brooklet_fluid::Scene;
+use brooklet_fluid::particles::sample_lattice;
+use brooklet_fluid::state::State;
 use brooklet_tests::program::{Ended, SCENE, Workshop, without_fluid};
+use brooklet_tests::states::{OLD_SCENE, of_version, version_1, with_section};
 
 /// The run of a bad input must end so, and leave the folder as it was.
 fn assert_refused(workshop: &Workshop, arguments: &[&str], words: &[&str]) {
@@ -157,6 +161,12 @@ fn scene_files_with_wrong_values() {
             "spacing_m = 0.0013",
             &["2.922e7 particles", "16777216 fit", "make it 0.00158 or more"],
         ),
+        // Keys that have moved.
+        (
+            scene("[[fluid]]", "[solver]\niterations = 4\nxsph = 0.02\n[[fluid]]"),
+            "",
+            &["solver.iterations = 4 is now solver.pbf.iterations, solver.xsph = 0.02 is now forces.xsph"],
+        ),
         (camera, "camera.eye_m = [1, 0, 0]", &["away from target_m"]),
     ];
     for (text, field, words) in rows {
@@ -173,13 +183,14 @@ fn command_lines_that_cannot_be_done() {
     std::fs::write(workshop.path("file"), "mine").unwrap();
     std::fs::create_dir(workshop.path("folder")).unwrap();
     let rows: &[(&[&str], &[&str])] = &[
-        (&["--set", "solver.iteration=8"], &["`iteration`", "did you mean `iterations`"]),
-        (&["--set", "solver.iterations"], &["--set solver.iterations", "path=value"]),
-        (&["--set", "solver.relaxation=7"], &["scene.toml", "solver.relaxation = 7", "0.001 to 1"]),
-        (&["--set", "solver.iterations=many"], &["solver.iterations = \"many\"", "whole number"]),
+        (&["--set", "solver.pbf.iteration=8"], &["`iteration`", "did you mean `iterations`"]),
+        (&["--set", "solver.pbf.iterations"], &["--set solver.pbf.iterations", "path=value"]),
+        (&["--set", "solver.iterations=8"], &["--set solver.iterations=8", "the key is now solver.pbf.iterations"]),
+        (&["--set", "solver.pbf.relaxation=7"], &["scene.toml", "solver.pbf.relaxation = 7", "0.001 to 1"]),
+        (&["--set", "solver.pbf.iterations=many"], &["solver.pbf.iterations = \"many\"", "whole number"]),
         (
-            &["--set", "solver.substeps=1000", "--set", "solver.iterations=1000"],
-            &["solver.iterations", "at most 10000"],
+            &["--set", "solver.substeps=1000", "--set", "solver.pbf.iterations=1000"],
+            &["solver.pbf.iterations", "at most 10000"],
         ),
         (&["--seconds", "-1"], &["--seconds", "-1"]),
         (&["--seconds", "nan"], &["--seconds", "nan"]),
@@ -296,4 +307,34 @@ fn what_is_unusual_but_right_runs() {
     assert!(summary["particles"].as_u64().unwrap() > 64);
     assert_eq!(summary["counters"]["quarantined"], 0);
     assert!(summary["max_speed_m_s"].as_f64().unwrap() < 10.0, "{}", summary["max_speed_m_s"]);
+}
+
+#[test]
+fn saved_states_that_cannot_be_gone_on_with() {
+    let workshop = Workshop::new();
+    let scene = Scene::load("dam-break", &["spacing_m=0.08".into()]).unwrap();
+    let state = State { particles: sample_lattice(&scene), scene, time_s: 0.125, steps: 30 };
+    let good = state.to_bytes();
+    let flat = version_1(&state, &OLD_SCENE.replace("iterations = 7", "iterations = -7"));
+    for (name, bytes, words) in [
+        ("foreign", b"PK\x03\x04".to_vec(), "it is no saved state of Brooklet"),
+        ("cut", good[..good.len() / 2].to_vec(), "it is cut off: it has"),
+        ("later", of_version(&good, 3), "version 3 of the format, and this program reads versions 1 to 2"),
+        ("newer", with_section(&good, b"EMIT", 1, 0, b"x"), "a section EMIT of version 1, which this program does not"),
+        ("old", flat, "its scene dam-break:42:14: solver.pbf.iterations = -7: must be a whole number"),
+    ] {
+        let name = format!("{name}.brooklet");
+        std::fs::write(workshop.path(&name), bytes).unwrap();
+        assert_refused(&workshop, &["view", &name], &[&format!("state {name}: "), words]);
+    }
+    assert_refused(&workshop, &["view", "none.brooklet"], &["state none.brooklet: cannot be read"]);
+    // States that are read, new and old: what stops the window is the display.
+    for (name, bytes) in [("good.brooklet", good), ("before.brooklet", version_1(&state, OLD_SCENE))] {
+        std::fs::write(workshop.path(name), bytes).unwrap();
+        let mut command = workshop.command(["view", name]);
+        let command = command.env_remove("DISPLAY").env_remove("WAYLAND_DISPLAY").env_remove("WAYLAND_SOCKET");
+        let said = String::from_utf8_lossy(&command.output().unwrap().stderr).into_owned();
+        assert!(said.contains("no window can be opened here"), "{said}");
+        assert_refused(&workshop, &["view", name, "--set", "spacing_m=1"], &["--set spacing_m=1", "saved state"]);
+    }
 }

@@ -140,7 +140,7 @@ fn a_wrong_wish_is_told_before_anything_is_timed() {
         (&["bench", "surfaces", "--csv", "no/such/folder.csv"], "no/such/folder.csv"),
         (&["bench", "sorting", "--pairs", "0"], "--pairs"),
         (&["bench", "--plot", "no/such/folder.svg"], "no/such/folder.svg"),
-        (&["bench", "--set", "solver.xsph=7"], "solver.xsph"),
+        (&["bench", "--set", "forces.xsph=7"], "forces.xsph"),
         (&["bench", "--max-particles", "10"], "--max-particles"),
         (&["bench", "--steps", "3"], "SCENE"),
         (&["bench", "scene.toml", "--plot", "a.svg"], "--plot"),

@@ -205,9 +205,9 @@ fn plans_with_and_without_a_term_show_what_falls_away() {
     };
     let bytes = |plan: &Value| plan["bytes"].as_u64().unwrap();
     for (off, on, reason) in [
-        ("solver.vorticity_m_s=0", "solver.vorticity_m_s=0.5", "solver.vorticity_m_s = 0"),
-        ("solver.xsph=0", "solver.xsph=0.01", "solver.xsph = 0"),
-        ("solver.s_corr_k=0", "solver.s_corr_k=0.1", "solver.s_corr_k = 0"),
+        ("forces.vorticity_m_s=0", "forces.vorticity_m_s=0.5", "forces.vorticity_m_s = 0"),
+        ("forces.xsph=0", "forces.xsph=0.01", "forces.xsph = 0"),
+        ("solver.pbf.s_corr_k=0", "solver.pbf.s_corr_k=0.1", "solver.pbf.s_corr_k = 0"),
         ("domain.walls=false", "domain.walls=true", "domain.walls = false"),
         ("outputs.measure_every_steps=0", "outputs.measure_every_steps=1", "outputs.measure_every_steps = 0"),
         ("outputs.images=0", "outputs.images=1", "no pictures (outputs.images = 0)"),

@@ -103,7 +103,7 @@ fn a_person_uses_the_window() {
         // A slider follows a button that is down in some frame.
         user.drag(LEFT, at, at, 1);
     };
-    for (path, share) in [("solver.relaxation", 0.2), ("solver.xsph", 0.25), ("solver.iterations", 0.1)] {
+    for (path, share) in [("solver.pbf.relaxation", 0.2), ("forces.xsph", 0.25), ("solver.pbf.iterations", 0.1)] {
         let before = setting(&user, path);
         spot(&mut user, path, share);
         user.wait(path, |user| (setting(user, path) != before).then_some(()));

@@ -158,7 +158,7 @@ impl Bencher<'_> {
         let step_ms = timings.step_ms();
         let step_ms = step_ms
             .ok_or_else(|| Failure::Stopped(format!("no usable times: {} flagged spans", timings.flagged_spans())))?;
-        let iterations = scene.solver.iterations * scene.solver.substeps;
+        let iterations = scene.solver.pbf.iterations * scene.solver.substeps;
         let work = f64::from(particles) * f64::from(iterations);
         let interval = f64::from(scene.outputs.measure_every_steps.max(1));
         let mut passes = Vec::new();

@@ -45,7 +45,7 @@ pub fn bench(name: &str, options: &BenchOptions) -> Result<(), Failure> {
     outcome?;
 
     let picture = picture_cost(&gpu, &scene, options, &interrupt)?;
-    let iterations = scene.solver.iterations * scene.solver.substeps;
+    let iterations = scene.solver.pbf.iterations * scene.solver.substeps;
     let work = f64::from(particles) * f64::from(iterations);
     let rate = timings.step_ms().map(|step| work / (step.median * 1e-3));
     let info = gpu.info();

@@ -62,8 +62,11 @@ impl Load {
              domain = {{ min_m = [0.0, 0.0, 0.0], max_m = [{side_m}, {height_m}, {side_m}] }}\n\
              fluid = [{{ block = {{ min_m = [0.0, 0.0, 0.0], max_m = [{side_m}, {side_m}, {side_m}] }} }}]\n\
              [solver]\n\
-             dt_s = {dt_s}\niterations = {iterations}\nrelaxation = 0.5\n\
-             s_corr_k = {s_corr_k:?}\nvorticity_m_s = {vorticity_m_s:?}\n\
+             dt_s = {dt_s}\n\
+             [solver.pbf]\n\
+             iterations = {iterations}\nrelaxation = 0.5\ns_corr_k = {s_corr_k:?}\n\
+             [forces]\n\
+             vorticity_m_s = {vorticity_m_s:?}\n\
              [outputs]\n\
              images = 0\nmeasure_every_steps = {measured}\n",
             height_m = 1.25 * side_m,
@@ -118,12 +121,12 @@ mod tests {
         for edge in EDGES {
             for load in LOADS {
                 let scene = load.scene(edge, &[]).unwrap();
-                assert_eq!(scene.solver.iterations, load.iterations);
+                assert_eq!(scene.solver.pbf.iterations, load.iterations);
                 assert_eq!(scene.outputs.measure_every_steps > 0, load.every_term);
             }
         }
-        let scene = LOADS[2].scene(EDGES[0], &["solver.xsph=0.5".into()]).unwrap();
-        assert_eq!(scene.solver.xsph, 0.5);
+        let scene = LOADS[2].scene(EDGES[0], &["forces.xsph=0.5".into()]).unwrap();
+        assert_eq!(scene.forces.xsph, 0.5);
         let particles = jittered(&scene);
         assert_eq!(particles.positions.len(), 16 * 16 * 16);
         assert_eq!(particles.positions, jittered(&scene).positions, "seeded");
@@ -131,7 +134,7 @@ mod tests {
         for position in &particles.positions {
             assert!((0..3).all(|axis| (0.0..size_m[axis] as f32).contains(&position.position_m[axis])));
         }
-        assert!(LOADS[0].scene(16, &["solver.xsph=2".into()]).is_err());
+        assert!(LOADS[0].scene(16, &["forces.xsph=2".into()]).is_err());
     }
 
     #[test]

@@ -7,8 +7,10 @@ mod tell;
 mod window;
 
 use std::panic;
+use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 
+use brooklet_fluid::{Scene, state::State};
 use winit::error::EventLoopError;
 use winit::event_loop::EventLoop;
 
@@ -18,11 +20,23 @@ use window::Window;
 /// Opens a window, and comes back when it is closed.
 pub fn view(options: &ViewOptions) -> Result<(), Failure> {
     // What is wrong with the scene is said before there is a window.
-    let scene = job::scene(&options.scene, None)?;
+    let scene = match State::is_file_name(&options.scene.scene) {
+        true => saved(options)?,
+        false => job::scene(&options.scene, None)?,
+    };
     let events = event_loop()?;
     let mut window = Window::new(options, scene)?;
     events.run_app(&mut window).map_err(|error| Failure::Stopped(format!("the window system ended: {error}")))?;
     window.end()
+}
+
+/// The scene of a saved state.
+fn saved(options: &ViewOptions) -> Result<Scene, Failure> {
+    let name = &options.scene.scene;
+    if let Some(setting) = options.scene.settings.first() {
+        return Err(Failure::Input(format!("--set {setting}: {name} is a saved state, which has settings of its own")));
+    }
+    State::load(Path::new(name)).map(|state| state.scene).map_err(Failure::input)
 }
 
 /// The window system. Where one of its libraries is missing, winit panics: that is no fault of the program's.

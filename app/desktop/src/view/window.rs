@@ -5,7 +5,7 @@ use std::{
     time::{Duration, Instant},
 };
 
-use brooklet_fluid::Scene;
+use brooklet_fluid::{Scene, state::State};
 use brooklet_gpu::Tier;
 use brooklet_viewer::Kind;
 use brooklet_viewer::action::Action;
@@ -229,7 +229,11 @@ impl ApplicationHandler for Window<'_> {
     fn resumed(&mut self, events: &ActiveEventLoop) {
         if self.open.is_none() {
             match self.open_window(events) {
-                Ok(open) => {
+                Ok(mut open) => {
+                    let name = &self.options.scene.scene;
+                    if State::is_file_name(name) {
+                        open.viewer.open(name);
+                    }
                     open.window.request_redraw();
                     self.open = Some(open);
                 }

@@ -23,8 +23,8 @@ pub struct Forces {
 /// What the shaders are given.
 pub fn params(scene: &Scene) -> ForceParams {
     ForceParams {
-        xsph: scene.solver.xsph as f32,
-        vorticity_m_s: scene.solver.vorticity_m_s as f32,
+        xsph: scene.forces.xsph as f32,
+        vorticity_m_s: scene.forces.vorticity_m_s as f32,
         ..ForceParams::default()
     }
 }
@@ -34,9 +34,9 @@ impl Forces {
     pub fn declare(resources: &mut Resources, scene: &Scene, particle_count: u32) -> Self {
         Self {
             params: resources.persistent("force_params", 1),
-            vorticity: (scene.solver.vorticity_m_s > 0.0)
+            vorticity: (scene.forces.vorticity_m_s > 0.0)
                 .then(|| VorticityConfinement::declare(resources, particle_count)),
-            unsmoothed: (scene.solver.xsph > 0.0).then(|| resources.buffer("unsmoothed_velocities", particle_count)),
+            unsmoothed: (scene.forces.xsph > 0.0).then(|| resources.buffer("unsmoothed_velocities", particle_count)),
         }
     }
 

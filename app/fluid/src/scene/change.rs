@@ -6,7 +6,8 @@ use toml::Value;
 
 use super::Scene;
 use super::applied::{Applied, Applies};
-use super::fields::{Kind, field_of};
+use super::field::Kind;
+use super::fields::field_of;
 
 /// What differs between two scenes, and what that asks for.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -25,23 +26,27 @@ impl Change {
 }
 
 impl Scene {
-    /// What a running `self` needs to go on as `other`.
+    /// What a running `self` needs to go on as `other`. What only one of their methods has is no change of a
+    /// setting: the method's is.
     pub fn change_to(&self, other: &Scene) -> Change {
         let [before, after] = [self, other].map(Scene::values);
         let paths: BTreeSet<&String> = before.keys().chain(after.keys()).collect();
-        let changed = paths.into_iter().filter(|path| before.get(*path) != after.get(*path)).map(|path| {
-            let applies = field_of(path).map_or(Applies::Always(Applied::Reset), |(_, _, applies)| *applies);
-            (path.clone(), applies.between(before.get(path), after.get(path)))
+        let methods = [self, other].map(|scene| scene.solver.method.name());
+        let changed = paths.into_iter().filter(|path| before.get(*path) != after.get(*path)).filter_map(|path| {
+            let field = field_of(path);
+            let of_both = field.is_none_or(|field| methods.iter().all(|method| field.is_of(method)));
+            let applies = field.map_or(Applies::Always(Applied::Reset), |field| field.applies);
+            of_both.then(|| (path.clone(), applies.between(before.get(path), after.get(path))))
         });
         let fields: Vec<(String, Applied)> = changed.collect();
         Change { applied: fields.iter().map(|(_, applied)| *applied).max().unwrap_or(Applied::Live), fields }
     }
 
-    /// Each field that has a value, those of defaults too, by its path.
+    /// Each field of its method that has a value, those of defaults too, by its path.
     pub(super) fn values(&self) -> BTreeMap<String, Value> {
         let mut values = BTreeMap::new();
-        if let Ok(scene) = Value::try_from(self) {
-            collect(String::new(), scene, &mut values);
+        if let Ok(scene) = self.to_table() {
+            collect(String::new(), Value::Table(scene), &mut values);
         }
         values
     }
@@ -49,7 +54,8 @@ impl Scene {
 
 fn collect(path: String, value: Value, values: &mut BTreeMap<String, Value>) {
     let below = |key: &str| if path.is_empty() { key.to_owned() } else { format!("{path}.{key}") };
-    let is_group = path.is_empty() || matches!(field_of(&path), Some((_, Kind::Table | Kind::Tables, _)));
+    let is_group =
+        path.is_empty() || field_of(&path).is_some_and(|field| matches!(field.kind, Kind::Table | Kind::Tables));
     match value {
         Value::Table(table) if is_group => {
             table.into_iter().for_each(|(key, value)| collect(below(&key), value, values));

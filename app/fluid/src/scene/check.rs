@@ -5,8 +5,9 @@ use std::fmt::Display;
 use toml::Value;
 
 use super::explain::written;
-use super::fields::{Kind, Short, kind_of};
-use super::{Fluid, Scene, SceneError};
+use super::field::{Kind, Short};
+use super::fields::kind_of;
+use super::{Fluid, Method, Scene, SceneError};
 use crate::particles::{self, MAX_FLUIDS, MAX_PARTICLES};
 
 /// Spacings a side of the domain may have: f32 positions then still tell 1/256 of a spacing apart.
@@ -95,17 +96,9 @@ impl Scene {
         check.limits("", &values)?;
         self.check_domain(&check)?;
         self.check_axes(&check)?;
-        let [substeps, iterations] = [self.solver.substeps, self.solver.iterations];
-        check.require(
-            substeps * iterations <= MAX_ITERATIONS_A_STEP,
-            "solver.iterations",
-            iterations,
-            format_args!(
-                "with solver.substeps = {substeps} that is {} iterations a step; at most {MAX_ITERATIONS_A_STEP}: \
-                 a smaller solver.dt_s does the same as more substeps",
-                substeps * iterations
-            ),
-        )?;
+        match self.solver.method {
+            Method::Pbf => self.check_iterations(&check, self.solver.pbf.iterations, "solver.pbf.iterations")?,
+        }
         let most_fluids = MAX_FLUIDS as usize;
         check.require(
             self.fluids.len() <= most_fluids,
@@ -127,6 +120,21 @@ impl Scene {
             )?;
         }
         Ok(())
+    }
+
+    /// Not more iterations a step than a recording holds; `field` says how many a substep has.
+    fn check_iterations(&self, check: &Checker, iterations: u32, field: &str) -> Result<(), SceneError> {
+        let substeps = self.solver.substeps;
+        check.require(
+            substeps * iterations <= MAX_ITERATIONS_A_STEP,
+            field,
+            iterations,
+            format_args!(
+                "with solver.substeps = {substeps} that is {} iterations a step; at most {MAX_ITERATIONS_A_STEP}: \
+                 a smaller solver.dt_s does the same as more substeps",
+                substeps * iterations
+            ),
+        )
     }
 
     fn check_domain(&self, check: &Checker) -> Result<(), SceneError> {

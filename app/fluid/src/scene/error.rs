@@ -74,6 +74,16 @@ pub enum SceneError {
         /// What is allowed.
         allowed: String,
     },
+    /// Keys where scenes of earlier versions had them.
+    #[error("scene {source_name}{place}: {moves}")]
+    Moved {
+        /// File.
+        source_name: String,
+        /// `:line:column` of the first, where known.
+        place: String,
+        /// Each with its value and its new place.
+        moves: String,
+    },
     /// A setting that is not `path=value`, or whose path does not exist.
     #[error("--set {setting}: {reason}")]
     BadSetting {

@@ -2,10 +2,13 @@
 //! allowed.
 
 use serde_path_to_error::Segment;
+use toml::de::{DeTable, DeValue};
 use toml::{Table, Value};
 
-use super::fields::{Short, kind_of};
+use super::field::Short;
+use super::fields::kind_of;
 use super::nearest::nearest;
+use super::paths::value_at;
 use super::{Scene, SceneError};
 
 /// A text that is not TOML.
@@ -87,19 +90,6 @@ fn dotted(path: &serde_path_to_error::Path) -> String {
     steps.join(".")
 }
 
-fn value_at<'a>(table: &'a Table, path: &str) -> Option<&'a Value> {
-    let (first, rest) = path.split_once('.').map_or((path, None), |(first, rest)| (first, Some(rest)));
-    let mut here = table.get(first)?;
-    for step in rest.into_iter().flat_map(|rest| rest.split('.')) {
-        here = match here {
-            Value::Table(inner) => inner.get(step)?,
-            Value::Array(items) => items.get(step.parse::<usize>().ok()?)?,
-            _ => return None,
-        };
-    }
-    Some(here)
-}
-
 /// A value as a person writes it.
 pub(super) fn written(value: &Value) -> String {
     match value {
@@ -111,9 +101,25 @@ pub(super) fn written(value: &Value) -> String {
 
 /// `:line:column`, where known.
 fn place(error: &toml::de::Error, text: &str) -> String {
-    let Some(before) = error.span().and_then(|span| text.get(..span.start.min(text.len()))) else {
-        return String::new();
-    };
+    error.span().map_or_else(String::new, |span| line_and_column(text, span.start))
+}
+
+/// `:line:column` of the key at `path`; nothing if the text has none.
+pub(super) fn place_of(text: &str, path: &str) -> String {
+    let Ok(document) = DeTable::parse(text) else { return String::new() };
+    let (above, last) = path.rsplit_once('.').map_or((None, path), |(above, last)| (Some(above), last));
+    let mut here = document.into_inner();
+    for step in above.into_iter().flat_map(|above| above.split('.')) {
+        let below = here.into_iter().find(|(key, _)| key.get_ref() == step).map(|(_, value)| value.into_inner());
+        let Some(DeValue::Table(inner)) = below else { return String::new() };
+        here = inner;
+    }
+    let key = here.keys().find(|key| key.get_ref() == last);
+    key.map_or_else(String::new, |key| line_and_column(text, key.span().start))
+}
+
+fn line_and_column(text: &str, at: usize) -> String {
+    let Some(before) = text.get(..at.min(text.len())) else { return String::new() };
     let line = before.matches('\n').count() + 1;
     let column = before.chars().rev().take_while(|&c| c != '\n').count() + 1;
     format!(":{line}:{column}")
@@ -125,7 +131,7 @@ fn one_line(text: &str) -> String {
 
 /// As much of a text as a message of one line has room for, without what would break
 /// or colour the line.
-pub(super) fn shortened(text: &str) -> String {
+pub(crate) fn shortened(text: &str) -> String {
     const MOST: usize = 80;
     let mut line: String = text.chars().take(MOST).map(|c| if c.is_control() { ' ' } else { c }).collect();
     if text.chars().nth(MOST).is_some() {

@@ -6,14 +6,15 @@ use std::path::Path;
 
 use toml::{Table, Value};
 
-use super::{Scene, SceneError, explain, settings, shipped};
+use super::fields::FIELDS;
+use super::{Scene, SceneError, explain, methods, moved, settings, shipped};
 
 /// The longest text that is read as a scene. A device that never ends, or a video, is none.
 const MOST_BYTES: u64 = 1 << 20;
 
 impl Scene {
     /// Reads a shipped scene by its name, or a file by its path; `settings` (`path=value`, as
-    /// `solver.iterations=8` or `fluid.0.velocity_m_s=[1,0,0]`) replace values before the scene is
+    /// `solver.substeps=2` or `fluid.0.velocity_m_s=[1,0,0]`) replace values before the scene is
     /// checked.
     ///
     /// # Errors
@@ -53,6 +54,8 @@ impl Scene {
         for setting in settings {
             settings::set(&mut table, setting)?;
         }
+        moved::refuse(&table, text, source_name)?;
+        methods::refuse_foreign(&table, text, source_name, FIELDS)?;
         let mut scene: Scene = serde_path_to_error::deserialize(Value::Table(table.clone()))
             .map_err(|error| explain::mismatch(&error, &table, text, source_name, settings.is_empty()))?;
         scene.name =
@@ -61,9 +64,17 @@ impl Scene {
         Ok(scene)
     }
 
-    /// The scene as TOML, defaults written out.
+    /// The scene as TOML, defaults written out: what its method has.
     pub fn to_toml(&self) -> String {
-        toml::to_string(self).unwrap_or_else(|error| format!("# not representable: {error}\n"))
+        let text = self.to_table().and_then(|table| toml::to_string(&table));
+        text.unwrap_or_else(|error| format!("# not representable: {error}\n"))
+    }
+
+    /// Every field that has a value and that the scene's method has, those of defaults too.
+    pub(super) fn to_table(&self) -> Result<Table, toml::ser::Error> {
+        let mut table = Table::try_from(self)?;
+        methods::prune(&mut table, self.solver.method.name(), FIELDS);
+        Ok(table)
     }
 }
 

@@ -7,14 +7,21 @@ mod check;
 mod domain;
 mod error;
 mod explain;
+mod field;
 mod fields;
+mod forces;
 mod load;
+mod methods;
+mod moved;
 mod nearest;
 mod panel;
+mod paths;
+mod pbf;
 #[cfg(feature = "schema")]
 mod schema;
 mod settings;
 mod shipped;
+mod solver;
 mod surface;
 #[cfg(test)]
 mod tests;
@@ -23,11 +30,15 @@ pub use applied::Applied;
 pub use change::Change;
 pub use domain::Domain;
 pub use error::SceneError;
-pub use fields::{Kind, Limits};
+pub(crate) use explain::shortened;
+pub use field::{Field, Kind, Limits};
+pub use forces::Forces;
 pub use panel::Setting;
+pub use pbf::PbfSettings;
 #[cfg(feature = "schema")]
 pub use schema::schema;
 pub use shipped::shipped_scenes;
+pub use solver::{Method, Precision, Solver};
 pub use surface::{PointColor, Smoothing, Surface, SurfaceMethod};
 
 use std::f64::consts::PI;
@@ -61,6 +72,9 @@ pub struct Scene {
     /// Solver settings.
     #[serde(default)]
     pub solver: Solver,
+    /// What acts on the fluid beside gravity and the solver.
+    #[serde(default)]
+    pub forces: Forces,
     /// How the fluid is drawn.
     #[serde(default)]
     pub surface: Surface,
@@ -112,110 +126,6 @@ pub struct Sphere {
     pub centre_m: [f64; 3],
     /// Its radius, m.
     pub radius_m: f64,
-}
-
-/// Which solver.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "lowercase")]
-pub enum Method {
-    /// Position Based Fluids (Macklin & Müller 2013).
-    #[default]
-    Pbf,
-}
-
-impl Method {
-    /// Its name in scenes and summaries.
-    pub fn name(self) -> &'static str {
-        match self {
-            Method::Pbf => "pbf",
-        }
-    }
-}
-
-/// How the arithmetic for a pair of particles is rounded.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "lowercase")]
-pub enum Precision {
-    /// f32.
-    #[default]
-    Full,
-    /// f16 where the driver chooses to (SPIR-V's RelaxedPrecision), f32 where not.
-    Relaxed,
-    /// f16; only on devices of the desktop tier that have it.
-    Half,
-}
-
-/// Solver settings. A coefficient of 0 leaves its term out: no pass, no buffer, no code.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields, default)]
-pub struct Solver {
-    /// Which solver.
-    pub method: Method,
-    /// Time a step advances, s.
-    pub dt_s: f64,
-    /// Equal parts a step is advanced in. Each sorts and lists neighbours anew; at the same
-    /// total of iterations, substeps buy more accuracy than iterations.
-    pub substeps: u32,
-    /// Jacobi iterations a substep.
-    pub iterations: u32,
-    /// Support radius of the kernel over the spacing, h/d.
-    pub support_ratio: f64,
-    /// Jacobi under-relaxation ω. Plain Jacobi (1) is unstable at ordinary neighbour counts:
-    /// at h = 2d the limit is about 0.7.
-    pub relaxation: f64,
-    /// Constraint force mixing ε (Macklin & Müller 2013, eq. 11) over the lattice's |∇C|².
-    pub cfm: f64,
-    /// Artificial pressure k (eq. 13), no unit; 0 leaves it out. Wendland's kernel does not
-    /// pair particles, so it is not needed for stability.
-    pub s_corr_k: f64,
-    /// Distance at which the artificial pressure is k, over h.
-    pub s_corr_distance_ratio: f64,
-    /// XSPH viscosity c (eq. 17), 0 to 1; 0 leaves it out.
-    pub xsph: f64,
-    /// Vorticity confinement (eq. 16), m/s; 0 leaves it out.
-    pub vorticity_m_s: f64,
-    /// No particle goes faster; clamps are counted. Default: 0.6 h a substep; above
-    /// about 0.7 h two bodies are inside each other before four iterations can part them.
-    pub max_speed_m_s: Option<f64>,
-    /// Room for neighbours a particle, rounded up to fours; what does not fit is counted. Default: 1.43 times
-    /// what the support holds at rest, 48 at h = 2 d, 164 at
-    /// h = 3 d, 44 at h = 3 d in two dimensions; 24 at least.
-    pub neighbour_slots: Option<u32>,
-    /// Sorts the particles of a cell by id, so that runs repeat bit for bit on a device; else they
-    /// come in the order that atomics give.
-    pub deterministic: bool,
-    /// How what is computed for each pair of particles is rounded. Positions, sums and everything
-    /// outside the pairs stay f32.
-    pub precision: Precision,
-    /// Gathers 16 bits an axis and an f16 multiplier, 8 bytes, where otherwise 21 bits an axis and
-    /// an f32 multiplier take 16.
-    pub packed_positions: bool,
-}
-
-impl Default for Solver {
-    fn default() -> Self {
-        Self {
-            method: Method::Pbf,
-            dt_s: 1.0 / 240.0,
-            substeps: 1,
-            iterations: 4,
-            support_ratio: 2.0,
-            relaxation: 0.5,
-            cfm: 0.01,
-            s_corr_k: 0.0,
-            s_corr_distance_ratio: 0.2,
-            xsph: 0.01,
-            vorticity_m_s: 0.0,
-            max_speed_m_s: None,
-            neighbour_slots: None,
-            deterministic: false,
-            precision: Precision::Full,
-            packed_positions: false,
-        }
-    }
 }
 
 /// Where pictures are taken from.

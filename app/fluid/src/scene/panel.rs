@@ -5,8 +5,9 @@ use std::sync::OnceLock;
 use toml::{Table, Value};
 
 use super::applied::{Applied, Applies};
-use super::fields::{FIELDS, Kind};
-use super::{Scene, SceneError, explain, settings};
+use super::field::Kind;
+use super::fields::FIELDS;
+use super::{Scene, SceneError, explain, methods, moved, paths, settings};
 
 /// One field of a scene.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,35 +27,36 @@ pub struct Setting {
 }
 
 impl Scene {
-    /// Every field that has a value or may get one, in the order of scene files. Of a fluid only those of
-    /// the shape that it has.
+    /// Every field of the scene's method that has a value or may get one, in the order of scene files. Of a fluid
+    /// only those of the shape that it has.
     pub fn settings(&self) -> Vec<Setting> {
         let values = self.values();
         let mut all = Vec::new();
-        for (field, kind, applies) in FIELDS {
-            if matches!(kind, Kind::Table | Kind::Tables) {
+        let method = self.solver.method.name();
+        for field in FIELDS.iter().filter(|field| field.is_of(method)) {
+            if matches!(field.kind, Kind::Table | Kind::Tables) {
                 continue;
             }
-            let [applied, at_zero] = match applies {
-                Applies::Always(applied) => [*applied; 2],
+            let [applied, at_zero] = match field.applies {
+                Applies::Always(applied) => [applied; 2],
                 Applies::Term => [Applied::Live, Applied::Rebuild],
             };
-            let paths = match field.split_once(".*.") {
-                None => vec![(*field).to_owned()],
+            let paths = match field.path.split_once(".*.") {
+                None => vec![field.path.to_owned()],
                 Some((array, rest)) => (0..self.fluids.len()).map(|index| format!("{array}.{index}.{rest}")).collect(),
             };
             for path in paths {
                 let value = values.get(&path).cloned();
-                if value.is_some() || !field.contains('*') {
-                    let doc = doc_of(field);
-                    all.push(Setting { path, kind: *kind, applied, at_zero, doc, value });
+                if value.is_some() || !field.path.contains('*') {
+                    let doc = doc_of(field.path);
+                    all.push(Setting { path, kind: field.kind, applied, at_zero, doc, value });
                 }
             }
         }
         all
     }
 
-    /// The scene with one value changed (`solver.xsph=0.1`, as [`Scene::load`] takes them), checked as a
+    /// The scene with one value changed (`forces.xsph=0.1`, as [`Scene::load`] takes them), checked as a
     /// file is.
     ///
     /// # Errors
@@ -69,13 +71,8 @@ impl Scene {
     /// If it has no default, or the scene is not allowed with it.
     pub fn with_default(&self, path: &str) -> Result<Scene, SceneError> {
         self.with_table(|table| {
-            let (parents, last) = path.rsplit_once('.').map_or((None, path), |(parents, last)| (Some(parents), last));
-            let mut here = Some(table);
-            for key in parents.into_iter().flat_map(|parents| parents.split('.')) {
-                here = here.and_then(|table| table.get_mut(key)).and_then(Value::as_table_mut);
-            }
             // What is not there is left out already.
-            here.and_then(|table| table.remove(last));
+            paths::take(table, path);
             Ok(())
         })
     }
@@ -83,8 +80,15 @@ impl Scene {
     fn with_table(&self, change: impl FnOnce(&mut Table) -> Result<(), SceneError>) -> Result<Scene, SceneError> {
         let malformed =
             |reason: String| SceneError::Malformed { source_name: self.name.clone(), place: String::new(), reason };
-        let mut table = Table::try_from(self).map_err(|error| malformed(error.to_string()))?;
+        let mut table = self.to_table().map_err(|error| malformed(error.to_string()))?;
         change(&mut table)?;
+        let method = methods::chosen(&table).to_owned();
+        if method != self.solver.method.name() {
+            // The old method's settings go with it.
+            methods::prune(&mut table, &method, FIELDS);
+        }
+        moved::refuse(&table, "", &self.name)?;
+        methods::refuse_foreign(&table, "", &self.name, FIELDS)?;
         let mut scene: Scene = serde_path_to_error::deserialize(Value::Table(table.clone()))
             .map_err(|error| explain::mismatch(&error, &table, "", &self.name, false))?;
         scene.name.clone_from(&self.name);

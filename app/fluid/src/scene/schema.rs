@@ -5,7 +5,8 @@ use schemars::generate::SchemaSettings;
 use serde_json::{Map, Value, json};
 
 use super::Scene;
-use super::fields::{FIELDS, Kind, Limits};
+use super::field::{Kind, Limits};
+use super::fields::FIELDS;
 
 /// The JSON Schema (draft 7) of a scene file, as text.
 pub fn schema() -> String {
@@ -15,9 +16,9 @@ pub fn schema() -> String {
     tidy(&mut schema);
     schema["title"] = "Brooklet scene".into();
     schema["description"] = "A scene of Brooklet. SI units, y up. What has a default may be left out.".into();
-    for (field, kind, _) in FIELDS {
-        if let Some(part) = part_of(&mut schema, field) {
-            limit(part, kind);
+    for field in FIELDS {
+        if let Some(part) = part_of(&mut schema, field.path) {
+            limit(part, &field.kind);
         }
     }
     if let Some(fluid) = part_of(&mut schema, "fluid.*") {

@@ -2,8 +2,8 @@
 
 use toml::{Table, Value};
 
-use super::SceneError;
 use super::explain::shortened;
+use super::{SceneError, moved};
 
 /// No field lies deeper than `fluid.0.block.min_m.0`.
 const MOST_KEYS: usize = 8;
@@ -13,6 +13,9 @@ pub(super) fn set(table: &mut Table, setting: &str) -> Result<(), SceneError> {
     let bad = |reason: String| SceneError::BadSetting { setting: shortened(setting), reason };
     let (path, text) = setting.split_once('=').ok_or_else(|| bad("write path=value".into()))?;
     let (path, text) = (path.trim(), text.trim());
+    if let Some(new) = moved::new_place(path) {
+        return Err(bad(format!("the key is now {new}")));
+    }
     let value = toml::from_str::<Table>(&format!("value = {text}"))
         .ok()
         .filter(|parsed| parsed.len() == 1)

@@ -1,6 +1,6 @@
 //! Scenes: defaults, shipped ones, and each message a bad one gets.
 
-use super::fields::{FIELDS, Kind, kind_of};
+use super::fields::{FIELDS, kind_of};
 use super::*;
 use crate::particles::{self, sample_lattice};
 
@@ -35,8 +35,9 @@ fn every_shipped_scene_loads_and_says_what_it_is() {
 
 #[test]
 fn settings_replace_values() {
-    let scene = load(SMALL, &["solver.iterations=8", "domain.max_m.1 = 2", "fluid.0.velocity_m_s=[1,0,0]"]).unwrap();
-    assert_eq!(scene.solver.iterations, 8);
+    let scene =
+        load(SMALL, &["solver.pbf.iterations=8", "domain.max_m.1 = 2", "fluid.0.velocity_m_s=[1,0,0]"]).unwrap();
+    assert_eq!(scene.solver.pbf.iterations, 8);
     assert_eq!(scene.domain.max_m, [1.0, 2.0, 1.0]);
     assert_eq!(scene.fluids[0].velocity_m_s, [1.0, 0.0, 0.0]);
 }
@@ -57,7 +58,7 @@ fn setting(field: &str, value: &str) -> Vec<String> {
 
 #[test]
 fn each_field_refuses_what_it_does_not_take_by_name_and_value() {
-    for (field, kind, _) in FIELDS {
+    for Field { path: field, kind, .. } in FIELDS {
         let wrong: Vec<(String, String)> = match kind {
             Kind::Number(limits) | Kind::Whole(limits) => {
                 let beyond = [limits.least - 1.0, 2.0 * limits.most + 1.0];
@@ -99,7 +100,7 @@ fn each_field_refuses_what_it_does_not_take_by_name_and_value() {
 
 #[test]
 fn limits_are_within_what_is_allowed() {
-    for (field, kind, _) in FIELDS {
+    for Field { path: field, kind, .. } in FIELDS {
         let (Kind::Number(limits) | Kind::Whole(limits)) = kind else { continue };
         for value in [limits.least, limits.most] {
             if let Err(error) = Scene::from_toml(SMALL, "small.toml", &setting(field, &value.to_string())) {
@@ -154,7 +155,7 @@ fn the_table_has_every_field() {
     }
     let toml::Value::Table(table) = toml::Value::try_from(&scene).unwrap() else { panic!("a scene is a table") };
     table.iter().for_each(|(key, value)| visit(key, value, &mut seen));
-    let known: std::collections::BTreeSet<String> = FIELDS.iter().map(|(field, ..)| field.to_string()).collect();
+    let known: std::collections::BTreeSet<String> = FIELDS.iter().map(|field| field.path.to_string()).collect();
     assert_eq!(seen, known);
 }
 
@@ -167,7 +168,7 @@ fn messages_name_file_field_value_and_what_is_allowed() {
     let long = format!("summary = \"{}\"\n{SMALL}", "x".repeat(2_000_000));
     let cases: &[(String, &[&str])] = &[
         (message(&SMALL.replace("spacing_m", "spacin_m"), &[]), &["small.toml:1:1", "`spacin_m`", "`spacing_m`"]),
-        (message(SMALL, &["solver.iteration=3"]), &["`iteration`", "`iterations`"]),
+        (message(SMALL, &["solver.pbf.iteration=3"]), &["`iteration`", "`iterations`"]),
         (message(&SMALL.replace("0.1\n", "-1\n"), &[]), &["spacing_m = -1", "1e-6 to 1000 m"]),
         (message(&SMALL.replace("0.1\n", "'a'\n"), &[]), &["small.toml:1:13: spacing_m = \"a\"", "a number from"]),
         (message("spacing_m = 1\nspacing_m = 2\n", &[]), &["small.toml:2:1: duplicate key", "spacing_m = 2"]),
@@ -195,8 +196,8 @@ fn messages_name_file_field_value_and_what_is_allowed() {
         (message(SMALL, &["domain.max_m=[0.01,1,1]"]), &["domain = [0.01, 1, 1] m", "at least spacing_m = 0.1"]),
         (message(SMALL, &["domain.max_m=[1e5,1,1]"]), &["domain", "65536 spacings", "spacing_m 1.53 or more"]),
         (
-            message(SMALL, &["solver.substeps=1000", "solver.iterations=11"]),
-            &["solver.iterations = 11", "at most 10000"],
+            message(SMALL, &["solver.substeps=1000", "solver.pbf.iterations=11"]),
+            &["solver.pbf.iterations = 11", "at most 10000"],
         ),
         (
             message(SMALL, &["spacing_m=0.0034", "fluid.0.block.max_m=[1,1,1]"]),

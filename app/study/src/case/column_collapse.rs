@@ -28,7 +28,7 @@ impl ColumnCollapse {
         let settings = [
             format!("spacing_m={FINE_SPACING_M}"),
             format!("solver.substeps={FINE_SUBSTEPS}"),
-            format!("solver.iterations={FINE_ITERATIONS}"),
+            format!("solver.pbf.iterations={FINE_ITERATIONS}"),
         ];
         Self.setup(&settings)
     }

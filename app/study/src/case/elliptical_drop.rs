@@ -47,8 +47,9 @@ impl Case for EllipticalDrop {
             sphere = {{ centre_m = [0, 0, {0}], radius_m = 1.0 }}
             [solver]
             support_ratio = {FLAT_SUPPORT_RATIO}
-            xsph = 0
-            dt_s = {1}",
+            dt_s = {1}
+            [forces]
+            xsph = 0",
             0.5 * spacing_m,
             COURANT * spacing_m
         );

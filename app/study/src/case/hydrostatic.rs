@@ -69,9 +69,9 @@ impl Case for Hydrostatic {
             support_ratio: scene.solver.support_ratio,
             gravity_m_s2: -scene.gravity_m_s2[1],
             dt_s: scene.substep_s(),
-            relaxation: scene.solver.relaxation,
-            iterations: scene.solver.iterations,
-            cfm: scene.solver.cfm,
+            relaxation: scene.solver.pbf.relaxation,
+            iterations: scene.solver.pbf.iterations,
+            cfm: scene.solver.pbf.cfm,
         };
         let law = column.bottom_compression();
         // The last quarter: by then the column has settled.

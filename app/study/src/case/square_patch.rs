@@ -49,8 +49,9 @@ impl Case for SquarePatch {
             block = {{ min_m = [-{0}, -{0}, 0], max_m = [{0}, {0}, {spacing_m}] }}
             [solver]
             support_ratio = {FLAT_SUPPORT_RATIO}
-            xsph = 0
-            dt_s = {1}",
+            dt_s = {1}
+            [forces]
+            xsph = 0",
             0.5 * SIDE_M,
             COURANT * spacing_m
         );

@@ -60,8 +60,9 @@ impl Case for StandingWave {
             block = {{ min_m = [0, 0, 0], max_m = [{LENGTH_M}, {DEPTH_M}, {spacing_m}] }}
             [solver]
             support_ratio = {FLAT_SUPPORT_RATIO}
-            xsph = 0
-            dt_s = {dt_s}",
+            dt_s = {dt_s}
+            [forces]
+            xsph = 0",
             2.0 * DEPTH_M
         );
         let mut setup = Setup::new(self.name(), &text, settings, PERIODS * Self::period_s(), 100)?;

@@ -53,8 +53,9 @@ impl Case for TaylorGreen {
             block = {{ min_m = [0, 0, 0], max_m = [{side_m}, {side_m}, {spacing_m}] }}
             [solver]
             support_ratio = {FLAT_SUPPORT_RATIO}
-            xsph = 0
-            dt_s = {}",
+            dt_s = {}
+            [forces]
+            xsph = 0",
             COURANT * spacing_m
         );
         let mut setup = Setup::new(self.name(), &text, settings, END_S, 10)?;

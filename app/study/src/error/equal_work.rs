@@ -23,7 +23,7 @@ pub fn equal_work_tasks() -> Vec<Task> {
         settings: vec![
             format!("spacing_m={spacing_m}"),
             format!("solver.substeps={substeps}"),
-            format!("solver.iterations={}", ITERATIONS / substeps),
+            format!("solver.pbf.iterations={}", ITERATIONS / substeps),
         ],
         tier: "desktop".into(),
         repeats: 1,

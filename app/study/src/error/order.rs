@@ -17,7 +17,7 @@ pub fn order_tasks(quick: bool) -> Vec<Task> {
     let of = |&(case, _, factors): &(&'static dyn Case, &'static str, &'static [f64])| {
         let taken = if quick { &factors[..2] } else { factors };
         let settings = |factor: &f64| {
-            vec![format!("spacing_m={:?}", factor * case.spacing_m()), format!("solver.iterations={ITERATIONS}")]
+            vec![format!("spacing_m={:?}", factor * case.spacing_m()), format!("solver.pbf.iterations={ITERATIONS}")]
         };
         taken.iter().map(|factor| task(ORDER_PART, case, settings(factor), 1)).collect::<Vec<_>>()
     };

@@ -42,8 +42,8 @@ impl Map {
     /// The settings along x and y.
     pub fn paths(self) -> (&'static str, &'static str) {
         match self {
-            Self::Compression => ("solver.iterations", "solver.substeps"),
-            Self::Relaxation => ("solver.support_ratio", "solver.relaxation"),
+            Self::Compression => ("solver.pbf.iterations", "solver.substeps"),
+            Self::Relaxation => ("solver.support_ratio", "solver.pbf.relaxation"),
         }
     }
 

@@ -28,7 +28,9 @@ type Section = (&'static str, &'static str, fn(&str) -> bool);
 const SECTIONS: [Section; 4] = [
     ("Scene", "scene", |path| path == "spacing_m" || path.starts_with("domain") || path.starts_with("fluid")),
     ("Gravity", "gravity", |path| path == "gravity_m_s2"),
-    ("Solver", "solver", |path| path.starts_with("solver.") || path == "outputs.measure_every_steps"),
+    ("Solver", "solver", |path| {
+        path.starts_with("solver.") || path.starts_with("forces.") || path == "outputs.measure_every_steps"
+    }),
     ("Surface", "surface", |path| path.starts_with("surface.")),
 ];
 
@@ -290,11 +292,11 @@ mod tests {
         let mut draft = Draft::new(Scene::load("dam-break", &[]).unwrap());
         let before = draft.scene.clone();
         let mut actions = Vec::new();
-        draft.take(&Wish { setting: "solver.relaxation=7".into(), is_final: true }, &mut actions);
+        draft.take(&Wish { setting: "solver.pbf.relaxation=7".into(), is_final: true }, &mut actions);
         assert!(actions.is_empty() && draft.scene == before);
-        assert!(draft.refused.as_ref().unwrap().contains("solver.relaxation"));
-        draft.take(&Wish { setting: "solver.relaxation=0.7".into(), is_final: true }, &mut actions);
-        assert!(draft.refused.is_none() && draft.scene.solver.relaxation == 0.7);
+        assert!(draft.refused.as_ref().unwrap().contains("solver.pbf.relaxation"));
+        draft.take(&Wish { setting: "solver.pbf.relaxation=0.7".into(), is_final: true }, &mut actions);
+        assert!(draft.refused.is_none() && draft.scene.solver.pbf.relaxation == 0.7);
         assert_eq!(actions, [Action::Apply(Box::new(draft.scene.clone()))]);
     }
 

@@ -24,16 +24,18 @@ const KEYS: &[&str] = &[
     "method",
     "dt_s",
     "substeps",
-    "iterations",
     "support_ratio",
+    "max_speed_m_s",
+    "neighbour_slots",
+    "pbf",
+    "iterations",
     "relaxation",
     "cfm",
     "s_corr_k",
     "s_corr_distance_ratio",
+    "forces",
     "xsph",
     "vorticity_m_s",
-    "max_speed_m_s",
-    "neighbour_slots",
     "camera",
     "eye_m",
     "target_m",
@@ -174,10 +176,12 @@ fn near(rng: &mut ChaCha8Rng, number: &str) -> String {
 
 /// A `--set` of something that is there, or nearly.
 pub fn setting(rng: &mut ChaCha8Rng) -> String {
-    let path: Vec<&str> = match rng.random_range(0..4) {
+    let path: Vec<&str> = match rng.random_range(0..6) {
         0 => vec!["solver", any(rng, KEYS)],
-        1 => vec!["outputs", any(rng, KEYS)],
-        2 => vec!["fluid", any(rng, &["0", "1", "99", "-1", "x"]), any(rng, KEYS), any(rng, KEYS)],
+        1 => vec!["solver", "pbf", any(rng, KEYS)],
+        2 => vec!["forces", any(rng, KEYS)],
+        3 => vec!["outputs", any(rng, KEYS)],
+        4 => vec!["fluid", any(rng, &["0", "1", "99", "-1", "x"]), any(rng, KEYS), any(rng, KEYS)],
         _ => (0..rng.random_range(1..4)).map(|_| any(rng, KEYS)).collect(),
     };
     let sign = any(rng, &["=", "=", "=", " = ", "", "=="]);

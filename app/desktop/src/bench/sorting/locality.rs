@@ -67,7 +67,7 @@ pub fn locality(
         step: resources.persistent("step_params", 1),
         kernel: resources.persistent("smoothing_kernel_params", 1),
         pbf: resources.persistent("pbf_params", 1),
-        iterations: scene.solver.iterations,
+        iterations: scene.solver.pbf.iterations,
     };
     let mut product = Way::declare(&mut resources, scene, &params);
     let mut by_index = Way::declare(&mut resources, scene, &params);

@@ -41,10 +41,10 @@ enum Lambdas {
 pub fn params(scene: &Scene) -> PbfParams {
     let solver = &scene.solver;
     PbfParams {
-        relaxation: solver.relaxation as f32,
-        cfm: (solver.cfm * lattice(scene.domain.dimensions, solver.support_ratio).stiffness) as f32,
-        s_corr_k: solver.s_corr_k as f32,
-        s_corr_inverse_w: (1.0 / wendland(solver.s_corr_distance_ratio)) as f32,
+        relaxation: solver.pbf.relaxation as f32,
+        cfm: (solver.pbf.cfm * lattice(scene.domain.dimensions, solver.support_ratio).stiffness) as f32,
+        s_corr_k: solver.pbf.s_corr_k as f32,
+        s_corr_inverse_w: (1.0 / wendland(solver.pbf.s_corr_distance_ratio)) as f32,
         // Half a spacing: further, and two particles a correction drives together pass each other.
         max_correction_m: (0.5 * scene.fitted_spacing_m()) as f32,
         // Half a spacing: fluid at rest, however dense, keeps further apart.
@@ -61,8 +61,8 @@ impl Pbf {
             params: resources.persistent("pbf_params", 1),
             search: NeighbourSearch::declare(resources, scene, particle_count),
             forces: Forces::declare(resources, scene, particle_count),
-            iterations: solver.iterations,
-            s_corr: solver.s_corr_k > 0.0,
+            iterations: solver.pbf.iterations,
+            s_corr: solver.pbf.s_corr_k > 0.0,
             lambdas: match solver.packed_positions {
                 true => Lambdas::Packed(resources.buffer("position_lambdas", particle_count)),
                 false => Lambdas::Full(resources.buffer("position_lambdas", particle_count)),

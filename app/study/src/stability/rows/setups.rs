@@ -100,7 +100,7 @@ pub(super) fn long_steps(settings: &[String]) -> Made {
 }
 
 pub(super) fn viscous(settings: &[String]) -> Made {
-    let more = "[solver]\nxsph = 1.0";
+    let more = "[forces]\nxsph = 1.0";
     Setup::new("viscosity-times-1000", &pool([0.4, 0.5, 0.16], [0.16, 0.32, 0.16], more), settings, 4.0, 8)
 }
 

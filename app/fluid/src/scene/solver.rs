@@ -1,0 +1,92 @@
+//! Which solver moves the fluid, and what all of them take.
+
+use serde::{Deserialize, Serialize};
+
+use super::PbfSettings;
+
+/// Which solver.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "lowercase")]
+pub enum Method {
+    /// Position Based Fluids (Macklin & Müller 2013).
+    #[default]
+    Pbf,
+}
+
+impl Method {
+    /// Every method by its name.
+    pub const NAMES: &[&str] = &["pbf"];
+
+    /// Its name in scenes and summaries.
+    pub fn name(self) -> &'static str {
+        match self {
+            Method::Pbf => "pbf",
+        }
+    }
+}
+
+/// How the arithmetic for a pair of particles is rounded.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "lowercase")]
+pub enum Precision {
+    /// f32.
+    #[default]
+    Full,
+    /// f16 where the driver chooses to (SPIR-V's RelaxedPrecision), f32 where not.
+    Relaxed,
+    /// f16; only on devices of the desktop tier that have it.
+    Half,
+}
+
+/// What every solver takes, and a table for each method of what it alone does.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields, default)]
+pub struct Solver {
+    /// Which solver.
+    pub method: Method,
+    /// Time a step advances, s.
+    pub dt_s: f64,
+    /// Equal parts a step is advanced in. Each sorts and lists neighbours anew; at the same
+    /// total of iterations, substeps buy more accuracy than iterations.
+    pub substeps: u32,
+    /// Support radius of the kernel over the spacing, h/d.
+    pub support_ratio: f64,
+    /// No particle goes faster; clamps are counted. Default: 0.6 h a substep; above
+    /// about 0.7 h two bodies are inside each other before four iterations can part them.
+    pub max_speed_m_s: Option<f64>,
+    /// Room for neighbours a particle, rounded up to fours; what does not fit is counted. Default: 1.43 times
+    /// what the support holds at rest, 48 at h = 2 d, 164 at
+    /// h = 3 d, 44 at h = 3 d in two dimensions; 24 at least.
+    pub neighbour_slots: Option<u32>,
+    /// Sorts the particles of a cell by id, so that runs repeat bit for bit on a device; else they
+    /// come in the order that atomics give.
+    pub deterministic: bool,
+    /// How what is computed for each pair of particles is rounded. Positions, sums and everything
+    /// outside the pairs stay f32.
+    pub precision: Precision,
+    /// Gathers 16 bits an axis and an f16 multiplier, 8 bytes, where otherwise 21 bits an axis and
+    /// an f32 multiplier take 16.
+    pub packed_positions: bool,
+    /// What Position Based Fluids takes.
+    pub pbf: PbfSettings,
+}
+
+impl Default for Solver {
+    fn default() -> Self {
+        Self {
+            method: Method::Pbf,
+            dt_s: 1.0 / 240.0,
+            substeps: 1,
+            support_ratio: 2.0,
+            max_speed_m_s: None,
+            neighbour_slots: None,
+            deterministic: false,
+            precision: Precision::Full,
+            packed_positions: false,
+            pbf: PbfSettings::default(),
+        }
+    }
+}
