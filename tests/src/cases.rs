@@ -7,8 +7,8 @@ use crate::harness::{Bench, small};
 use brooklet_fluid::grid::NO_SEAM;
 use brooklet_gpu::Tier;
 use brooklet_kernels::{
-    Buffer, ForceParams, GridParams, LIST_CHUNK, ListHead, PbfParams, Position, PrecisionKeyword,
-    SmoothingKernelParams, StepParams, Velocity,
+    Buffer, FLUID_SHIFT, ForceParams, GridParams, INACTIVE_FLUID, LIST_CHUNK, ListHead, PbfParams, Position,
+    PrecisionKeyword, QUARANTINED, SmoothingKernelParams, StepParams, Velocity,
 };
 use brooklet_reference::boundary::walls::{DomainWalls, WallScales};
 use brooklet_reference::grid::list_neighbours::{Neighbours, list_neighbours};
@@ -79,7 +79,7 @@ pub fn fluid(rng: &mut impl Rng, count: usize) -> Case {
         })
         .collect();
     let velocities = (0..count)
-        .map(|_| Velocity { velocity_m_s: [0; 3].map(|_| rng.random::<f32>() * 4.0 - 2.0), reserved: 0.0 })
+        .map(|_| Velocity { velocity_m_s: [0; 3].map(|_| rng.random::<f32>() * 4.0 - 2.0), age_s: 0.0 })
         .collect();
     let neighbours = list_neighbours(&vectors(&positions), |_| false, SUPPORT_M);
     Case { positions, velocities, neighbours, size_m }
@@ -273,12 +273,21 @@ pub fn scattered(rng: &mut impl Rng, count: usize, size_m: DVec3) -> Vec<Positio
         .map(|i| {
             let beyond = if i % 11 == 3 { 0.2 } else { 0.0 };
             let mut at = |axis: usize| (rng.random::<f64>() * (size_m[axis] + 2.0 * beyond) - beyond) as f32;
-            Position {
-                position_m: [at(0), at(1), at(2)],
-                tag: i as u32 | if i % 13 == 5 { brooklet_kernels::QUARANTINED } else { 0 },
-            }
+            Position { position_m: [at(0), at(1), at(2)], tag: i as u32 | out_of_part(i) }
         })
         .collect()
+}
+
+/// An inactive slot's bits of a tag.
+pub const INACTIVE: u32 = INACTIVE_FLUID << FLUID_SHIFT;
+
+/// Bits that leave some particles out: quarantined, or inactive.
+pub fn out_of_part(i: usize) -> u32 {
+    match i % 13 {
+        5 => QUARANTINED,
+        11 => INACTIVE,
+        _ => 0,
+    }
 }
 
 /// Whether the domain is larger than its cells: they are wrapped onto it.

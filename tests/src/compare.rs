@@ -1,7 +1,8 @@
 //! Comparators of a kernel's output with its twin's, each fed a wrong input once in
 //! `tests/tests/fluid/comparators.rs`.
 
-use brooklet_kernels::{CellSlot, GridParams, Position, QUARANTINED};
+use brooklet_fluid::particles::is_simulated;
+use brooklet_kernels::{CellSlot, GridParams, Position};
 use brooklet_reference::grid::count_cells::{cell_of, check_ranks, count_cells};
 use brooklet_reference::params::Grid;
 use glam::DVec3;
@@ -146,7 +147,7 @@ pub fn check_counted(
         support_m: f64::from(grid.support_m),
     };
     for (position, &cell) in positions.iter().zip(&cells) {
-        if position.tag & QUARANTINED != 0 {
+        if !is_simulated(position.tag) {
             check_exact(&[cell], &[grid.cell_count])?;
         } else {
             let place = vector(position.position_m) * f64::from(grid.inverse_cell_size_per_m);

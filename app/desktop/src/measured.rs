@@ -3,7 +3,8 @@
 use brooklet_fluid::{Stats, measure::Summary};
 use serde::Serialize;
 
-fn raise(summary: &mut Summary, other: Summary) {
+fn raise(summary: &mut Option<Summary>, other: Summary) {
+    let summary = summary.get_or_insert_default();
     summary.mean = summary.mean.max(other.mean);
     summary.p99 = summary.p99.max(other.p99);
     summary.max = summary.max.max(other.max);
@@ -13,9 +14,9 @@ fn raise(summary: &mut Summary, other: Summary) {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Worst {
     /// Of |rho/rho0 - 1|.
-    pub density_error: Summary,
+    pub density_error: Option<Summary>,
     /// Of max(rho/rho0 - 1, 0).
-    pub compression: Summary,
+    pub compression: Option<Summary>,
     /// Largest speed.
     pub max_speed_m_s: f64,
 }
@@ -61,8 +62,10 @@ impl Measured {
         self.count += 1;
         self.last_step = step;
         self.last = Some(stats);
-        raise(&mut self.worst.density_error, stats.density_error);
-        raise(&mut self.worst.compression, stats.compression);
+        if stats.has_density {
+            raise(&mut self.worst.density_error, stats.density_error);
+            raise(&mut self.worst.compression, stats.compression);
+        }
         self.worst.max_speed_m_s = self.worst.max_speed_m_s.max(stats.max_speed_m_s);
         let counters = stats.counters;
         self.counted.neighbour_overflow += u64::from(counters.neighbour_overflow);
@@ -80,7 +83,7 @@ mod tests {
     use super::*;
 
     fn stats(compression: f64, speed_clamps: u32, quarantined: u32) -> Stats {
-        let mut stats = Stats { max_speed_m_s: 1.0 - compression, quarantined, ..Stats::default() };
+        let mut stats = Stats { has_density: true, max_speed_m_s: 1.0 - compression, quarantined, ..Stats::default() };
         stats.compression.max = compression;
         stats.counters.speed_clamps = speed_clamps;
         stats
@@ -94,7 +97,7 @@ mod tests {
         }
         assert_eq!((measured.count, measured.last_step), (3, 12));
         assert_eq!(measured.last.unwrap().compression.max, 0.2);
-        assert_eq!(measured.worst.compression.max, 0.3);
+        assert_eq!(measured.worst.compression.unwrap().max, 0.3);
         assert_eq!(measured.worst.max_speed_m_s, 0.9);
         assert_eq!(measured.counted.speed_clamps, 15);
         assert_eq!(measured.counted.quarantined, 12, "a state, not a sum");

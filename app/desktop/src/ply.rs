@@ -2,13 +2,11 @@
 
 use std::path::Path;
 
-use brooklet_kernels::{FLUID_SHIFT, Position, QUARANTINED, Velocity};
+use brooklet_fluid::particles::{fluid_of, id_of, is_simulated};
+use brooklet_kernels::{Position, Velocity};
 use serde::Serialize;
 
 use crate::{failure::Failure, out_dir};
-
-/// Tag bits (see `shaders/hlsl/shared/layout.hlsli`): 0-23 id, 24-30 fluid, 31 quarantined.
-const ID_MASK: u32 = (1 << FLUID_SHIFT) - 1;
 
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 struct Vertex {
@@ -43,7 +41,7 @@ fn cloud(positions: &[Position], velocities: &[Velocity], origin_m: [f64; 3]) ->
     let mut vertex: Vec<Vertex> = positions
         .iter()
         .zip(velocities)
-        .filter(|(position, _)| position.tag & QUARANTINED == 0)
+        .filter(|(position, _)| is_simulated(position.tag))
         .map(|(position, velocity)| {
             let at = |axis: usize| (origin_m[axis] + f64::from(position.position_m[axis])) as f32;
             let [vx, vy, vz] = velocity.velocity_m_s;
@@ -54,8 +52,8 @@ fn cloud(positions: &[Position], velocities: &[Velocity], origin_m: [f64; 3]) ->
                 vx,
                 vy,
                 vz,
-                id: position.tag & ID_MASK,
-                fluid: ((position.tag & !QUARANTINED) >> FLUID_SHIFT) as u8,
+                id: id_of(position.tag),
+                fluid: fluid_of(position.tag) as u8,
             }
         })
         .collect();
@@ -66,6 +64,7 @@ fn cloud(positions: &[Position], velocities: &[Velocity], origin_m: [f64; 3]) ->
 #[cfg(test)]
 mod tests {
     use super::*;
+    use brooklet_kernels::QUARANTINED;
 
     fn particle(x: f32, tag: u32) -> (Position, Velocity) {
         let position = Position { position_m: [x, 2.0, 3.0], tag };

@@ -52,7 +52,7 @@ pub fn run(options: &RunOptions) -> Result<(), Failure> {
     } else {
         let capture_options = CaptureOptions {
             stages: stages(&plan).into_iter().map(|(stage, _)| stage.into()).collect(),
-            stats: if measure.is_some() { captured_fields().map(StatField::from).collect() } else { Vec::new() },
+            stats: if measure.is_some() { captured_fields(&scene).map(StatField::from).collect() } else { Vec::new() },
             start,
             ..CaptureOptions::default()
         };

@@ -79,7 +79,10 @@ impl Running<'_> {
                 bar.println(format!("first picture: {first}"));
             }
             if let Some(stats) = self.recorder.measured.last {
-                bar.set_message(format!("density error {:.2} %", 100.0 * stats.density_error.mean));
+                bar.set_message(match stats.has_density {
+                    true => format!("density error {:.2} %", 100.0 * stats.density_error.mean),
+                    false => format!("largest speed {:.2} m/s", stats.max_speed_m_s),
+                });
             }
         }
         Ok(())

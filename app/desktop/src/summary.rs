@@ -58,7 +58,7 @@ pub struct Summary {
 #[derive(Clone, Debug, Serialize)]
 struct Solver {
     name: &'static str,
-    iterations: u32,
+    iterations: Option<u32>,
     substeps: u32,
     dt_s: f64,
 }
@@ -179,7 +179,7 @@ impl Summary {
             interrupted: facts.interrupted,
             solver: Solver {
                 name: scene.solver.method.name(),
-                iterations: scene.solver.pbf.iterations,
+                iterations: scene.solver.iterations(),
                 substeps: scene.solver.substeps,
                 dt_s: scene.solver.dt_s,
             },
@@ -191,8 +191,8 @@ impl Summary {
                 warm_up_frames_left_out: timings.warm_up(),
                 flagged_spans: timings.flagged_spans(),
             },
-            density_error: last.map(|stats| stats.density_error),
-            compression: last.map(|stats| stats.compression),
+            density_error: last.filter(|stats| stats.has_density).map(|stats| stats.density_error),
+            compression: last.filter(|stats| stats.has_density).map(|stats| stats.compression),
             max_speed_m_s: last.map(|stats| stats.max_speed_m_s),
             centre_of_mass_m: last.map(|stats| stats.centre_of_mass_m),
             front_m: last.map(|stats| stats.front_m),
@@ -288,18 +288,18 @@ impl Summary {
     }
 
     fn print_measured(&self) {
-        let (Some(density), Some(compression), Some(energy), Some(counted)) =
-            (self.density_error, self.compression, self.energy_j, self.counters)
-        else {
+        let (Some(energy), Some(counted)) = (self.energy_j, self.counters) else {
             say!("nothing was measured (outputs.measure_every_steps = 0)");
             return;
         };
-        let mut list = table(&["at the end", "mean", "99 of 100", "largest"], &[1, 2, 3]);
-        for (name, summary) in [("density error", density), ("compression", compression)] {
-            let percent = |ratio: f64| format!("{:.2} %", 100.0 * ratio);
-            list.add_row([name.to_string(), percent(summary.mean), percent(summary.p99), percent(summary.max)]);
+        if let (Some(density), Some(compression)) = (self.density_error, self.compression) {
+            let mut list = table(&["at the end", "mean", "99 of 100", "largest"], &[1, 2, 3]);
+            for (name, summary) in [("density error", density), ("compression", compression)] {
+                let percent = |ratio: f64| format!("{:.2} %", 100.0 * ratio);
+                list.add_row([name.to_string(), percent(summary.mean), percent(summary.p99), percent(summary.max)]);
+            }
+            say!("{}", list.trim_fmt());
         }
-        say!("{}", list.trim_fmt());
         say!(
             "largest speed {:.3} m/s, front at x = {:.3} m, energy {:.2} J",
             self.max_speed_m_s.unwrap_or_default(),

@@ -138,6 +138,8 @@ pub struct Summary {
 /// A measurement in SI units.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Stats {
+    /// Whether densities were measured: particles that do not interact have none, and both summaries are 0.
+    pub has_density: bool,
     /// Of |ρ/ρ0 − 1|.
     pub density_error: Summary,
     /// Of max(ρ/ρ0 − 1, 0).
@@ -187,6 +189,7 @@ impl Stats {
         let furthest_m = if scene.domain.has_walls_along(0) { scene.domain.max_m[0] } else { f64::INFINITY };
         let front_m = (origin_m[0] + f64::from(sums.front_m) + 0.5 * scene.fitted_spacing_m()).min(furthest_m);
         Self {
+            has_density: scene.solver.method.interacts(),
             density_error: summary(sums.density_error_sum, measure.density_error_p99, sums.density_error_max),
             compression: summary(sums.compression_sum, measure.compression_p99, sums.compression_max),
             max_speed_m_s: f64::from(sums.speed_max_m_s),

@@ -1,6 +1,7 @@
 //! What a measurement says, by name and unit: for captures, tables and plots.
 
 use crate::measure::Stats;
+use crate::scene::Scene;
 
 /// One value of a measurement.
 #[derive(Clone, Copy, Debug)]
@@ -13,6 +14,8 @@ pub struct StatField {
     pub description: &'static str,
     /// Where it is in a measurement.
     pub value: fn(&Stats) -> f64,
+    /// Whether it tells of densities, which particles that do not interact have none of.
+    pub of_density: bool,
 }
 
 const fn field(
@@ -21,17 +24,26 @@ const fn field(
     description: &'static str,
     value: fn(&Stats) -> f64,
 ) -> StatField {
-    StatField { name, unit, description, value }
+    StatField { name, unit, description, value, of_density: false }
+}
+
+const fn density(
+    name: &'static str,
+    unit: &'static str,
+    description: &'static str,
+    value: fn(&Stats) -> f64,
+) -> StatField {
+    StatField { name, unit, description, value, of_density: true }
 }
 
 /// Every value of a measurement.
 pub const STAT_FIELDS: &[StatField] = &[
-    field("density_error_mean", "1", "Mean of |rho/rho0 - 1|", |s| s.density_error.mean),
-    field("density_error_p99", "1", "99th percentile of |rho/rho0 - 1|", |s| s.density_error.p99),
-    field("density_error_max", "1", "Largest |rho/rho0 - 1|", |s| s.density_error.max),
-    field("compression_mean", "1", "Mean of max(rho/rho0 - 1, 0)", |s| s.compression.mean),
-    field("compression_p99", "1", "99th percentile of max(rho/rho0 - 1, 0)", |s| s.compression.p99),
-    field("compression_max", "1", "Largest rho/rho0 - 1", |s| s.compression.max),
+    density("density_error_mean", "1", "Mean of |rho/rho0 - 1|", |s| s.density_error.mean),
+    density("density_error_p99", "1", "99th percentile of |rho/rho0 - 1|", |s| s.density_error.p99),
+    density("density_error_max", "1", "Largest |rho/rho0 - 1|", |s| s.density_error.max),
+    density("compression_mean", "1", "Mean of max(rho/rho0 - 1, 0)", |s| s.compression.mean),
+    density("compression_p99", "1", "99th percentile of max(rho/rho0 - 1, 0)", |s| s.compression.p99),
+    density("compression_max", "1", "Largest rho/rho0 - 1", |s| s.compression.max),
     field("max_speed_m_s", "m/s", "Largest speed", |s| s.max_speed_m_s),
     field("kinetic_j", "J", "Kinetic energy", |s| s.kinetic_j),
     field("potential_j", "J", "Energy against gravity, from the domain's lowest corner", |s| s.potential_j),
@@ -63,15 +75,18 @@ pub const STAT_FIELDS: &[StatField] = &[
 
 /// What a capture tells of a measurement (`/sim/stats`): name, unit and description of each value, first those that
 /// say which step it was and when in the simulation.
-pub fn captured_fields() -> impl Iterator<Item = (&'static str, &'static str, &'static str)> {
+pub fn captured_fields(scene: &Scene) -> impl Iterator<Item = (&'static str, &'static str, &'static str)> {
     let clock = [("step", "1", "Number of the step that was measured"), ("simulated_s", "s", "Simulated time")];
-    clock.into_iter().chain(STAT_FIELDS.iter().map(|field| (field.name, field.unit, field.description)))
+    let has_density = scene.solver.method.interacts();
+    let fields = STAT_FIELDS.iter().filter(move |field| has_density || !field.of_density);
+    clock.into_iter().chain(fields.map(|field| (field.name, field.unit, field.description)))
 }
 
 /// The values of [`captured_fields`], in their order.
 pub fn captured_values(step: u64, simulated_s: f64, stats: &Stats) -> Vec<f64> {
     let clock = [step as f64, simulated_s];
-    clock.into_iter().chain(STAT_FIELDS.iter().map(|field| (field.value)(stats))).collect()
+    let fields = STAT_FIELDS.iter().filter(|field| stats.has_density || !field.of_density);
+    clock.into_iter().chain(fields.map(|field| (field.value)(stats))).collect()
 }
 
 #[cfg(test)]
@@ -80,12 +95,13 @@ mod tests {
 
     #[test]
     fn fields_and_values_go_together() {
-        let mut stats = Stats { front_m: 1.5, ..Stats::default() };
+        let mut stats = Stats { has_density: true, front_m: 1.5, ..Stats::default() };
+        let scene = Scene::load("dam-break", &[]).unwrap();
         stats.compression.max = 0.25;
         stats.counters.speed_clamps = 7;
         let values = captured_values(12, 0.05, &stats);
-        assert_eq!(captured_fields().count(), values.len());
-        let value = |wanted: &str| values[captured_fields().position(|(name, ..)| name == wanted).unwrap()];
+        assert_eq!(captured_fields(&scene).count(), values.len());
+        let value = |wanted: &str| values[captured_fields(&scene).position(|(name, ..)| name == wanted).unwrap()];
         assert_eq!(value("step"), 12.0);
         assert_eq!(value("simulated_s"), 0.05);
         assert_eq!(value("compression_max"), 0.25);

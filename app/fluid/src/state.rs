@@ -18,6 +18,7 @@
 //! | section | version | content |
 //! |---|---|---|
 //! | `PART` | 1 | for each particle its position relative to the domain's lowest corner, 3 f32 in m, and its tag, u32 (`shared/layout.hlsli`); then for each its velocity, 3 f32 in m/s |
+//! | `AGES` | 1 | for each particle its age, f32 in s; there only if some are not 0 |
 //!
 //! In version 1 of the format the content of `PART` follows the header, without a list of sections, and the scene has
 //! the keys of `[solver.pbf]` and `[forces]` in `[solver]`.
@@ -28,11 +29,11 @@ use std::fs::File;
 use std::io::{Read, Write};
 use std::path::Path;
 
-use brooklet_kernels::{FLUID_SHIFT, Position, QUARANTINED, Velocity};
+use brooklet_kernels::{Position, QUARANTINED, Velocity};
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-use crate::particles::{MAX_PARTICLES, ParticleSet};
+use crate::particles::{MAX_PARTICLES, ParticleSet, id_of};
 use crate::scene::{Scene, SceneError, shortened};
 use sections::{Cut, Name, Section};
 
@@ -49,8 +50,9 @@ const FRONT_BYTES: usize = 16;
 const CHECKSUM_BYTES: usize = 4;
 const PARTICLE_BYTES: usize = 28;
 const PARTICLES: Name = *b"PART";
+const AGES: Name = *b"AGES";
 /// Every section that this program knows, with its version.
-const SECTIONS: &[(Name, u16)] = &[(PARTICLES, 1)];
+const SECTIONS: &[(Name, u16)] = &[(PARTICLES, 1), (AGES, 1)];
 /// More than any state has; a device that never ends is none.
 const MOST_BYTES: u64 = 1 << 30;
 /// A header is a scene, which has at most 1 MiB, and a line.
@@ -175,8 +177,12 @@ impl State {
         bytes.extend_from_slice(&VERSION.to_le_bytes());
         bytes.extend_from_slice(&(header.len() as u32).to_le_bytes());
         bytes.extend_from_slice(&header);
-        bytes.extend_from_slice(&(SECTIONS.len() as u32).to_le_bytes());
+        let has_ages = self.particles.velocities.iter().any(|velocity| velocity.age_s > 0.0);
+        bytes.extend_from_slice(&(1 + u32::from(has_ages)).to_le_bytes());
         sections::append(&mut bytes, PARTICLES, 1, |bytes| append_particles(bytes, &self.particles));
+        if has_ages {
+            sections::append(&mut bytes, AGES, 1, |bytes| append_ages(bytes, &self.particles));
+        }
         bytes.extend_from_slice(&crc32fast::hash(&bytes).to_le_bytes());
         bytes
     }
@@ -228,7 +234,11 @@ impl State {
         if number(checksum) != Some(crc32fast::hash(content)) {
             return Err(damaged("its content is damaged: its checksum is another".to_owned()));
         }
-        let content = known(&sections, &header.program).map_err(damaged)?;
+        known(&sections, &header.program).map_err(damaged)?;
+        let section = |name: Name| {
+            sections.iter().find(|section| section.name == name && is_known(section)).map(|section| section.content)
+        };
+        let content = section(PARTICLES).ok_or_else(|| damaged("it has no section PART of version 1".to_owned()))?;
         if content.len() != PARTICLE_BYTES * count {
             let (has, needed) = (content.len(), PARTICLE_BYTES * count);
             return Err(damaged(format!("its section PART has {has} bytes, and its {count} particles take {needed}")));
@@ -242,10 +252,21 @@ impl State {
         };
         let mut scene = read.map_err(|error| StateError::Scene { path: path.to_owned(), error: Box::new(error) })?;
         scene.name = header.name;
-        let particles = ParticleSet {
+        let mut particles = ParticleSet {
             positions: content[..16 * count].chunks_exact(16).map(position).collect(),
             velocities: content[16 * count..].chunks_exact(12).map(velocity).collect(),
         };
+        if let Some(ages) = section(AGES) {
+            if ages.len() != 4 * count {
+                let (has, needed) = (ages.len(), 4 * count);
+                return Err(damaged(format!(
+                    "its section AGES has {has} bytes, and its {count} particles take {needed}"
+                )));
+            }
+            for (velocity, age) in particles.velocities.iter_mut().zip(ages.chunks_exact(4)) {
+                velocity.age_s = f32::from_bits(number(age).unwrap_or_default());
+            }
+        }
         check(&particles).map_err(damaged)?;
         Ok(State { scene, time_s: header.time_s, steps: header.steps, particles })
     }
@@ -270,12 +291,20 @@ fn append_particles(bytes: &mut Vec<u8>, particles: &ParticleSet) {
     }
 }
 
-/// The content of the particles' section, if this program knows all it needs to know of the others.
-fn known<'a>(sections: &[Section<'a>], program: &str) -> Result<&'a [u8], String> {
+fn append_ages(bytes: &mut Vec<u8>, particles: &ParticleSet) {
+    let ages = particles.velocities.iter().map(|velocity| velocity.age_s);
+    bytes.extend(ages.flat_map(|age_s| if age_s.is_finite() { age_s } else { 0.0 }.to_le_bytes()));
+}
+
+fn is_known(section: &Section) -> bool {
+    SECTIONS.iter().any(|(known, newest)| *known == section.name && section.version <= *newest)
+}
+
+/// That this program knows every section it has to know, and each is there once.
+fn known(sections: &[Section], program: &str) -> Result<(), String> {
     for (index, section) in sections.iter().enumerate() {
         let (name, version) = (section.name.escape_ascii(), section.version);
-        let is_known = SECTIONS.iter().any(|(known, newest)| *known == section.name && version <= *newest);
-        if !is_known && !section.optional {
+        if !is_known(section) && !section.optional {
             return Err(format!(
                 "it has a section {name} of version {version}, which this program does not know: a newer one, {}, \
                  wrote it and can read it",
@@ -286,8 +315,7 @@ fn known<'a>(sections: &[Section<'a>], program: &str) -> Result<&'a [u8], String
             return Err(format!("it has two sections {name}"));
         }
     }
-    let particles = sections.iter().find(|section| section.name == PARTICLES && section.version == 1);
-    particles.map(|section| section.content).ok_or_else(|| "it has no section PART of version 1".to_owned())
+    Ok(())
 }
 
 /// Finite numbers, and each id once and below the number of particles: sorts and samples count on it.
@@ -299,10 +327,13 @@ fn check(particles: &ParticleSet) -> Result<(), String> {
                 return Err(format!("the {what} of particle {index} is {value:?}; it must be finite"));
             }
         }
-        let id = (position.tag & ((1 << FLUID_SHIFT) - 1)) as usize;
+        let id = id_of(position.tag) as usize;
         if seen.get(id).is_none_or(|seen| *seen) {
             let most = seen.len() - 1;
             return Err(format!("particle {index} has the id {id}; each from 0 to {most} must be there once"));
+        }
+        if !(velocity.age_s.is_finite() && velocity.age_s >= 0.0) {
+            return Err(format!("the age of particle {index} is {} s; it must be 0 or more", velocity.age_s));
         }
         seen[id] = true;
     }
@@ -323,5 +354,5 @@ fn position(bytes: &[u8]) -> Position {
 }
 
 fn velocity(bytes: &[u8]) -> Velocity {
-    Velocity { velocity_m_s: floats(bytes), reserved: 0.0 }
+    Velocity { velocity_m_s: floats(bytes), age_s: 0.0 }
 }

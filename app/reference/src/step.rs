@@ -37,10 +37,7 @@ mod tests {
 
     fn fluid(positions_m: &[DVec3], gravity: f64, vorticity_m_s: f64) -> Fluid {
         Fluid {
-            particles: positions_m
-                .iter()
-                .map(|&position_m| Particle { position_m, velocity_m_s: DVec3::ZERO, quarantined: false })
-                .collect(),
+            particles: positions_m.iter().map(|&position_m| Particle { position_m, ..Particle::default() }).collect(),
             step: Step {
                 gravity_m_s2: DVec3::new(0.0, -gravity, 0.0),
                 dt_s: 1.0 / 240.0,

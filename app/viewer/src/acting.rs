@@ -143,7 +143,7 @@ impl Viewer {
             paused: self.running.paused,
             particles: Some(u64::from(world.particles)),
             substeps: Some(solver.substeps),
-            iterations: Some(solver.pbf.iterations),
+            iterations: solver.iterations(),
             ..StateRow::default()
         };
         self.running.note(&state, &mut self.messages);

@@ -29,6 +29,7 @@ pub struct Recorder {
     pub path: PathBuf,
     writer: CaptureWriter<File>,
     clock: CaptureClock,
+    has_density: bool,
     heat: DeviceState,
     thumbnails: Thumbnails,
     frames: u64,
@@ -41,7 +42,7 @@ impl Recorder {
     pub fn begin(path: PathBuf, gpu: &Gpu, world: &World) -> Result<Self, CaptureError> {
         let clock = CaptureClock::new();
         let options = CaptureOptions {
-            stats: captured_fields().map(StatField::from).collect(),
+            stats: captured_fields(&world.simulated).map(StatField::from).collect(),
             start: clock.start(),
             spans_every: SPANS_EVERY,
             ..CaptureOptions::default()
@@ -54,6 +55,7 @@ impl Recorder {
             path,
             writer,
             clock,
+            has_density: world.simulated.solver.method.interacts(),
             heat: DeviceState::find(),
             thumbnails: Thumbnails::new(),
             frames: 0,
@@ -82,7 +84,9 @@ impl Recorder {
         report.wall_ns = self.clock.ns_at(flying.handed);
         self.frames += 1;
         self.writer.frame(&report)?;
-        if let Some(stats) = stats {
+        // A scene whose particles have no densities has none of the fields that this capture began with, or the other
+        // way round: its measurements are left out.
+        if let Some(stats) = stats.filter(|stats| stats.has_density == self.has_density) {
             let values = captured_values(flying.steps, flying.simulated_s, stats);
             self.writer.stats(report.frame, report.wall_ns, &values)?;
         }

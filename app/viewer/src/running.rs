@@ -194,7 +194,9 @@ impl Running {
         for (id, bytes) in &report.readbacks {
             if Some(*id) == world.measure_id() {
                 let stats = Stats::new(bytes, &world.simulated);
-                self.times.density_error.push(time_s, 100.0 * stats.density_error.mean);
+                if stats.has_density {
+                    self.times.density_error.push(time_s, 100.0 * stats.density_error.mean);
+                }
                 measured = Some(stats);
             } else if *id == world.picture_id() {
                 self.keep_picture(bytes, flying, world, messages);

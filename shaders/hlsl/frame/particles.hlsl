@@ -5,6 +5,7 @@
 #pragma fragment ParticlesFragment
 
 #include "../shared/layout.hlsli"
+#include "../shared/tag.hlsli"
 #include "camera.hlsli"
 
 StructuredBuffer<Position> positions;
@@ -43,7 +44,7 @@ Varyings ParticlesVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceI
     output.disc = float3(corner, dot(ray, view.forward));
     output.shape = float3(distance_m, tan2, float(instance + 1));
 
-    bool drawn = (particle.tag >> 31) == 0 && distance_m > style.radius_m;
+    bool drawn = IsSimulated(particle.tag) && distance_m > style.radius_m;
     if (!drawn)
         output.position = float4(0.0, 0.0, 0.0, 1.0);   // every corner in one point: nothing is drawn
     return output;

@@ -3,6 +3,7 @@
 #pragma fragment ShadowFragment
 
 #include "../shared/layout.hlsli"
+#include "../shared/tag.hlsli"
 #include "camera.hlsli"
 #include "environment.hlsli"
 
@@ -28,8 +29,8 @@ Varyings ShadowVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID)
     Varyings output;
     output.position = ClipFromShadow(float3(center.xy + corner * radius_uv, depth));
     output.disc = corner;
-    if (particle.tag >> 31)
-        output.position = float4(0.0, 0.0, 0.0, 1.0);   // quarantined: every corner in one point
+    if (!IsSimulated(particle.tag))
+        output.position = float4(0.0, 0.0, 0.0, 1.0);   // every corner in one point: nothing is drawn
     return output;
 }
 

@@ -24,12 +24,14 @@ static const uint HISTOGRAM_BINS = 512;
 static const uint QUARANTINED = 0x80000000;
 // Where the fluid's number begins in Position::tag; the id lies below.
 static const uint FLUID_SHIFT = 24;
+// The fluid's number that says that a slot is inactive.
+static const uint INACTIVE_FLUID = 127;
 
 // A particle where it is, and which one it is.
 struct Position
 {
     float3 position_m;
-    uint tag;           // bits 0-23 id, 24-30 fluid, 31 quarantined
+    uint tag;           // bits 0-23 id, 24-30 fluid (127: an inactive slot), 31 quarantined
 };
 
 // A particle's quantized position (shared/quantized_position.hlsli) during an iteration, with its constraint's multiplier.
@@ -43,7 +45,7 @@ struct PositionLambda
 struct Velocity
 {
     float3 velocity_m_s;
-    float reserved;
+    float age_s;        // since the particle began, where the solver counts it
 };
 
 // Curl of the velocity field and its length, 1/s.

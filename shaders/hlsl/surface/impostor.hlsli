@@ -2,6 +2,7 @@
 #ifndef BROOKLET_IMPOSTOR
 #define BROOKLET_IMPOSTOR
 
+#include "../shared/tag.hlsli"
 #include "../frame/camera.hlsli"
 #include "ellipsoid.hlsli"
 
@@ -26,7 +27,7 @@ Impostor ImpostorOf(FrameView view, float3 center_m, uint tag, float radius_m, f
     impostor.distance_m = distance_m;
     impostor.tan2 = radius2 / (distance_m * distance_m - radius2);
     impostor.ray = axis + sqrt(impostor.tan2) * (corner.x * across + corner.y * upward);
-    impostor.drawn = (tag >> 31) == 0 && distance_m > radius_m;
+    impostor.drawn = IsSimulated(tag) && distance_m > radius_m;
     return impostor;
 }
 
@@ -54,7 +55,7 @@ Impostor ImpostorOfEllipsoid(FrameView view, Ellipsoid ellipsoid, float radius_m
     impostor.distance_m = distance;
     impostor.tan2 = 1.0 / (distance * distance - 1.0);
     impostor.ray = radius_m * mul(stretch, axis + sqrt(impostor.tan2) * AcrossAxis(axis, corner));
-    impostor.drawn = (ellipsoid.tag >> 31) == 0 && distance > 1.0;
+    impostor.drawn = IsSimulated(ellipsoid.tag) && distance > 1.0;
     return impostor;
 }
 

@@ -6,6 +6,7 @@
 #pragma fragment SunDepthFragment
 #pragma multi_compile _ SPRAY_SHAPE ELLIPSOID_SHAPE
 
+#include "../shared/tag.hlsli"
 #include "impostor.hlsli"
 #include "spray.hlsli"
 #include "../frame/environment.hlsli"
@@ -62,7 +63,7 @@ Varyings SunDepthVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID
 #endif
     // At the nearest point, so the depth written is never nearer: hidden ones are rejected early.
     output.position = ClipFromShadow(ShadowPosition(light, output.world_m + output.rise_m * light.to_sun));
-    if ((tag >> 31) || is_spray)
+    if (!IsSimulated(tag) || is_spray)
         output.position = float4(0.0, 0.0, 0.0, 1.0);   // every corner in one point: nothing is drawn
     return output;
 }

@@ -3,6 +3,7 @@
 #pragma fragment SunThicknessFragment
 #pragma multi_compile _ ELLIPSOID_CENTERS
 
+#include "../shared/tag.hlsli"
 #include "../frame/camera.hlsli"
 #include "../frame/environment.hlsli"
 #include "thickness_kernel.hlsli"
@@ -24,8 +25,8 @@ Varyings SunThicknessVertex(uint vertex : SV_VertexID, uint instance : SV_Instan
     Varyings output;
     output.position = ClipFromShadow(float3(ShadowPosition(light, center.at_m).xy + corner * radius_uv, 0.5));
     output.disc = corner;
-    if (center.tag >> 31)
-        output.position = float4(0.0, 0.0, 0.0, 1.0);   // quarantined: every corner in one point
+    if (!IsSimulated(center.tag))
+        output.position = float4(0.0, 0.0, 0.0, 1.0);   // every corner in one point: nothing is drawn
     return output;
 }
 

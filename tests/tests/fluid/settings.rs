@@ -79,7 +79,7 @@ fn run(scene: &Scene, particles: Option<ParticleSet>) -> Running {
 impl Running {
     /// The bytes of every uniform buffer of the simulation.
     fn uniforms(&mut self) -> Vec<(String, Vec<u8>)> {
-        let labels = ["grid_params", "smoothing_kernel_params", "pbf_params", "step_params"];
+        let labels = ["grid_params", "smoothing_kernel_params", "pbf_params", "force_params", "step_params"];
         let buffers: Vec<_> =
             self.engine.plan().buffers().into_iter().filter(|b| labels.contains(&b.label.as_str())).collect();
         assert_eq!(buffers.len(), labels.len());

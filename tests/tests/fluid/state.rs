@@ -64,6 +64,32 @@ fn going_on_from_a_saved_state_is_going_on() {
 }
 
 #[test]
+fn ages_come_back_and_bad_ones_are_refused() {
+    let mut state = state();
+    let plain = state.to_bytes().len();
+    for (i, velocity) in state.particles.velocities.iter_mut().enumerate() {
+        velocity.age_s = i as f32 / 64.0;
+    }
+    let bytes = state.to_bytes();
+    let count = state.particles.positions.len();
+    assert_eq!(bytes.len(), plain + 16 + 4 * count, "the section and its head");
+    let loaded = State::from_bytes(&bytes, "aged").unwrap();
+    assert_eq!(bits(&loaded.particles), bits(&state.particles));
+    state.particles.velocities[7].age_s = -1.0;
+    let message = State::from_bytes(&state.to_bytes(), "aged").unwrap_err().to_string();
+    assert!(message.contains("state aged: the age of particle 7 is -1 s; it must be 0 or more"), "{message}");
+    let short = with_section(&state_without_ages(&state), b"AGES", 1, 0, &[0; 8]);
+    let message = State::from_bytes(&short, "aged").unwrap_err().to_string();
+    assert!(message.contains(&format!("section AGES has 8 bytes, and its {count} particles take")), "{message}");
+}
+
+fn state_without_ages(state: &State) -> Vec<u8> {
+    let mut young = state.clone();
+    young.particles.velocities.iter_mut().for_each(|velocity| velocity.age_s = 0.0);
+    young.to_bytes()
+}
+
+#[test]
 fn what_is_not_finite_is_saved_as_the_next_step_would_leave_it() {
     let mut state = state();
     state.particles.positions[3].position_m[1] = f32::NAN;

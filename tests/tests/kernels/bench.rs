@@ -1,9 +1,10 @@
 //! The kernels that only `brooklet bench` runs, against the twins of those they are held against.
 
+use brooklet_fluid::particles::is_simulated;
 use brooklet_kernels::{
     CellSlot, ConstrainDensityByIndex, CopyElements, CountCellsAggregated, GridParams, Kernel, LIST_CHUNK,
-    ListNeighboursByIndex, Position, PositionLambda, QUARANTINED, ReorderIndex, SCAN_ITEMS, ScanGroupsTree,
-    ScanGroupsTreeVariant, ScanStep,
+    ListNeighboursByIndex, Position, PositionLambda, ReorderIndex, SCAN_ITEMS, ScanGroupsTree, ScanGroupsTreeVariant,
+    ScanStep,
 };
 use brooklet_reference::grid::count_cells::cell_of;
 use brooklet_reference::grid::list_neighbours::{check_list, list_neighbours};
@@ -14,8 +15,8 @@ use brooklet_reference::shared::list;
 use brooklet_reference::shared::quantized_position::Quantization;
 use brooklet_reference::solver::pbf::constrain_density::constrain_density;
 use brooklet_tests::cases::{
-    LIST_CHUNKS, SUPPORT_M, fluid, grid_params, kernel_params, list_length, pbf_of, pbf_params, sizes, smoothing_of,
-    vectors,
+    LIST_CHUNKS, SUPPORT_M, fluid, grid_params, kernel_params, list_length, out_of_part, pbf_of, pbf_params, sizes,
+    smoothing_of, vectors,
 };
 use brooklet_tests::compare::{ROUNDING, Worst, check_counted, check_exact, report_exact, vector};
 use brooklet_tests::harness::Bench;
@@ -47,7 +48,7 @@ fn in_rows(rng: &mut impl Rng, count: usize, size_m: DVec3) -> Vec<Position> {
             let along = (i as f64 + rng.random::<f64>()) / count as f64;
             let beyond = if i % 11 == 3 { 1.1 } else { 1.0 };
             let place = DVec3::new(along * beyond, 0.3, 0.7) * size_m;
-            let tag = i as u32 | if i % 13 == 5 { QUARANTINED } else { 0 };
+            let tag = i as u32 | out_of_part(i);
             Position { position_m: place.to_array().map(|x| x as f32), tag }
         })
         .collect()
@@ -158,9 +159,9 @@ fn check_list_by_index(positions: &[Position], size_m: DVec3) -> Result<usize, S
         Grid { cells: grid.cells, domain_cells: grid.domain_cells, cell_size_m: SUPPORT_M / 2.0, support_m: SUPPORT_M };
     let cells: Vec<u32> = positions
         .iter()
-        .map(|position| match position.tag & QUARANTINED {
-            0 => cell_of(vector(position.position_m), &geometry),
-            _ => grid.cell_count,
+        .map(|position| match is_simulated(position.tag) {
+            true => cell_of(vector(position.position_m), &geometry),
+            false => grid.cell_count,
         })
         .collect();
     let (indices, quantized_positions, starts, _) = run_reorder_index(positions, &cells, grid);

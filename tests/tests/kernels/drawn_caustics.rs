@@ -1,9 +1,10 @@
 //! Sunlight through water onto the floor, stage by stage against its twins, and against what optics says of calm
 //! and of curved water. Each twin gets what the device made before it, bit for bit.
 
+use brooklet_fluid::particles::is_simulated;
 use brooklet_fluid::scene::Smoothing;
 use brooklet_gpu::{Engine, Plan, Resources};
-use brooklet_kernels::{FrameLight, Position, QUARANTINED, SurfaceParams, WaterStyle};
+use brooklet_kernels::{FrameLight, Position, SurfaceParams, WaterStyle};
 use brooklet_reference::surface::Along;
 use brooklet_reference::surface::caustics::caustics;
 use brooklet_reference::surface::refract_photons::{self, Photon, refract_photons};
@@ -13,7 +14,7 @@ use brooklet_reference::surface::sun_map::{SunMap, shadow_position, world_from_s
 use brooklet_reference::surface::thickness::sun_thickness;
 use brooklet_render::frame::{self, FrameValues};
 use brooklet_render::{Camera, Coloring, FrameOptions, Particles, ScreenSpaceOptions, SurfaceOptions, View};
-use brooklet_tests::cases::vectors;
+use brooklet_tests::cases::{out_of_part, vectors};
 use brooklet_tests::{gpu, rng};
 use glam::{DVec2, DVec3};
 use rand::RngExt as _;
@@ -89,7 +90,7 @@ fn splash() -> Vec<Position> {
         pool(0.4).into_iter().filter(|p| p.position_m[0] + p.position_m[2] < 1.5 || p.position_m[1] < 0.1).collect();
     all.extend((0..120).map(|i| Position {
         position_m: [0.2 + 0.3 * rng.random::<f32>(), 0.6 + 0.3 * rng.random::<f32>(), 0.3 + 0.3 * rng.random::<f32>()],
-        tag: if i % 9 == 0 { QUARANTINED } else { 0 },
+        tag: out_of_part(i),
     }));
     all
 }
@@ -177,7 +178,7 @@ fn compare(got: &[f64], expected: &[f64], tolerance: f64) -> Result<(f64, usize)
 #[test]
 fn each_stage_is_its_twin() {
     let positions = splash();
-    let drawn: Vec<Position> = positions.iter().copied().filter(|p| p.tag & QUARANTINED == 0).collect();
+    let drawn: Vec<Position> = positions.iter().copied().filter(|p| is_simulated(p.tag)).collect();
     // Sizes that no block of 2, 4, 8 or 16 divides.
     for photons in [37, 61] {
         let Drawn { raw, smoothed, thickness, photons: bent, light_map, params, light, water } =

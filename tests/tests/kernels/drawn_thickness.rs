@@ -1,14 +1,15 @@
 //! What is drawn of each particle before anything smooths: the nearest sphere, and how much fluid the eye looks
 //! through, against their twins.
 
+use brooklet_fluid::particles::is_simulated;
 use brooklet_fluid::scene::Smoothing;
 use brooklet_gpu::{Engine, Plan, Resources};
-use brooklet_kernels::{FrameView, Position, QUARANTINED, SurfaceParams};
+use brooklet_kernels::{FrameView, Position, SurfaceParams};
 use brooklet_reference::surface::fluid_depth::fluid_depth;
 use brooklet_reference::surface::thickness::thickness;
 use brooklet_render::frame::{self, FrameValues};
 use brooklet_render::{Camera, Coloring, FrameOptions, Particles, ScreenSpaceOptions, SurfaceOptions, View};
-use brooklet_tests::cases::vectors;
+use brooklet_tests::cases::{out_of_part, vectors};
 use brooklet_tests::{gpu, rng};
 use glam::DVec3;
 use rand::RngExt as _;
@@ -33,7 +34,7 @@ fn particles() -> Vec<Position> {
         .collect();
     all.extend((0..60).map(|i| Position {
         position_m: [rng.random(), 0.3 + 0.6 * rng.random::<f32>(), rng.random()],
-        tag: if i % 9 == 0 { QUARANTINED } else { 0 },
+        tag: out_of_part(i),
     }));
     all
 }
@@ -119,7 +120,7 @@ fn beyond(got: &[f64], expected: &[f64], tolerance: impl Fn(f64) -> f64) -> (usi
 #[test]
 fn the_nearest_spheres_and_their_thickness_are_their_twins() {
     let positions = particles();
-    let seen: Vec<Position> = positions.iter().copied().filter(|p| p.tag & QUARANTINED == 0).collect();
+    let seen: Vec<Position> = positions.iter().copied().filter(|p| is_simulated(p.tag)).collect();
     let centers_m = vectors(&seen);
     for size_px in SIZES {
         for eye_m in [DVec3::new(0.7, 0.9, 2.6), DVec3::new(-1.4, 0.4, 0.3), DVec3::new(0.45, 0.5, 0.8)] {

@@ -1,6 +1,7 @@
 //! `grid/` against its twins: the counting sort, the neighbour list.
 
 use brooklet_fluid::grid::listed;
+use brooklet_fluid::particles::{id_of, is_simulated};
 use brooklet_kernels::{
     CellSlot, CountCells, CountCellsVariant, Counters, GROUPS_PER_ROW, GridParams, Kernel, LIST_CHUNK, LIST_ESCAPE,
     ListHead, ListNeighbours, ListNeighboursVariant, Position, RankById, Reorder, ReorderVariant, ScatterCellMembers,
@@ -22,8 +23,6 @@ use brooklet_tests::scan::run_scan;
 use glam::DVec3;
 use proptest::prelude::*;
 use rand::RngExt;
-
-const QUARANTINED: u32 = brooklet_kernels::QUARANTINED;
 
 fn run_count(positions: &[Position], grid: GridParams) -> (Vec<u32>, Vec<CellSlot>) {
     let mut bench = Bench::new();
@@ -214,7 +213,7 @@ fn rank_members_matches_its_twin() {
             let (counts, slots) = run_count(&positions, grid);
             let ranked = run_rank(&positions, &slots, &run_scan(&counts), grid);
             let cells: Vec<u32> = slots.iter().map(|slot| slot.cell).collect();
-            let ids: Vec<u32> = positions.iter().map(|p| p.tag & !QUARANTINED).collect();
+            let ids: Vec<u32> = positions.iter().map(|p| id_of(p.tag)).collect();
             let expected = rank_by_id(&cells, &ids, grid.cell_count);
             for (i, slot) in ranked.iter().enumerate() {
                 assert_eq!(slot.cell, cells[i]);
@@ -243,18 +242,18 @@ fn sort_is_a_permutation_in_order_of_cells() {
             let size_m = DVec3::new(f64::from(cells), 3.0, 2.0) / 64.0;
             let positions = scattered(&mut rng, count, size_m);
             let velocities: Vec<Velocity> =
-                (0..count).map(|i| Velocity { velocity_m_s: [i as f32, 0.0, 0.0], reserved: 0.0 }).collect();
+                (0..count).map(|i| Velocity { velocity_m_s: [i as f32, 0.0, 0.0], age_s: 0.0 }).collect();
             let grid = grid_params(size_m, 1.0 / 64.0, count);
             let (sorted, _) = sort(&positions, &velocities, grid, false);
             let mut seen = vec![false; count];
             let mut last_cell = 0;
             for (position, velocity) in sorted.positions.iter().zip(&sorted.velocities) {
-                let id = (position.tag & !QUARANTINED) as usize;
+                let id = id_of(position.tag) as usize;
                 prop_assert!(!std::mem::replace(&mut seen[id], true), "particle {} twice", id);
                 prop_assert_eq!(*position, positions[id]);
                 prop_assert_eq!(*velocity, velocities[id]);
-                let cell = match position.tag & QUARANTINED {
-                    0 => brooklet_reference::grid::count_cells::cell_of(
+                let cell = match is_simulated(position.tag) {
+                    true => brooklet_reference::grid::count_cells::cell_of(
                         vector(position.position_m),
                         &brooklet_reference::params::Grid {
                             cells: grid.cells,
@@ -263,7 +262,7 @@ fn sort_is_a_permutation_in_order_of_cells() {
                             support_m: SUPPORT_M,
                         },
                     ),
-                    _ => grid.cell_count,
+                    false => grid.cell_count,
                 };
                 prop_assert!(cell >= last_cell, "cell {} after {}", cell, last_cell);
                 last_cell = cell;

@@ -1,8 +1,10 @@
 //! `particles/` against its twin.
 
+use brooklet_fluid::particles::fluid_of;
+use brooklet_kernels::INACTIVE_FLUID;
 use brooklet_kernels::{Counters, Kernel, Position, Predict, PredictVariant, StepParams, Velocity};
 use brooklet_reference::particles::predict::{Particle, predict};
-use brooklet_tests::cases::{fluid, sizes, step_of};
+use brooklet_tests::cases::{INACTIVE, fluid, sizes, step_of};
 use brooklet_tests::compare::{ROUNDING, Worst, vector};
 use brooklet_tests::harness::{Bench, small};
 use brooklet_tests::rng;
@@ -57,6 +59,8 @@ fn check(
             position_m: vector(positions[i].position_m),
             velocity_m_s: vector(velocities[i].velocity_m_s),
             quarantined: positions[i].tag & QUARANTINED != 0,
+            inactive: fluid_of(positions[i].tag) == INACTIVE_FLUID,
+            age_s: f64::from(velocities[i].age_s),
         };
         let expected = predict(before, &step);
         slowed += u32::from(expected.slowed);
@@ -107,6 +111,8 @@ fn states_that_are_not_finite_are_quarantined() {
         case.velocities[3 * i + 1].velocity_m_s[2 - i] = bad;
     }
     case.positions[40].tag |= QUARANTINED;
+    case.positions[41].tag |= INACTIVE;
+    case.positions[41].position_m = [-7.0, 9.0, 2.5];
     // A signalling NaN and one with a sign: tested by the bits.
     case.velocities[50].velocity_m_s[0] = f32::from_bits(0x7f80_0001);
     case.velocities[51].velocity_m_s[0] = f32::from_bits(0xffc0_0000);
@@ -149,7 +155,7 @@ fn rows_of_groups_fold() {
     let mut rng = rng(14);
     let positions = vec![Position { position_m: [0.5; 3], tag: 0 }; count];
     let velocities: Vec<Velocity> =
-        (0..count).map(|_| Velocity { velocity_m_s: [rng.random(), 0.0, 0.0], reserved: 0.0 }).collect();
+        (0..count).map(|_| Velocity { velocity_m_s: [rng.random(), 0.0, 0.0], age_s: 0.0 }).collect();
     let params = StepParams {
         dt_s: 0.25,
         domain_size_m: [2.0; 3],

@@ -98,7 +98,7 @@ fn predict_matches_its_twin() {
                 let before = Particle {
                     position_m: vector(case.positions[i].position_m),
                     velocity_m_s: vector(case.velocities[i].velocity_m_s),
-                    quarantined: false,
+                    ..Particle::default()
                 };
                 let expected = predict(before, &step).particle;
                 let size_m = step.domain_size_m.length();

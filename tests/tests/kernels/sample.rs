@@ -1,9 +1,10 @@
 //! `measure/sample_particles` against its twin, and as a program records it.
 
 use brooklet_fluid::measure::{SAMPLE, record_sample};
+use brooklet_fluid::particles::{fluid_of, id_of};
 use brooklet_fluid::{INIT, STEP, Scene, record};
 use brooklet_gpu::{Engine, Plan, Resources};
-use brooklet_kernels::{FLUID_SHIFT, Kernel, QUARANTINED, SampleParams, SampleParticles};
+use brooklet_kernels::{FLUID_SHIFT, INACTIVE_FLUID, Kernel, QUARANTINED, SampleParams, SampleParticles};
 use brooklet_reference::measure::sample_particles::sample_particles;
 use brooklet_reference::particles::predict::Particle;
 use brooklet_tests::cases::{Case, fluid, sizes};
@@ -43,9 +44,11 @@ fn check(case: &Case, samples: &[[f32; 4]], stride: usize) -> Result<usize, Stri
             position_m: vector(p.position_m),
             velocity_m_s: vector(v.velocity_m_s),
             quarantined: p.tag & QUARANTINED != 0,
+            inactive: fluid_of(p.tag) == INACTIVE_FLUID,
+            ..Particle::default()
         })
         .collect();
-    let ids: Vec<usize> = case.positions.iter().map(|p| (p.tag & ((1 << FLUID_SHIFT) - 1)) as usize).collect();
+    let ids: Vec<usize> = case.positions.iter().map(|p| id_of(p.tag) as usize).collect();
     let expected = sample_particles(&particles, &ids, stride);
     if samples.len() != expected.len() {
         return Err(format!("{} samples, expected {}", samples.len(), expected.len()));
@@ -79,7 +82,7 @@ fn every_stride_th_particle_has_its_place_however_they_are_sorted() {
                 case.positions.swap(i, rng.random_range(0..=i));
             }
             for (i, position) in case.positions.iter_mut().enumerate() {
-                // The bits of fluids are no part of an id.
+                // The bits of fluids are no part of an id; the last number's slot is inactive.
                 position.tag |= ((i % 128) as u32) << FLUID_SHIFT;
                 position.tag |= if i % 5 == 3 { QUARANTINED } else { 0 };
             }

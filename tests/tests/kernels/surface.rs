@@ -76,7 +76,7 @@ fn particles(seed: u64) -> Vec<Position> {
     let mut rng = brooklet_tests::rng(seed + 1);
     all.extend((0..60).map(|i| Position {
         position_m: [0.2 + 0.6 * rng.random::<f32>(), 0.45 + 0.4 * rng.random::<f32>(), rng.random::<f32>()],
-        tag: if i % 9 == 0 { QUARANTINED } else { 0 },
+        tag: brooklet_tests::cases::out_of_part(i),
     }));
     all
 }

@@ -154,7 +154,7 @@ fn scene_files_with_wrong_values() {
         (scene(block, ""), "fluid.0 = nothing", &["`block` or a `sphere`"]),
         (scene("max_m = [1.2, 2.2", "max_m = [1.2, 2.6"), "fluid.0.block", &["inside the domain, [1, 2, 3] to [1.4"]),
         (scene("max_m = [1.2, 2.2", "max_m = [1.2, 2.01"), "fluid.0.block", &["no room for a particle"]),
-        (many, "fluid = 129 fluids", &["at most 128"]),
+        (many, "fluid = 129 fluids", &["at most 127"]),
         // More than fits.
         (
             scene("spacing_m = 0.05", "spacing_m = 0.0013").replace("[1.2, 2.2, 3.2]", "[1.4, 2.4, 3.4]"),

@@ -9,10 +9,10 @@
 
 use std::collections::HashMap;
 
-use brooklet_kernels::{FLUID_SHIFT, Position, QUARANTINED, Velocity};
+use brooklet_kernels::{FLUID_SHIFT, Position, Velocity};
 
 use super::lattice::{WHOLE, steps_m};
-use super::{MAX_FLUIDS, MAX_PARTICLES, ParticleSet};
+use super::{MAX_PARTICLES, ParticleSet, fluid_of, is_simulated};
 use crate::scene::Scene;
 use crate::smoothing_kernel::{lattice, wendland};
 
@@ -44,7 +44,7 @@ pub fn resample(from: &Scene, particles: &ParticleSet, to: &Scene) -> ParticleSe
     };
     let is_kept = |(position, velocity): &(&Position, &Velocity)| {
         let numbers = position.position_m.iter().chain(&velocity.velocity_m_s);
-        position.tag & QUARANTINED == 0 && numbers.copied().all(f32::is_finite)
+        is_simulated(position.tag) && numbers.copied().all(f32::is_finite)
     };
     let kept = || particles.positions.iter().zip(&particles.velocities).filter(is_kept);
     let mut extent_m = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
@@ -59,7 +59,7 @@ pub fn resample(from: &Scene, particles: &ParticleSet, to: &Scene) -> ParticleSe
     let mut count = 0u64;
     for (position, velocity) in kept() {
         count += 1;
-        let fluid = position.tag >> FLUID_SHIFT & (MAX_FLUIDS - 1);
+        let fluid = fluid_of(position.tag);
         for_each_image(to, placed_m(position), support_m, |image_m, mirrored| {
             let velocity_m_s = std::array::from_fn(|axis| match mirrored[axis] {
                 true => -velocity.velocity_m_s[axis],
@@ -280,7 +280,7 @@ fn emitted(points: &Points, found: Vec<([i32; 3], Sum)>, to: &Scene) -> Particle
             position_m: points.place_m(point).map(|x| x as f32),
             tag: id as u32 | sum.fluid << FLUID_SHIFT,
         });
-        emitted.velocities.push(Velocity { velocity_m_s, reserved: 0.0 });
+        emitted.velocities.push(Velocity { velocity_m_s, age_s: 0.0 });
     }
     emitted
 }

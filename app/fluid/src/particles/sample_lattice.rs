@@ -1,14 +1,15 @@
 //! Fills the scene's fluids with lattices of particles.
 
-use brooklet_kernels::{FLUID_SHIFT, Position, QUARANTINED, Velocity};
+use brooklet_kernels::{FLUID_SHIFT, INACTIVE_FLUID, Position, Velocity};
 
 use super::lattice::{self, WHOLE, steps_m};
 use crate::scene::{Block, Fluid, Scene};
 
 /// What a tag's bits below the fluid's number can tell apart.
 pub const MAX_PARTICLES: u32 = 1 << FLUID_SHIFT;
-/// What its bits between the id and the quarantine flag can tell apart.
-pub const MAX_FLUIDS: u32 = QUARANTINED >> FLUID_SHIFT;
+/// What its bits between the id and the quarantine flag can tell apart; the number above all says that a slot is
+/// inactive.
+pub const MAX_FLUIDS: u32 = INACTIVE_FLUID;
 
 /// Where particles are, and how they move. A start has them in the order of their ids, a running fluid in
 /// that of its cells; any will do.
@@ -32,7 +33,7 @@ pub fn sample_lattice(scene: &Scene) -> ParticleSet {
             position_m: std::array::from_fn(|axis| (place_m[axis] - scene.domain.min_m[axis]) as f32),
             tag: id | (index as u32) << FLUID_SHIFT,
         });
-        emitted.velocities.push(Velocity { velocity_m_s: fluid.velocity_m_s.map(|v| v as f32), reserved: 0.0 });
+        emitted.velocities.push(Velocity { velocity_m_s: fluid.velocity_m_s.map(|v| v as f32), age_s: 0.0 });
     });
     emitted
 }

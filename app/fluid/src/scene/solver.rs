@@ -24,6 +24,13 @@ impl Method {
             Method::Pbf => "pbf",
         }
     }
+
+    /// Whether particles know their neighbours: what has lists, densities and a surface that they shape.
+    pub fn interacts(self) -> bool {
+        match self {
+            Method::Pbf => true,
+        }
+    }
 }
 
 /// How the arithmetic for a pair of particles is rounded.
@@ -72,6 +79,15 @@ pub struct Solver {
     pub packed_positions: bool,
     /// What Position Based Fluids takes.
     pub pbf: PbfSettings,
+}
+
+impl Solver {
+    /// Iterations a substep, of methods that iterate.
+    pub fn iterations(&self) -> Option<u32> {
+        match self.method {
+            Method::Pbf => Some(self.pbf.iterations),
+        }
+    }
 }
 
 impl Default for Solver {

@@ -187,7 +187,7 @@ fn messages_name_file_field_value_and_what_is_allowed() {
         (message(SMALL, &["fluid.0.sphere={centre_m=[0,0,0], radius_m=1}"]), &["fluid.0", "one of the two"]),
         (message(SMALL, &["fluid.3.velocity_m_s=[1,0,0]"]), &["--set fluid.3", "below 1"]),
         (message(&fluids(1), &["fluid.1.rest_density_kg_m3=900"]), &["fluid.1.rest_density_kg_m3 = 900", "1000"]),
-        (message(&fluids(128), &[]), &["fluid = 129 fluids", "at most 128"]),
+        (message(&fluids(128), &[]), &["fluid = 129 fluids", "at most 127"]),
         (message(SMALL, &["solver"]), &["--set solver", "path=value"]),
         (message(SMALL, &[".=1"]), &["--set .=1", "empty"]),
         (message(SMALL, &["a.b.c.d.e.f.g.h.i=1"]), &["--set a.b.c", "9 keys"]),

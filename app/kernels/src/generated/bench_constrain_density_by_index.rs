@@ -89,5 +89,5 @@ static CONSTRAIN_DENSITY_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/constrain_density_by_index.compute",
-    hash: "23462bd7cbb702ec5118c0f50fd87a1ffb0230c179003ea347b1b1ce9f948a05",
+    hash: "762844b89a16151aa0da394c832fcd221c992ea9a9974e9baa5516add9f3f0f1",
 };

@@ -57,5 +57,5 @@ static COPY_ELEMENTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/copy.compute",
-    hash: "9622ce2ea9bfa3a5d33f3dea997aa82d143206d6b519101a89c1befed8a18cb4",
+    hash: "c86bc15f5f41c217e456211831637369d8ffe54751761126747b765ef52868d3",
 };

@@ -70,5 +70,5 @@ static COUNT_CELLS_AGGREGATED: Module = Module {
     shared_bytes: 512,
     tier: Tier::Floor,
     source: "bench/count_cells_aggregated.compute",
-    hash: "59d6f88e83d1717afc86bcb7ba60bdab1c7b82833197bb925aa664352bc34f59",
+    hash: "ad1ade93b03e1619e9203b526fa93d8b4b96321661c195e99396ddbd8689c178",
 };

@@ -90,5 +90,5 @@ static LIST_NEIGHBOURS_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/list_neighbours_by_index.compute",
-    hash: "f46be28ef54e51b34ee72e16edb0f21878789a16dc4c3e69d6b9b3bc5f1bc4c5",
+    hash: "f7f5336a61dd418fd76f35d18b5bcaf07bd561bf13a428e3349c6fac5edc0266",
 };

@@ -78,5 +78,5 @@ static REORDER_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/reorder_index.compute",
-    hash: "642b046f2a39c3b5783cc3a09fb4350d25f9738a516146a5baf800899bdac948",
+    hash: "98e266c1d9b6878184da1717844791c23ac8d366ae5ab5e687dc81d7abb41707",
 };

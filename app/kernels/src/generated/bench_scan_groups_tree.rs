@@ -88,7 +88,7 @@ static SCAN_GROUPS_TREE: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "7e79e8c4fcf44c2c60c0919aed90fc01b835e44488e17e38839d6c37338e9636",
+    hash: "b60b4181e62ccf1e4b38468c4a2626f29cffe78102e2d354ce7f198249bb863b",
 };
 
 static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
@@ -101,7 +101,7 @@ static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "b92282ceef404a6b5497dfdf871e182bbd35c78958771952379fdda1a19cb779",
+    hash: "2c113fccf06f2a149b4989d6ceed69e8387ca3a048c7a9c830fc4d7a83e548ba",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
@@ -114,7 +114,7 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "e4d4596c95b22da243460d207eaf59853381680ac6a0b6a0d30559d2ba4544cf",
+    hash: "e425d391da06a10547bab189704b82bc15f07652437d6fccc7b7b354ac6fe1e9",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
@@ -127,5 +127,5 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "1478ba671c3bedc9247ae39d21be47a1e4413d0e6e1d1c4336af0f1c7cfdbed3",
+    hash: "239d2731650988f4ee0b51d17f5163affd7a9bb1e8ec7b033f6b5cb91a2bd68c",
 };

@@ -54,5 +54,5 @@ static SCAN_STEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/scan_step.compute",
-    hash: "9ae8446e71d3316e4bbf831cccc564db2685b163dd3573ff07f315df29985877",
+    hash: "602d52978fc872f74dc8547dbe4f2b173fc805cea29964eeba2b7f7b2a7a4b87",
 };

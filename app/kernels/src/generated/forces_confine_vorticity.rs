@@ -106,7 +106,7 @@ static CONFINE_VORTICITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/confine_vorticity.compute",
-    hash: "dfced7e15b5ac024e6c5b9e2504afb8c48f4fffc1b380adea78a0b122c4a2860",
+    hash: "c16a88b416da7e6aaf9291f8849e9629711669b42398098994929b8b216fa20d",
 };
 
 static CONFINE_VORTICITY_WITH_PACKED: Module = Module {
@@ -119,7 +119,7 @@ static CONFINE_VORTICITY_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/confine_vorticity.compute",
-    hash: "5976870d0e658caf8f345bb5d8217eeab3956e7cb79ffda8d82d4dbf2773a3a0",
+    hash: "a16dc1eff6adc480a4f2e48f8a1300ac2f4f09f3296ccf415051b27066622ed4",
 };
 
 static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -132,7 +132,7 @@ static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/confine_vorticity.compute",
-    hash: "cab388c7fa0878eb555ec58633741051d01fe9c59bf0970279edaf024054cd70",
+    hash: "d02b61068bf8c967885dd7762484b0ce8daa31787cf7b12caa4a93fa4ee6f20a",
 };
 
 static CONFINE_VORTICITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -145,7 +145,7 @@ static CONFINE_VORTICITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/confine_vorticity.compute",
-    hash: "287b326bbaf169fc859ac611c42014532ff68f189cdb8cf0377cb6f1be0822f7",
+    hash: "896dd9bf5b753a840a62621a9037527e9cc49a00d10c6dfcfc801b03e6c7afe7",
 };
 
 static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
@@ -158,7 +158,7 @@ static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/confine_vorticity.compute",
-    hash: "0a9222ba91667e25d237feb4975834eabdb734f884ec8ee00349ef03cb923f65",
+    hash: "28ffad8c1524d8ee00a3bf6c40b84bc427ebb1ebb84878aa9ceb438a5c5f0585",
 };
 
 static CONFINE_VORTICITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -171,5 +171,5 @@ static CONFINE_VORTICITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/confine_vorticity.compute",
-    hash: "14dbd9b4b3a24d5a2b2eff0cc1cdeeb3570c7063f332dcf0b051753430d91e63",
+    hash: "8661db7ca62fe86c1de585a48c72a7a9cfb721233bda2572c150025830f0fb50",
 };

@@ -105,7 +105,7 @@ static CURL: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/curl.compute",
-    hash: "40050cc7410243a78c1495a05c701d79cda83272ed0aacabcf65598d7e971080",
+    hash: "74b2446d09cd2b590704012db54700fb9df6de16660e1b87bfe660b1344e58d3",
 };
 
 static CURL_WITH_PACKED: Module = Module {
@@ -118,7 +118,7 @@ static CURL_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/curl.compute",
-    hash: "52eaca87ec7f05badc9b12af97d1a412636e90d0d463d0732bd3476219da3ba8",
+    hash: "008913d56ed117c84b043f274d7d5fa6ffe654e16abf59e84f3ae212fc1d5437",
 };
 
 static CURL_WITH_RELAXED_PRECISION: Module = Module {
@@ -131,7 +131,7 @@ static CURL_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/curl.compute",
-    hash: "22442ab070b88551d791e5cc24e5fa1ea4ab38c1e3a001546f9b1c12e5afe682",
+    hash: "44b50a38f083bf5818ba13c74173eaf388f11db5b727903f3383cd12701cc4b9",
 };
 
 static CURL_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -144,7 +144,7 @@ static CURL_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/curl.compute",
-    hash: "564d73970cb5b8c45404ff4ab0fee6b5d2327487cef91744abfcca46517fbabf",
+    hash: "d30345a4e548fab3697510e8cd85db404ce42b0ad1878af2bf74c373c59c996a",
 };
 
 static CURL_WITH_HALF_PRECISION: Module = Module {
@@ -157,7 +157,7 @@ static CURL_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/curl.compute",
-    hash: "38e79a6a2fb7cbc72fa4220e1e210e4785aaa58c3a6b4773683c2f588881fda7",
+    hash: "c01344c824d2037094133341414b214dd0b0ddaf17f26edc1817279066db5dde",
 };
 
 static CURL_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -170,5 +170,5 @@ static CURL_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/curl.compute",
-    hash: "0f864439452c6f982072a408d878c958e9ac6c7c83d61369a347e5fdd400cbc6",
+    hash: "5182f07152f1dd44e9e65a37c9b2eebcbf540975ef0841c090a788e33a8c070f",
 };

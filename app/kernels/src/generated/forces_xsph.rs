@@ -110,7 +110,7 @@ static XSPH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/xsph.compute",
-    hash: "96a8a3d90c313944431567d94f1c8182a261d2dca767a8a54de099b9a8572720",
+    hash: "3d3137c7235a784376d362db360e5719f21d0b41bb3ebe357106d7d81035f19c",
 };
 
 static XSPH_WITH_PACKED: Module = Module {
@@ -123,7 +123,7 @@ static XSPH_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/xsph.compute",
-    hash: "9cf5208d26200e2a3913f6b8fa841d01e3f6130bafcec5b8a8bf335dc6dbaf55",
+    hash: "1c2537bf2d7b105edd2527eb35b7c4dbd93e6a1b7b61e5a4715330ac846b221e",
 };
 
 static XSPH_WITH_RELAXED_PRECISION: Module = Module {
@@ -136,7 +136,7 @@ static XSPH_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/xsph.compute",
-    hash: "488be30df706647a291174b9400279c4efba29865a4bf30c90c0946c519ed9f6",
+    hash: "246727f7cc0b3b93be3dcec2cb608147722557678248ea359995f01de02ab373",
 };
 
 static XSPH_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -149,7 +149,7 @@ static XSPH_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/xsph.compute",
-    hash: "b4bfe7a71543cd657c072430b86306ba9e22eb2efbee6d69ecc44570a201e631",
+    hash: "035ef1837d9175512db1c5cd11c2a6d3bb2e86f4aa02fb80b5628136147f4317",
 };
 
 static XSPH_WITH_HALF_PRECISION: Module = Module {
@@ -162,7 +162,7 @@ static XSPH_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/xsph.compute",
-    hash: "5439637dfdca3a2e603c6e53ca11fdbe096356a3b023c7c3180288521168b3c3",
+    hash: "eeced6ce57f027db7913a8951759549341d736308d67ca067479f2c5a89409b4",
 };
 
 static XSPH_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -175,5 +175,5 @@ static XSPH_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/xsph.compute",
-    hash: "195e4adc8af4f8a84c9fb7ea9b1ae1250937634835c4591affdb032216fbbe58",
+    hash: "5a652bca69678451b899ef612570565e8c012f08883d81456a1f059859744a4c",
 };

@@ -62,7 +62,7 @@ static DRAW_PARTICLES_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "81b412b2853229980fa9dc477a3c6ef903196ddac1ca1b93189733f251b08a04",
+    hash: "2a51c6b32f4a69cc5cd5b9389a4bbce3d25bc0f30a44d14b9e7d6e39fbe5b946",
 };
 
 static DRAW_PARTICLES_FRAGMENT: Module = Module {
@@ -75,5 +75,5 @@ static DRAW_PARTICLES_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "2a37431cf67c52d875269133d9c10cb17f2e7f67aa545adbb673631242354b35",
+    hash: "0993f453764c4d66f747e5b4d23372ba8794a8a4b85c1f0419cf80607e086a11",
 };

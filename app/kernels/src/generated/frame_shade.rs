@@ -130,7 +130,7 @@ static DRAW_SHADE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "0b96cffc20be1c075307269e07a8255fd6eb1d2db87f2e86701df573634d40c3",
+    hash: "0558741d9c50122f4ecd82dd52227b1b5b3849b9a4acf9b7a25e19a54ec161a9",
 };
 
 static DRAW_SHADE_FRAGMENT: Module = Module {
@@ -143,7 +143,7 @@ static DRAW_SHADE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "9c9f8f72c00e20383e68abf97ad5ba67dd949641bc88b609dcf846d48a19e91e",
+    hash: "c0aeed2e8e2951834decf5e4f6c6ef0f5a83b7a613f67c01c768bdf0554210a3",
 };
 
 static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
@@ -156,7 +156,7 @@ static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "f6dfbec9fd351b67f770f831cd0649b71eef5305d20e161a050c16fb7b1a7a51",
+    hash: "fdc3c6c7787e429e5d86fcf428f8dbdb0539326f3c497c83ca9862ad1e98a69f",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
@@ -169,7 +169,7 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "1f326ce96fee390fe9f5c385be4d63772dbf54616424deba62bc9b056012b19a",
+    hash: "c06505fed21a08ae480e74369d1f0fcd737bd6022d08c73a42ebc91f032ba310",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
@@ -182,5 +182,5 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "2f55894480a67c7f990488d5bd3751143be7f3270be9d93f700d84ae4ee9cc3e",
+    hash: "e3c72ed6f6728e18c6c0e38f9217f79ca3119676c42daea386258f877c328459",
 };

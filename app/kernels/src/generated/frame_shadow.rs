@@ -55,7 +55,7 @@ static DRAW_SHADOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "e2bde6b7d459d86371f070ead33a9f7d008d00a621ab066129bf421a5ae6487d",
+    hash: "1fed7cf048bcfadc33a40b26542bd6e833ebd919e09c21ff00e46b25d00fe07b",
 };
 
 static DRAW_SHADOW_FRAGMENT: Module = Module {
@@ -68,5 +68,5 @@ static DRAW_SHADOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "9e2fca86059f6343c6e8b2fd6e98f275ea096297c55540252c07e216a42b926c",
+    hash: "61e89ff60fe59a4bbfce30efc863f9c73a5649d464b061203135b9a8507a5542",
 };

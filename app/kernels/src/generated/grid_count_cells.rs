@@ -86,7 +86,7 @@ static COUNT_CELLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "93fd4b22048c4602ac512a40c92d84158189c46bc7f0539ef574b2181c3442bf",
+    hash: "b363f7b373085d46e684c1edf9a62e4f143728ffbbe9a599032a1189d4f94b00",
 };
 
 static COUNT_CELLS_WITH_PERIODIC: Module = Module {
@@ -99,7 +99,7 @@ static COUNT_CELLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "e5baec1a7383bc13ab7d491b83493de0be5cb45b7f9b4c59afe06e4be3a2c144",
+    hash: "980eed67657fd67ff361fafe59092111ddc325ed9d6bfb32bf22c055f5f0946d",
 };
 
 static COUNT_CELLS_WITH_WRAPPED: Module = Module {
@@ -112,7 +112,7 @@ static COUNT_CELLS_WITH_WRAPPED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "7237e40023aa288d7278fa92d12e6128705e4aaac556cde214f9a673824a51fa",
+    hash: "bd0416f22af9320ba0004e4f5fff353a18d9553f66e4618fe4b5fefc25d4ec60",
 };
 
 static COUNT_CELLS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
@@ -125,5 +125,5 @@ static COUNT_CELLS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "28cb06d00b87e4681812565039c830220db6a0da2870af5d90104b65268bb2d3",
+    hash: "19fa4f31c97e7badcfb497c37f75aec45be94addf1c1b3d4ef9e24eaad0a83c9",
 };

@@ -123,7 +123,7 @@ static LIST_NEIGHBOURS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "ede2c5ebd35a01f9a68a03895abe4c03475e3b763b41c300ffb81b559197ebd6",
+    hash: "a77da588480b8f8bbc4ded75f6f40acdf7221b10a455c3be13d18b41e37382a9",
 };
 
 static LIST_NEIGHBOURS_WITH_PACKED: Module = Module {
@@ -136,7 +136,7 @@ static LIST_NEIGHBOURS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "8bbf285fc2394fb83cf957caa24cda8267b2ed8fad8051e8b52f917ce2617772",
+    hash: "8c58d5cfdf81c4dabe827f30650e1dcc2f1cbee23083f927a4fe14d37b17e4c6",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
@@ -149,7 +149,7 @@ static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "c36e492343a32ad00bf317cf7c9222a35aaef9d6e14f2e0179e48688563c4818",
+    hash: "b4ea5a91968ed3d1bdf1564e54de169b1265bd41d590bf84257e03b81020729b",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_PACKED: Module = Module {
@@ -162,7 +162,7 @@ static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "de5579b71eac5207ddbb265a678ecc288e5c79a2b8113560978c28a510037f0d",
+    hash: "f81c1bedff862d5a13abb539834b31418ce70ff3c89eac88675f570ef02b0613",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
@@ -175,7 +175,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "f1876be97114314a459c4437d3f006b9542c2c56bb411de2235ec4b0fa3c46ea",
+    hash: "7c024689c28155bc93edfd4fc0ec045e85f0946deaffd9c65fbe562c02bfeba2",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PACKED: Module = Module {
@@ -188,7 +188,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "5c355e04ca4afe95ea38b64c28f3c38cee713e6b9390e6054c62989a30e24151",
+    hash: "92ddafa3c8414560577ecc3f275f8b2ebd2df562231c864e1c880655e50446dc",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
@@ -201,7 +201,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "67b3ad3fcab3f0dcaf19063cb9cd9e880790a9e263d03543662bda1e1bd41b5a",
+    hash: "d959c2099594087f33e8214b58d80abad15ff25f52c098040294ae2fa04e6312",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_PACKED: Module = Module {
@@ -214,5 +214,5 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "1cd9c50b6e8b9f046dded997cbf4b8f7a6bc234975d81e1706d85b0d81bee706",
+    hash: "ba10dfd5eb4b369e3a8311ac2a35029934b9e95206d007bcdb677cd81036163e",
 };

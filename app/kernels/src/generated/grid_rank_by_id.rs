@@ -72,5 +72,5 @@ static RANK_BY_ID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/rank_by_id.compute",
-    hash: "77b64794b0551510784b0dd0613c36e02af17de3530979540564d09a9f39ee01",
+    hash: "310a971755dfb91c725176f61deac2693ced1c8f9067015a2f76b057356dcb55",
 };

@@ -98,7 +98,7 @@ static REORDER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "a2c4dcb2c40323c0a138ce64a76215390ff8dc83381e337efef6a9c2708b42b7",
+    hash: "649daa069b0922753dd8d77e833a767956197a7976b45133e9cf30ced0b3a734",
 };
 
 static REORDER_WITH_PACKED: Module = Module {
@@ -111,5 +111,5 @@ static REORDER_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "456692259fa8521ba39437b60a8f44f2e7e5ba8400abf9ccec62d9d96da2b9a3",
+    hash: "6b311a03d60bb8762ba76ab30fb2dab1abcc152b3300d6aa143cca81c9e57371",
 };

@@ -109,7 +109,7 @@ static REDUCE_GROUPS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "010faa4f95a677e179faac4085cc1c727b0d2c0f43ea29dd93db0834645ff662",
+    hash: "c8266c6b49841efbb79f64a93b838f8c8c8247e1c24afcde2092357a6da7c013",
 };
 
 static SCAN_GROUPS: Module = Module {
@@ -122,7 +122,7 @@ static SCAN_GROUPS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "39bc1f3da9c9b9b1fad8cbf788fbb908928467b12c5cb1ac9fd18543d2328e37",
+    hash: "ecfe53cdd47bdc81e613315652220d26fd0c1aae0073b37a77feb0f25a218ab5",
 };
 
 static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
@@ -135,5 +135,5 @@ static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "4841b4bce01d2ad0ddd2147495f05bbba17826899746dd824d7409f9e7f27430",
+    hash: "c2f2bc3af1492b827ca47e1b853bab654e48814462cf6366e9f2cdfa61ee193e",
 };

@@ -65,5 +65,5 @@ static SCATTER_CELL_MEMBERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/scatter_cell_members.compute",
-    hash: "67bae087dd16eba189f908caeb800ca6f409a2b6048e2485745ceaa75d1e3080",
+    hash: "5cb2b6b235ae56bd05d08c547e32172794d5b3e69ac401856b399547d3dbabc5",
 };

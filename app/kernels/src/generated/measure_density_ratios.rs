@@ -93,7 +93,7 @@ static DENSITY_RATIOS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "b56c5e87ee5d7ec51b148f84f469bb7bdfe87d1799cfc2c3068d02f5710ab546",
+    hash: "4f8d17107db9711400e9f8df31e7ea88d5dad280e7e147832a5fafefad47a51e",
 };
 
 static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
@@ -106,7 +106,7 @@ static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "72ab6d53ea3894709451ce705de0c07e92f570676e2e98d4deff630c3b6a73b3",
+    hash: "cd55e1b542d9dd142975866d6c2ef47317a2d7a234bf0e8be15cf5a8256dd555",
 };
 
 static DENSITY_RATIOS_WITH_WALLS: Module = Module {
@@ -119,7 +119,7 @@ static DENSITY_RATIOS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "e0f3e9553309266d9df6075fa5d2fe14eee86021f0bc3f9df6495f9271eaf4fb",
+    hash: "1401713ff3befca93dcc02b05c5f8943f5bd1edc103bbd2b4ea0395acaee51c9",
 };
 
 static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -132,5 +132,5 @@ static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "a8f3119e8095c11c74ae6df9ee3f066ee1675ed96dd526dbafc77980f10d0099",
+    hash: "195e498860c30494da708bdb18152aa8aa6534f8b0f3820a26ee554f1b412c2f",
 };

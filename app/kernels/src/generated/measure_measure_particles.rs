@@ -127,7 +127,7 @@ static MEASURE_PARTICLES: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "c7b736c2317bb0410df83c01d8e8ff1ad58b26c2e528ebb012380a99e8aacbb4",
+    hash: "01553dc3c133146bb7266fbee70d1b89ee87a1e1b353db2c8d3035162e50ee90",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
@@ -140,7 +140,7 @@ static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "41a645336dfc5b35715f110658131c24887819551e8bd92464e72bb92e5f833f",
+    hash: "61cfc32b851e2cfda16ccb74deefda0a290471b79d7c5c2855244b1684479eab",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
@@ -153,7 +153,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "1cfbdb98ed6b8ff7e226608625d6d08a8f8d213dc136963a9e6a6565086c1cb0",
+    hash: "d4e74622ce758defa5d0a3f614f7ff85d578cd4010af25dc8c82fdd330e191fe",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
@@ -166,7 +166,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "f0260791d6b528326b07511aed3881715073a49b291cb52e86d7d91eff184cd9",
+    hash: "cdbd34d3d2338ab6129c343266a1d454a15f4ae4ff83d3166e42a11572f70c46",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -179,5 +179,5 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module 
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "e34a2226e9fa0acb56e2668f1520ace56513938bd50788ae8c12c12ec6a88164",
+    hash: "ebe7ae8f62010c1ed212602d79fff5279ffd8578fbfab1d966429dcdfc600f3c",
 };

@@ -73,5 +73,5 @@ static MEASURE_TOTALS: Module = Module {
     shared_bytes: 4616,
     tier: Tier::Floor,
     source: "measure/measure_totals.compute",
-    hash: "649cf20a3feeaf86cf606cb24f558eaab4f2633f3e4e22159994ae53f0b62e16",
+    hash: "e8e63269793b4165a954c1e42e9d5df3a90fb2334b0d3563f87daa1c40bebb27",
 };

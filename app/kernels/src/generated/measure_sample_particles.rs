@@ -67,5 +67,5 @@ static SAMPLE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/sample_particles.compute",
-    hash: "a034ff5fd55f0d4b0aa23f5dce0ce0858a61a1c86ef2310cd62ea2c23ec96b9a",
+    hash: "52f896d10402deb6ae1ad578b87b0076e9cbe8286ede8eb727237ec94032330c",
 };

@@ -90,7 +90,7 @@ static PREDICT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "d39aab5602eb6e9db91c2c9e7ab79642c1da4cc83f4db059022ffa13439bf1b7",
+    hash: "19f2946ec816756aba03a62c393b25bc90ffb9886a7a0838902be7ef0ea9ac39",
 };
 
 static PREDICT_WITH_PERIODIC: Module = Module {
@@ -103,7 +103,7 @@ static PREDICT_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "52c611c6f0b09af7b40af2e1240810323e1412d3cb44db629e86926a99fcb445",
+    hash: "85f965e34c21b71dcadccc087a17b42cfb9f606b70d588e02b9083113fca4c3d",
 };
 
 static PREDICT_WITH_WALLS: Module = Module {
@@ -116,7 +116,7 @@ static PREDICT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "cce94369e1e4981306de3378ec5bc6fd644d7d5d76e68a53bb804d1ff1419a02",
+    hash: "1a8321f34ff1e874f2ea283ed84b46405e4cf6dc7c5d9faa350419e6a258af21",
 };
 
 static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -129,5 +129,5 @@ static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "3c21f6d69ab91a472f6cb8af83ba342fbf749ab58bff281fe2397e6f0bf70aca",
+    hash: "22070d39fb0eede8af1a89bd0e556a0af5df5f53931c15cba87bfff629c2aa4d",
 };

@@ -62,5 +62,5 @@ static PUSH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/push.compute",
-    hash: "d2c0e7010251b9ec51796a849008d4a13eb99d1403ece43cef53e6b81093fe05",
+    hash: "ca9e077bb0519d19b3cedaf7615cc5b86a0f27fba5bc4be1293508dc6393da32",
 };

@@ -37,13 +37,16 @@ pub const QUARANTINED: u32 = 0x80000000;
 /// Where the fluid's number begins in Position::tag; the id lies below.
 pub const FLUID_SHIFT: u32 = 24;
 
+/// The fluid's number that says that a slot is inactive.
+pub const INACTIVE_FLUID: u32 = 127;
+
 /// A particle where it is, and which one it is.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct Position {
     /// `float3`.
     pub position_m: [f32; 3],
-    /// bits 0-23 id, 24-30 fluid, 31 quarantined
+    /// bits 0-23 id, 24-30 fluid (127: an inactive slot), 31 quarantined
     pub tag: u32,
 }
 const _: () = {
@@ -76,12 +79,12 @@ const _: () = {
 pub struct Velocity {
     /// `float3`.
     pub velocity_m_s: [f32; 3],
-    /// `float`.
-    pub reserved: f32,
+    /// since the particle began, where the solver counts it
+    pub age_s: f32,
 }
 const _: () = {
     assert!(offset_of!(Velocity, velocity_m_s) == 0);
-    assert!(offset_of!(Velocity, reserved) == 12);
+    assert!(offset_of!(Velocity, age_s) == 12);
     assert!(size_of::<Velocity>() == 16);
 };
 

@@ -193,7 +193,7 @@ static CONSTRAIN_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "b976be60f5da6af29444f68f3c04e6ee7bfbf0b0efb7670639ba6c53defe49fb",
+    hash: "0b8a00e56080751b55b260bffcdac7bbba7b202d7aeae1595861ff7ca6303c9c",
 };
 
 static CONSTRAIN_DENSITY_WITH_PACKED: Module = Module {
@@ -206,7 +206,7 @@ static CONSTRAIN_DENSITY_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "33e2d0614b2017c0e206a28e710d52ded3349167344d97118f3db5c814496109",
+    hash: "1a1e497d78419d62899d24961c6cebb42fcb3aa065e09b7f21654372de0401d2",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -219,7 +219,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "b1d28b570f5d6e23d961985aa0959aa949560a0a011264255d0891bb1df4f219",
+    hash: "e39b5d1e8bbfc7da96779d49a9d0d77ffd89c8021b9da5abf590935c64027ed0",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -232,7 +232,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "c7c5d1aec44da1a39df0f67d3721ece3b5c690ae57378e9fbc744197edcafaa9",
+    hash: "6d22e91fc15dc2723ed45110a5b7ccee82b954981f02547de384deca85bbddd2",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -245,7 +245,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "029e18b8f89b173bc6efc0c13455883b83d97a9f4195677801384d9adf5ea539",
+    hash: "4d107ac8a73e037580d2f9dd89b5408d8fca6cd93013d1264c9b5d7c983660fc",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -258,7 +258,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "3fdb34eae575609d05e07d221466a16384949c973f0cd5e61a7b7c3b53509d3d",
+    hash: "b6e16b39388ac59c0b69a5905f403b6fee0a7b9790928a5ba0feb42a574d6b7a",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
@@ -271,7 +271,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "3ba165ee2e227b295a4232b8e5079ffbcb9a833349fab1fb1606eb4e34164c91",
+    hash: "4238c482459e146a35c672400cb348c465f20eb52ac2b9d377ac6dc802da34d5",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_PACKED: Module = Module {
@@ -284,7 +284,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "61f3053f1b55b6a6bd96700ea9786c1e6f0a00ffe09c03504ae15eef40c5d043",
+    hash: "2ff285fb9f5692b251ee9504e829960fbf5fc80081ba6609936146dd4ec2f121",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -297,7 +297,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "20568290abcd79b3fa9224a47264fc9c8969c76a267b2f3bbb3cbacc4e6220d9",
+    hash: "22fd0a67f8ef22fbc964b6f8f8ed8455abf9218a741111dafb38ad79fadc074c",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -310,7 +310,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "a5f95cdcca8c866d0dccaf165a47197984edfe142f83728da7ea7d6eec00be2b",
+    hash: "42ae6a76814316c9ce96bcb86cbf74677808e7f54cba219e0ee9228eedce510a",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -323,7 +323,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "f83855c45baa95ce0f813583f84df0f9bea69bbb8cfd4ea92bbc319f4e49e43e",
+    hash: "378f23371763b8612f622ff6c42d80d42b937217ce8521508dafff934b0fa4d9",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -336,5 +336,5 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "f081081d0bc6bfe8e78f40662d5b8e8213d936c2b3f0c62a1280be8eaf76c919",
+    hash: "e566e168e6ecb49c7ac73a4ab19eddb8459f8e63031e01efe846ca2343af998c",
 };

@@ -218,7 +218,7 @@ static CORRECT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "e309731519a94e971054d6f0f4bbedf82f67ab2504feaac82bed610c0bd2378c",
+    hash: "193d17307b00abb70d964e880dee772bd55941d29e30e03b968f9ea61be7e9f5",
 };
 
 static CORRECT_POSITIONS_WITH_PACKED: Module = Module {
@@ -231,7 +231,7 @@ static CORRECT_POSITIONS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "fffeb1f0fa252f8ec207d2f986e380e16d7f4cd1516a02f67a9995fccbdf4ed2",
+    hash: "79fc0983a5b1d692251e9531bfdae4298c8fffaabb113b05376b359a365da610",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
@@ -244,7 +244,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "996257faa2e4d1033533a9476b57bcc3493e453db0206a015ea54a83e7f8a8f1",
+    hash: "8ed965e3b4eeee97f3aca48ad8452d2303fad152604b6707912e71c6fb39c320",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -257,7 +257,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "fd92801f61d0a3051fbf3008446f89931e293cce31d85e46c9f5bd1bb6db6e49",
+    hash: "10484fb6326fb3cca4bb1cec020f36fb2ee1bb75b7975a6319ff10dc5e1b023b",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
@@ -270,7 +270,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "990dac389f6136f4b4467e1bbd5d8af2ef9658c67a896d2ccb7ba69f78ce1f37",
+    hash: "edcfb98561ae784c0b85e01a3e89b2c281a7396f7afbd1848f7d9b749d7d37ea",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -283,7 +283,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "6860e4cb189f3ab44c5fcb9c2da28bb1e4485ce29716908d8df728f06b92283c",
+    hash: "e585bb5d0dc7ca9d7d4665263d7133de77c6c18d05fcd30c5c816872ff7aafeb",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
@@ -296,7 +296,7 @@ static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "3ff794dad1bca3a482cd17467a27e38a37265593cca5a4387a96d69c896ca371",
+    hash: "74f5c6ef157ce0c85c18b9e1daf7e4b77ef21dd60a7aba5dad46ed7c57110cb1",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_PACKED: Module = Module {
@@ -309,7 +309,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "90d8cfac89ee9bb71ecc96f1d2d4424239ef2c8c2f5805aa342077e75714c667",
+    hash: "f72ab5b3647d89347d3b09971e9fe44323d5ee810c2ef0e5ba464ac7785cb326",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -322,7 +322,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "66c90b68105058e0412d92078b7dfe9235085668c12f408a3375aa870de87232",
+    hash: "3d13dc0853797488a1fc4dc4cf174e893ed2b948dc09de07525a2882c6c4092f",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -335,7 +335,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "832f5733f87ac331f683a6421dfd7dee4b9728258836f3d2cbb087cd7d3688e3",
+    hash: "096c0ed59ae111ba3c3c6e63b8055b2dbc5c9394d5eaa66f16b584b95d4aee4e",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -348,7 +348,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "158e88f21f36f0d294fd075acee6514ef23559123cffa74ae1475be5d7c9f0b7",
+    hash: "2d6c58b34acb983229411799fe056149c6d9024dc95be0f78f2cb3bd624317b7",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -361,7 +361,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = M
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "c2278eba49fa5038581b8acb86f56460c9ec773f3f5c48c61351eb7c308e4cbb",
+    hash: "42a6f1085928188fe90c4f88ca8e974849b9d9048c9e657ae166d638a3bf9aa5",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
@@ -374,7 +374,7 @@ static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "fdb094acf1b3e04d631dd819bd524eaa70f180312587af1c2ffa59c2b3dd2e23",
+    hash: "4538e21c1638b4a89b0f2568cb76377e625028b8a66bdbe283af1f135dd72bb8",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_PACKED: Module = Module {
@@ -387,7 +387,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "6bf8d876310a4b4cf60896f1a7c803cdc6345097a2dc6ebd9c8c1c94e2238b4e",
+    hash: "50ac3f5f01796727f9501699384cb21ef14c445b305144b0819b7bc137f83e78",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -400,7 +400,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "699b0eba7a71c1b47dafe81718c0390f17bdc618f209e75901b1550246fa73b5",
+    hash: "56cc1f03aa24f9cde96c4e82a2bfd62cca3af4cacf2585004732fe4308a4750f",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -413,7 +413,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "30d337c3e17e847109efbbe8a7f9478c4433d006ba01ea8e48fc4eb4201ddd03",
+    hash: "3be8473927238a785973a39a8576bf7206ad46001265e9d1292f3cca4aac00e3",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -426,7 +426,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "5e43bb4add42a749826edf5219c6948f50c8c0268c6fe5354741b8142a70f5b9",
+    hash: "d5c6df4f91bf5eef1dda56d80161ece3ad11200decb1848d4abfdf549bdfc32a",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -439,7 +439,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "be0363ddfdbf4c6592a8e5fae516ee2cf53907fd7c074cde9adbdbe221c57a07",
+    hash: "6e017323484ec6561cc7041361de18b0f6a4efd2e56c5ba6f887516219d2eaf7",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
@@ -452,7 +452,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "f2cc749e556a964974afb7399a4f6c1248af019c9fada8e21cc15b4248d99f39",
+    hash: "f41b67e7b03279dd56830d7bfa076e4dd9189d3bcc57aa2d3459d2102c5a730d",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_PACKED: Module = Module {
@@ -465,7 +465,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "b31538958233de3908aba604b8f980935969985832fefb7afec7e030f8d4d944",
+    hash: "fd8dfa0e85e1e64ff1b0e56c0c409c19543221262e7e3f037e824d827ea46e88",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -478,7 +478,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "87259f7bdaecb8bdbc403722fc29f4b6e707c85efae3c058508b5e1d96d6a620",
+    hash: "51941cfe3919c8d62484b931e3c1ea1554abc79ee3765003a3e9a3bb3ea1de3f",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -491,7 +491,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACK
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "021a17b53490422b0b30b4028be9182fbd7c6407b48159c54c51244054d767b8",
+    hash: "2510a9896373ce700ade3c474bccfa9dd6856c3dfd32df5c02b968c0afaa3bda",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -504,7 +504,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "72f9784bfb56235c7a3c1e64becfcc82a675bb06ead69a72170af1f04a7b03af",
+    hash: "26f6d02b90cf647fa2f64877cca45450997be3a8b12b1d53f96195dd9c6a07a4",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -517,5 +517,5 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED:
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "4d1e512322e7c090304104ad3d3d166334c67ab721f3e835a2fbd388487d59c0",
+    hash: "84691e08c14005f2d35364a8388962e5c62e6325c062af98677826e05e3fb30e",
 };

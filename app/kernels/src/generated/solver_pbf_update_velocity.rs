@@ -123,7 +123,7 @@ static UPDATE_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "d46a51ab07af58874ec26d54c0197314060a5e03688e877ef3ea6ea2b7dbbbf8",
+    hash: "1a95f25b384fa9651aeb16b7413bd7a5fd63ce264e8b2051b021a0d006abda6b",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
@@ -136,7 +136,7 @@ static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "4f412f3adda42d0373fc3a1bbfa861f77e04b8b5613ae7fce5f0d7799891e926",
+    hash: "5b989a505686254007209c80bb43da6980edfaeb08bd5eb28f1ca5845a987c90",
 };
 
 static UPDATE_VELOCITY_WITH_PACKED: Module = Module {
@@ -149,7 +149,7 @@ static UPDATE_VELOCITY_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "a65f07585be435f0393a4dbf9f0ef8aca1e1531709be21e91c017cab959e8a92",
+    hash: "f40b0dbb1de45c4c5b779d9aa346f56bbb9a1c1c1a13bfcf32f9a99b1ef883f7",
 };
 
 static UPDATE_VELOCITY_WITH_PACKED_WITH_PERIODIC: Module = Module {
@@ -162,5 +162,5 @@ static UPDATE_VELOCITY_WITH_PACKED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "01f716fddd4f4412ded5f000af535d646694d958b445da1f1ab33afea495908e",
+    hash: "6349b42adaedf5aab9cdc11e27a134264bca20b952a7af898956f0c7d497d738",
 };

@@ -69,5 +69,5 @@ static ANISOTROPY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/anisotropy.compute",
-    hash: "95d287274477173dfc16b3ef9277b837795c5d1b4cb310cc150e7aed6d3e864b",
+    hash: "5f06a39338c30349936db28317afdaf89a9f219aac775a3a63026b0ef3aa9595",
 };

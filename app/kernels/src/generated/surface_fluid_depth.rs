@@ -112,7 +112,7 @@ static DRAW_FLUID_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "856211e2a2b169105c09743f3723a2bf119e92789a5b2f94a560c76507010a97",
+    hash: "34ec19110f3877bcb5b94d9632fe47ade3a204536f90f065118221e5d186baa5",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
@@ -125,7 +125,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "56fc2c296d675d9ed995da09c1ee1bc029dcff14ef79bd6776b8a30d2ac0a701",
+    hash: "c6662c0374d5a45cf945a5cc6746c02a64cfa60534aef2b565f0fdb30bc79e23",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -138,7 +138,7 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "3987c91d65b8431710aa7e362efc0bb5c396371ad55279a57b574cb8783b57fc",
+    hash: "3a5aa6ec5122fbd5d00dffebd692d9b0b1612acd7473d8dd979314be180ef231",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -151,7 +151,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "96dceefe3f7616476e2521fa8546dc653199db3360009905825e2ef1f9c800f9",
+    hash: "c8f978d8afd32642d75e046ac932f73c8bc22b7357aa66ac300ec9deb46d43d8",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -164,5 +164,5 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "d40ac64a2ff4c44948fb66bf8a42cf8233d4160289b74d13e3b3a7b915d02757",
+    hash: "be2b2e40e4c372052ecd539c696628f3c90768eebc246c1738d272f6af9b0ea9",
 };

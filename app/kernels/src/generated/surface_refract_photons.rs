@@ -70,5 +70,5 @@ static REFRACT_PHOTONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refract_photons.compute",
-    hash: "b3e40de9e403f8b2a4839e6ab9681562eb9bd52c2a407afcedfb505226593319",
+    hash: "9df5618f752d9c232bb7017860550865413ca2455a5721d743fabadb2cd99692",
 };

@@ -114,7 +114,7 @@ static DRAW_SUN_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "80b1ae85282d75ca5833719f06f0300bbffbd520f5c26b0182871bb0b8c4ce5e",
+    hash: "b3fb455a86387bba841e0f840e3fc3d79f882eab00643f223707178639d05a75",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
@@ -127,7 +127,7 @@ static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "f2b9c6b7c14b84f26cf8c399f6d3827e8a91a135a4360810c129c49c390f9069",
+    hash: "340e17ef47aa8a87287eb67b4d6a2ae28789b28d9ec21ee71761eaee33e9d80d",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -140,7 +140,7 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "da8f8e01b9704dee0cf03df1761bb2a531eb801066caae9d66b8bbfe7a2748e2",
+    hash: "2065eb8b74125b048173a83516696d5a498ce2a0eccdec1e51331be454b7c4ce",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -153,7 +153,7 @@ static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "a700cd2353d9e33562d308d48f5541de1f3a3fbd3295a118d00a49c64e3c1129",
+    hash: "7b867605ba5f6bbb988b9746b75ffb3a917333314589f48188dd8dfdbc1a1493",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -166,5 +166,5 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "fe9b76e34815b323122697d4355a71619b0ac0ac6ac1fde274040549764597cb",
+    hash: "6adece5c6c2dbf8ca12f90093ad127159d9498435bb440aca118289397151014",
 };

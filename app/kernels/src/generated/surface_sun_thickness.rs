@@ -85,7 +85,7 @@ static DRAW_SUN_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "72c9321943c93be972db57ee2668524afc9d585fcd235a0e127404cd990b3b5f",
+    hash: "5a0cee4151b1c17e3704e2fd17575c2481757fb7d478dbe5883ec7e41fb5e40a",
 };
 
 static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
@@ -98,7 +98,7 @@ static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "49b07158121b008b5892ca3f8f8893e962cffb51f4e9d7c0abedbd76e4310df8",
+    hash: "3b272faef88216d04ffa2b0d39cd5027debea710baa1a527574d553312665166",
 };
 
 static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -111,5 +111,5 @@ static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "04012f0577948f2e36a7195e464bf57b8203e5e02d9f3de567ffcea3d7d2acca",
+    hash: "876e16a889387111d6329ae922c1c65eae35d0cae444c1c6dbfd39945ca51aab",
 };

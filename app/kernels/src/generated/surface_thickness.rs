@@ -86,7 +86,7 @@ static DRAW_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "6ec3a530a041a6b12d488e6c80b8ffa857976b541ee000f4728c4c5399548f5b",
+    hash: "9a89644cb85c03d5b4f392b2b00f9c22243b809d560c05b3ed5b30f59cdb019f",
 };
 
 static DRAW_THICKNESS_FRAGMENT: Module = Module {
@@ -99,7 +99,7 @@ static DRAW_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "588fbc6ed2ad2aae19fc1e822e12d32d951eacc59f95c8e752d6edce99f6e1f9",
+    hash: "cd7bcefed8d787d744361211ed498ad161ab1cdbc1286859b75181b8e6ed556d",
 };
 
 static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -112,5 +112,5 @@ static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "ab9b7b2495678497245724873edbdce5e20fda3a4ef487a5cbd440682e749d9f",
+    hash: "5e08cae6001c4dd0569d1328b5c957dac8ab04931c798c5b2c8a1f5d070a4a31",
 };

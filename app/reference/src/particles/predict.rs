@@ -5,7 +5,7 @@ use crate::params::Step;
 use glam::DVec3;
 
 /// A particle's state.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Particle {
     /// Relative to the domain's lowest corner.
     pub position_m: DVec3,
@@ -13,6 +13,17 @@ pub struct Particle {
     pub velocity_m_s: DVec3,
     /// Its state was not finite: it is parked at the origin, at rest, and met by nobody.
     pub quarantined: bool,
+    /// The slot holds no particle.
+    pub inactive: bool,
+    /// Time since the particle began, where the solver counts it, s.
+    pub age_s: f64,
+}
+
+impl Particle {
+    /// Whether it takes part.
+    pub fn is_simulated(&self) -> bool {
+        !self.quarantined && !self.inactive
+    }
 }
 
 /// What became of a particle.
@@ -26,11 +37,11 @@ pub struct Predicted {
 
 /// Predicts one particle.
 pub fn predict(before: Particle, step: &Step) -> Predicted {
-    if before.quarantined {
+    if !before.is_simulated() {
         return Predicted { particle: before, slowed: false };
     }
     if !before.position_m.is_finite() || !before.velocity_m_s.is_finite() {
-        let particle = Particle { position_m: DVec3::ZERO, velocity_m_s: DVec3::ZERO, quarantined: true };
+        let particle = Particle { quarantined: true, ..Particle::default() };
         return Predicted { particle, slowed: false };
     }
     let (velocity_m_s, slowed) = step.slowed(before.velocity_m_s + step.gravity_m_s2 * step.dt_s);
@@ -40,7 +51,7 @@ pub fn predict(before: Particle, step: &Step) -> Predicted {
     if step.walls.any() {
         after_m_s = after_m_s.clamp(DVec3::splat(-step.max_speed_m_s), DVec3::splat(step.max_speed_m_s));
     }
-    let particle = Particle { position_m: step.wrapped(position_m), velocity_m_s: after_m_s, quarantined: false };
+    let particle = Particle { position_m: step.wrapped(position_m), velocity_m_s: after_m_s, ..before };
     Predicted { particle, slowed }
 }
 
@@ -62,7 +73,7 @@ mod tests {
     }
 
     fn at_rest(position_m: DVec3) -> Particle {
-        Particle { position_m, velocity_m_s: DVec3::ZERO, quarantined: false }
+        Particle { position_m, ..Particle::default() }
     }
 
     #[test]

@@ -3,8 +3,9 @@
 use std::fs;
 use std::path::PathBuf;
 
+use brooklet_fluid::particles::fluid_of;
 use brooklet_fluid::{smoothing_kernel, solver::pbf};
-use brooklet_kernels::QUARANTINED;
+use brooklet_kernels::{INACTIVE_FLUID, QUARANTINED};
 use brooklet_reference::boundary::walls::{DomainWalls, WallScales};
 use brooklet_reference::params::{self, Forces, Smoothing, Step};
 use brooklet_reference::particles::predict::Particle;
@@ -48,6 +49,8 @@ pub fn reference_fluid(setup: &Setup) -> Fluid {
                 position_m: position_m(position),
                 velocity_m_s: velocity_m_s(velocity),
                 quarantined: position.tag & QUARANTINED != 0,
+                inactive: fluid_of(position.tag) == INACTIVE_FLUID,
+                age_s: f64::from(velocity.age_s),
             })
             .collect(),
         step: Step {

@@ -84,7 +84,7 @@ pub fn draw_moving(view: &View, options: &FrameOptions, spheres: &[Sphere], velo
         spheres.iter().map(|sphere| Position { position_m: sphere.at_m.as_vec3().into(), tag: sphere.tag }).collect();
     let moving: Vec<Velocity> = velocities_m_s
         .iter()
-        .map(|velocity| Velocity { velocity_m_s: velocity.as_vec3().into(), reserved: 0.0 })
+        .map(|velocity| Velocity { velocity_m_s: velocity.as_vec3().into(), age_s: 0.0 })
         .collect();
     if count > 0 {
         engine.write(&positions, &particles);

@@ -40,7 +40,7 @@ impl Pbf {
             corrected_m = self.iterate(&predicted_m, &corrected_m, &neighbours, step, walls);
         }
         for (i, particle) in particles.iter_mut().enumerate() {
-            if !particle.quarantined {
+            if particle.is_simulated() {
                 let (velocity_m_s, _) = update_velocity(predicted_m[i], corrected_m[i], particle.velocity_m_s, step);
                 particle.velocity_m_s = velocity_m_s;
                 particle.position_m = step.wrapped(corrected_m[i]);
@@ -59,7 +59,7 @@ impl Pbf {
         let alone = |i: usize| {
             let particle = particles[i];
             let inside_m = particle.position_m.clamp(DVec3::ZERO, step.domain_size_m);
-            particle.quarantined || (self.grid_ends_at_domain && inside_m != particle.position_m)
+            !particle.is_simulated() || (self.grid_ends_at_domain && inside_m != particle.position_m)
         };
         list_by_cells(&positions_m(particles), alone, self.smoothing.support_m, step.period_m)
     }
