@@ -7,7 +7,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use brooklet_fluid::scene::{Smoothing, SurfaceMethod};
+use brooklet_fluid::scene::{Field, Smoothing};
 use brooklet_fluid::{MEASURE, STEP, Scene};
 use brooklet_gpu::{FRAMES_IN_FLIGHT, LeftOutKind, Plan, Tier, timestamp_bytes};
 use serde::Serialize;
@@ -28,84 +28,28 @@ pub struct Absent {
     pub reason: String,
 }
 
-/// A part of a scene that can be off.
-struct Term {
-    reason: &'static str,
-    is_off: fn(&Scene, Tier) -> bool,
-    turn_on: fn(&mut Scene),
+/// The scene with what its settings come to on a tier, as the table of settings can compare it: caustics, whose
+/// default is the tier's; walls, which no periodic axis has; and smoothing, which is none without iterations.
+fn come_to(scene: &Scene, tier: Tier) -> Scene {
+    let mut scene = scene.clone();
+    scene.surface.caustics.get_or_insert(tier == Tier::Desktop);
+    scene.domain.walls = scene.domain.has_walls();
+    if scene.surface.iterations() == 0 {
+        scene.surface.smoothing = Smoothing::None;
+    }
+    scene
 }
 
-const TERMS: &[Term] = &[
-    Term {
-        reason: "forces.vorticity_m_s = 0",
-        is_off: |scene, _| scene.forces.vorticity_m_s == 0.0,
-        turn_on: |scene| scene.forces.vorticity_m_s = 0.1,
-    },
-    Term {
-        reason: "forces.xsph = 0",
-        is_off: |scene, _| scene.forces.xsph == 0.0,
-        turn_on: |scene| scene.forces.xsph = 0.01,
-    },
-    Term {
-        reason: "solver.pbf.s_corr_k = 0",
-        is_off: |scene, _| scene.solver.pbf.s_corr_k == 0.0,
-        turn_on: |scene| scene.solver.pbf.s_corr_k = 0.1,
-    },
-    Term {
-        reason: "solver.deterministic = false",
-        is_off: |scene, _| !scene.solver.deterministic,
-        turn_on: |scene| scene.solver.deterministic = true,
-    },
-    Term {
-        reason: "domain.walls = false",
-        is_off: |scene, _| !scene.domain.has_walls(),
-        turn_on: |scene| {
-            scene.domain.walls = true;
-            scene.domain.periodic = [false; 3];
-        },
-    },
-    Term {
-        reason: "domain.periodic = [false, false, false]",
-        is_off: |scene, _| !scene.domain.is_periodic(),
-        turn_on: |scene| scene.domain.periodic[0] = true,
-    },
-    Term {
-        reason: "outputs.measure_every_steps = 0",
-        is_off: |scene, _| scene.outputs.measure_every_steps == 0,
-        turn_on: |scene| scene.outputs.measure_every_steps = 1,
-    },
-    Term {
-        reason: "surface.method = none",
-        is_off: |scene, _| scene.surface.method == SurfaceMethod::None,
-        turn_on: |scene| scene.surface.method = SurfaceMethod::ScreenSpace,
-    },
-    Term {
-        reason: "surface.smoothing = none",
-        is_off: |scene, _| scene.surface.method == SurfaceMethod::ScreenSpace && scene.surface.iterations() == 0,
-        turn_on: |scene| {
-            scene.surface.smoothing = Smoothing::NarrowRange;
-            scene.surface.iterations = None;
-        },
-    },
-    Term {
-        reason: "surface.anisotropic = false",
-        is_off: |scene, _| scene.surface.method == SurfaceMethod::ScreenSpace && !scene.surface.anisotropic,
-        turn_on: |scene| scene.surface.anisotropic = true,
-    },
-    Term {
-        reason: "surface.caustics = false",
-        is_off: |scene, tier| {
-            let is_on = scene.surface.caustics.unwrap_or(tier == Tier::Desktop);
-            scene.surface.method == SurfaceMethod::ScreenSpace && !is_on
-        },
-        turn_on: |scene| scene.surface.caustics = Some(true),
-    },
-    Term {
-        reason: "no pictures (outputs.images = 0)",
-        is_off: |scene, _| scene.outputs.images == 0,
-        turn_on: |scene| scene.outputs.images = 1,
-    },
-];
+/// The scene with the term of a field, and without what would keep it out all the same.
+fn with_term(scene: &Scene, field: &Field) -> Scene {
+    let mut scene = scene.with_term(field);
+    match field.path {
+        "domain.walls" => scene.domain.periodic = [false; 3],
+        "surface.smoothing" => scene.surface.iterations = None,
+        _ => {}
+    }
+    scene
+}
 
 /// What is recorded beside the simulation.
 #[derive(Clone, Copy, Debug, Default)]
@@ -139,10 +83,9 @@ pub fn list(
             reason: left_out.reason.clone(),
         })
         .collect();
-    for term in TERMS.iter().filter(|term| (term.is_off)(scene, tier)) {
-        let mut other = scene.clone();
-        (term.turn_on)(&mut other);
-        absent.extend(difference(plan, &ScenePlan::of_count(&other, particles, tier)?.plan, term.reason));
+    for field in come_to(scene, tier).terms_left_out() {
+        let other = with_term(scene, field);
+        absent.extend(difference(plan, &ScenePlan::of_count(&other, particles, tier)?.plan, &field.reason()));
     }
     if let Some(reason) = recorded.no_times {
         let (name, kind, bytes) = ("timestamps".into(), "timestamps", timestamp_memory(plan));
@@ -226,6 +169,43 @@ mod tests {
         assert_eq!(plan_off.bytes() + bytes, plan_on.bytes());
         let on_list = list(&on, particles, Tier::Desktop, &plan_on, &Recorded::default()).unwrap();
         assert!(on_list.iter().all(|absent| !absent.reason.starts_with("forces.vorticity")));
+    }
+
+    #[test]
+    fn each_term_that_is_named_comes_with_what_is_turned_on() {
+        let scene = scene(&[
+            "spacing_m=0.1",
+            "domain.walls=true",
+            "solver.deterministic=false",
+            "forces.xsph=0",
+            "surface.smoothing=narrow-range",
+            "surface.iterations=0",
+            "surface.anisotropic=false",
+            "outputs.images=0",
+            "outputs.measure_every_steps=0",
+        ]);
+        // As a file may not say it with these sides.
+        let mut scene = scene;
+        scene.domain.periodic = [true; 3];
+        let left_out = |scene: &Scene, tier| come_to(scene, tier).terms_left_out();
+        let paths = |tier| left_out(&scene, tier).iter().map(|field| field.path).collect::<Vec<_>>();
+        let both = [
+            "domain.walls",
+            "solver.deterministic",
+            "solver.pbf.s_corr_k",
+            "forces.xsph",
+            "forces.vorticity_m_s",
+            "surface.smoothing",
+            "surface.anisotropic",
+        ];
+        let outputs = ["outputs.images", "outputs.measure_every_steps"];
+        assert_eq!(paths(Tier::Desktop), [&both[..], &outputs].concat());
+        assert_eq!(paths(Tier::Mobile), [&both[..], &["surface.caustics"], &outputs].concat());
+        for field in left_out(&scene, Tier::Mobile) {
+            let other = with_term(&scene, field);
+            let still = left_out(&other, Tier::Mobile);
+            assert!(still.iter().all(|other| other.path != field.path), "{} is not turned on", field.path);
+        }
     }
 
     #[test]

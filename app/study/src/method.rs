@@ -1,19 +1,14 @@
-//! The solvers there are, and the knobs of each. A new solver is a line here; cases, studies and reports
-//! do not change.
-
-use crate::knob::{self, Knob};
+//! The solvers that are studied. A new one is a line here; cases, studies and reports do not change.
 
 /// A solver.
 #[derive(Clone, Copy, Debug)]
 pub struct Method {
     /// Its name, as scenes have it (`solver.method`).
     pub name: &'static str,
-    /// What can be turned of it.
-    pub knobs: &'static [Knob],
 }
 
 /// Every solver.
-pub const METHODS: &[Method] = &[Method { name: "pbf", knobs: knob::PBF }];
+pub const METHODS: &[Method] = &[Method { name: "pbf" }];
 
 /// The method of a name.
 pub fn method(name: &str) -> Option<&'static Method> {

@@ -2,6 +2,8 @@
 
 use toml::Value;
 
+use super::field::Field;
+
 /// What has to be done for a running scene to take another value of a field; the worse the later.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Applied {
@@ -17,21 +19,19 @@ pub enum Applied {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Applies {
     Always(Applied),
-    /// Live, but at 0 the term has no pass and no buffer: from or to 0 it is a rebuild.
+    /// Live, but a term that is left out has no pass and no buffer: from or to the row's value that leaves it
+    /// out it is a rebuild.
     Term,
 }
 
-impl Applies {
-    pub(crate) fn between(self, before: Option<&Value>, after: Option<&Value>) -> Applied {
-        let is_on = |value: Option<&Value>| match value {
-            Some(Value::Float(number)) => *number > 0.0,
-            Some(Value::Integer(number)) => *number > 0,
-            _ => false,
-        };
-        match self {
-            Self::Always(applied) => applied,
-            Self::Term if is_on(before) == is_on(after) => Applied::Live,
-            Self::Term => Applied::Rebuild,
+impl Field {
+    /// What a running scene needs that has `before` to have `after`.
+    pub(super) fn applied(&self, before: Option<&Value>, after: Option<&Value>) -> Applied {
+        let is_off = |value: Option<&Value>| value.is_some_and(|value| self.is_off(value));
+        match self.applies {
+            Applies::Always(applied) => applied,
+            Applies::Term if is_off(before) == is_off(after) => Applied::Live,
+            Applies::Term => Applied::Rebuild,
         }
     }
 }

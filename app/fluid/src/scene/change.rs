@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use toml::Value;
 
 use super::Scene;
-use super::applied::{Applied, Applies};
+use super::applied::Applied;
 use super::field::Kind;
 use super::fields::field_of;
 
@@ -35,8 +35,8 @@ impl Scene {
         let changed = paths.into_iter().filter(|path| before.get(*path) != after.get(*path)).filter_map(|path| {
             let field = field_of(path);
             let of_both = field.is_none_or(|field| methods.iter().all(|method| field.is_of(method)));
-            let applies = field.map_or(Applies::Always(Applied::Reset), |field| field.applies);
-            of_both.then(|| (path.clone(), applies.between(before.get(path), after.get(path))))
+            let applied = field.map_or(Applied::Reset, |field| field.applied(before.get(path), after.get(path)));
+            of_both.then(|| (path.clone(), applied))
         });
         let fields: Vec<(String, Applied)> = changed.collect();
         Change { applied: fields.iter().map(|(_, applied)| *applied).max().unwrap_or(Applied::Live), fields }

@@ -15,11 +15,62 @@ pub struct Field {
     pub(super) applies: Applies,
     /// The methods (`solver.method`) that have it; none named: all of them.
     pub methods: &'static [&'static str],
+    /// How far a slider goes; see [`Field::slider_at`] for fields that do not say.
+    pub(super) slider: Option<Slider>,
+    /// The term that a value of it leaves out, if one does.
+    pub term: Option<Term>,
+    /// What a study turns it through, if it does.
+    pub knob: Option<Knob>,
+}
+
+/// A slider's ends: what is useful, not what is allowed. Other values can be typed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Slider {
+    /// Lower end.
+    pub least: f64,
+    /// Upper end.
+    pub most: f64,
+    /// Whether equal ways multiply.
+    pub logarithmic: bool,
+}
+
+/// A part of the simulation or the picture that a value leaves out: its passes, buffers and variants.
+/// Values are texts, as `--set` takes them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Term {
+    /// The value that leaves it out.
+    pub off: &'static str,
+    /// One that brings it in.
+    pub on: &'static str,
+    /// Another field, and its value without which there is no such term.
+    pub needs: Option<(&'static str, &'static str)>,
+    /// What is missing without it, where the path does not say it; empty otherwise.
+    pub meaning: &'static str,
+}
+
+/// What a study turns a field through, everything else staying.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Knob {
+    /// Its name on the command line and in legends.
+    pub name: &'static str,
+    /// What it is turned to.
+    pub values: Values,
+    /// Which of them are enough for a quick look.
+    pub quick: &'static [usize],
+}
+
+/// What a knob is turned to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Values {
+    /// Multiples of what a case has.
+    Times(&'static [f64]),
+    /// Values, as `--set` takes them.
+    To(&'static [&'static str]),
 }
 
 impl Field {
     pub(super) const fn new(path: &'static str, kind: Kind, applies: Applies) -> Self {
-        Self { path, kind, applies, methods: &[] }
+        Self { path, kind, applies, methods: &[], slider: None, term: None, knob: None }
     }
 
     /// Only these methods have it.
@@ -28,9 +79,77 @@ impl Field {
         self
     }
 
+    /// A slider goes from `least` to `most`.
+    pub(super) const fn slider(mut self, least: f64, most: f64) -> Self {
+        self.slider = Some(Slider { least, most, logarithmic: false });
+        self
+    }
+
+    /// A slider goes from `least` to `most`, equal ways multiplying.
+    pub(super) const fn logarithmic(mut self, least: f64, most: f64) -> Self {
+        self.slider = Some(Slider { least, most, logarithmic: true });
+        self
+    }
+
+    /// `off` leaves a term out, and `on` brings it in.
+    pub(super) const fn term(mut self, off: &'static str, on: &'static str) -> Self {
+        self.term = Some(Term { off, on, needs: None, meaning: "" });
+        self
+    }
+
+    /// As [`Field::term`], of a term that is only there with another field's value.
+    pub(super) const fn term_with(
+        mut self,
+        off: &'static str,
+        on: &'static str,
+        needs: (&'static str, &'static str),
+    ) -> Self {
+        self.term = Some(Term { off, on, needs: Some(needs), meaning: "" });
+        self
+    }
+
+    /// As [`Field::term`], with what is missing when it is out.
+    pub(super) const fn term_called(mut self, off: &'static str, on: &'static str, meaning: &'static str) -> Self {
+        self.term = Some(Term { off, on, needs: None, meaning });
+        self
+    }
+
+    /// A study turns it, under a name, to values as `--set` takes them; `quick` of them are enough for a quick look.
+    pub(super) const fn knob(
+        mut self,
+        name: &'static str,
+        values: &'static [&'static str],
+        quick: &'static [usize],
+    ) -> Self {
+        self.knob = Some(Knob { name, values: Values::To(values), quick });
+        self
+    }
+
+    /// As [`Field::knob`], to multiples of what a case has.
+    pub(super) const fn knob_times(
+        mut self,
+        name: &'static str,
+        factors: &'static [f64],
+        quick: &'static [usize],
+    ) -> Self {
+        self.knob = Some(Knob { name, values: Values::Times(factors), quick });
+        self
+    }
+
     /// Whether scenes of a method have it.
     pub fn is_of(&self, method: &str) -> bool {
         self.methods.is_empty() || self.methods.contains(&method)
+    }
+
+    /// The ends of a slider that stands at `value`; none of what is no number. Fields without useful ends of their
+    /// own are lengths and densities: some times larger or smaller, by powers of two, so that the ends stay while
+    /// the slider moves.
+    pub fn slider_at(&self, value: f64) -> Option<Slider> {
+        let (Kind::Number(limits) | Kind::Whole(limits)) = self.kind else { return None };
+        Some(self.slider.unwrap_or_else(|| {
+            let middle = if value > 0.0 { 2f64.powf(value.log2().round()) } else { 1.0 };
+            Slider { least: (middle / 8.0).max(limits.least), most: (8.0 * middle).min(limits.most), logarithmic: true }
+        }))
     }
 }
 

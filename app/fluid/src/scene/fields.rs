@@ -1,5 +1,7 @@
-//! Every setting of a scene file, once: what it takes and within which limits, which methods have it, and
-//! what a running scene needs to take another value. The checks, the messages and the editors' schema are made from it.
+//! The only list of settings: every field of a scene file, with what it takes and within which limits, the methods
+//! that have it, what a running scene needs to take another value, how far a slider goes, which value leaves a term
+//! out, and what a study turns it through. The checks and their messages, the editors' schema, the window's sliders, the
+//! reasons of `brooklet plan` and the study's knobs are made from it.
 
 use super::applied::{Applied, Applies};
 use super::field::{Field, Kind, Limits};
@@ -7,6 +9,14 @@ use super::solver::Method;
 
 const fn within(least: f64, most: f64, unit: &'static str) -> Limits {
     Limits { least, most, unit }
+}
+
+const fn number(least: f64, most: f64, unit: &'static str) -> Kind {
+    Kind::Number(within(least, most, unit))
+}
+
+const fn whole(least: f64, most: f64, unit: &'static str) -> Kind {
+    Kind::Whole(within(least, most, unit))
 }
 
 /// Far enough for any scene, near enough that f64 still tells micrometres apart there.
@@ -22,20 +32,28 @@ const PBF: &[&str] = &["pbf"];
 /// Methods whose particles know their neighbours.
 const WITH_NEIGHBOURS: &[&str] = &["pbf"];
 
-/// Path of each field, `*` for any item of an array, with what it takes, and what a running scene needs
-/// to take another value (of a table nothing: its fields say it).
+/// What terms of water as a surface need.
+const WATER: (&str, &str) = ("surface.method", "screen-space");
+
+/// Every field, in the order of scene files.
 ///
-/// The widest limits keep what the GPU derives (squares, inverses, sums) inside f32's range.
-pub(crate) const FIELDS: &[Field] = &[
+/// The widest limits keep what the GPU derives (squares, inverses, sums) inside f32's range. A case of a study
+/// shortens its step with its spacing, and all spacings of the knob fill the cases' bodies with whole lattices: a
+/// column that is a third of a spacing short would show as an error of the solver.
+pub const FIELDS: &[Field] = &[
     Field::new("summary", Kind::Text, LIVE),
-    Field::new("spacing_m", Kind::Number(within(1.0e-6, 1.0e3, "m")), RESET),
+    Field::new("spacing_m", number(1.0e-6, 1.0e3, "m"), RESET).knob_times(
+        "spacing",
+        &[2.0, 4.0 / 3.0, 1.0, 2.0 / 3.0, 0.5],
+        &[0, 2],
+    ),
     Field::new("gravity_m_s2", Kind::Vector(within(-1.0e6, 1.0e6, "m/s²")), LIVE),
     Field::new("domain", Kind::Table, RESET),
     Field::new("domain.min_m", PLACE, RESET),
     Field::new("domain.max_m", PLACE, RESET),
-    Field::new("domain.walls", Kind::Switch, REBUILD),
-    Field::new("domain.periodic", Kind::Switches, RESET),
-    Field::new("domain.dimensions", Kind::Whole(within(2.0, 3.0, "")), RESET),
+    Field::new("domain.walls", Kind::Switch, REBUILD).term("false", "true"),
+    Field::new("domain.periodic", Kind::Switches, RESET).term("[false, false, false]", "[true, false, false]"),
+    Field::new("domain.dimensions", whole(2.0, 3.0, ""), RESET).slider(2.0, 3.0),
     Field::new("fluid", Kind::Tables, RESET),
     Field::new("fluid.*", Kind::Table, RESET),
     Field::new("fluid.*.block", Kind::Table, RESET),
@@ -43,53 +61,90 @@ pub(crate) const FIELDS: &[Field] = &[
     Field::new("fluid.*.block.max_m", PLACE, RESET),
     Field::new("fluid.*.sphere", Kind::Table, RESET),
     Field::new("fluid.*.sphere.centre_m", PLACE, RESET),
-    Field::new("fluid.*.sphere.radius_m", Kind::Number(within(1.0e-6, 1.0e6, "m")), RESET),
+    Field::new("fluid.*.sphere.radius_m", number(1.0e-6, 1.0e6, "m"), RESET),
     Field::new("fluid.*.velocity_m_s", SPEED, RESET),
-    Field::new("fluid.*.rest_density_kg_m3", Kind::Number(within(1.0e-6, 1.0e6, "kg/m³")), LIVE),
+    Field::new("fluid.*.rest_density_kg_m3", number(1.0e-6, 1.0e6, "kg/m³"), LIVE),
     Field::new("solver", Kind::Table, REBUILD),
     Field::new("solver.method", Kind::Choice(Method::NAMES), RESET),
-    Field::new("solver.dt_s", Kind::Number(within(1.0e-9, 1.0e3, "s")), LIVE),
-    Field::new("solver.substeps", Kind::Whole(within(1.0, 1000.0, "")), REBUILD),
-    Field::new("solver.support_ratio", Kind::Number(within(1.2, 4.0, "")), REBUILD),
-    Field::new("solver.max_speed_m_s", Kind::Number(within(1.0e-6, 1.0e9, "m/s")), LIVE),
-    Field::new("solver.neighbour_slots", Kind::Whole(within(1.0, 1024.0, "")), REBUILD),
-    Field::new("solver.deterministic", Kind::Switch, REBUILD),
-    Field::new("solver.precision", Kind::Choice(&["full", "relaxed", "half"]), REBUILD),
-    Field::new("solver.packed_positions", Kind::Switch, REBUILD),
+    Field::new("solver.dt_s", number(1.0e-9, 1.0e3, "s"), LIVE).logarithmic(5e-4, 0.02),
+    Field::new("solver.substeps", whole(1.0, 1000.0, ""), REBUILD).slider(1.0, 8.0).knob(
+        "substeps",
+        &["1", "2", "3", "4", "8"],
+        &[0, 1, 3],
+    ),
+    Field::new("solver.support_ratio", number(1.2, 4.0, ""), REBUILD).slider(1.5, 3.0).knob(
+        "h/d",
+        &["1.6", "2", "2.5", "3", "3.5"],
+        &[1, 3],
+    ),
+    Field::new("solver.max_speed_m_s", number(1.0e-6, 1.0e9, "m/s"), LIVE).logarithmic(0.1, 100.0),
+    Field::new("solver.neighbour_slots", whole(1.0, 1024.0, ""), REBUILD).slider(8.0, 256.0),
+    Field::new("solver.deterministic", Kind::Switch, REBUILD).term("false", "true").knob(
+        "deterministic",
+        &["false", "true"],
+        &[0, 1],
+    ),
+    Field::new("solver.precision", Kind::Choice(&["full", "relaxed", "half"]), REBUILD).knob(
+        "precision",
+        &["full", "relaxed", "half"],
+        &[0, 2],
+    ),
+    Field::new("solver.packed_positions", Kind::Switch, REBUILD).knob("packed", &["false", "true"], &[0, 1]),
     Field::new("solver.pbf", Kind::Table, REBUILD).of(PBF),
-    Field::new("solver.pbf.iterations", Kind::Whole(within(0.0, 1000.0, "")), REBUILD).of(PBF),
-    Field::new("solver.pbf.relaxation", Kind::Number(within(1.0e-3, 1.0, "")), LIVE).of(PBF),
-    Field::new("solver.pbf.cfm", Kind::Number(within(1.0e-6, 1.0e3, "")), LIVE).of(PBF),
-    Field::new("solver.pbf.s_corr_k", Kind::Number(within(0.0, 10.0, "")), TERM).of(PBF),
-    Field::new("solver.pbf.s_corr_distance_ratio", Kind::Number(within(0.0, 0.9, "")), LIVE).of(PBF),
+    Field::new("solver.pbf.iterations", whole(0.0, 1000.0, ""), REBUILD).of(PBF).slider(0.0, 16.0).knob(
+        "iterations",
+        &["1", "2", "4", "8", "16"],
+        &[1, 2, 3],
+    ),
+    Field::new("solver.pbf.relaxation", number(1.0e-3, 1.0, ""), LIVE).of(PBF).slider(0.05, 1.0).knob(
+        "relaxation",
+        &["0.2", "0.35", "0.5", "0.65", "0.8"],
+        &[1, 2],
+    ),
+    Field::new("solver.pbf.cfm", number(1.0e-6, 1.0e3, ""), LIVE).of(PBF).logarithmic(1e-4, 1.0),
+    Field::new("solver.pbf.s_corr_k", number(0.0, 10.0, ""), TERM).of(PBF).slider(0.0, 0.5).term("0", "0.1").knob(
+        "s_corr",
+        &["0", "0.001", "0.01", "0.1"],
+        &[0],
+    ),
+    Field::new("solver.pbf.s_corr_distance_ratio", number(0.0, 0.9, ""), LIVE).of(PBF).slider(0.0, 0.9),
     Field::new("forces", Kind::Table, REBUILD),
-    Field::new("forces.xsph", Kind::Number(within(0.0, 1.0, "")), TERM).of(WITH_NEIGHBOURS),
-    Field::new("forces.vorticity_m_s", Kind::Number(within(0.0, 1.0e3, "m/s")), TERM).of(WITH_NEIGHBOURS),
+    Field::new("forces.xsph", number(0.0, 1.0, ""), TERM).of(WITH_NEIGHBOURS).slider(0.0, 0.5).term("0", "0.01").knob(
+        "XSPH",
+        &["0", "0.01", "0.05", "0.2"],
+        &[0, 1],
+    ),
+    Field::new("forces.vorticity_m_s", number(0.0, 1.0e3, "m/s"), TERM)
+        .of(WITH_NEIGHBOURS)
+        .slider(0.0, 1.0)
+        .term("0", "0.1"),
     Field::new("surface", Kind::Table, REBUILD),
-    Field::new("surface.method", Kind::Choice(&["screen-space", "points", "none"]), REBUILD),
+    Field::new("surface.method", Kind::Choice(&["screen-space", "points", "none"]), REBUILD)
+        .term("none", "screen-space"),
     Field::new(
         "surface.smoothing",
         Kind::Choice(&["narrow-range", "curvature-flow", "bilateral", "bilateral-2d", "gaussian", "none"]),
         REBUILD,
-    ),
-    Field::new("surface.iterations", Kind::Whole(within(0.0, 1000.0, "")), REBUILD),
-    Field::new("surface.smoothing_ratio", Kind::Number(within(0.0, 100.0, "")), REBUILD),
-    Field::new("surface.radius_ratio", Kind::Number(within(0.1, 10.0, "")), REBUILD),
-    Field::new("surface.anisotropic", Kind::Switch, REBUILD),
+    )
+    .term_with("none", "narrow-range", WATER),
+    Field::new("surface.iterations", whole(0.0, 1000.0, ""), REBUILD).slider(0.0, 100.0),
+    Field::new("surface.smoothing_ratio", number(0.0, 100.0, ""), REBUILD).slider(0.0, 6.0),
+    Field::new("surface.radius_ratio", number(0.1, 10.0, ""), REBUILD).slider(0.3, 1.5),
+    Field::new("surface.anisotropic", Kind::Switch, REBUILD).term_with("false", "true", WATER),
     Field::new("surface.absorption_per_m", Kind::Vector(within(0.0, 1.0e6, "1/m")), REBUILD),
-    Field::new("surface.caustics", Kind::Switch, REBUILD),
-    Field::new("surface.refraction", Kind::Number(within(0.0, 2.0, "")), REBUILD),
+    Field::new("surface.caustics", Kind::Switch, REBUILD).term_with("false", "true", WATER),
+    Field::new("surface.refraction", number(0.0, 2.0, ""), REBUILD).slider(0.0, 2.0),
     Field::new("surface.color_by", Kind::Choice(&["speed", "fluid", "density"]), REBUILD),
     Field::new("camera", Kind::Table, LIVE),
     Field::new("camera.eye_m", PLACE, LIVE),
     Field::new("camera.target_m", PLACE, LIVE),
-    Field::new("camera.fov_deg", Kind::Number(within(1.0, 150.0, "degrees")), LIVE),
+    Field::new("camera.fov_deg", number(1.0, 150.0, "degrees"), LIVE),
     Field::new("outputs", Kind::Table, LIVE),
-    Field::new("outputs.seconds", Kind::Number(within(0.0, 1.0e6, "s")), LIVE),
-    Field::new("outputs.images", Kind::Whole(within(0.0, 100_000.0, "")), LIVE),
-    Field::new("outputs.width_px", Kind::Whole(within(1.0, 8192.0, "pixels")), LIVE),
-    Field::new("outputs.height_px", Kind::Whole(within(1.0, 8192.0, "pixels")), LIVE),
-    Field::new("outputs.measure_every_steps", Kind::Whole(within(0.0, 1.0e9, "")), TERM),
+    Field::new("outputs.seconds", number(0.0, 1.0e6, "s"), LIVE),
+    Field::new("outputs.images", whole(0.0, 100_000.0, ""), LIVE).term_called("0", "1", "no pictures"),
+    Field::new("outputs.width_px", whole(1.0, 8192.0, "pixels"), LIVE),
+    Field::new("outputs.height_px", whole(1.0, 8192.0, "pixels"), LIVE),
+    Field::new("outputs.measure_every_steps", whole(0.0, 1.0e9, ""), TERM).slider(0.0, 32.0).term("0", "1"),
 ];
 
 /// What the field at `path` takes (`fluid.0.block`); none if there is no such field.

@@ -23,6 +23,7 @@ mod settings;
 mod shipped;
 mod solver;
 mod surface;
+mod terms;
 #[cfg(test)]
 mod tests;
 
@@ -31,7 +32,8 @@ pub use change::Change;
 pub use domain::Domain;
 pub use error::SceneError;
 pub(crate) use explain::shortened;
-pub use field::{Field, Kind, Limits};
+pub use field::{Field, Kind, Knob, Limits, Slider, Term, Values};
+pub use fields::FIELDS;
 pub use forces::Forces;
 pub use panel::Setting;
 pub use pbf::PbfSettings;

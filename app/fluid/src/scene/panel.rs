@@ -5,7 +5,7 @@ use std::sync::OnceLock;
 use toml::{Table, Value};
 
 use super::applied::{Applied, Applies};
-use super::field::Kind;
+use super::field::{Kind, Slider};
 use super::fields::FIELDS;
 use super::{Scene, SceneError, explain, methods, moved, paths, settings};
 
@@ -22,6 +22,8 @@ pub struct Setting {
     pub at_zero: Applied,
     /// What it is, in a sentence: the first of its documentation.
     pub doc: &'static str,
+    /// How far a slider goes; none of what is no number.
+    pub slider: Option<Slider>,
     /// Its value; none if it is left out and has no fixed default.
     pub value: Option<Value>,
 }
@@ -49,7 +51,10 @@ impl Scene {
                 let value = values.get(&path).cloned();
                 if value.is_some() || !field.path.contains('*') {
                     let doc = doc_of(field.path);
-                    all.push(Setting { path, kind: field.kind, applied, at_zero, doc, value });
+                    let number =
+                        value.as_ref().and_then(|value| value.as_float().or(value.as_integer().map(|w| w as f64)));
+                    let slider = field.slider_at(number.unwrap_or(0.0));
+                    all.push(Setting { path, kind: field.kind, applied, at_zero, doc, slider, value });
                 }
             }
         }

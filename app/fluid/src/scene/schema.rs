@@ -4,9 +4,9 @@
 use schemars::generate::SchemaSettings;
 use serde_json::{Map, Value, json};
 
-use super::Scene;
-use super::field::{Kind, Limits};
+use super::field::{Field, Kind, Limits};
 use super::fields::FIELDS;
+use super::{Method, Scene};
 
 /// The JSON Schema (draft 7) of a scene file, as text.
 pub fn schema() -> String {
@@ -24,6 +24,7 @@ pub fn schema() -> String {
     if let Some(fluid) = part_of(&mut schema, "fluid.*") {
         fluid["oneOf"] = json!([{ "required": ["block"] }, { "required": ["sphere"] }]);
     }
+    by_method(&mut schema, FIELDS, Method::NAMES);
     // A schema of strings and numbers is always representable.
     serde_json::to_string_pretty(&schema).unwrap_or_default()
 }
@@ -33,6 +34,45 @@ fn part_of<'a>(schema: &'a mut Value, field: &str) -> Option<&'a mut Value> {
         "*" => here.get_mut("items"),
         key => here.get_mut("properties")?.get_mut(key),
     })
+}
+
+/// Refuses each method the fields that it does not have. The first is the one of scenes that name none.
+fn by_method(schema: &mut Value, fields: &[Field], methods: &[&str]) {
+    let mut rules = Vec::new();
+    for method in methods {
+        let mut refused = json!({});
+        for field in fields.iter().filter(|field| !field.is_of(method)) {
+            refuse(&mut refused, field.path);
+        }
+        if refused == json!({}) {
+            continue;
+        }
+        let mut chosen = json!({ "properties": { "solver": { "properties": { "method": { "const": method } } } } });
+        if methods.first() != Some(method) {
+            chosen["required"] = json!(["solver"]);
+            chosen["properties"]["solver"]["required"] = json!(["method"]);
+        }
+        rules.push(json!({ "if": chosen, "then": refused }));
+    }
+    if !rules.is_empty() {
+        schema["allOf"] = rules.into();
+    }
+}
+
+/// Nothing may be at `path`.
+fn refuse(schema: &mut Value, path: &str) {
+    let mut here = schema;
+    for step in path.split('.') {
+        // A table that is refused as a whole.
+        if here.as_bool() == Some(false) {
+            return;
+        }
+        here = match step {
+            "*" => &mut here["items"],
+            key => &mut here["properties"][key],
+        };
+    }
+    *here = false.into();
 }
 
 fn limit(part: &mut Value, kind: &Kind) {
@@ -90,5 +130,50 @@ fn tidy(schema: &mut Value) {
         }
         Value::Array(items) => items.iter_mut().for_each(tidy),
         _ => {}
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::methods::tests::MORE;
+    use super::*;
+
+    #[test]
+    fn a_schema_refuses_each_method_what_others_have() {
+        let mut schema = json!({});
+        by_method(&mut schema, MORE, &["pbf", "none", "sph"]);
+        let solver = |method: &str| json!({ "properties": { "method": { "const": method } }, "required": ["method"] });
+        let chosen = |method: &str| json!({ "properties": { "solver": solver(method) }, "required": ["solver"] });
+        let lifetime = json!({ "items": { "properties": { "lifetime_s": false } } });
+        let expected = json!([
+            {
+                "if": { "properties": { "solver": { "properties": { "method": { "const": "pbf" } } } } },
+                "then": { "properties": { "forces": { "properties": { "drag": false } }, "fluid": lifetime } },
+            },
+            {
+                "if": chosen("none"),
+                "then": { "properties": {
+                    "solver": { "properties": { "pbf": false } },
+                    "forces": { "properties": { "xsph": false } },
+                } },
+            },
+            {
+                "if": chosen("sph"),
+                "then": { "properties": {
+                    "solver": { "properties": { "pbf": false } },
+                    "forces": { "properties": { "drag": false } },
+                    "fluid": lifetime,
+                } },
+            },
+        ]);
+        assert_eq!(schema["allOf"], expected);
+        let mut schema = json!({});
+        by_method(&mut schema, &MORE[..3], &["pbf", "none", "sph"]);
+        assert_eq!(schema, json!({}), "fields that every method has");
+    }
+
+    #[test]
+    fn scenes_that_name_no_method_have_the_first() {
+        assert_eq!(Method::NAMES.first(), Some(&Method::default().name()));
     }
 }

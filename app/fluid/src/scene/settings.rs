@@ -8,7 +8,7 @@ use super::{SceneError, moved};
 /// No field lies deeper than `fluid.0.block.min_m.0`.
 const MOST_KEYS: usize = 8;
 
-/// Puts `value` at `path` (`a.b.0.c=value`). A value that is not TOML is taken as a string.
+/// Puts `value` at `path` (`a.b.0.c=value`). The value is [`value_of`] its text.
 pub(super) fn set(table: &mut Table, setting: &str) -> Result<(), SceneError> {
     let bad = |reason: String| SceneError::BadSetting { setting: shortened(setting), reason };
     let (path, text) = setting.split_once('=').ok_or_else(|| bad("write path=value".into()))?;
@@ -16,11 +16,7 @@ pub(super) fn set(table: &mut Table, setting: &str) -> Result<(), SceneError> {
     if let Some(new) = moved::new_place(path) {
         return Err(bad(format!("the key is now {new}")));
     }
-    let value = toml::from_str::<Table>(&format!("value = {text}"))
-        .ok()
-        .filter(|parsed| parsed.len() == 1)
-        .and_then(|mut parsed| parsed.remove("value"))
-        .unwrap_or_else(|| Value::String(text.into()));
+    let value = value_of(text);
 
     let mut keys: Vec<&str> = path.split('.').collect();
     if keys.len() > MOST_KEYS {
@@ -50,6 +46,15 @@ pub(super) fn set(table: &mut Table, setting: &str) -> Result<(), SceneError> {
         *table = changed;
     }
     Ok(())
+}
+
+/// A value from its text. One that is not TOML is a string.
+pub(super) fn value_of(text: &str) -> Value {
+    toml::from_str::<Table>(&format!("value = {text}"))
+        .ok()
+        .filter(|parsed| parsed.len() == 1)
+        .and_then(|mut parsed| parsed.remove("value"))
+        .unwrap_or_else(|| Value::String(text.into()))
 }
 
 /// The item of an array that `key` numbers.

@@ -17,6 +17,7 @@ use brooklet_gpu::tier_name;
 
 use crate::backend::GpuRun;
 use crate::case::{self, CASES, Case};
+use crate::knob::knobs;
 use crate::method::{METHODS, Method};
 use crate::session::{Session, StudyError, state_of};
 use crate::{Figure, Outcome, State, Task};
@@ -91,7 +92,8 @@ impl Choice {
     }
 
     fn check_knobs(&self, methods: &[&Method]) -> Result<(), StudyError> {
-        let known: Vec<&str> = methods.iter().flat_map(|method| method.knobs.iter().map(|knob| knob.name)).collect();
+        let known: Vec<&str> =
+            methods.iter().flat_map(|method| knobs(method.name).map(|(_, knob)| knob.name)).collect();
         match self.knobs.iter().find(|name| !known.contains(&name.as_str())) {
             Some(name) => Err(unknown("--knobs", name, &known)),
             None => Ok(()),

@@ -2,6 +2,7 @@
 
 use super::{Choice, PART, task};
 use crate::case::{Case, setting};
+use crate::knob::{knobs, positions};
 use crate::method::Method;
 use crate::session::StudyError;
 use crate::{State, Store, Task};
@@ -43,9 +44,8 @@ pub fn curves(choice: &Choice) -> Result<Vec<Curve>, StudyError> {
     for case in cases {
         for &method in &methods {
             let wanted = |name: &str| choice.knobs.is_empty() || choice.knobs.iter().any(|knob| knob == name);
-            for knob in method.knobs.iter().filter(|knob| wanted(knob.name)) {
-                let tasks = knob
-                    .positions(case, choice.quick)
+            for (field, knob) in knobs(method.name).filter(|(_, knob)| wanted(knob.name)) {
+                let tasks = positions(field, &knob, case, choice.quick)
                     .into_iter()
                     .map(|position| {
                         let mut settings = vec![method.setting()];

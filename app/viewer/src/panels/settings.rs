@@ -1,9 +1,7 @@
 //! The scene's settings: every field of its file that means something in a window.
 
-mod ranges;
-
 use brooklet_fluid::Scene;
-use brooklet_fluid::scene::{Applied, Kind, Limits, Setting};
+use brooklet_fluid::scene::{Applied, Kind, Limits, Setting, Slider as Ends};
 use egui::{CollapsingHeader, ComboBox, DragValue, Grid, Response, RichText, Slider, SliderClamping, Ui};
 use toml::Value;
 
@@ -85,8 +83,10 @@ struct Wish {
 fn row(ui: &mut Ui, setting: &Setting, wished: &mut Option<Wish>) {
     ui.horizontal(|ui| {
         // A fluid's block and the domain have fields of one name.
-        let name =
-            setting.path.strip_prefix("solver.").or(setting.path.strip_prefix("surface.")).unwrap_or(&setting.path);
+        let name = match setting.path.split_once('.') {
+            Some(("solver" | "forces" | "surface", below)) => below.rsplit('.').next().unwrap_or(below),
+            _ => &setting.path,
+        };
         let when = match (setting.applied, setting.at_zero) {
             (Applied::Reset, _) => "from the next reset on",
             (Applied::Rebuild, _) => "at once, with another plan",
@@ -115,30 +115,30 @@ fn row(ui: &mut Ui, setting: &Setting, wished: &mut Option<Wish>) {
 /// The control of a setting, and the value it was given, as TOML.
 fn edit(ui: &mut Ui, setting: &Setting) -> Option<(Response, Option<String>)> {
     let path = setting.path.as_str();
-    match setting.kind {
-        Kind::Number(limits) => Some(number(ui, setting, limits)),
-        Kind::Whole(limits) => Some(whole(ui, setting, limits)),
-        Kind::Choice(names) => Some(choice(ui, path, setting.value.as_ref().and_then(Value::as_str), names)),
-        Kind::Switch => {
+    match (setting.kind, setting.slider) {
+        (Kind::Number(limits), Some(ends)) => Some(number(ui, setting, limits, ends)),
+        (Kind::Whole(limits), Some(ends)) => Some(whole(ui, setting, limits, ends)),
+        (Kind::Choice(names), _) => Some(choice(ui, path, setting.value.as_ref().and_then(Value::as_str), names)),
+        (Kind::Switch, _) => {
             let mut on = setting.value.as_ref().and_then(Value::as_bool).unwrap_or(false);
             let response = ui.checkbox(&mut on, "");
             mark(&response, path);
             let changed = response.changed().then(|| on.to_string());
             Some((response, changed))
         }
-        Kind::Vector(limits) => Some(vector(ui, setting, limits)),
-        Kind::Switches => Some(switches(ui, setting)),
-        Kind::Text | Kind::Table | Kind::Tables => None,
+        (Kind::Vector(limits), _) => Some(vector(ui, setting, limits)),
+        (Kind::Switches, _) => Some(switches(ui, setting)),
+        // Every number has a slider.
+        (Kind::Number(_) | Kind::Whole(_) | Kind::Text | Kind::Table | Kind::Tables, _) => None,
     }
 }
 
-fn number(ui: &mut Ui, setting: &Setting, limits: Limits) -> (Response, Option<String>) {
+fn number(ui: &mut Ui, setting: &Setting, limits: Limits, ends: Ends) -> (Response, Option<String>) {
     let path = setting.path.as_str();
     let is_set = setting.value.is_some();
     let mut value = setting.value.as_ref().and_then(as_number).unwrap_or(0.0);
-    let range = ranges::of(path, limits, value);
-    let slider = Slider::new(&mut value, range.least..=range.most)
-        .logarithmic(range.logarithmic)
+    let slider = Slider::new(&mut value, ends.least..=ends.most)
+        .logarithmic(ends.logarithmic)
         .clamping(SliderClamping::Never)
         .max_decimals(6)
         .custom_formatter(move |value, _| if is_set { short(value) } else { "auto".into() })
@@ -150,12 +150,11 @@ fn number(ui: &mut Ui, setting: &Setting, limits: Limits) -> (Response, Option<S
     (response, wish)
 }
 
-fn whole(ui: &mut Ui, setting: &Setting, limits: Limits) -> (Response, Option<String>) {
+fn whole(ui: &mut Ui, setting: &Setting, limits: Limits, ends: Ends) -> (Response, Option<String>) {
     let path = setting.path.as_str();
     let is_set = setting.value.is_some();
     let mut value = setting.value.as_ref().and_then(Value::as_integer).unwrap_or(limits.least as i64);
-    let range = ranges::of(path, limits, value as f64);
-    let slider = Slider::new(&mut value, range.least as i64..=range.most as i64)
+    let slider = Slider::new(&mut value, ends.least as i64..=ends.most as i64)
         .clamping(SliderClamping::Never)
         .custom_formatter(move |value, _| if is_set { format!("{value:.0}") } else { "auto".into() })
         .suffix(suffix(limits.unit));
