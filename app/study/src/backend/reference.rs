@@ -4,6 +4,7 @@ use std::fs;
 use std::path::PathBuf;
 
 use brooklet_fluid::particles::fluid_of;
+use brooklet_fluid::scene::{Method, Scene};
 use brooklet_fluid::{smoothing_kernel, solver::pbf};
 use brooklet_kernels::{INACTIVE_FLUID, QUARANTINED};
 use brooklet_reference::boundary::walls::{DomainWalls, WallScales};
@@ -25,11 +26,10 @@ const VERSION: u32 = 1;
 /// The f64 twin of a setup.
 pub fn reference_fluid(setup: &Setup) -> Fluid {
     let scene = &setup.scene;
-    let (kernel, pbf) = (smoothing_kernel::params(scene), pbf::params(scene));
+    let kernel = smoothing_kernel::params(scene);
     let domain = &scene.domain;
     let (size_m, period_m) = (DVec3::from_array(domain.size_m()), DVec3::from_array(scene.period_m()));
     let axes = BVec3::from_array(std::array::from_fn(|axis| domain.has_walls_along(axis)));
-    let smoothing = Smoothing { period_m, ..Smoothing::new(scene.support_m(), f64::from(kernel.weight)) };
     let scales = WallScales {
         plane: f64::from(kernel.wall_plane),
         edge: f64::from(kernel.wall_edge),
@@ -62,21 +62,33 @@ pub fn reference_fluid(setup: &Setup) -> Fluid {
             wall_offset_m: 0.5 * scene.fitted_spacing_m(),
             max_speed_m_s: scene.max_speed_m_s(),
         },
-        solver: Solver::Pbf(Pbf {
-            smoothing,
-            params: params::Pbf {
-                relaxation: scene.solver.pbf.relaxation,
-                cfm: f64::from(pbf.cfm),
-                s_corr_k: scene.solver.pbf.s_corr_k,
-                s_corr_inverse_w: f64::from(pbf.s_corr_inverse_w),
-                max_correction_m: f64::from(pbf.max_correction_m),
-                separation: f64::from(pbf.separation),
-            },
-            iterations: scene.solver.pbf.iterations,
-            forces: Forces { xsph: scene.forces.xsph, vorticity_m_s: scene.forces.vorticity_m_s },
-            grid_ends_at_domain: true,
-        }),
+        solver: solver_of(scene),
         walls: domain.has_walls().then_some(walls),
+    }
+}
+
+fn solver_of(scene: &Scene) -> Solver {
+    match scene.solver.method {
+        Method::Pbf => {
+            let (kernel, pbf) = (smoothing_kernel::params(scene), pbf::params(scene));
+            Solver::Pbf(Pbf {
+                smoothing: Smoothing {
+                    period_m: DVec3::from_array(scene.period_m()),
+                    ..Smoothing::new(scene.support_m(), f64::from(kernel.weight))
+                },
+                params: params::Pbf {
+                    relaxation: scene.solver.pbf.relaxation,
+                    cfm: f64::from(pbf.cfm),
+                    s_corr_k: scene.solver.pbf.s_corr_k,
+                    s_corr_inverse_w: f64::from(pbf.s_corr_inverse_w),
+                    max_correction_m: f64::from(pbf.max_correction_m),
+                    separation: f64::from(pbf.separation),
+                },
+                iterations: scene.solver.pbf.iterations,
+                forces: Forces { xsph: scene.forces.xsph, vorticity_m_s: scene.forces.vorticity_m_s },
+                grid_ends_at_domain: true,
+            })
+        }
     }
 }
 
