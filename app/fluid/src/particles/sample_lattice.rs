@@ -26,16 +26,25 @@ pub struct ParticleSet {
 /// (`lattice.rs`); a ball's is centred on it. Where fluids overlap, the first has the place. In two dimensions the lattice is one layer, in
 /// the domain's plane.
 pub fn sample_lattice(scene: &Scene) -> ParticleSet {
-    let mut emitted = ParticleSet::default();
+    let mut particles = ParticleSet::default();
     for_each(scene, |index, fluid, place_m| {
-        let id = emitted.positions.len() as u32;
-        emitted.positions.push(Position {
+        let id = particles.positions.len() as u32;
+        particles.positions.push(Position {
             position_m: std::array::from_fn(|axis| (place_m[axis] - scene.domain.min_m[axis]) as f32),
             tag: id | (index as u32) << FLUID_SHIFT,
         });
-        emitted.velocities.push(Velocity { velocity_m_s: fluid.velocity_m_s.map(|v| v as f32), age_s: 0.0 });
+        particles.velocities.push(Velocity { velocity_m_s: velocity_m_s(fluid, id).map(|v| v as f32), age_s: 0.0 });
     });
-    emitted
+    particles
+}
+
+/// The velocity that the particle of an id begins with.
+fn velocity_m_s(fluid: &Fluid, id: u32) -> [f64; 3] {
+    let mut rng = fastrand::Rng::with_seed(u64::from(id));
+    std::array::from_fn(|axis| match fluid.velocity_spread_m_s[axis] {
+        0.0 => fluid.velocity_m_s[axis],
+        spread_m_s => fluid.velocity_m_s[axis] + spread_m_s * (2.0 * rng.f64() - 1.0),
+    })
 }
 
 /// The spacing that the scene's particles have, m: the one it asks for, or the nearest of which a whole number fit

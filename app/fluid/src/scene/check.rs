@@ -253,6 +253,12 @@ impl Scene {
             numbers(fluid.velocity_m_s),
             allowed,
         )?;
+        check.require(
+            !self.domain.is_flat() || fluid.velocity_spread_m_s[2] == 0.0,
+            &format!("{field}.velocity_spread_m_s"),
+            numbers(fluid.velocity_spread_m_s),
+            allowed,
+        )?;
         // A hair of tolerance: 0.1 + 0.2 is above 0.3.
         let slack_m = 1.0e-6 * self.spacing_m;
         let domain = &self.domain;

@@ -63,6 +63,7 @@ pub const FIELDS: &[Field] = &[
     Field::new("fluid.*.sphere.centre_m", PLACE, RESET),
     Field::new("fluid.*.sphere.radius_m", number(1.0e-6, 1.0e6, "m"), RESET),
     Field::new("fluid.*.velocity_m_s", SPEED, RESET),
+    Field::new("fluid.*.velocity_spread_m_s", Kind::Vector(within(0.0, 1.0e6, "m/s")), RESET),
     Field::new("fluid.*.rest_density_kg_m3", number(1.0e-6, 1.0e6, "kg/m³"), LIVE),
     Field::new("solver", Kind::Table, REBUILD),
     Field::new("solver.method", Kind::Choice(Method::NAMES), RESET),

@@ -103,6 +103,9 @@ pub struct Fluid {
     /// Velocity at the start, m/s.
     #[serde(default)]
     pub velocity_m_s: [f64; 3],
+    /// How much more or less than that a particle may have along each axis, m/s: drawn evenly, the same in every run.
+    #[serde(default)]
+    pub velocity_spread_m_s: [f64; 3],
     /// Density at rest, kg/m³. It scales energies; all fluids of a scene share one value.
     #[serde(default = "default_rest_density")]
     pub rest_density_kg_m3: f64,

@@ -260,3 +260,20 @@ fn a_scene_may_have_no_fluid_and_a_domain_of_one_spacing() {
     let scene = load(empty, &tight).unwrap();
     assert_eq!(crate::grid::cells(&scene), [1; 3]);
 }
+
+#[test]
+fn velocities_spread_within_their_bounds_and_alike_in_every_run() {
+    let spread = ["spacing_m=0.02", "fluid.0.velocity_m_s=[1,0,0]", "fluid.0.velocity_spread_m_s=[0.5,2,0]"];
+    let scene = load(SMALL, &spread).unwrap();
+    let velocities = sample_lattice(&scene).velocities;
+    let again = sample_lattice(&scene).velocities;
+    assert_eq!(velocities, again);
+    for (axis, low, high) in [(0, 0.5, 1.5), (1, -2.0, 2.0), (2, 0.0, 0.0)] {
+        let along = || velocities.iter().map(|v| v.velocity_m_s[axis]);
+        let (least, most) = along().fold((f32::MAX, f32::MIN), |(a, b), v| (a.min(v), b.max(v)));
+        let edge = 0.1 * (high - low);
+        assert!((low..=low + edge).contains(&least) && (high - edge..=high).contains(&most), "{axis}: {least} {most}");
+    }
+    let flat = ["domain.dimensions=2", "fluid.0.velocity_spread_m_s=[0,0,1]"];
+    assert!(load(SMALL, &flat).unwrap_err().to_string().contains("fluid.0.velocity_spread_m_s = [0, 0, 1]: must be 0 along z"));
+}
