@@ -1,10 +1,10 @@
 //! The settings that a running simulation takes without a new plan.
 
 use brooklet_gpu::Engine;
-use brooklet_kernels::{Buffer, ForceParams, GridParams, PbfParams, SmoothingKernelParams, StepParams};
+use brooklet_kernels::{Buffer, ForceParams, GridParams, NoneParams, PbfParams, SmoothingKernelParams, StepParams};
 
 use crate::scene::{Applied, Change, Scene};
-use crate::solver::{Solver, pbf};
+use crate::solver::{Solver, none, pbf};
 use crate::step_context::StepContext;
 use crate::step_params::step_params;
 use crate::{forces, grid, smoothing_kernel};
@@ -24,6 +24,7 @@ enum SolverParams {
         pbf: Buffer<PbfParams>,
         forces: Buffer<ForceParams>,
     },
+    None(Buffer<NoneParams>),
 }
 
 impl Parameters {
@@ -35,6 +36,7 @@ impl Parameters {
                 pbf: pbf.params.alias(),
                 forces: pbf.forces.params.alias(),
             },
+            Solver::None(none) => SolverParams::None(none.params.alias()),
         };
         Self { scene: scene.clone(), particle_count, step: context.step.alias(), solver }
     }
@@ -57,6 +59,7 @@ impl Parameters {
                 engine.write(pbf, &[pbf::params(scene)]);
                 engine.write(forces, &[forces::params(scene)]);
             }
+            SolverParams::None(none) => engine.write(none, &[none::params(scene)]),
         }
         Ok(())
     }

@@ -135,3 +135,24 @@ pub struct Forces {
     /// Vorticity confinement, m/s.
     pub vorticity_m_s: f64,
 }
+
+/// Particles that do not interact; see `NoneParams`.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct NonInteracting {
+    /// How long a particle lives, s; 0: for ever.
+    pub lifetime_s: f64,
+    /// Share of it by which the shortest lives less.
+    pub lifetime_variation: f64,
+    /// Velocity decays as exp(-drag t).
+    pub drag_per_s: f64,
+    /// Share of the speed across a wall that a bounce gives back.
+    pub restitution: f64,
+}
+
+impl NonInteracting {
+    /// How long the particle of an id lives, s.
+    pub fn lifetime_of_s(&self, id: u32) -> f64 {
+        let even = f64::from(id.wrapping_mul(2_654_435_769) >> 8) / f64::from(1 << 24);
+        self.lifetime_s * (1.0 - self.lifetime_variation * even)
+    }
+}

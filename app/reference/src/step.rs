@@ -94,7 +94,7 @@ mod tests {
             support_m: 2.0 * SPACING,
         });
         // The second layer still sees a trace of the wall's integral, where the lattice sees none.
-        let Solver::Pbf(pbf) = &fluid.solver;
+        let Solver::Pbf(pbf) = &fluid.solver else { panic!("PBF") };
         let ratios = pbf.density_ratios(&fluid.particles, &fluid.step, fluid.walls.as_ref());
         let largest = ratios.iter().fold(0.0_f64, |m, r| m.max((r - 1.0).abs()));
         println!("largest density error of a full box: {largest:.1e}");

@@ -22,6 +22,7 @@ mod extreme_scale;
 mod extreme_sheet;
 mod extreme_thin_domain;
 mod extreme_wrapped_grid;
+mod none;
 mod peers;
 mod physics;
 mod plan;

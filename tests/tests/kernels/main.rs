@@ -7,6 +7,7 @@ mod drawn_caustics;
 mod drawn_thickness;
 mod grid;
 mod measure;
+mod none;
 mod particles;
 mod periodic;
 mod push;

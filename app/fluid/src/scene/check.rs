@@ -7,7 +7,7 @@ use toml::Value;
 use super::explain::written;
 use super::field::{Kind, Short};
 use super::fields::kind_of;
-use super::{Fluid, Method, Scene, SceneError};
+use super::{Fluid, Method, PointColor, Scene, SceneError};
 use crate::particles::{self, MAX_FLUIDS, MAX_PARTICLES};
 
 /// Spacings a side of the domain may have: f32 positions then still tell 1/256 of a spacing apart.
@@ -98,6 +98,12 @@ impl Scene {
         self.check_axes(&check)?;
         match self.solver.method {
             Method::Pbf => self.check_iterations(&check, self.solver.pbf.iterations, "solver.pbf.iterations")?,
+            Method::None => check.require(
+                self.surface.color_by != PointColor::Density,
+                "surface.color_by",
+                "\"density\"",
+                "not with solver.method = \"none\": particles that do not interact have no density",
+            )?,
         }
         let most_fluids = MAX_FLUIDS as usize;
         check.require(

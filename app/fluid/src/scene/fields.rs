@@ -29,6 +29,7 @@ const REBUILD: Applies = Applies::Always(Applied::Rebuild);
 const RESET: Applies = Applies::Always(Applied::Reset);
 
 const PBF: &[&str] = &["pbf"];
+const NONE: &[&str] = &["none"];
 /// Methods whose particles know their neighbours.
 const WITH_NEIGHBOURS: &[&str] = &["pbf"];
 
@@ -73,24 +74,28 @@ pub const FIELDS: &[Field] = &[
         &["1", "2", "3", "4", "8"],
         &[0, 1, 3],
     ),
-    Field::new("solver.support_ratio", number(1.2, 4.0, ""), REBUILD).slider(1.5, 3.0).knob(
+    Field::new("solver.support_ratio", number(1.2, 4.0, ""), REBUILD).of(WITH_NEIGHBOURS).slider(1.5, 3.0).knob(
         "h/d",
         &["1.6", "2", "2.5", "3", "3.5"],
         &[1, 3],
     ),
     Field::new("solver.max_speed_m_s", number(1.0e-6, 1.0e9, "m/s"), LIVE).logarithmic(0.1, 100.0),
-    Field::new("solver.neighbour_slots", whole(1.0, 1024.0, ""), REBUILD).slider(8.0, 256.0),
+    Field::new("solver.neighbour_slots", whole(1.0, 1024.0, ""), REBUILD).of(WITH_NEIGHBOURS).slider(8.0, 256.0),
     Field::new("solver.deterministic", Kind::Switch, REBUILD).term("false", "true").knob(
         "deterministic",
         &["false", "true"],
         &[0, 1],
     ),
-    Field::new("solver.precision", Kind::Choice(&["full", "relaxed", "half"]), REBUILD).knob(
+    Field::new("solver.precision", Kind::Choice(&["full", "relaxed", "half"]), REBUILD).of(WITH_NEIGHBOURS).knob(
         "precision",
         &["full", "relaxed", "half"],
         &[0, 2],
     ),
-    Field::new("solver.packed_positions", Kind::Switch, REBUILD).knob("packed", &["false", "true"], &[0, 1]),
+    Field::new("solver.packed_positions", Kind::Switch, REBUILD).of(WITH_NEIGHBOURS).knob(
+        "packed",
+        &["false", "true"],
+        &[0, 1],
+    ),
     Field::new("solver.pbf", Kind::Table, REBUILD).of(PBF),
     Field::new("solver.pbf.iterations", whole(0.0, 1000.0, ""), REBUILD).of(PBF).slider(0.0, 16.0).knob(
         "iterations",
@@ -109,6 +114,11 @@ pub const FIELDS: &[Field] = &[
         &[0],
     ),
     Field::new("solver.pbf.s_corr_distance_ratio", number(0.0, 0.9, ""), LIVE).of(PBF).slider(0.0, 0.9),
+    Field::new("solver.none", Kind::Table, REBUILD).of(NONE),
+    Field::new("solver.none.lifetime_s", number(0.0, 1.0e6, "s"), LIVE).of(NONE).slider(0.0, 10.0),
+    Field::new("solver.none.lifetime_variation", number(0.0, 1.0, ""), LIVE).of(NONE).slider(0.0, 1.0),
+    Field::new("solver.none.drag_per_s", number(0.0, 1.0e3, "1/s"), LIVE).of(NONE).slider(0.0, 5.0),
+    Field::new("solver.none.restitution", number(0.0, 1.0, ""), LIVE).of(NONE).slider(0.0, 1.0),
     Field::new("forces", Kind::Table, REBUILD),
     Field::new("forces.xsph", number(0.0, 1.0, ""), TERM).of(WITH_NEIGHBOURS).slider(0.0, 0.5).term("0", "0.01").knob(
         "XSPH",

@@ -14,6 +14,7 @@ mod load;
 mod methods;
 mod moved;
 mod nearest;
+mod none;
 mod panel;
 mod paths;
 mod pbf;
@@ -35,6 +36,7 @@ pub(crate) use explain::shortened;
 pub use field::{Field, Kind, Knob, Limits, Slider, Term, Values};
 pub use fields::FIELDS;
 pub use forces::Forces;
+pub use none::NoneSettings;
 pub use panel::Setting;
 pub use pbf::PbfSettings;
 #[cfg(feature = "schema")]
@@ -187,9 +189,14 @@ impl Scene {
         self.solver.dt_s / f64::from(self.solver.substeps)
     }
 
-    /// Speed no particle exceeds, m/s: what the scene says, else 0.6 h a substep.
+    /// Speed no particle exceeds, m/s: what the scene says, else 0.6 h a substep; particles that meet nobody have
+    /// no limit but that of numbers.
     pub fn max_speed_m_s(&self) -> f64 {
-        self.solver.max_speed_m_s.unwrap_or(0.6 * self.support_m() / self.substep_s())
+        let default_m_s = match self.solver.method.interacts() {
+            true => 0.6 * self.support_m() / self.substep_s(),
+            false => 1.0e9,
+        };
+        self.solver.max_speed_m_s.unwrap_or(default_m_s)
     }
 
     /// Room for neighbours a particle: what the scene says, else half as many again, nearly, as lattice points

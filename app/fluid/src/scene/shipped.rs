@@ -11,6 +11,7 @@ const SCENES: &[(&str, &str)] = &[
     ("calm-pool", include_str!("../../scenes/calm-pool.toml")),
     ("martin-moyce", include_str!("../../scenes/martin-moyce.toml")),
     ("colliding-drops", include_str!("../../scenes/colliding-drops.toml")),
+    ("sparks", include_str!("../../scenes/sparks.toml")),
 ];
 
 /// Name and summary of each shipped scene.

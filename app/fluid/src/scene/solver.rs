@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::PbfSettings;
+use super::{NoneSettings, PbfSettings};
 
 /// Which solver.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -12,16 +12,19 @@ pub enum Method {
     /// Position Based Fluids (Macklin & Müller 2013).
     #[default]
     Pbf,
+    /// None: particles that do not interact, as sparks or dust.
+    None,
 }
 
 impl Method {
     /// Every method by its name.
-    pub const NAMES: &[&str] = &["pbf"];
+    pub const NAMES: &[&str] = &["pbf", "none"];
 
     /// Its name in scenes and summaries.
     pub fn name(self) -> &'static str {
         match self {
             Method::Pbf => "pbf",
+            Method::None => "none",
         }
     }
 
@@ -29,6 +32,7 @@ impl Method {
     pub fn interacts(self) -> bool {
         match self {
             Method::Pbf => true,
+            Method::None => false,
         }
     }
 }
@@ -79,6 +83,8 @@ pub struct Solver {
     pub packed_positions: bool,
     /// What Position Based Fluids takes.
     pub pbf: PbfSettings,
+    /// What `method = "none"` takes.
+    pub none: NoneSettings,
 }
 
 impl Solver {
@@ -86,6 +92,7 @@ impl Solver {
     pub fn iterations(&self) -> Option<u32> {
         match self.method {
             Method::Pbf => Some(self.pbf.iterations),
+            Method::None => None,
         }
     }
 }
@@ -103,6 +110,7 @@ impl Default for Solver {
             precision: Precision::Full,
             packed_positions: false,
             pbf: PbfSettings::default(),
+            none: NoneSettings::default(),
         }
     }
 }

@@ -1,6 +1,7 @@
 //! What moves the particles of a substep. A solver is an arm of [`Solver`] that records its own substep out of the
 //! shared stages (`predict`, `sort`, `list`, `forces`) and its own.
 
+pub mod none;
 pub mod pbf;
 
 use brooklet_gpu::{Recording, Resources};
@@ -8,12 +9,15 @@ use brooklet_gpu::{Recording, Resources};
 use crate::grid::NeighbourSearch;
 use crate::scene::{Method, Scene};
 use crate::step_context::{Particles, StepContext};
+use none::NonInteracting;
 use pbf::Pbf;
 
 /// The solver of a scene.
 pub enum Solver {
     /// Position Based Fluids.
     Pbf(Pbf),
+    /// None: particles that do not interact.
+    None(NonInteracting),
 }
 
 impl Solver {
@@ -21,6 +25,7 @@ impl Solver {
     pub fn declare(resources: &mut Resources, scene: &Scene, particle_count: u32) -> Self {
         match scene.solver.method {
             Method::Pbf => Self::Pbf(Pbf::declare(resources, scene, particle_count)),
+            Method::None => Self::None(NonInteracting::declare(resources)),
         }
     }
 
@@ -28,6 +33,7 @@ impl Solver {
     pub fn record_init(&mut self, init: &mut Recording, scene: &Scene) {
         match self {
             Self::Pbf(pbf) => pbf.record_init(init, scene),
+            Self::None(none) => none.record_init(init, scene),
         }
     }
 
@@ -35,6 +41,7 @@ impl Solver {
     pub fn record_substep(&mut self, recording: &mut Recording, context: &mut StepContext, particles: &mut Particles) {
         match self {
             Self::Pbf(pbf) => pbf.record_substep(recording, context, particles),
+            Self::None(none) => none.record_substep(recording, context, particles),
         }
     }
 
@@ -42,6 +49,7 @@ impl Solver {
     pub fn search(&self) -> Option<&NeighbourSearch> {
         match self {
             Self::Pbf(pbf) => Some(&pbf.search),
+            Self::None(_) => None,
         }
     }
 }

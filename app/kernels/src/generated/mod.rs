@@ -34,6 +34,8 @@ mod measure_sample_particles;
 mod particles_predict;
 mod particles_push;
 mod shared_layout;
+mod solver_none_integrate_particles;
+mod solver_none_layout;
 mod solver_pbf_constrain_density;
 mod solver_pbf_correct_positions;
 mod solver_pbf_update_velocity;
@@ -85,6 +87,8 @@ pub use measure_sample_particles::*;
 pub use particles_predict::*;
 pub use particles_push::*;
 pub use shared_layout::*;
+pub use solver_none_integrate_particles::*;
+pub use solver_none_layout::*;
 pub use solver_pbf_constrain_density::*;
 pub use solver_pbf_correct_positions::*;
 pub use solver_pbf_update_velocity::*;
@@ -136,6 +140,7 @@ pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
         measure_sample_particles::MODULES,
         particles_predict::MODULES,
         particles_push::MODULES,
+        solver_none_integrate_particles::MODULES,
         solver_pbf_constrain_density::MODULES,
         solver_pbf_correct_positions::MODULES,
         solver_pbf_update_velocity::MODULES,

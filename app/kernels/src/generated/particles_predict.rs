@@ -90,7 +90,7 @@ static PREDICT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "19f2946ec816756aba03a62c393b25bc90ffb9886a7a0838902be7ef0ea9ac39",
+    hash: "e4b345d30c99fed08fdecbd23c4fc293b3ec34be112b0eef07a5e840d989c5de",
 };
 
 static PREDICT_WITH_PERIODIC: Module = Module {
@@ -103,7 +103,7 @@ static PREDICT_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "85f965e34c21b71dcadccc087a17b42cfb9f606b70d588e02b9083113fca4c3d",
+    hash: "e2b53e9a6fd5bcf78eb4a2b8207f5578d731d6f57103e8e9d730eafd8ed0dda0",
 };
 
 static PREDICT_WITH_WALLS: Module = Module {
@@ -116,7 +116,7 @@ static PREDICT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "1a8321f34ff1e874f2ea283ed84b46405e4cf6dc7c5d9faa350419e6a258af21",
+    hash: "ae11062fc839e564a62c814fbfec797d026a457d0e3215c2955dc88c39522ec2",
 };
 
 static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -129,5 +129,5 @@ static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "22070d39fb0eede8af1a89bd0e556a0af5df5f53931c15cba87bfff629c2aa4d",
+    hash: "1ddc0d5f5ee59c7252625e2719122a72ef49377683a123dd70f7c40cbce00091",
 };

@@ -1,10 +1,12 @@
 //! Solvers: each an arm of [`Solver`] that moves particles by a substep of its own.
 
+pub mod none;
 pub mod pbf;
 
 use crate::boundary::walls::DomainWalls;
-use crate::params::Step;
+use crate::params::{NonInteracting, Step};
 use crate::particles::predict::Particle;
+use none::integrate_particles::integrate_particles;
 use pbf::substep::Pbf;
 
 /// What moves the particles of a substep.
@@ -12,6 +14,8 @@ use pbf::substep::Pbf;
 pub enum Solver {
     /// Position Based Fluids.
     Pbf(Pbf),
+    /// Particles that do not interact; their ids are their places.
+    None(NonInteracting),
 }
 
 impl Solver {
@@ -19,6 +23,11 @@ impl Solver {
     pub fn substep(&self, particles: &mut [Particle], step: &Step, walls: Option<&DomainWalls>) {
         match self {
             Self::Pbf(pbf) => pbf.substep(particles, step, walls),
+            Self::None(settings) => {
+                for (id, particle) in particles.iter_mut().enumerate() {
+                    *particle = integrate_particles(id as u32, *particle, step, settings).particle;
+                }
+            }
         }
     }
 }

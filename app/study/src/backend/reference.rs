@@ -8,7 +8,7 @@ use brooklet_fluid::scene::{Method, Scene};
 use brooklet_fluid::{smoothing_kernel, solver::pbf};
 use brooklet_kernels::{INACTIVE_FLUID, QUARANTINED};
 use brooklet_reference::boundary::walls::{DomainWalls, WallScales};
-use brooklet_reference::params::{self, Forces, Smoothing, Step};
+use brooklet_reference::params::{self, Forces, NonInteracting, Smoothing, Step};
 use brooklet_reference::particles::predict::Particle;
 use brooklet_reference::solver::{Solver, pbf::substep::Pbf};
 use brooklet_reference::step::Fluid;
@@ -87,6 +87,15 @@ fn solver_of(scene: &Scene) -> Solver {
                 iterations: scene.solver.pbf.iterations,
                 forces: Forces { xsph: scene.forces.xsph, vorticity_m_s: scene.forces.vorticity_m_s },
                 grid_ends_at_domain: true,
+            })
+        }
+        Method::None => {
+            let settings = &scene.solver.none;
+            Solver::None(NonInteracting {
+                lifetime_s: settings.lifetime_s,
+                lifetime_variation: settings.lifetime_variation,
+                drag_per_s: settings.drag_per_s,
+                restitution: settings.restitution,
             })
         }
     }

@@ -1,0 +1,141 @@
+// Written by the shader compiler; do not edit. `cargo run -p brooklet-compiler -- build`
+// makes it anew from solver/none/integrate_particles.compute.
+//! Kernels of `solver/none/integrate_particles.compute`.
+
+use super::{Counters, NoneParams, Position, StepParams, Velocity};
+use crate::{
+    Access, BindingError, BindingInfo, BindingKind, Bound, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+};
+
+/// Which variant of [`IntegrateParticles`] runs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct IntegrateParticlesVariant {
+    /// Keyword `WALLS`.
+    pub walls: bool,
+    /// Keyword `PERIODIC`.
+    pub periodic: bool,
+}
+
+/// Particles that know nothing of each other, as sparks and dust do: they age, fall, are dragged, and bounce off
+/// walls. Symplectic Euler. One whose lifetime is over leaves its slot inactive.
+#[derive(Debug)]
+pub struct IntegrateParticles<'a> {
+    /// Its variant.
+    pub variant: IntegrateParticlesVariant,
+    /// `RWStructuredBuffer<Position> positions`.
+    pub positions: BufMut<'a, Position>,
+    /// `RWStructuredBuffer<Velocity> velocities`.
+    pub velocities: BufMut<'a, Velocity>,
+    /// `RWStructuredBuffer<Counters> counters`.
+    pub counters: BufMut<'a, Counters>,
+    /// `ConstantBuffer<StepParams> step_params`.
+    pub step_params: Uniform<'a, StepParams>,
+    /// `ConstantBuffer<NoneParams> none`.
+    pub none: Uniform<'a, NoneParams>,
+}
+
+impl Kernel for IntegrateParticles<'_> {
+    const STAGE: &'static str = "integrate_particles";
+    const GROUP_SIZE: [u32; 3] = [64, 1, 1];
+
+    fn module(&self) -> &'static Module {
+        match (self.variant.walls, self.variant.periodic) {
+            (false, false) => &INTEGRATE_PARTICLES,
+            (false, true) => &INTEGRATE_PARTICLES_WITH_PERIODIC,
+            (true, false) => &INTEGRATE_PARTICLES_WITH_WALLS,
+            (true, true) => &INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC,
+        }
+    }
+    fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
+        bind(
+            self.module(),
+            &[
+                ("positions", Some(self.positions.id)),
+                ("velocities", Some(self.velocities.id)),
+                ("counters", Some(self.counters.id)),
+                ("step_params", Some(self.step_params.id)),
+                ("none", Some(self.none.id)),
+            ],
+        )
+    }
+}
+
+/// The modules of this file.
+pub(super) static MODULES: &[&Module] = &[
+    &INTEGRATE_PARTICLES,
+    &INTEGRATE_PARTICLES_WITH_PERIODIC,
+    &INTEGRATE_PARTICLES_WITH_WALLS,
+    &INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC,
+];
+
+static BINDINGS_0: &[BindingInfo] = &[
+    BindingInfo {
+        name: "positions",
+        slot: 0,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
+    },
+    BindingInfo {
+        name: "velocities",
+        slot: 1,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
+    },
+    BindingInfo {
+        name: "counters",
+        slot: 2,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 32 },
+    },
+    BindingInfo { name: "step_params", slot: 3, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "none", slot: 4, kind: BindingKind::Uniform { bytes: 16 } },
+];
+
+static INTEGRATE_PARTICLES: Module = Module {
+    name: "IntegrateParticles",
+    entry: "IntegrateParticles",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/integrate_particles.spv"),
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/none/integrate_particles.compute",
+    hash: "d55b401d927929f383f7a664e299578dba7feea7da371f42d875557140633f07",
+};
+
+static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
+    name: "IntegrateParticles+PERIODIC",
+    entry: "IntegrateParticles",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/integrate_particles+periodic.spv"),
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/none/integrate_particles.compute",
+    hash: "d3205529f49f979993a0cb4973d56a9db4e5220bc06a87084d8447c6535f02eb",
+};
+
+static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
+    name: "IntegrateParticles+WALLS",
+    entry: "IntegrateParticles",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/integrate_particles+walls.spv"),
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/none/integrate_particles.compute",
+    hash: "19e72923f974397a76af92e14a1cb4857ce798f4e8d4240da6a439cca6be1dd9",
+};
+
+static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
+    name: "IntegrateParticles+WALLS+PERIODIC",
+    entry: "IntegrateParticles",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/integrate_particles+walls+periodic.spv"),
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/none/integrate_particles.compute",
+    hash: "56528d90b54f535c8e2a752794c3576da803bcd01b22cff93382343f96079442",
+};

@@ -1,0 +1,3 @@
+//! Particles that do not interact.
+
+pub mod integrate_particles;

@@ -1,0 +1,19 @@
+// What is done with a particle whose state is not finite (shared/tag.hlsli).
+#ifndef BROOKLET_QUARANTINE
+#define BROOKLET_QUARANTINE
+
+#include "../shared/layout.hlsli"
+#include "../shared/tag.hlsli"
+
+// Parks the particle if a number of it is not finite; says whether it did.
+bool QuarantineUnlessFinite(inout Position position, inout Velocity velocity)
+{
+    if (IsFinite(position.position_m) && IsFinite(velocity.velocity_m_s))
+        return false;
+    position.tag |= QUARANTINED;
+    position.position_m = 0.0;
+    velocity = (Velocity)0;
+    return true;
+}
+
+#endif
