@@ -75,8 +75,8 @@ Surface FluidDepthFragment(Varyings input)
     float leave = (distance_m + half_chord_m) * scale;
     // The box's slabs (Kay & Kajiya 1986). A ray along a slab has an infinite inverse, which works out.
     float3 inverse = 1.0 / input.ray;
-    float3 a = (surface.box_min_m - view.eye_m) * inverse;
-    float3 b = (surface.box_max_m - view.eye_m) * inverse;
+    float3 a = (surface.wall_min_m - view.eye_m) * inverse;
+    float3 b = (surface.wall_max_m - view.eye_m) * inverse;
     float3 near3 = min(a, b);
     float3 far3 = max(a, b);
     float along = max(enter, max(near3.x, max(near3.y, near3.z)));

@@ -18,9 +18,9 @@ static const float LEAST_VARIANCE = 1.0e-4;
 // What the ellipsoids are made from: the neighbours within `support_m`, and the glass they end at.
 struct AnisotropyParams
 {
-    float3 box_min_m;
+    float3 wall_min_m;
     float support_m;
-    float3 box_max_m;
+    float3 wall_max_m;
     uint particle_count;
     uint list_chunks;       // room for neighbours a particle, in LIST_CHUNKs
     uint reserved0;
@@ -40,9 +40,9 @@ struct Ellipsoid
 // A fluid's surface in screen space.
 struct SurfaceParams
 {
-    float3 box_min_m;           // the fluid is cut off outside this box: at a tank's glass
+    float3 wall_min_m;           // the fluid is cut off outside this box: at a tank's glass
     float radius_m;             // of a particle's sphere
-    float3 box_max_m;
+    float3 wall_max_m;
     float thickness_radius_m;             // radius of the disc on which a particle's volume counts as thickness
     float spacing_m;            // thickness is kept in spacings: f16 then fits any scene's size
     float smoothing_m;          // reach of the smoothing filters, two standard deviations

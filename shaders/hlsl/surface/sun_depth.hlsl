@@ -82,8 +82,8 @@ Surface SunDepthFragment(Varyings input)
     float rise_m = input.rise_m * sqrt(1.0 - s);
     // The box's slabs (Kay & Kajiya 1986).
     float3 inverse = 1.0 / light.to_sun;
-    float3 a = (surface.box_min_m - input.world_m) * inverse;
-    float3 b = (surface.box_max_m - input.world_m) * inverse;
+    float3 a = (surface.wall_min_m - input.world_m) * inverse;
+    float3 b = (surface.wall_max_m - input.world_m) * inverse;
     float3 low = min(a, b);
     float3 high = max(a, b);
     float along_m = min(rise_m, min(high.x, min(high.y, high.z)));

@@ -26,9 +26,9 @@ const CENTER_TOLERANCE: f64 = 4e-6;
 /// No glass near.
 fn open() -> AnisotropyParams {
     AnisotropyParams {
-        box_min_m: [-1e18; 3],
+        wall_min_m: [-1e18; 3],
         support_m: SUPPORT_M as f32,
-        box_max_m: [1e18; 3],
+        wall_max_m: [1e18; 3],
         list_chunks: LIST_CHUNKS,
         ..AnisotropyParams::default()
     }
@@ -137,7 +137,7 @@ fn ellipsoids_are_their_twins() {
     let mut rng = rng(61);
     for size in sizes(GROUP) {
         let case = fluid(&mut rng, size);
-        for params in [open(), AnisotropyParams { box_min_m: [0.0; 3], box_max_m: [0.1, 0.2, 0.35], ..open() }] {
+        for params in [open(), AnisotropyParams { wall_min_m: [0.0; 3], wall_max_m: [0.1, 0.2, 0.35], ..open() }] {
             let got = run(&case, params);
             assert_eq!(got.len(), size);
             check.all(&case, &params, &got).expect("the twin's");

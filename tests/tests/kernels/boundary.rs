@@ -6,7 +6,8 @@ use brooklet_kernels::{
     CorrectPositions, CorrectPositionsVariant, Counters, ListHead, MeasureParticles, MeasureParticlesVariant,
     MeasureSums, PbfParams, Position, PositionLambda, StepParams, Velocity,
 };
-use brooklet_reference::boundary::walls::{WallDensity, WallScales, beyond_wall};
+use brooklet_reference::boundary::BoundarySample;
+use brooklet_reference::boundary::walls::{WallScales, beyond_wall};
 use brooklet_reference::shared::{lattice, quantized_position::Quantization};
 use brooklet_tests::cases::{SUPPORT_M, kernel_params, pbf_params, vectors, walls_of};
 use brooklet_tests::compare::{ROUNDING, Worst, vector};
@@ -160,7 +161,7 @@ fn gradients(positions: &[Position], size_m: DVec3) -> Vec<DVec3> {
     start.iter().zip(after).map(|(&before, after)| 2.0 * Quantization::Full.apart(before, after)).collect()
 }
 
-fn check(size_m: DVec3, names: [&'static str; 2]) -> Vec<(WallDensity, f64)> {
+fn check(size_m: DVec3, names: [&'static str; 2]) -> Vec<(BoundarySample, f64)> {
     // A density is at most 3 sums of some 20 roundings each, and its slope over a distance, which is
     // rounded too, is at most 2. A gradient is read from a move of a place, which rounds to half a
     // step of 1.9e-6 h along each axis, and that is half of it: 56 roundings more.
@@ -172,7 +173,7 @@ fn check(size_m: DVec3, names: [&'static str; 2]) -> Vec<(WallDensity, f64)> {
     let got_gradients = gradients(&positions, size_m);
     let mut results = Vec::new();
     for (i, at) in vectors(&positions).into_iter().enumerate() {
-        let expected = walls.at(at);
+        let expected = walls.sample(at);
         density.check(got_densities[i] as f32, expected.density, 1.0).unwrap();
         gradient.check3(got_gradients[i].to_array().map(|g| g as f32), expected.gradient, 1.0).unwrap();
         results.push((expected, got_densities[i]));

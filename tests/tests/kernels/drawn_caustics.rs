@@ -46,7 +46,7 @@ fn options(photons: u32) -> (ScreenSpaceOptions, FrameOptions) {
     let surface = ScreenSpaceOptions {
         spacing_m: SPACING_M,
         radius_m: 0.04,
-        box_m: [DVec3::ZERO, DVec3::ONE],
+        wall_bounds_m: [DVec3::ZERO, DVec3::ONE],
         anisotropic: false,
         support_m: 0.1,
         smoothing: Smoothing::None,
@@ -312,8 +312,8 @@ fn curved_water_focuses_where_optics_says() {
     let params = SurfaceParams {
         spacing_m: 0.01,
         range_m: 0.5,
-        box_min_m: [-10.0; 3],
-        box_max_m: [10.0; 3],
+        wall_min_m: [-10.0; 3],
+        wall_max_m: [10.0; 3],
         photons: side as f32,
         ..SurfaceParams::default()
     };

@@ -57,7 +57,7 @@ fn draw(size_px: [u32; 2], eye_m: DVec3, positions: &[Position]) -> Drawn {
     let surface = ScreenSpaceOptions {
         spacing_m: 0.08,
         radius_m: 0.06,
-        box_m: [DVec3::ZERO, DVec3::ONE],
+        wall_bounds_m: [DVec3::ZERO, DVec3::ONE],
         anisotropic: false,
         support_m: 0.16,
         smoothing: Smoothing::None,

@@ -41,7 +41,7 @@ fn options(smoothing: Smoothing, iterations: u32) -> ScreenSpaceOptions {
     ScreenSpaceOptions {
         spacing_m: 0.05,
         radius_m: 0.04,
-        box_m: [DVec3::ZERO, DVec3::ONE],
+        wall_bounds_m: [DVec3::ZERO, DVec3::ONE],
         anisotropic: false,
         support_m: 0.1,
         smoothing,

@@ -21,7 +21,7 @@ fn water(smoothing: Smoothing) -> FrameOptions {
     let surface = ScreenSpaceOptions {
         spacing_m: 0.1,
         radius_m: 0.08,
-        box_m: [DVec3::ZERO, DVec3::new(2.0, 1.0, 1.0)],
+        wall_bounds_m: [DVec3::ZERO, DVec3::new(2.0, 1.0, 1.0)],
         anisotropic: false,
         support_m: 0.2,
         smoothing,
@@ -224,7 +224,7 @@ fn water_settings_that_cannot_be_drawn_are_refused_by_name() {
         (ScreenSpaceOptions { thickness_divisor: 0, ..good }, "thickness_divisor"),
         (ScreenSpaceOptions { absorption_per_m: DVec3::NAN, ..good }, "absorption_per_m"),
         (ScreenSpaceOptions { refraction: 9.0, ..good }, "refraction"),
-        (ScreenSpaceOptions { box_m: [DVec3::ONE, DVec3::ZERO], ..good }, "box_m"),
+        (ScreenSpaceOptions { wall_bounds_m: [DVec3::ONE, DVec3::ZERO], ..good }, "wall_bounds_m"),
     ];
     for (surface, field) in cases {
         let options = FrameOptions { surface: SurfaceOptions::ScreenSpace(surface), ..options() };

@@ -102,7 +102,7 @@ fn each_field_refuses_what_it_does_not_take_by_name_and_value() {
 
 #[test]
 fn limits_are_within_what_is_allowed() {
-    for Field { path: field, kind, methods, .. } in FIELDS {
+    for Field { path: field, kind, .. } in FIELDS {
         let (Kind::Number(limits) | Kind::Whole(limits)) = kind else { continue };
         for value in [limits.least, limits.most] {
             if let Err(error) = Scene::from_toml(SMALL, "small.toml", &setting(field, &value.to_string())) {

@@ -89,5 +89,5 @@ static CONSTRAIN_DENSITY_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/constrain_density_by_index.compute",
-    hash: "762844b89a16151aa0da394c832fcd221c992ea9a9974e9baa5516add9f3f0f1",
+    hash: "f042fb67cba3b4dfcd795e068ea97d4a6729686308e36534699e8773a949824a",
 };

@@ -90,5 +90,5 @@ static LIST_NEIGHBOURS_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/list_neighbours_by_index.compute",
-    hash: "f7f5336a61dd418fd76f35d18b5bcaf07bd561bf13a428e3349c6fac5edc0266",
+    hash: "1d888b81513af56409184686ea0cc3124d21cf0d0f587d80b44b3e7e06a0425f",
 };

@@ -106,7 +106,7 @@ static CONFINE_VORTICITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/confine_vorticity.compute",
-    hash: "c16a88b416da7e6aaf9291f8849e9629711669b42398098994929b8b216fa20d",
+    hash: "bdc96c8a17473d146b4d08d339109c0a8dd553f2be6a4676ae7698d6a6d98389",
 };
 
 static CONFINE_VORTICITY_WITH_PACKED: Module = Module {
@@ -119,7 +119,7 @@ static CONFINE_VORTICITY_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/confine_vorticity.compute",
-    hash: "a16dc1eff6adc480a4f2e48f8a1300ac2f4f09f3296ccf415051b27066622ed4",
+    hash: "fb62dffc01b8bd40b2895f3da9d74e0a819b113b174d2aabae1eb190e369cdbb",
 };
 
 static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -132,7 +132,7 @@ static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/confine_vorticity.compute",
-    hash: "d02b61068bf8c967885dd7762484b0ce8daa31787cf7b12caa4a93fa4ee6f20a",
+    hash: "f2a2825e413b6f8d8178691c35715b781fbe98dbf73c6e116fe5783e9aa609af",
 };
 
 static CONFINE_VORTICITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -145,7 +145,7 @@ static CONFINE_VORTICITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/confine_vorticity.compute",
-    hash: "896dd9bf5b753a840a62621a9037527e9cc49a00d10c6dfcfc801b03e6c7afe7",
+    hash: "cd7f2107816b73a44204cad85460233cd86506be50003b7a3a09307233b6c5bb",
 };
 
 static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
@@ -158,7 +158,7 @@ static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/confine_vorticity.compute",
-    hash: "28ffad8c1524d8ee00a3bf6c40b84bc427ebb1ebb84878aa9ceb438a5c5f0585",
+    hash: "2b7aeec01ea9543cfcb92d9b202c7050be739fbcf229b86efbcff96073fd6542",
 };
 
 static CONFINE_VORTICITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -171,5 +171,5 @@ static CONFINE_VORTICITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/confine_vorticity.compute",
-    hash: "8661db7ca62fe86c1de585a48c72a7a9cfb721233bda2572c150025830f0fb50",
+    hash: "6db20bfb165def1cdbccccf6bbce50b9263f2d9f1e74a6ff5007f6e82b9f553b",
 };

@@ -105,7 +105,7 @@ static CURL: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/curl.compute",
-    hash: "74b2446d09cd2b590704012db54700fb9df6de16660e1b87bfe660b1344e58d3",
+    hash: "c1e58ea575af3d6ab158ef10454dc180ef5bf7ae9e33adbd51236f71a90473d5",
 };
 
 static CURL_WITH_PACKED: Module = Module {
@@ -118,7 +118,7 @@ static CURL_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/curl.compute",
-    hash: "008913d56ed117c84b043f274d7d5fa6ffe654e16abf59e84f3ae212fc1d5437",
+    hash: "6e84d75d427dde54d1380f9fbefe3bcb47dfeee1728bb424b53b3af9d3586824",
 };
 
 static CURL_WITH_RELAXED_PRECISION: Module = Module {
@@ -131,7 +131,7 @@ static CURL_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/curl.compute",
-    hash: "44b50a38f083bf5818ba13c74173eaf388f11db5b727903f3383cd12701cc4b9",
+    hash: "3c1a871c72b153565186226e42d3b6eb6a5d5565f12e7005ca67c69c53c260a5",
 };
 
 static CURL_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -144,7 +144,7 @@ static CURL_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/curl.compute",
-    hash: "d30345a4e548fab3697510e8cd85db404ce42b0ad1878af2bf74c373c59c996a",
+    hash: "89eb8daaadf8033c84e674e0dc8aeb29ca3305e7026b6bf167eb91e4dda12172",
 };
 
 static CURL_WITH_HALF_PRECISION: Module = Module {
@@ -157,7 +157,7 @@ static CURL_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/curl.compute",
-    hash: "c01344c824d2037094133341414b214dd0b0ddaf17f26edc1817279066db5dde",
+    hash: "9f21d5f21bd4c63ce629b546aa6cdbb0afd2319db00d393eef9c38b85aca876c",
 };
 
 static CURL_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -170,5 +170,5 @@ static CURL_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/curl.compute",
-    hash: "5182f07152f1dd44e9e65a37c9b2eebcbf540975ef0841c090a788e33a8c070f",
+    hash: "15356db18fe1c7274db7b5b649da710fa9d89d159f13f823a338a20329e2b007",
 };

@@ -110,7 +110,7 @@ static XSPH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/xsph.compute",
-    hash: "3d3137c7235a784376d362db360e5719f21d0b41bb3ebe357106d7d81035f19c",
+    hash: "386ac3dd0323b71762a4cf804e2385b8041fd58a02d2aebc882840af2e3e290c",
 };
 
 static XSPH_WITH_PACKED: Module = Module {
@@ -123,7 +123,7 @@ static XSPH_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/xsph.compute",
-    hash: "1c2537bf2d7b105edd2527eb35b7c4dbd93e6a1b7b61e5a4715330ac846b221e",
+    hash: "f61348fdf4b1d6793a444b75c3a029021de1a97c6071922fd79e6a45fe733375",
 };
 
 static XSPH_WITH_RELAXED_PRECISION: Module = Module {
@@ -136,7 +136,7 @@ static XSPH_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/xsph.compute",
-    hash: "246727f7cc0b3b93be3dcec2cb608147722557678248ea359995f01de02ab373",
+    hash: "e9041d973c00260659b859854364b50fb8bddeafe4d53a4f2a0f1be9d6487427",
 };
 
 static XSPH_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -149,7 +149,7 @@ static XSPH_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/xsph.compute",
-    hash: "035ef1837d9175512db1c5cd11c2a6d3bb2e86f4aa02fb80b5628136147f4317",
+    hash: "59e8b796b320a9b6b554d43c365660c4c5f9f171c7996a414e346dfd5b26fde6",
 };
 
 static XSPH_WITH_HALF_PRECISION: Module = Module {
@@ -162,7 +162,7 @@ static XSPH_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/xsph.compute",
-    hash: "eeced6ce57f027db7913a8951759549341d736308d67ca067479f2c5a89409b4",
+    hash: "22c82ea59544121d222dee7fe6c1d04cfb6e898fa34b83467ae8fedf7ab59921",
 };
 
 static XSPH_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -175,5 +175,5 @@ static XSPH_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/xsph.compute",
-    hash: "5a652bca69678451b899ef612570565e8c012f08883d81456a1f059859744a4c",
+    hash: "a4d3888f6feb13286fcf477165d9e094f174eb6281f364339d66f8b1a6a63809",
 };

@@ -144,7 +144,7 @@ static DRAW_FLOOR_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "d39986f2afc5200bf0be0d15910e34c46e03457864d7acf1f95bb63c2ee6172f",
+    hash: "d8decf759a9bcca0d6b321f7239003e56e26892da61318076d3c9f92cc663228",
 };
 
 static DRAW_FLOOR_FRAGMENT: Module = Module {
@@ -157,7 +157,7 @@ static DRAW_FLOOR_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "a9fb99404f312686935c854b1dcf87c9635d8848aea6976b64bab7d7360b6508",
+    hash: "9b71e0b3c938d02d513fe20a40beece2090f8d48046b93fa793949fb657a7214",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW: Module = Module {
@@ -170,7 +170,7 @@ static DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "ef126dacf73f59619ceac3dc336aa5b53f41dd5fe7e0903744242ff86fc40099",
+    hash: "d8cc43bdc3836d60ad4217d7ee2fbfe77f9d08ead5de4f1b623557a91c2a8cbc",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW: Module = Module {
@@ -183,7 +183,7 @@ static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "666226f66c7405c781edecf84cc75f38aa61fa5e999b78c4259e3eeacd547b5d",
+    hash: "911548d68bae8b715462906db8398b3e026a7cf154070ce675b6f1eeb41ca90c",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW: Module = Module {
@@ -196,7 +196,7 @@ static DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "87c5effddc90a9ea0f9c84242158fa807b5be328e33714343c71fe7cecbdecdf",
+    hash: "8a5816d62f3bd19b48e6208051f5c3f6601e5988c04f015f6ba01ba3bf496b68",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW: Module = Module {
@@ -209,7 +209,7 @@ static DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "f3446155ba83e579aad7cef32242ddc02988c8687331a0e98021c6baba9a79f4",
+    hash: "b141d2997cbd799dcc5c7a1487ab819ad88214a61ad19ee84f37fb072cc6cbc6",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW: Module = Module {
@@ -222,5 +222,5 @@ static DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "c33e243b8370a4565dfc9f7ba94328fef47e55ed45a4ef4ed0b63d60634ff15f",
+    hash: "47aa1a7b1063c137850451c9375053771bacd405c4d240ac277a0bcdcc4657b3",
 };

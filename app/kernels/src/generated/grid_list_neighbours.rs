@@ -123,7 +123,7 @@ static LIST_NEIGHBOURS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "a77da588480b8f8bbc4ded75f6f40acdf7221b10a455c3be13d18b41e37382a9",
+    hash: "de1569c6a58b3ec08939bb75d07a00694e1d802e67a98ab034444e708c4b9da3",
 };
 
 static LIST_NEIGHBOURS_WITH_PACKED: Module = Module {
@@ -136,7 +136,7 @@ static LIST_NEIGHBOURS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "8c58d5cfdf81c4dabe827f30650e1dcc2f1cbee23083f927a4fe14d37b17e4c6",
+    hash: "7f8122169ad51c387699d1d41c2bb4777fa32f5d9cd98cced030a30a092070fb",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
@@ -149,7 +149,7 @@ static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "b4ea5a91968ed3d1bdf1564e54de169b1265bd41d590bf84257e03b81020729b",
+    hash: "91a595446afe783e627cc0f534e2f828f60c3c70c60dd5de0d0ba9d51c4c3d32",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_PACKED: Module = Module {
@@ -162,7 +162,7 @@ static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "f81c1bedff862d5a13abb539834b31418ce70ff3c89eac88675f570ef02b0613",
+    hash: "8a41c8e794be2fd2011bf05e12b3055f6a48d6d9f9ffdf58dc51b6e691730b7c",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
@@ -175,7 +175,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "7c024689c28155bc93edfd4fc0ec045e85f0946deaffd9c65fbe562c02bfeba2",
+    hash: "6e2f175df7617e9c64a4949fea5a4d688fa36322d14a1b5850e418c84343d62d",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PACKED: Module = Module {
@@ -188,7 +188,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "92ddafa3c8414560577ecc3f275f8b2ebd2df562231c864e1c880655e50446dc",
+    hash: "93fd9c3b8e5b6c4b629009f42a28e3d1217196a21da88b07d2a5c8d8dc9a24cc",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
@@ -201,7 +201,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "d959c2099594087f33e8214b58d80abad15ff25f52c098040294ae2fa04e6312",
+    hash: "15f785b1da423be87f6ec49395127f2194c9a5a92b85ba0b1247c52f877a9505",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_PACKED: Module = Module {
@@ -214,5 +214,5 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "ba10dfd5eb4b369e3a8311ac2a35029934b9e95206d007bcdb677cd81036163e",
+    hash: "73c0ff60bf12e7bff656bc06eee0529d75cf8a08fe5a08d97a1af809fd73f220",
 };

@@ -93,7 +93,7 @@ static DENSITY_RATIOS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "4f8d17107db9711400e9f8df31e7ea88d5dad280e7e147832a5fafefad47a51e",
+    hash: "5099096ad9e6e8d75cce3acfa5e504369adee68a320dbb2c87dce3fba9d73e02",
 };
 
 static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
@@ -106,7 +106,7 @@ static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "cd55e1b542d9dd142975866d6c2ef47317a2d7a234bf0e8be15cf5a8256dd555",
+    hash: "3b0efabf2e7933abe51f51b80a515f9514a0d4be6cdfd7bbca6c55ebd6a46e54",
 };
 
 static DENSITY_RATIOS_WITH_WALLS: Module = Module {
@@ -119,7 +119,7 @@ static DENSITY_RATIOS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "1401713ff3befca93dcc02b05c5f8943f5bd1edc103bbd2b4ea0395acaee51c9",
+    hash: "bb32c355ac03e46e8dee63f15dbf6e101afe7f528765dd140172eeae404806ff",
 };
 
 static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -132,5 +132,5 @@ static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "195e498860c30494da708bdb18152aa8aa6534f8b0f3820a26ee554f1b412c2f",
+    hash: "be80c4adaddea341ba05633d44b64b9414af9f13801966b5f11043b634c5ce2b",
 };

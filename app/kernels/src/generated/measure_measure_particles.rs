@@ -127,7 +127,7 @@ static MEASURE_PARTICLES: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "01553dc3c133146bb7266fbee70d1b89ee87a1e1b353db2c8d3035162e50ee90",
+    hash: "ea3dc290496675294784172af0ed7c3f4784a7e648b2cc95f267436dab6cf172",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
@@ -140,7 +140,7 @@ static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "61cfc32b851e2cfda16ccb74deefda0a290471b79d7c5c2855244b1684479eab",
+    hash: "6078a8f2456f1d54f3e57a8d682c3f38740e63dbe710fe55ebb18b8f2c05e88f",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
@@ -153,7 +153,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "d4e74622ce758defa5d0a3f614f7ff85d578cd4010af25dc8c82fdd330e191fe",
+    hash: "53cc36d651b2735fb6a5f71677569da3156ab251d8de1fa0ee529664946aaa30",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
@@ -166,7 +166,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "cdbd34d3d2338ab6129c343266a1d454a15f4ae4ff83d3166e42a11572f70c46",
+    hash: "76d4b2c07b817d75994a81fb503548e867c2518859dbffc93a213005f0a7057e",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -179,5 +179,5 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module 
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "ebe7ae8f62010c1ed212602d79fff5279ffd8578fbfab1d966429dcdfc600f3c",
+    hash: "a19d6e2dabdfbd687b76b55818f22fa51b5d93c7e9ce572be3f8a1d8bfd591ee",
 };

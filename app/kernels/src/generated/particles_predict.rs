@@ -90,7 +90,7 @@ static PREDICT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "e4b345d30c99fed08fdecbd23c4fc293b3ec34be112b0eef07a5e840d989c5de",
+    hash: "19ce70ac42e4e631b6d3664f040cc16aa7bb4c03fd14d161ac30d235443adfaa",
 };
 
 static PREDICT_WITH_PERIODIC: Module = Module {
@@ -103,7 +103,7 @@ static PREDICT_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "e2b53e9a6fd5bcf78eb4a2b8207f5578d731d6f57103e8e9d730eafd8ed0dda0",
+    hash: "cc05114b038deb6863cf1444089c91e6b3fd2a8bd1d49b1cb252d85f0e507449",
 };
 
 static PREDICT_WITH_WALLS: Module = Module {
@@ -116,7 +116,7 @@ static PREDICT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "ae11062fc839e564a62c814fbfec797d026a457d0e3215c2955dc88c39522ec2",
+    hash: "ff68438139c1d6bc7c619151ed291d0de2a6613f852584dce2fec26b35fe097d",
 };
 
 static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -129,5 +129,5 @@ static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "1ddc0d5f5ee59c7252625e2719122a72ef49377683a123dd70f7c40cbce00091",
+    hash: "ce6925d79fa98654264928bf36a92d8bb12df62be563a81118de984f1af4feef",
 };

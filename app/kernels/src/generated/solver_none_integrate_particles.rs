@@ -98,7 +98,7 @@ static INTEGRATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "d55b401d927929f383f7a664e299578dba7feea7da371f42d875557140633f07",
+    hash: "85d1537fd5cf35f7ef17197a966c9ad7c330e06c9fab93f371a910495ac6d1c9",
 };
 
 static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
@@ -111,7 +111,7 @@ static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "d3205529f49f979993a0cb4973d56a9db4e5220bc06a87084d8447c6535f02eb",
+    hash: "4d8b3a23d73ac45c64bf1fef762dfd9cace78090ce54509c246617670f09bffd",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
@@ -124,7 +124,7 @@ static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "19e72923f974397a76af92e14a1cb4857ce798f4e8d4240da6a439cca6be1dd9",
+    hash: "e40f807fd697cdd7c0d01982b7ce7e571474d13bb0c7294f10b4d8305a536ca5",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -137,5 +137,5 @@ static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "56528d90b54f535c8e2a752794c3576da803bcd01b22cff93382343f96079442",
+    hash: "6be44091122d35a63dd75d8a477673e9d92f1293431bd03e000d1f8c633b9a73",
 };

@@ -193,7 +193,7 @@ static CONSTRAIN_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "0b8a00e56080751b55b260bffcdac7bbba7b202d7aeae1595861ff7ca6303c9c",
+    hash: "39a9db101a2f67d036e6cba15faaf4596fd94081622e54353f0163a295c7e9c1",
 };
 
 static CONSTRAIN_DENSITY_WITH_PACKED: Module = Module {
@@ -206,7 +206,7 @@ static CONSTRAIN_DENSITY_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "1a1e497d78419d62899d24961c6cebb42fcb3aa065e09b7f21654372de0401d2",
+    hash: "2f37a99846b594c2b613a71032220d6854310c074785f2023daf21bcf8060977",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -219,7 +219,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "e39b5d1e8bbfc7da96779d49a9d0d77ffd89c8021b9da5abf590935c64027ed0",
+    hash: "1842d6f49cf72d6f6472549f0ce4c7f031d818d3a5417e4def9feaad32ed4413",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -232,7 +232,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "6d22e91fc15dc2723ed45110a5b7ccee82b954981f02547de384deca85bbddd2",
+    hash: "add510414cc39d6451f6dd50bf0f4fe94286c5a556c3cd39ecd5c4b34e80fbcb",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -245,7 +245,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "4d107ac8a73e037580d2f9dd89b5408d8fca6cd93013d1264c9b5d7c983660fc",
+    hash: "aae373edf0e981993a5c0a7e4f651912207e83664f6888981897d6cebf7889f7",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -258,7 +258,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "b6e16b39388ac59c0b69a5905f403b6fee0a7b9790928a5ba0feb42a574d6b7a",
+    hash: "9e775eb1ca63f581599fa2047f1951c81ba096091097331025a1de794d586cf9",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
@@ -271,7 +271,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "4238c482459e146a35c672400cb348c465f20eb52ac2b9d377ac6dc802da34d5",
+    hash: "8c469d55cda5cdcca419132009e8390fc980f0020c1fd6c9d88b29b98956ca91",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_PACKED: Module = Module {
@@ -284,7 +284,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "2ff285fb9f5692b251ee9504e829960fbf5fc80081ba6609936146dd4ec2f121",
+    hash: "583be71b710397f5c1a853ff84ff82e7fae5d788490610dc6bf8da92ba16d063",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -297,7 +297,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "22fd0a67f8ef22fbc964b6f8f8ed8455abf9218a741111dafb38ad79fadc074c",
+    hash: "78b0a6fdb26a36999a07a3a9cc0930818ddd5c4b2fe4fc5f432d2a3e439e4752",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -310,7 +310,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "42ae6a76814316c9ce96bcb86cbf74677808e7f54cba219e0ee9228eedce510a",
+    hash: "774fb1c28e875f6bbc3b16351a78d9d9164f694ee0d3b9ffc2bb92bedb9b3296",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -323,7 +323,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "378f23371763b8612f622ff6c42d80d42b937217ce8521508dafff934b0fa4d9",
+    hash: "fc00082cddcdafd6faf54a31f9d1024bbc7a197bab5a8bfb91e917a008f0e59f",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -336,5 +336,5 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "e566e168e6ecb49c7ac73a4ab19eddb8459f8e63031e01efe846ca2343af998c",
+    hash: "d220d05f4e600a4724e1bb20ac2b647c1afe27c9c7cba728a2f075a7f558982a",
 };

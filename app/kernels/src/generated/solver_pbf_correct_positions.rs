@@ -218,7 +218,7 @@ static CORRECT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "193d17307b00abb70d964e880dee772bd55941d29e30e03b968f9ea61be7e9f5",
+    hash: "bc87828ba60e997d95a8fa64d1616876ac3efa4431104abcf707b0c45b183511",
 };
 
 static CORRECT_POSITIONS_WITH_PACKED: Module = Module {
@@ -231,7 +231,7 @@ static CORRECT_POSITIONS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "79fc0983a5b1d692251e9531bfdae4298c8fffaabb113b05376b359a365da610",
+    hash: "53a2c29bb8fc1b899629dd74147f297273dba4a5ec4a5e93b5bc66bfb7947f01",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
@@ -244,7 +244,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "8ed965e3b4eeee97f3aca48ad8452d2303fad152604b6707912e71c6fb39c320",
+    hash: "b1cdcbb3856809fa2939151727f957d12c55bd339a7611f78eb910c179900905",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -257,7 +257,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "10484fb6326fb3cca4bb1cec020f36fb2ee1bb75b7975a6319ff10dc5e1b023b",
+    hash: "63750417892dc9f95cf22f75305005cdcfe38acfc3bd7e2dfc40052ca9e0aa16",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
@@ -270,7 +270,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "edcfb98561ae784c0b85e01a3e89b2c281a7396f7afbd1848f7d9b749d7d37ea",
+    hash: "eda5b0e5b171964035488328433cfb3ee64a3d7f1d656b2f4e7840b7bc08ae8d",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -283,7 +283,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "e585bb5d0dc7ca9d7d4665263d7133de77c6c18d05fcd30c5c816872ff7aafeb",
+    hash: "050338d0b238036fc5298aa16596de23e2f5f800bf92032da3928fbe693deaa1",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
@@ -296,7 +296,7 @@ static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "74f5c6ef157ce0c85c18b9e1daf7e4b77ef21dd60a7aba5dad46ed7c57110cb1",
+    hash: "bd36b6e4c29c3043f9d96f3ee71b2105465fb8d967f57454f4823267d91ea06b",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_PACKED: Module = Module {
@@ -309,7 +309,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "f72ab5b3647d89347d3b09971e9fe44323d5ee810c2ef0e5ba464ac7785cb326",
+    hash: "fb876587ff24fbbd192b01515860aaab029650f01ef68f747110c8421f8efcc5",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -322,7 +322,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "3d13dc0853797488a1fc4dc4cf174e893ed2b948dc09de07525a2882c6c4092f",
+    hash: "b7186dea52f86295c7490de27ae62bd1609dc21a1c07ffab452daf6d006e404c",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -335,7 +335,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "096c0ed59ae111ba3c3c6e63b8055b2dbc5c9394d5eaa66f16b584b95d4aee4e",
+    hash: "e39362432ac835651fed67319e9cfbd30faa04f78f4c8b2ac9b400ef261ca91b",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -348,7 +348,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "2d6c58b34acb983229411799fe056149c6d9024dc95be0f78f2cb3bd624317b7",
+    hash: "e205cb220d9cad331e7ce8218a6148260a471dbcf7a81338d97ec34ef3d7f1c2",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -361,7 +361,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = M
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "42a6f1085928188fe90c4f88ca8e974849b9d9048c9e657ae166d638a3bf9aa5",
+    hash: "1995f5b7aad55eca0ab3425d8cf28732560c415d59c4fed1e6403bc331d6316b",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
@@ -374,7 +374,7 @@ static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "4538e21c1638b4a89b0f2568cb76377e625028b8a66bdbe283af1f135dd72bb8",
+    hash: "23bcb38f12d9490e420b35b2e07a01eed827379757510ca0493a2d8c29dd02da",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_PACKED: Module = Module {
@@ -387,7 +387,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "50ac3f5f01796727f9501699384cb21ef14c445b305144b0819b7bc137f83e78",
+    hash: "a9447f85ddc3092bc2473414e454603bf965fe59f857ca2ec9ab9376e91c81bf",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -400,7 +400,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "56cc1f03aa24f9cde96c4e82a2bfd62cca3af4cacf2585004732fe4308a4750f",
+    hash: "b1e75a0e45ea2e57a28ff691e4ee9ed21e2b8f153d62d0c73e21ecef822830ad",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -413,7 +413,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "3be8473927238a785973a39a8576bf7206ad46001265e9d1292f3cca4aac00e3",
+    hash: "a41d03181fa39b5358425c83c1d25d0209a7f018c90897a777a52dfeb3d62ac2",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -426,7 +426,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "d5c6df4f91bf5eef1dda56d80161ece3ad11200decb1848d4abfdf549bdfc32a",
+    hash: "5d62adc368e2d601df2369319453b249d359c2923b2b964cd6a240c66d62269b",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -439,7 +439,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "6e017323484ec6561cc7041361de18b0f6a4efd2e56c5ba6f887516219d2eaf7",
+    hash: "fc5ef86267c4b566bfa35c5d979cf654f65fc16e044a62819cf98966f8497803",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
@@ -452,7 +452,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "f41b67e7b03279dd56830d7bfa076e4dd9189d3bcc57aa2d3459d2102c5a730d",
+    hash: "983e68b153e8d4a0b5f6bdd75f12e448542048bfb441997410019561ebb4aafd",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_PACKED: Module = Module {
@@ -465,7 +465,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "fd8dfa0e85e1e64ff1b0e56c0c409c19543221262e7e3f037e824d827ea46e88",
+    hash: "f65085f97b05afa6a19de8d085971edf076dee2c2ed8481db2bf202172662201",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -478,7 +478,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "51941cfe3919c8d62484b931e3c1ea1554abc79ee3765003a3e9a3bb3ea1de3f",
+    hash: "7bdc70b1eeb281edeef043048bf4e1a7865199456943c226d8aee976351e9f52",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -491,7 +491,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACK
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "2510a9896373ce700ade3c474bccfa9dd6856c3dfd32df5c02b968c0afaa3bda",
+    hash: "0d8f30ce2e4b88273177e89bd5d33e2752e0798da7fcf227a4533e94adc72d1b",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -504,7 +504,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "26f6d02b90cf647fa2f64877cca45450997be3a8b12b1d53f96195dd9c6a07a4",
+    hash: "87933e29446e1e215d0df960d01a0d493130569ed6f7c630ebee39b03fa9b51c",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -517,5 +517,5 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED:
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "84691e08c14005f2d35364a8388962e5c62e6325c062af98677826e05e3fb30e",
+    hash: "dcb6de604ec0111c0b5b969a083fa5f76be8099288f3547af10dacd402ad4870",
 };

@@ -69,5 +69,5 @@ static ANISOTROPY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/anisotropy.compute",
-    hash: "5f06a39338c30349936db28317afdaf89a9f219aac775a3a63026b0ef3aa9595",
+    hash: "64b9638cd4e7a9090fbd1410d59f9d1801f8f7370e8b10e305fa80520a75e916",
 };

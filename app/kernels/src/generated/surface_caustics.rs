@@ -63,7 +63,7 @@ static DRAW_CAUSTICS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/caustics.hlsl",
-    hash: "3aaa626f248c487edf46e1f750cb5a8eb0dfdd88c070408837cf1b6286859dec",
+    hash: "f5bc75734d8276200f500e8d4adefe9ed5cdb9c2f11159c5685bb9e9202fbc85",
 };
 
 static DRAW_CAUSTICS_FRAGMENT: Module = Module {
@@ -76,5 +76,5 @@ static DRAW_CAUSTICS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/caustics.hlsl",
-    hash: "6480341c6918f4f1847498aefeb604f39e116a41e9689f5443c1e195afd6979a",
+    hash: "08d5c5ee0a6293e944d6166171d2b3e5e43b5636d51c2640702b75a1ff8a0882",
 };

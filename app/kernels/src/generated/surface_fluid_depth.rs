@@ -112,7 +112,7 @@ static DRAW_FLUID_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "34ec19110f3877bcb5b94d9632fe47ade3a204536f90f065118221e5d186baa5",
+    hash: "1e864d48b9dd1ea36b1e330dc72f7432e725df4d7bda0fff5a06a167840d6f95",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
@@ -125,7 +125,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "c6662c0374d5a45cf945a5cc6746c02a64cfa60534aef2b565f0fdb30bc79e23",
+    hash: "f77014a5025ecf25bf9215c35c4328b88fcee418200869133c31e59a34341060",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -138,7 +138,7 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "3a5aa6ec5122fbd5d00dffebd692d9b0b1612acd7473d8dd979314be180ef231",
+    hash: "c5a29f935b8086d2dd485560f566b21476652a5b40c5b88e3ed70a15b84e1ee2",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -151,7 +151,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "c8f978d8afd32642d75e046ac932f73c8bc22b7357aa66ac300ec9deb46d43d8",
+    hash: "eb92ee5154ed45dc3fca4b4f40854bbaa85190f230055240bbd20e51e0eaa3df",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -164,5 +164,5 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "be2b2e40e4c372052ecd539c696628f3c90768eebc246c1738d272f6af9b0ea9",
+    hash: "ecaf432c4f2eeea252d6f48d832547ba7bfc55a0c9316c5471c7eedff15cd4cb",
 };

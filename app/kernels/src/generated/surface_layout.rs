@@ -27,11 +27,11 @@ pub const LEAST_VARIANCE: f32 = 1.0e-4;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct AnisotropyParams {
     /// `float3`.
-    pub box_min_m: [f32; 3],
+    pub wall_min_m: [f32; 3],
     /// `float`.
     pub support_m: f32,
     /// `float3`.
-    pub box_max_m: [f32; 3],
+    pub wall_max_m: [f32; 3],
     /// `uint`.
     pub particle_count: u32,
     /// room for neighbours a particle, in LIST\_CHUNKs
@@ -44,9 +44,9 @@ pub struct AnisotropyParams {
     pub reserved2: u32,
 }
 const _: () = {
-    assert!(offset_of!(AnisotropyParams, box_min_m) == 0);
+    assert!(offset_of!(AnisotropyParams, wall_min_m) == 0);
     assert!(offset_of!(AnisotropyParams, support_m) == 12);
-    assert!(offset_of!(AnisotropyParams, box_max_m) == 16);
+    assert!(offset_of!(AnisotropyParams, wall_max_m) == 16);
     assert!(offset_of!(AnisotropyParams, particle_count) == 28);
     assert!(offset_of!(AnisotropyParams, list_chunks) == 32);
     assert!(offset_of!(AnisotropyParams, reserved0) == 36);
@@ -81,11 +81,11 @@ const _: () = {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct SurfaceParams {
     /// the fluid is cut off outside this box: at a tank's glass
-    pub box_min_m: [f32; 3],
+    pub wall_min_m: [f32; 3],
     /// of a particle's sphere
     pub radius_m: f32,
     /// `float3`.
-    pub box_max_m: [f32; 3],
+    pub wall_max_m: [f32; 3],
     /// radius of the disc on which a particle's volume counts as thickness
     pub thickness_radius_m: f32,
     /// thickness is kept in spacings: f16 then fits any scene's size
@@ -106,9 +106,9 @@ pub struct SurfaceParams {
     pub sun_smoothing_m: f32,
 }
 const _: () = {
-    assert!(offset_of!(SurfaceParams, box_min_m) == 0);
+    assert!(offset_of!(SurfaceParams, wall_min_m) == 0);
     assert!(offset_of!(SurfaceParams, radius_m) == 12);
-    assert!(offset_of!(SurfaceParams, box_max_m) == 16);
+    assert!(offset_of!(SurfaceParams, wall_max_m) == 16);
     assert!(offset_of!(SurfaceParams, thickness_radius_m) == 28);
     assert!(offset_of!(SurfaceParams, spacing_m) == 32);
     assert!(offset_of!(SurfaceParams, smoothing_m) == 36);

@@ -70,5 +70,5 @@ static REFRACT_PHOTONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refract_photons.compute",
-    hash: "9df5618f752d9c232bb7017860550865413ca2455a5721d743fabadb2cd99692",
+    hash: "6c992620b1b9fe17132338ced137b6658a647b01c19c627a81ec1f7331bc82f1",
 };

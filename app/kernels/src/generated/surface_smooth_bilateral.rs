@@ -77,7 +77,7 @@ static DRAW_SMOOTH_BILATERAL_VERTEX_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "808a1547d4f235bce3de12d0280236e389357d221ae6d5e6a819739261aa9f4a",
+    hash: "4d9851d8b75ccd0023199104c98308d1f371cde212debbe913e0773b5c7bc8a4",
 };
 
 static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_X: Module = Module {
@@ -90,7 +90,7 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "c8147f516b61b4a1340138d050dffb12068ade7b1179a8ac32398fa09ed69af4",
+    hash: "f3f9b411e838145708cb0fd817d82adc35d82588f2d1167f341aaf0182b9042a",
 };
 
 static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_Y: Module = Module {
@@ -103,7 +103,7 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "d78302c62a7a8754d41db173767b4bba87ca583b3a16af9c04c1cd1c9bc60e4a",
+    hash: "6157a8e7de372271141ca79694d4d6ad4f857246902dbb3778c5695ee87c0e70",
 };
 
 static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
@@ -116,5 +116,5 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "048f3e0d7b717224d341b83cb68730c654290ef7590e8dbfff3bfff3e6df480d",
+    hash: "b3f3c65cd5a732cf3b3259c896c74eade3578db601dfd33c2d943d10c8a081f2",
 };

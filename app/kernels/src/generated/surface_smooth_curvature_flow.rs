@@ -61,7 +61,7 @@ static DRAW_SMOOTH_CURVATURE_FLOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_curvature_flow.hlsl",
-    hash: "cc191b9322c7a1e509a9970e9d89fc0c0b4e872920e3b75e853293b0833acbb9",
+    hash: "3c5bb0ba8703e1a7f083260b384323e3e9fcd33dc0ed780f21e58e8e54970a6a",
 };
 
 static DRAW_SMOOTH_CURVATURE_FLOW_FRAGMENT: Module = Module {
@@ -74,5 +74,5 @@ static DRAW_SMOOTH_CURVATURE_FLOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_curvature_flow.hlsl",
-    hash: "8c3396b7a17308a147de5a424fa1a29d75e54dc08ef9e11a44bf808d98493b17",
+    hash: "b18eb2394821bc24fd49ec01c62c06475697918bf748d87a80e0b2d6c2837499",
 };

@@ -74,7 +74,7 @@ static DRAW_SMOOTH_GAUSSIAN_VERTEX_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_gaussian.hlsl",
-    hash: "aebebf5bd942ebcea53c01dae6dc1489f0db1032cddfd377695a4d2da437058b",
+    hash: "db045cff6d307985cb2ed831c52fcf45a3b296d5a2899526e947b88bd5cf5f1d",
 };
 
 static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_X: Module = Module {
@@ -87,7 +87,7 @@ static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_gaussian.hlsl",
-    hash: "35047294430eba7775e2420bce481835141db4c00433bea810c50d881b740ae9",
+    hash: "411f57efbe78b332b07a637f6de802dbac1dc07284a51025b4056489972393ef",
 };
 
 static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_Y: Module = Module {
@@ -100,5 +100,5 @@ static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_gaussian.hlsl",
-    hash: "375718a404c72ff6d2a4973ee0b835879c4c81d72958c49fe63cb698850c9627",
+    hash: "4844720d51a52803fe8604250b09f4778c6d4189b9ea45adc3b9e38a0431c1c9",
 };

@@ -78,7 +78,7 @@ static DRAW_SMOOTH_NARROW_RANGE_VERTEX_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "091949c8b6abb124b21b19a2f3a827ccccb18429a4cac08a07f2025ec3ecc0e4",
+    hash: "c3407fef43181af5b930cb2943b3403ac3e4449ebc4a273d657587485d893470",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_X: Module = Module {
@@ -91,7 +91,7 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "7a06138eac97f242f7eaec045a1eaf713f6b52d3914283702f112b80998dde64",
+    hash: "c41e2bd719e643de63b945626451fe2c88e8ca29cfa85700180ffcb01031e750",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_Y: Module = Module {
@@ -104,7 +104,7 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "ca74128eb269f5e75f755fc35939f930f9da502489373d508ca8d76415e728ea",
+    hash: "c7a73f80cf282fc78d884d8c7f3fc0da2db44a03e50e78c80f6a1bab45d36b33",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
@@ -117,5 +117,5 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "374943e77d6730a392c04763c0c284d9f2068801c4f7e6a8e05bb4f20af4d738",
+    hash: "d9c8ad1466eece68d3186afdb4463577c522dcffd2ca841fa3892ce8cecc60b5",
 };

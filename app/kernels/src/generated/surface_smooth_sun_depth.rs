@@ -75,7 +75,7 @@ static DRAW_SMOOTH_SUN_DEPTH_VERTEX_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_sun_depth.hlsl",
-    hash: "8002f96e4fc60855c3e263051d9ff906ee8d37a22a95fb39306270cb8a8aefa2",
+    hash: "4c51b3b325b22487c18c24ad9978a1e1f36ea21f06328917eb83047bc3ac17d0",
 };
 
 static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_X: Module = Module {
@@ -88,7 +88,7 @@ static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_sun_depth.hlsl",
-    hash: "a7baa747dfd813bfc32b3b43b054a302afcbe4c3c0f1b401e5777f3bc045f490",
+    hash: "adc0cee4e7c62b00889d74be9ceb01b338916278684f7ce52ed3bd92d57d8737",
 };
 
 static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_Y: Module = Module {
@@ -101,5 +101,5 @@ static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_sun_depth.hlsl",
-    hash: "fe8a5eb2a3854736441a19c78072f0baff50b2956a4517fbdacaf47a423ac2df",
+    hash: "56f10e3b97dd44c812094bf881e4dfecd648b05f05249d6e231290a88148d354",
 };

@@ -114,7 +114,7 @@ static DRAW_SUN_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "b3fb455a86387bba841e0f840e3fc3d79f882eab00643f223707178639d05a75",
+    hash: "00a21890a4b5f66fa0f0af6abfb5e9d16572dbbe762e1a426fbf8deb1798f722",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
@@ -127,7 +127,7 @@ static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "340e17ef47aa8a87287eb67b4d6a2ae28789b28d9ec21ee71761eaee33e9d80d",
+    hash: "484f7e2b718949f3e9b946fd64cefc268e892484841b82cc71c88a867631eff3",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -140,7 +140,7 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "2065eb8b74125b048173a83516696d5a498ce2a0eccdec1e51331be454b7c4ce",
+    hash: "88d1fcef8eae7ed4c0ac385ec21f568444bd662d7dbad432d758df6554ebcfdc",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -153,7 +153,7 @@ static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "7b867605ba5f6bbb988b9746b75ffb3a917333314589f48188dd8dfdbc1a1493",
+    hash: "4c43ead5d91d7c660ba48fffc47d79c3baab822ba388cecb9a1bd70bdc196bcc",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -166,5 +166,5 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "6adece5c6c2dbf8ca12f90093ad127159d9498435bb440aca118289397151014",
+    hash: "7b2f7668c721d7cb45fb5033f85c8ba720b66180616e1699a16c05f607b5dc8c",
 };

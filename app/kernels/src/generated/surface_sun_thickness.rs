@@ -85,7 +85,7 @@ static DRAW_SUN_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "5a0cee4151b1c17e3704e2fd17575c2481757fb7d478dbe5883ec7e41fb5e40a",
+    hash: "ef07623663ddb5453afb19b4eaadb8a3da90c2eb08c234fe2d7c4c2d6a81271f",
 };
 
 static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
@@ -98,7 +98,7 @@ static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "3b272faef88216d04ffa2b0d39cd5027debea710baa1a527574d553312665166",
+    hash: "d89fe3f4e4203a25a0bf7bce63452b91b3f3189838ef03da65eaaee79003a7f5",
 };
 
 static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -111,5 +111,5 @@ static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "876e16a889387111d6329ae922c1c65eae35d0cae444c1c6dbfd39945ca51aab",
+    hash: "9294f71930d97a8474b9318958e196175e0c52edf7de865057530428b7e6376e",
 };

@@ -58,7 +58,7 @@ static DRAW_SURFACE_NORMALS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/surface_normals.hlsl",
-    hash: "6d1a289d16dc7b8faf99cede789cdcef0732a86671c3bbd49336f5f5a697aa59",
+    hash: "ba26817feb8998d2598c765afe3153a0c9dc6d21c89db73693a5a07348938be6",
 };
 
 static DRAW_SURFACE_NORMALS_FRAGMENT: Module = Module {
@@ -71,5 +71,5 @@ static DRAW_SURFACE_NORMALS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/surface_normals.hlsl",
-    hash: "65f8f924ed23e664778873ce2f7a42a74aa7d4ee84ded0574aa755c5ec0f2c44",
+    hash: "d0405525ce1998092e1e84836e7e45cef0edd61e30d4c56a3b685f3c1b50d036",
 };

@@ -86,7 +86,7 @@ static DRAW_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "9a89644cb85c03d5b4f392b2b00f9c22243b809d560c05b3ed5b30f59cdb019f",
+    hash: "2f60b2cf8e12dd9a3bfcdd48894ba0f9b1899dbd89a563488ff82f0f0bf32102",
 };
 
 static DRAW_THICKNESS_FRAGMENT: Module = Module {
@@ -99,7 +99,7 @@ static DRAW_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "cd7bcefed8d787d744361211ed498ad161ab1cdbc1286859b75181b8e6ed556d",
+    hash: "040b1ddc63cbddd66231d77640ec90b05d3b994c85cfd979d96b72ec497cf020",
 };
 
 static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -112,5 +112,5 @@ static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "5e08cae6001c4dd0569d1328b5c957dac8ab04931c798c5b2c8a1f5d070a4a31",
+    hash: "fff68572f5afb42afc9c64b1b20a7b5b43849d089c1c7f7470f7757a4edd7a6f",
 };

@@ -85,7 +85,7 @@ static DRAW_WATER_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "a767ca7ca945eccb2dc7f91f9a3e01b5fbdeb67060534d050c5f5336a35b29b1",
+    hash: "3ddb95cdffb1724b58bcdf61e9432162fbfc00d1b307b6c069a397beb2f41e0c",
 };
 
 static DRAW_WATER_FRAGMENT: Module = Module {
@@ -98,5 +98,5 @@ static DRAW_WATER_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "5fac632c947e5148356501caee05421385653bffc8fc8d582112974f1bc8bcaa",
+    hash: "36adba2e4e5d77873593b877656c72b0b4a63c8b483e4bafac44069088736fd4",
 };

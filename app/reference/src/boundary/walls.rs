@@ -1,6 +1,7 @@
 //! The wall-weight function as the shader has it: in closed form, a little off the integrals
 //! ([`crate::boundary::wall_integrals`]) beyond edges and corners. (Shader: `boundary/walls.hlsli`.)
 
+use super::BoundarySample;
 use crate::shared::lattice;
 use glam::{BVec3, DVec3, Vec3Swizzles};
 
@@ -51,15 +52,6 @@ impl WallScales {
     }
 }
 
-/// What walls add at a point.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct WallDensity {
-    /// Density ratio.
-    pub density: f64,
-    /// Its gradient by position, per h.
-    pub gradient: DVec3,
-}
-
 /// The walls of a box.
 #[derive(Clone, Copy, Debug)]
 pub struct DomainWalls {
@@ -76,30 +68,24 @@ pub struct DomainWalls {
 }
 
 impl DomainWalls {
-    /// What the walls add at a position.
+    /// What the walls answer at a position.
     ///
     /// Beyond two opposite walls no point is the same, so their shares add up.
-    pub fn at(&self, position_m: DVec3) -> WallDensity {
+    ///
+    /// A correction is scaled to stand for the neighbours' mirror images in the walls of the other two axes. Along a
+    /// wall an even slope of pressure pulls with the integral of -y dW/dy, which by parts is that of W: the images'
+    /// share of it is the density that the wall adds. Never more than doubled for an axis.
+    pub fn sample(&self, position_m: DVec3) -> BoundarySample {
         let (share, slope) = self.shares(position_m);
         let [others, product] =
             [DVec3::new(share.y + share.z, share.z + share.x, share.x + share.y), share.yzx() * share.zxy()];
         let WallScales { plane, edge, corner } = self.scales;
-        WallDensity {
+        let gain = 1.0 / (1.0 - (plane * share).min(DVec3::splat(0.5)));
+        BoundarySample {
             density: plane * share.element_sum() - edge * product.element_sum() + corner * share.element_product(),
             gradient: slope * (DVec3::splat(plane) - edge * others + corner * product),
+            correction_scale: gain.yzx() * gain.zxy(),
         }
-    }
-
-    /// By how much to multiply, along each axis, what neighbours do to a particle, to stand for
-    /// their mirror images in the walls of the other two axes.
-    ///
-    /// Along a wall an even slope of pressure pulls with the integral of -y dW/dy, which by parts is
-    /// that of W: the images' share of it is the density that the wall adds. Never more than doubled
-    /// for an axis.
-    pub fn along(&self, position_m: DVec3) -> DVec3 {
-        let (share, _) = self.shares(position_m);
-        let gain = 1.0 / (1.0 - (self.scales.plane * share).min(DVec3::splat(0.5)));
-        gain.yzx() * gain.zxy()
     }
 
     /// Along each axis, the share of the kernel beyond its two walls, and the share's derivative by
@@ -141,7 +127,7 @@ mod tests {
         let integrals = WallIntegrals::new(2.0);
         for i in 0..=40 {
             let s = f64::from(i) / 40.0;
-            let at = walls.at(DVec3::new(s, 50.0, 50.0));
+            let at = walls.sample(DVec3::new(s, 50.0, 50.0));
             assert!((at.density - integrals.plane(s)).abs() < 1e-12, "{s}");
             assert!((at.gradient.x - integrals.plane_slope(s)).abs() < 1e-12, "{s}");
         }
@@ -187,9 +173,9 @@ mod tests {
                 let mut at = DVec3::new(50.0, 50.0, 0.0);
                 (0..axes).for_each(|axis| at[axis] = 0.5 / support_ratio);
                 let inside = lattice::sum_where(2, support_ratio, |k| k[..axes].iter().all(|&k| k >= 0));
-                let ratio = lattice::weight(2, support_ratio) * inside + walls.at(at).density;
+                let ratio = lattice::weight(2, support_ratio) * inside + walls.sample(at).density;
                 assert!((ratio - 1.0).abs() < 1e-12, "{axes} walls: {ratio}");
-                assert_eq!(walls.at(at).gradient.z, 0.0);
+                assert_eq!(walls.sample(at).gradient.z, 0.0);
             }
         }
     }
@@ -207,7 +193,7 @@ mod tests {
                 let node = |i: usize| nearest + (1.0 - nearest) * i as f64 / 10.0;
                 for i in 0..11_usize.pow(3) {
                     let place = DVec3::new(node(i % 11), node(i / 11 % 11), node(i / 121));
-                    let at = walls.at(place);
+                    let at = walls.sample(place);
                     density = density.max((at.density - integrals.density(place)).abs());
                     slope = slope.max((at.gradient - integrals.gradient(place)).abs().max_element());
                 }
@@ -229,7 +215,7 @@ mod tests {
                 let mut at = DVec3::splat(50.0);
                 (0..axes).for_each(|axis| at[axis] = near);
                 let inside = lattice::sum_where(3, support_ratio, |k| k[..axes].iter().all(|&k| k >= 0));
-                let ratio = lattice::weight(3, support_ratio) * inside + walls.at(at).density;
+                let ratio = lattice::weight(3, support_ratio) * inside + walls.sample(at).density;
                 assert!((ratio - 1.0).abs() < 1e-12, "{axes} walls: {ratio}");
             }
         }
@@ -239,11 +225,11 @@ mod tests {
     fn gradient_is_the_derivative() {
         let walls = wide(2.0);
         for at in [DVec3::new(0.25, 0.3, 0.1), DVec3::new(0.1, 0.8, 2.0), DVec3::new(99.5, 2.0, 99.9)] {
-            let gradient = walls.at(at).gradient;
+            let gradient = walls.sample(at).gradient;
             for axis in 0..3 {
                 let mut e = DVec3::ZERO;
                 e[axis] = 1e-5;
-                let difference = (walls.at(at + e).density - walls.at(at - e).density) / 2e-5;
+                let difference = (walls.sample(at + e).density - walls.sample(at - e).density) / 2e-5;
                 assert!((gradient[axis] - difference).abs() < 1e-6, "{at} axis {axis}");
             }
         }
@@ -255,7 +241,7 @@ mod tests {
         let weight = lattice::weight(3, 2.0);
         for (size, layer) in [(DVec3::new(9.0, 1.0, 9.0), true), (DVec3::ONE, false)] {
             let walls = DomainWalls { domain_size_m: size, support_m: 2.0, ..wide(2.0) };
-            let at = walls.at(size / 2.0);
+            let at = walls.sample(size / 2.0);
             let inside = lattice::sum_where(3, 2.0, |k| k == [0; 3] || layer && k[1] == 0);
             let ratio = weight * inside + at.density;
             assert!((ratio - 1.0).abs() < 1e-12, "{size}: {ratio}");
@@ -285,7 +271,7 @@ mod tests {
                 for axis in 0..count {
                     at[axis] = 0.5;
                 }
-                let error = pull(count) * domain.along(at).z / pull(0) - 1.0;
+                let error = pull(count) * domain.sample(at).correction_scale.z / pull(0) - 1.0;
                 assert!(error.abs() < tolerance, "h = {support_ratio} d, {count} walls: {error}");
             }
         }

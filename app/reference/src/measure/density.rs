@@ -15,6 +15,6 @@ pub fn density_ratio(
 ) -> f64 {
     let near: f64 =
         neighbours.iter().map(|&j| wendland::kernel(smoothing.apart(positions_m[i], positions_m[j]).length())).sum();
-    let beyond = walls.map_or(0.0, |walls| walls.at(positions_m[i]).density);
+    let beyond = walls.map_or(0.0, |walls| walls.sample(positions_m[i]).density);
     smoothing.weight * (wendland::kernel(0.0) + near) + beyond
 }

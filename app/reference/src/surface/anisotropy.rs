@@ -21,7 +21,7 @@ pub fn anisotropy(i: usize, positions_m: &[DVec3], neighbours: &[usize], params:
     let images = |at_m: DVec3| -> Vec<DVec3> {
         let mut images = vec![at_m];
         for axis in 0..3 {
-            let (low_m, high_m) = (f64::from(params.box_min_m[axis]), f64::from(params.box_max_m[axis]));
+            let (low_m, high_m) = (f64::from(params.wall_min_m[axis]), f64::from(params.wall_max_m[axis]));
             let (below_m, above_m) = (here_m[axis] - low_m, high_m - here_m[axis]);
             if below_m.min(above_m) < support_m {
                 let glass_m = if below_m < above_m { low_m } else { high_m };
@@ -92,8 +92,8 @@ mod tests {
 
     fn open(support_m: f32) -> AnisotropyParams {
         AnisotropyParams {
-            box_min_m: [-1e18; 3],
-            box_max_m: [1e18; 3],
+            wall_min_m: [-1e18; 3],
+            wall_max_m: [1e18; 3],
             support_m,
             particle_count: 0,
             list_chunks: 0,
@@ -123,7 +123,7 @@ mod tests {
 
     #[test]
     fn at_the_glass_the_fluid_goes_on_in_its_mirror() {
-        let glass = AnisotropyParams { box_max_m: [1e18, 0.5, 1e18], ..open(2.0) };
+        let glass = AnisotropyParams { wall_max_m: [1e18, 0.5, 1e18], ..open(2.0) };
         let face = at_origin(&lattice(|at| at.y <= 0.0), &glass);
         assert!(face.center_m.length() < 1e-12, "{}", face.center_m);
         assert!(face.stretch.abs_diff_eq(DMat3::IDENTITY, 1e-9));

@@ -11,7 +11,7 @@ pub fn fluid_depth(centers_m: &[DVec3], params: &SurfaceParams, view: &FrameView
     let size_px = view.size_px.map(|side| side as usize);
     let nearest = |index: usize| {
         let ray = ray_of(view, size_px, index);
-        let (a, b) = ((vector(params.box_min_m) - eye_m) / ray, (vector(params.box_max_m) - eye_m) / ray);
+        let (a, b) = ((vector(params.wall_min_m) - eye_m) / ray, (vector(params.wall_max_m) - eye_m) / ray);
         let (enter_box, leave_box) = (a.min(b).max_element(), a.max(b).min_element());
         let of = |center_m: &DVec3| {
             let center_m = *center_m - eye_m;

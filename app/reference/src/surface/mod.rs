@@ -93,9 +93,9 @@ mod tests {
 
     fn params() -> (SurfaceParams, FrameView) {
         let params = SurfaceParams {
-            box_min_m: [-1e18; 3],
+            wall_min_m: [-1e18; 3],
             radius_m: 0.1,
-            box_max_m: [1e18; 3],
+            wall_max_m: [1e18; 3],
             thickness_radius_m: 0.1,
             spacing_m: 0.1,
             smoothing_m: 0.1,

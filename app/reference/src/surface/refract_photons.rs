@@ -84,7 +84,7 @@ fn normal_toward_sun(sun_depth: &SunMap, params: &SurfaceParams, light: &FrameLi
 /// The glass is flat, whatever dimples particles leave in it.
 fn flat_at_glass(at_m: DVec3, normal: DVec3, params: &SurfaceParams) -> DVec3 {
     for axis in [0, 2] {
-        let glass_m = if normal[axis] > 0.0 { params.box_max_m[axis] } else { params.box_min_m[axis] };
+        let glass_m = if normal[axis] > 0.0 { params.wall_max_m[axis] } else { params.wall_min_m[axis] };
         let is_near = (f64::from(glass_m) - at_m[axis]).abs() < AT_GLASS * f64::from(params.spacing_m);
         if normal[axis].abs() > ALONG_GLASS && is_near {
             return DVec3::AXES[axis] * normal[axis].signum();

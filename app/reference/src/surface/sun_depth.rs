@@ -10,7 +10,7 @@ pub fn sun_depth(centers_m: &[DVec3], params: &SurfaceParams, light: &FrameLight
     let side = params.photons as usize;
     let vector = |v: [f32; 3]| DVec3::from_array(v.map(f64::from));
     let (to_sun, radius_m) = (vector(light.to_sun), f64::from(params.radius_m));
-    let (low_m, high_m) = (vector(params.box_min_m), vector(params.box_max_m));
+    let (low_m, high_m) = (vector(params.wall_min_m), vector(params.wall_max_m));
     let along_ray = |x: i64, y: i64| {
         let uv = (DVec2::new(x as f64 + 0.5, y as f64 + 0.5) + aside) / side as f64;
         let from_m = world_from_shadow(light, uv.extend(0.0));

@@ -34,7 +34,7 @@ pub fn constrain_density(
     let ratio = density_ratio(i, positions_m, neighbours, smoothing, walls);
     let constraint = (ratio - 1.0).max(0.0);
     // Moving a neighbour changes C by the negative of what moving i past it does.
-    let mut own = walls.map_or(DVec3::ZERO, |walls| walls.at(positions_m[i]).gradient);
+    let mut own = walls.map_or(DVec3::ZERO, |walls| walls.sample(positions_m[i]).gradient);
     let mut denominator = pbf.cfm;
     for &j in neighbours {
         let offset = smoothing.apart(positions_m[i], positions_m[j]);

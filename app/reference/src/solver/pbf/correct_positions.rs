@@ -65,11 +65,11 @@ pub fn correct_positions(
         }
     }
     if let Some(walls) = walls {
-        let along = walls.along(here_m);
-        correction *= along;
-        terms *= along.max_element();
+        let boundary = walls.sample(here_m);
+        correction *= boundary.correction_scale;
+        terms *= boundary.correction_scale.max_element();
         // The fluid mirrored in a wall has the particle's own multiplier.
-        let term = walls.at(here_m).gradient * (lambdas[i] + lambdas[i]);
+        let term = boundary.gradient * (lambdas[i] + lambdas[i]);
         correction += term;
         terms += term.length();
     }

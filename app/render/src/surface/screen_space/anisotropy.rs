@@ -11,9 +11,9 @@ use crate::surface::Particles;
 pub fn params(options: &ScreenSpaceOptions, particle_count: u32, list_chunks: u32) -> AnisotropyParams {
     let surface = options.params();
     AnisotropyParams {
-        box_min_m: surface.box_min_m,
+        wall_min_m: surface.wall_min_m,
         support_m: options.support_m as f32,
-        box_max_m: surface.box_max_m,
+        wall_max_m: surface.wall_max_m,
         particle_count,
         list_chunks,
         ..AnisotropyParams::default()

@@ -16,7 +16,7 @@ pub struct ScreenSpaceOptions {
     pub radius_m: f64,
     /// The fluid is cut off outside this box, relative to the domain's lowest corner: a tank's
     /// glass. Infinite where there is none.
-    pub box_m: [DVec3; 2],
+    pub wall_bounds_m: [DVec3; 2],
     /// Whether ellipsoids are drawn where the particles' neighbours are known, else spheres.
     pub anisotropic: bool,
     /// How far the neighbours that make an ellipsoid reach: h.
@@ -71,7 +71,7 @@ impl ScreenSpaceOptions {
         Self {
             spacing_m,
             radius_m,
-            box_m: scene.domain.wall_bounds_m().map(DVec3::from),
+            wall_bounds_m: scene.domain.wall_bounds_m().map(DVec3::from),
             anisotropic: surface.anisotropic,
             support_m: scene.solver.support_ratio * spacing_m,
             smoothing: surface.smoothing,
@@ -120,10 +120,10 @@ impl ScreenSpaceOptions {
         if self.photons > 1024 {
             return Err(RenderError::not_allowed("photons", self.photons, "0 to 1024 are allowed"));
         }
-        let [min, max] = self.box_m;
+        let [min, max] = self.wall_bounds_m;
         if min.is_nan() || max.is_nan() || !min.cmplt(max).all() {
             let value = [min.to_array(), max.to_array()];
-            return Err(RenderError::not_allowed("box_m", value, "must be a lowest and a highest corner"));
+            return Err(RenderError::not_allowed("wall_bounds_m", value, "must be a lowest and a highest corner"));
         }
         Ok(())
     }
@@ -133,9 +133,9 @@ impl ScreenSpaceOptions {
         // Infinities would make NaNs of rays along an axis: what is far enough is as good.
         let corner = |corner: DVec3| corner.clamp(DVec3::splat(-1e18), DVec3::splat(1e18)).as_vec3().into();
         SurfaceParams {
-            box_min_m: corner(self.box_m[0]),
+            wall_min_m: corner(self.wall_bounds_m[0]),
             radius_m: self.radius_m as f32,
-            box_max_m: corner(self.box_m[1]),
+            wall_max_m: corner(self.wall_bounds_m[1]),
             thickness_radius_m: (SPREAD_RATIO * self.spacing_m) as f32,
             spacing_m: self.spacing_m as f32,
             smoothing_m: self.smoothing_m as f32,

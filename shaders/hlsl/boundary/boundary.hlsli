@@ -1,0 +1,87 @@
+// What bounds the fluid, as solvers and measures ask it: how much density it adds at a position and with which
+// gradient, how it scales what the fluid's own neighbours push, where it lets a particle be, and what it feels of a
+// push. Walls are the first answer. Other boundaries enter here as data that SampleBoundary reads, not as keywords,
+// which would double the modules.
+//
+// The one keyword is WALLS: an open scene has no boundary, and none of this is in its shaders.
+#ifndef BROOKLET_BOUNDARY
+#define BROOKLET_BOUNDARY
+
+#include "../shared/layout.hlsli"
+
+struct BoundarySample
+{
+    float density;              // the density ratio that it adds
+    float3 gradient;            // of that over the position, 1/h
+    float3 correction_scale;    // what the fluid's own correction is multiplied by along each axis
+};
+
+#if defined(WALLS)
+
+#include "walls.hlsli"
+
+BoundarySample SampleBoundary(float3 position_m, StepParams step, SmoothingKernelParams kernel)
+{
+    WallKernelFractions walls = WallKernelFractionsAt(position_m, step, kernel);
+    BoundarySample sample;
+    sample.density = WallDensity(walls, kernel);
+    sample.gradient = WallGradient(walls, kernel);
+    sample.correction_scale = AlongWalls(walls, kernel);
+    return sample;
+}
+
+float3 ConfinePosition(float3 position_m, StepParams step)
+{
+    return InsideWalls(position_m, step);
+}
+
+// The end of a free path, confined. What the boundary takes of the path it takes of the velocity: an inelastic
+// contact. A particle put far outside would come back at any speed, even one that is not finite.
+void ConfinePath(inout float3 position_m, inout float3 velocity_m_s, StepParams step)
+{
+    float3 inside_m = InsideWalls(position_m, step);
+    velocity_m_s = clamp(velocity_m_s + (inside_m - position_m) / step.dt_s, -step.max_speed_m_s, step.max_speed_m_s);
+    position_m = inside_m;
+}
+
+// The end of a free path, mirrored where it is beyond the boundary, and as much shorter as the particle is slower.
+void BouncePath(inout float3 position_m, inout float3 velocity_m_s, float restitution, StepParams step)
+{
+    float3 inside_m = InsideWalls(position_m, step);
+    float3 beyond_m = position_m - inside_m;
+    position_m = InsideWalls(inside_m - restitution * beyond_m, step);
+    velocity_m_s *= beyond_m * velocity_m_s > 0.0 ? -restitution : 1.0;
+}
+
+#else
+
+BoundarySample SampleBoundary(float3 position_m, StepParams step, SmoothingKernelParams kernel)
+{
+    BoundarySample sample;
+    sample.density = 0.0;
+    sample.gradient = 0.0;
+    sample.correction_scale = 1.0;
+    return sample;
+}
+
+float3 ConfinePosition(float3 position_m, StepParams step)
+{
+    return position_m;
+}
+
+void ConfinePath(inout float3 position_m, inout float3 velocity_m_s, StepParams step)
+{
+}
+
+void BouncePath(inout float3 position_m, inout float3 velocity_m_s, float restitution, StepParams step)
+{
+}
+
+#endif
+
+// What the boundary feels of the push that it gave particle i, in h: walls stand still whatever comes.
+void ReactToPush(uint i, BoundarySample sample, float3 push_h)
+{
+}
+
+#endif
