@@ -321,7 +321,7 @@ fn saved_states_that_cannot_be_gone_on_with() {
         ("cut", good[..good.len() / 2].to_vec(), "it is cut off: it has"),
         ("later", of_version(&good, 3), "version 3 of the format, and this program reads versions 1 to 2"),
         ("newer", with_section(&good, b"EMIT", 1, 0, b"x"), "a section EMIT of version 1, which this program does not"),
-        ("old", flat, "its scene dam-break:42:14: solver.pbf.iterations = -7: must be a whole number"),
+        ("old", flat, "solver.pbf.iterations = -7: must be a whole number"),
     ] {
         let name = format!("{name}.brooklet");
         std::fs::write(workshop.path(&name), bytes).unwrap();

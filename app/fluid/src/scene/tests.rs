@@ -284,3 +284,13 @@ fn velocities_spread_within_their_bounds_and_alike_in_every_run() {
             .contains("fluid.0.velocity_spread_m_s = [0, 0, 1]: must be 0 along z")
     );
 }
+
+#[test]
+fn a_scene_is_written_in_the_order_of_scene_files() {
+    let scene = load(SMALL, &["summary=x", "camera.eye_m=[3, 1, 4]", "camera.target_m=[0, 0, 0]"]).unwrap();
+    let text = scene.to_toml();
+    let parts = ["summary", "spacing_m", "[domain]", "[[fluid]]", "[solver]", "dt_s", "substeps", "[solver.pbf]"];
+    let parts = parts.into_iter().chain(["iterations", "[forces]", "xsph", "[surface]", "[camera]", "[outputs]"]);
+    let at: Vec<usize> = parts.map(|part| text.find(&format!("\n{part}")).unwrap_or(0)).collect();
+    assert!(at.is_sorted() && at.iter().filter(|at| **at == 0).count() == 1, "{at:?} in {text}");
+}
