@@ -4,8 +4,8 @@
 use std::{collections::VecDeque, fs::File};
 
 use brooklet_capture::{CaptureError, CaptureTotals, CaptureWriter};
-use brooklet_fluid::{STEP, Scene, Stats, captured_values};
-use brooklet_gpu::{FrameReport, ResourceId};
+use brooklet_fluid::{Scene, Stats, captured_values};
+use brooklet_gpu::{FrameReport, RecordingId, ResourceId};
 
 use crate::{measured::Measured, timings::Timings};
 
@@ -13,6 +13,7 @@ use crate::{measured::Measured, timings::Timings};
 pub struct Recorder {
     capture: Option<CaptureWriter<File>>,
     scene: Scene,
+    step: RecordingId,
     measure: Option<ResourceId>,
     /// Frames that are not reported yet, with the number of steps done at their end.
     pending: VecDeque<(u64, u64)>,
@@ -25,9 +26,10 @@ pub struct Recorder {
 }
 
 impl Recorder {
-    /// For a run of `scene`; `measure` is what its measurements are read back from.
+    /// For a run of `scene`; `step` is a step's recording, `measure` what measurements are read back from.
     pub fn new(
         scene: &Scene,
+        step: RecordingId,
         measure: Option<ResourceId>,
         timings: Timings,
         capture: Option<CaptureWriter<File>>,
@@ -35,6 +37,7 @@ impl Recorder {
         Self {
             capture,
             scene: scene.clone(),
+            step,
             measure,
             pending: VecDeque::new(),
             timings,
@@ -64,7 +67,7 @@ impl Recorder {
     }
 
     fn frame(&mut self, report: &FrameReport, step: u64) {
-        self.timings.add(report, STEP);
+        self.timings.add(report, self.step);
         self.record(|capture| capture.frame(report));
         for (id, bytes) in &report.readbacks {
             if Some(*id) == self.measure {

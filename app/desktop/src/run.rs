@@ -9,6 +9,7 @@ use std::{
 use brooklet_capture::{CaptureError, CaptureOptions, CaptureWriter, StatField};
 use brooklet_fluid::{Scene, captured_fields};
 use brooklet_gpu::{Gpu, Plan, TimingStatus, tier_name};
+use brooklet_render::ScenePlan;
 use brooklet_render::left_out::{self, Recorded};
 
 use crate::{
@@ -17,11 +18,11 @@ use crate::{
     failure::Failure,
     fit,
     interrupt::Interrupt,
-    job::{self, Planned},
+    job,
     out_dir::{self, OutDir},
     progress,
     recorder::Recorder,
-    running::{Outputs, Running, due_steps},
+    running::{Running, due_steps},
     summary::{Facts, Files, Summary, stages},
     timings::{Timings, warm_up_frames},
 };
@@ -31,14 +32,16 @@ pub fn run(options: &RunOptions) -> Result<(), Failure> {
     let scene = job::scene(&options.scene, Some(&options.outputs))?;
     let steps = job::steps(&scene, &options.length)?;
     let gpu = job::open(&options.device, !options.outputs.no_timing)?;
-    let Planned { plan, particles, positions, velocities, measure, picture } = job::plan(&scene, gpu.tier())?;
+    let planned = job::plan(&scene, gpu.tier())?;
     let no_times = match gpu.timing() {
         TimingStatus::Off => Some("--no-timing"),
         TimingStatus::Unsupported => Some("the device gives no timestamps"),
         TimingStatus::PassPerStage | TimingStatus::InsidePasses | TimingStatus::OwnPasses => None,
     };
     let recorded = Recorded { no_times, no_capture: options.outputs.no_capture };
-    let left_out = left_out::list(&scene, particles, gpu.tier(), &plan, &recorded).map_err(job::refused)?;
+    let left_out = left_out::list(&scene, gpu.tier(), &planned, &recorded).map_err(job::refused)?;
+    let ScenePlan { plan, recorded, passes } = planned;
+    let (simulation, particles, measure) = (recorded.ids(), recorded.particle_count, recorded.measure_id());
     let plan_bytes = plan.bytes();
     let start = SystemTime::now();
     let mut engine = fit::engine(&gpu, &scene, particles, plan.clone())?;
@@ -62,13 +65,14 @@ pub fn run(options: &RunOptions) -> Result<(), Failure> {
 
     let timings = Timings::new(warm_up_frames(steps));
     let mut running = Running {
-        recorder: Recorder::new(&scene, measure, timings, capture),
+        recorder: Recorder::new(&scene, recorded.step.id(), measure, timings, capture),
         scene: &scene,
         out: &out.path,
         steps,
         done: 0,
         images: due_steps(steps, scene.outputs.images),
-        outputs: Outputs { positions, velocities, measure, picture },
+        recorded,
+        passes,
         writes_particles: options.outputs.particles.is_some(),
         files: Files::default(),
         troubles: Vec::new(),
@@ -92,6 +96,7 @@ pub fn run(options: &RunOptions) -> Result<(), Failure> {
     let summary = Summary::new(Facts {
         scene: &scene,
         plan: &plan,
+        simulation,
         particles,
         steps: done,
         wall_s,

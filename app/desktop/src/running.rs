@@ -2,25 +2,12 @@
 
 use std::path::{Path, PathBuf};
 
-use brooklet_fluid::{INIT, MEASURE, STEP, Scene};
-use brooklet_gpu::{Engine, ResourceId};
-use brooklet_kernels::{Buffer, Position, Velocity};
-use brooklet_render::frame::{DRAW, DRAW_INIT};
+use brooklet_fluid::{Recorded, Scene};
+use brooklet_gpu::Engine;
+use brooklet_render::FramePasses;
 use indicatif::ProgressBar;
 
 use crate::{failure::Failure, interrupt::Interrupt, pictures::Picture, ply, recorder::Recorder, summary::Files};
-
-/// What is read back from the GPU.
-pub struct Outputs {
-    /// Where the particles are.
-    pub positions: Buffer<Position>,
-    /// How fast they are.
-    pub velocities: Buffer<Velocity>,
-    /// Measurements, if the scene measures.
-    pub measure: Option<ResourceId>,
-    /// Pictures, if there are some.
-    pub picture: Option<Picture>,
-}
 
 /// A run under way.
 pub struct Running<'a> {
@@ -36,8 +23,10 @@ pub struct Running<'a> {
     pub done: u64,
     /// Steps at whose end a picture is due, in order.
     pub images: Vec<u64>,
-    /// What is read back.
-    pub outputs: Outputs,
+    /// The simulation's recordings and buffers.
+    pub recorded: Recorded,
+    /// The picture's, if there is one.
+    pub passes: Option<FramePasses>,
     /// Whether particles are written beside the pictures and at the end.
     pub writes_particles: bool,
     /// What was written, and what could not be.
@@ -65,9 +54,9 @@ impl Running<'_> {
     }
 
     fn steps(&mut self, engine: &mut Engine, interrupt: &Interrupt, bar: &ProgressBar) -> Result<(), Failure> {
-        engine.run(&[INIT], &[]).map_err(Failure::stopped)?;
-        if self.outputs.picture.is_some() {
-            engine.run(&[DRAW_INIT], &[]).map_err(Failure::stopped)?;
+        engine.run(&[self.recorded.init.id()], &[]).map_err(Failure::stopped)?;
+        if let Some(passes) = &self.passes {
+            engine.run(&[passes.init.id()], &[]).map_err(Failure::stopped)?;
         }
         while self.done < self.steps && !interrupt.is_pressed() {
             self.step(engine, self.done + 1)?;
@@ -95,21 +84,21 @@ impl Running<'_> {
         let measures = every > 0 && (is_last || step.is_multiple_of(every));
         let image = self.images.binary_search(&step).ok();
 
-        let mut recordings = vec![STEP];
+        let mut recordings = vec![self.recorded.step.id()];
         let mut readbacks = Vec::new();
-        if measures {
-            recordings.push(MEASURE);
-            readbacks.extend(self.outputs.measure);
+        if let Some(measure) = self.recorded.measure.as_ref().filter(|_| measures) {
+            recordings.push(measure.recording.id());
+            readbacks.push(measure.output.id);
         }
-        if image.is_some() && self.outputs.picture.is_some() {
-            recordings.push(DRAW);
+        if let Some(passes) = self.passes.as_ref().filter(|_| image.is_some()) {
+            recordings.push(passes.draw.id());
         }
         let frame = engine.run(&recordings, &readbacks).map_err(Failure::stopped)?;
         self.done = step;
         self.recorder.expect(frame, step);
         self.recorder.take(&engine.reports());
 
-        if let (Some(number), Some(picture)) = (image, &self.outputs.picture) {
+        if let (Some(number), Some(picture)) = (image, self.passes.as_ref().map(Picture::of)) {
             let path = self.numbered("frame", number, "png");
             let rgba = picture.read(engine)?;
             let written = picture.save(&path, &rgba);
@@ -118,8 +107,8 @@ impl Running<'_> {
         if self.writes_particles && (image.is_some() || is_last) {
             let number = image.unwrap_or(self.images.len());
             let path = self.numbered("particles", number, "ply");
-            let positions = engine.read(&self.outputs.positions).map_err(Failure::stopped)?;
-            let velocities = engine.read(&self.outputs.velocities).map_err(Failure::stopped)?;
+            let positions = engine.read(&self.recorded.positions).map_err(Failure::stopped)?;
+            let velocities = engine.read(&self.recorded.velocities).map_err(Failure::stopped)?;
             let written = ply::write(&path, &positions, &velocities, self.scene.domain.min_m);
             self.note(path, written, |files| &mut files.particles);
         }

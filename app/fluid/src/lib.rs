@@ -21,12 +21,11 @@ mod step;
 mod step_context;
 mod step_params;
 
-pub use interact::PUSH;
-pub use measure::{SAMPLE, Stats};
+pub use measure::Stats;
 pub use parameters::Parameters;
 pub use scene::{Scene, SceneError, shipped_scenes};
 pub use simulation::{Simulation, SimulationError};
 pub use stat_fields::{STAT_FIELDS, StatField, captured_fields, captured_values};
-pub use step::{INIT, MEASURE, Recorded, STEP, record, record_count, record_particles};
+pub use step::{Recorded, RecordedMeasure, record, record_count, record_particles};
 pub use step_context::{Particles, StepContext};
 pub use step_params::step_params;

@@ -1,12 +1,12 @@
 //! The simulation and its engine together, for a program that only simulates.
 
-use brooklet_gpu::{Engine, Gpu, GpuError, Plan, PlanError, Resources};
+use brooklet_gpu::{Engine, Gpu, GpuError, Plan, PlanError, RecordingId, Resources};
 use brooklet_kernels::{Buffer, Position, ResourceId, Velocity};
 use thiserror::Error;
 
 use crate::measure::Stats;
 use crate::scene::Scene;
-use crate::step::{INIT, MEASURE, STEP, record};
+use crate::step::record;
 
 /// A scene running on a GPU.
 pub struct Simulation {
@@ -14,7 +14,8 @@ pub struct Simulation {
     scene: Scene,
     positions: Buffer<Position>,
     velocities: Buffer<Velocity>,
-    measure: Option<ResourceId>,
+    step: RecordingId,
+    measure: Option<(RecordingId, ResourceId)>,
     latest: Option<Stats>,
     /// Frames since reports were last taken from the engine, which keeps each one until then.
     frames_kept: usize,
@@ -42,15 +43,16 @@ impl Simulation {
     pub fn new(gpu: &Gpu, scene: &Scene) -> Result<Self, SimulationError> {
         let mut resources = Resources::new();
         let recorded = record(&mut resources, scene);
-        let measure = recorded.measure.as_ref().map(|measure| measure.id);
-        let plan = Plan::sweep(resources, recorded.recordings, measure.as_slice())?;
+        let measure = recorded.measure.as_ref().map(|measure| (measure.recording.id(), measure.output.id));
+        let plan = Plan::sweep(resources, recorded.recordings(), recorded.measure_id().as_slice())?;
         let mut engine = Engine::new(gpu, plan)?;
-        engine.run(&[INIT], &[])?;
+        engine.run(&[recorded.init.id()], &[])?;
         Ok(Self {
             engine,
             scene: scene.clone(),
             positions: recorded.positions,
             velocities: recorded.velocities,
+            step: recorded.step.id(),
             measure,
             latest: None,
             frames_kept: 0,
@@ -62,10 +64,10 @@ impl Simulation {
     /// # Errors
     /// If the device is lost.
     pub fn step(&mut self) -> Result<(), SimulationError> {
-        self.run(STEP, &[])
+        self.run(self.step, &[])
     }
 
-    fn run(&mut self, recording: &str, readbacks: &[ResourceId]) -> Result<(), SimulationError> {
+    fn run(&mut self, recording: RecordingId, readbacks: &[ResourceId]) -> Result<(), SimulationError> {
         self.engine.run(&[recording], readbacks)?;
         self.frames_kept += 1;
         if self.frames_kept >= MOST_FRAMES_KEPT {
@@ -79,8 +81,8 @@ impl Simulation {
     /// # Errors
     /// If the device is lost.
     pub fn measure(&mut self) -> Result<(), SimulationError> {
-        if let Some(measure) = self.measure {
-            self.run(MEASURE, &[measure])?;
+        if let Some((recording, output)) = self.measure {
+            self.run(recording, &[output])?;
         }
         Ok(())
     }
@@ -108,7 +110,7 @@ impl Simulation {
 
     fn keep(&mut self, report: &brooklet_gpu::FrameReport) {
         for (id, bytes) in &report.readbacks {
-            if Some(*id) == self.measure {
+            if self.measure.is_some_and(|(_, output)| *id == output) {
                 self.latest = Some(Stats::new(bytes, &self.scene));
             }
         }

@@ -9,6 +9,7 @@ use crate::error::GpuError;
 use crate::memory::{Arena, Memory, check_sizes};
 use crate::plan::Plan;
 use crate::readback::{Grown, Slot};
+use crate::recording::RecordingId;
 use crate::steps::{Ready, Staging, pipeline_count, prepare};
 use crate::timing::FrameReport;
 use brooklet_kernels::{Buffer, ResourceId};
@@ -110,18 +111,18 @@ impl Engine {
         &self.plan
     }
 
-    /// Hands `recordings` to the GPU as one frame, in order (a name may come more than once), and
+    /// Hands `recordings` to the GPU as one frame, in order (one may come more than once), and
     /// asks for the content that `readbacks`, buffers and textures, have at its end. Waits for no result, unless
     /// [`FRAMES_IN_FLIGHT`] frames are under way: then for the oldest. Returns the frame's number;
     /// its [`FrameReport`] comes with [`Engine::reports`], which keeps each one until then.
     ///
     /// # Errors
-    /// If the device is lost, a name is unknown, or a readback is not in the plan.
-    pub fn run(&mut self, recordings: &[&str], readbacks: &[ResourceId]) -> Result<u64, GpuError> {
+    /// If the device is lost, or a recording or a readback is not in the plan.
+    pub fn run(&mut self, recordings: &[RecordingId], readbacks: &[ResourceId]) -> Result<u64, GpuError> {
         if let Some(error) = self.pending_error.take() {
             return Err(error);
         }
-        let order = recordings.iter().map(|name| self.find(name)).collect::<Result<Vec<usize>, _>>()?;
+        let order = recordings.iter().map(|id| self.find(*id)).collect::<Result<Vec<usize>, _>>()?;
         let wanted = readbacks.iter().map(|id| self.copy_out(*id)).collect::<Result<Vec<_>, GpuError>>()?;
 
         self.gpu.poll(None)?;
@@ -162,10 +163,10 @@ impl Engine {
         Ok(self.frames - 1)
     }
 
-    fn find(&self, name: &str) -> Result<usize, GpuError> {
-        self.ready.iter().position(|ready| ready.name == name).ok_or_else(|| GpuError::NoSuchRecording {
-            name: name.to_owned(),
-            present: self.ready.iter().map(|ready| ready.name).collect(),
+    fn find(&self, id: RecordingId) -> Result<usize, GpuError> {
+        self.ready.iter().position(|ready| ready.id == id).ok_or_else(|| GpuError::NoSuchRecording {
+            name: id.label().to_owned(),
+            present: self.ready.iter().map(|ready| ready.id.label()).collect(),
         })
     }
 

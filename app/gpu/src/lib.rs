@@ -37,7 +37,7 @@ pub use formats::{FormatSupport, check_formats};
 pub use pass_timer::PassTimer;
 pub use plan::{KeptBuffer, LeftOut, LeftOutKind, PassInfo, Plan, PlanError};
 pub use readback::timestamp_bytes;
-pub use recording::{Command, Recording};
+pub use recording::{Command, Recording, RecordingId};
 pub use resources::{ResourceInfo, Resources, Shape};
 pub use tier::{Shortfall, TIERS, highest_tier};
 pub use timing::{FrameReport, Span, SpanFlag, TimingStatus};

@@ -1,7 +1,9 @@
 //! A scene's whole chain as one plan: simulated, measured and drawn, as far as anything of it is wanted.
 
 use brooklet_fluid::{Recorded, Scene, record, record_count};
-use brooklet_gpu::{Plan, PlanError, ResourceId, Resources, Tier};
+use brooklet_gpu::{
+    FRAMES_IN_FLIGHT, Plan, PlanError, Recording, RecordingId, ResourceId, Resources, Tier, timestamp_bytes,
+};
 
 use crate::{FrameOptions, FramePasses, Particles, RenderError, View};
 
@@ -59,31 +61,46 @@ impl ScenePlan {
         recorded: Recorded,
     ) -> Result<Self, ScenePlanError> {
         let looks = (View::of_scene(scene), FrameOptions::for_scene(scene, tier));
-        Self::sweep(scene, resources, recorded, (scene.outputs.images > 0).then_some(looks), &[])
+        Self::sweep(scene, resources, recorded, (scene.outputs.images > 0).then_some(looks), (Vec::new(), &[]))
     }
 
-    /// Sweeps what was recorded, with a picture if one is looked at, and `wanted` besides.
+    /// Sweeps what was recorded, with a picture if one is looked at, and other recordings and wanted outputs besides.
     ///
     /// # Errors
     /// Every [`ScenePlanError`].
     pub fn sweep(
         scene: &Scene,
         mut resources: Resources,
-        mut recorded: Recorded,
+        recorded: Recorded,
         looks: Option<(View, FrameOptions)>,
-        wanted: &[ResourceId],
+        (others, wanted): (Vec<Recording>, &[ResourceId]),
     ) -> Result<Self, ScenePlanError> {
-        let mut recordings = std::mem::take(&mut recorded.recordings);
+        let mut recordings = recorded.recordings();
+        recordings.extend(others);
         let mut passes = None;
         if let Some((view, options)) = looks {
             let drawn = crate::record(&mut resources, &view, &Particles::of(&recorded), &options)
                 .map_err(|error| ScenePlanError::Render { scene: scene.name.clone(), error })?;
-            recordings.extend([drawn.init.clone(), drawn.recording.clone()]);
+            recordings.extend([drawn.init.clone(), drawn.draw.clone()]);
             passes = Some(drawn);
         }
-        let measure = recorded.measure.as_ref().map(|measure| measure.id);
         let color = passes.as_ref().map(|passes| passes.color.id);
-        let wanted: Vec<ResourceId> = measure.into_iter().chain(color).chain(wanted.iter().copied()).collect();
+        let wanted: Vec<ResourceId> =
+            recorded.measure_id().into_iter().chain(color).chain(wanted.iter().copied()).collect();
         Ok(Self { plan: Plan::sweep(resources, recordings, &wanted)?, recorded, passes })
+    }
+
+    /// What is run once before the first frame, in order.
+    pub fn init(&self) -> Vec<RecordingId> {
+        let draw_init = self.passes.as_ref().map(|passes| passes.init.id());
+        [self.recorded.init.id()].into_iter().chain(draw_init).collect()
+    }
+
+    /// Bytes that timestamps take of a frame that does everything, for all frames in flight.
+    pub fn timestamp_memory(&self) -> u64 {
+        let measure = self.recorded.measure.as_ref().map(|measure| measure.recording.id());
+        let draw = self.passes.as_ref().map(|passes| passes.draw.id());
+        let all = [self.recorded.step.id()].into_iter().chain(measure).chain(draw);
+        FRAMES_IN_FLIGHT as u64 * timestamp_bytes(all.map(|recording| self.plan.timestamp_bound(recording)).sum())
     }
 }

@@ -5,9 +5,8 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use brooklet_capture::StateRow;
-use brooklet_fluid::{MEASURE, STEP, Stats};
+use brooklet_fluid::Stats;
 use brooklet_gpu::FrameReport;
-use brooklet_render::frame::DRAW;
 use brooklet_render::png;
 
 use crate::WorldError;
@@ -83,7 +82,7 @@ impl Running {
         self.is_stale = true;
         let density_error = std::mem::take(&mut self.times.density_error);
         let passes = world.engine.plan().passes();
-        self.times.restart([STEP, MEASURE, DRAW].into_iter().flat_map(|recording| {
+        self.times.restart(world.frame_recordings().into_iter().flat_map(|recording| {
             passes.iter().filter(move |pass| pass.recording == recording).map(|pass| pass.stage)
         }));
         if carries {
@@ -188,7 +187,7 @@ impl Running {
 
     fn take(&mut self, report: FrameReport, flying: &Flying, world: &World, messages: &mut Messages) {
         let time_s = (flying.handed - self.started).as_secs_f64();
-        self.times.take(&report, flying.doing.steps, time_s);
+        self.times.take(&report, (world.step_id(), flying.doing.steps), time_s);
         self.fresh_times = true;
         let mut measured = None;
         for (id, bytes) in &report.readbacks {

@@ -2,13 +2,13 @@
 
 use std::collections::BTreeSet;
 
-use brooklet_fluid::interact::{Drag, PUSH, Push, record_push};
-use brooklet_fluid::measure::{SAMPLE, Sample, record_sample};
+use brooklet_fluid::interact::{Drag, Push, record_push};
+use brooklet_fluid::measure::{Sample, record_sample};
 use brooklet_fluid::particles::{ParticleSet, resample, sample_lattice};
-use brooklet_fluid::{INIT, MEASURE, Recorded, STEP, Scene, record_count};
-use brooklet_gpu::{Command, Engine, Gpu, Plan, ResourceId, Resources};
+use brooklet_fluid::{Recorded, Scene, record_count};
+use brooklet_gpu::{Command, Engine, Gpu, Plan, RecordingId, ResourceId, Resources};
 use brooklet_kernels::{Position, Velocity};
-use brooklet_render::frame::{DRAW, DRAW_INIT, FrameValues};
+use brooklet_render::frame::FrameValues;
 use brooklet_render::left_out::{self, Absent};
 use brooklet_render::{Camera, FrameOptions, FramePasses, ScenePlan, View};
 
@@ -140,17 +140,17 @@ impl World {
         };
         let options = order.rung.options(FrameOptions::for_scene(&simulated, gpu.tier()));
         let (planned, push, sample) = plan(&simulated, particles, view, options)?;
+        let left_out =
+            left_out::list(&simulated, gpu.tier(), &planned, &left_out::Recorded::default()).unwrap_or_default();
         let ScenePlan { plan, recorded, passes } = planned;
         let passes = passes.ok_or(WorldError::NoPicture)?;
         let plan = order.modules.put_into(plan).map_err(WorldError::Shader)?;
-        let left_out = left_out::list(&simulated, particles, gpu.tier(), &plan, &left_out::Recorded::default())
-            .unwrap_or_default();
         let mut engine = Engine::new_with_progress(gpu, plan, progress)?;
         if let Some(emitted) = emitted {
             engine.write(&recorded.positions, &emitted.positions);
             engine.write(&recorded.velocities, &emitted.velocities);
         }
-        engine.run(&[INIT, DRAW_INIT], &[])?;
+        engine.run(&[recorded.init.id(), passes.init.id()], &[])?;
         Ok(World {
             scene: order.scene,
             simulated,
@@ -172,7 +172,7 @@ impl World {
     /// the same size, without a way over the host.
     pub fn adopt(&mut self, old: &World) {
         let kept = self.engine.plan().buffers();
-        let fresh = uploaded(self.engine.plan());
+        let fresh = uploaded(self.engine.plan(), &self.init_ids());
         let others = old.engine.plan().buffers();
         let gpu = self.engine.gpu().clone();
         let mut encoder = gpu.device().create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
@@ -204,7 +204,7 @@ impl World {
             return Ok(false);
         }
         let queue = self.engine.gpu().queue();
-        for recording in [INIT, DRAW_INIT] {
+        for recording in self.init_ids() {
             for command in other.plan.commands(recording) {
                 if let Command::Upload { to, data } = command
                     && let Some(buffer) = self.engine.wgpu_buffer(*to)
@@ -252,20 +252,20 @@ impl World {
         let mut recordings = Vec::with_capacity(doing.steps as usize + 4);
         let mut readbacks: Vec<ResourceId> = Vec::new();
         if doing.pushes {
-            recordings.push(PUSH);
+            recordings.push(self.push.recording.id());
         }
-        recordings.extend(std::iter::repeat_n(STEP, doing.steps as usize));
+        recordings.extend(std::iter::repeat_n(self.step_id(), doing.steps as usize));
         if doing.measures
             && let Some(measure) = &self.recorded.measure
         {
-            recordings.push(MEASURE);
-            readbacks.push(measure.id);
+            recordings.push(measure.recording.id());
+            readbacks.push(measure.output.id);
         }
         if doing.draws {
-            recordings.push(DRAW);
+            recordings.push(self.passes.draw.id());
         }
         if doing.records {
-            recordings.push(SAMPLE);
+            recordings.push(self.sample.recording.id());
             readbacks.push(self.sample.samples.id);
         }
         if doing.records || doing.screenshot {
@@ -299,7 +299,22 @@ impl World {
 
     /// A measurement among a report's readbacks.
     pub fn measure_id(&self) -> Option<ResourceId> {
-        self.recorded.measure.as_ref().map(|measure| measure.id)
+        self.recorded.measure_id()
+    }
+
+    /// A step's recording.
+    pub fn step_id(&self) -> RecordingId {
+        self.recorded.step.id()
+    }
+
+    /// What frames run, in the order of their passes' times: steps, measurements, pictures.
+    pub fn frame_recordings(&self) -> Vec<RecordingId> {
+        let measure = self.recorded.measure.as_ref().map(|measure| measure.recording.id());
+        [self.step_id()].into_iter().chain(measure).chain([self.passes.draw.id()]).collect()
+    }
+
+    fn init_ids(&self) -> [RecordingId; 2] {
+        [self.recorded.init.id(), self.passes.init.id()]
     }
 
     /// Waits, and copies the particles to the host, in cell order.
@@ -317,9 +332,10 @@ fn plan(scene: &Scene, particles: u32, view: View, options: FrameOptions) -> Res
     let mut resources = Resources::new();
     let mut recorded = record_count(&mut resources, scene, particles);
     let push = record_push(&mut resources, &mut recorded);
-    let sample = record_sample(&mut resources, &mut recorded, MOST_POINTS);
-    let wanted = [sample.samples.id];
-    Ok((ScenePlan::sweep(scene, resources, recorded, Some((view, options)), &wanted)?, push, sample))
+    let sample = record_sample(&mut resources, &recorded, MOST_POINTS);
+    let others = vec![push.recording.clone(), sample.recording.clone()];
+    let also = (others, &[sample.samples.id][..]);
+    Ok((ScenePlan::sweep(scene, resources, recorded, Some((view, options)), also)?, push, sample))
 }
 
 /// Whether the particles of one scene mean nothing in the other.
@@ -334,13 +350,13 @@ fn same_shape(one: &Plan, other: &Plan) -> bool {
         command => format!("{command:?}"),
     };
     let commands = |plan: &Plan| -> Vec<String> {
-        plan.recordings().flat_map(|name| plan.commands(name).iter().map(text).chain([name.to_owned()])).collect()
+        plan.recordings().flat_map(|id| plan.commands(id).iter().map(text).chain([id.label().to_owned()])).collect()
     };
     one.buffers() == other.buffers() && commands(one) == commands(other)
 }
 
 /// What a plan's first recordings fill: its own parameters.
-fn uploaded(plan: &Plan) -> BTreeSet<ResourceId> {
-    let first = [INIT, DRAW_INIT].into_iter().flat_map(|name| plan.commands(name));
+fn uploaded(plan: &Plan, init: &[RecordingId]) -> BTreeSet<ResourceId> {
+    let first = init.iter().flat_map(|recording| plan.commands(*recording));
     first.filter_map(|command| if let Command::Upload { to, .. } = command { Some(*to) } else { None }).collect()
 }

@@ -5,8 +5,8 @@ use std::collections::BTreeSet;
 
 use brooklet_fluid::particles::ParticleSet;
 use brooklet_fluid::scene::{Applied, Kind, Setting};
-use brooklet_fluid::{INIT, Recorded, STEP, Scene, record, record_particles, shipped_scenes};
-use brooklet_gpu::{Engine, Plan, Resources};
+use brooklet_fluid::{Recorded, Scene, record, record_particles, shipped_scenes};
+use brooklet_gpu::{Engine, Plan, RecordingId, Resources};
 use brooklet_kernels::Buffer;
 use brooklet_tests::gpu;
 use toml::Value;
@@ -64,15 +64,13 @@ struct Running {
 
 fn run(scene: &Scene, particles: Option<ParticleSet>) -> Running {
     let mut resources = Resources::new();
-    let mut recorded = match particles {
+    let recorded = match particles {
         Some(particles) => record_particles(&mut resources, scene, particles),
         None => record(&mut resources, scene),
     };
-    let recordings = std::mem::take(&mut recorded.recordings);
-    let wanted: Vec<_> = recorded.measure.iter().map(|measure| measure.id).collect();
-    let plan = Plan::sweep(resources, recordings, &wanted).unwrap();
+    let plan = Plan::sweep(resources, recorded.recordings(), recorded.measure_id().as_slice()).unwrap();
     let mut engine = Engine::new(&gpu(), plan).unwrap();
-    engine.run(&[INIT], &[]).unwrap();
+    engine.run(&[recorded.init.id()], &[]).unwrap();
     Running { engine, recorded }
 }
 
@@ -91,9 +89,13 @@ impl Running {
     }
 
     /// What runs, and in what memory.
-    fn plan(&self) -> (Vec<(&'static str, &'static str, u32)>, Vec<brooklet_gpu::KeptBuffer>) {
+    fn plan(&self) -> (Vec<(RecordingId, &'static str, u32)>, Vec<brooklet_gpu::KeptBuffer>) {
         let plan = self.engine.plan();
         (plan.passes().iter().map(|pass| (pass.recording, pass.module.name, pass.count)).collect(), plan.buffers())
+    }
+
+    fn step(&mut self, steps: usize) {
+        self.engine.run(&vec![self.recorded.step.id(); steps], &[]).unwrap();
     }
 
     fn particles(&mut self) -> ParticleSet {
@@ -146,7 +148,7 @@ fn writing_a_live_field_is_what_a_new_engine_would_have() {
     let mut fresh = run(&other, None);
     running.recorded.parameters.write(&mut running.engine, &other).unwrap();
     for running in [&mut running, &mut fresh] {
-        running.engine.run(&[STEP, STEP], &[]).unwrap();
+        running.step(2);
     }
     assert!(bits(&running.particles()) == bits(&fresh.particles()));
 }
@@ -155,7 +157,7 @@ fn writing_a_live_field_is_what_a_new_engine_would_have() {
 fn a_rebuild_carries_the_particles_over_bit_for_bit() {
     let scene = scene(&[]);
     let mut running = run(&scene, None);
-    running.engine.run(&[STEP, STEP, STEP], &[]).unwrap();
+    running.step(3);
     let particles = running.particles();
     let rebuilds = with(&scene, Applied::Rebuild);
     assert!(rebuilds.len() > 10);
@@ -164,7 +166,7 @@ fn a_rebuild_carries_the_particles_over_bit_for_bit() {
         assert!(running.recorded.parameters.write(&mut running.engine, &other).is_err(), "{}", setting.path);
         let mut fresh = run(&other, Some(particles.clone()));
         assert!(bits(&fresh.particles()) == bits(&particles), "{}", setting.path);
-        fresh.engine.run(&[STEP], &[]).unwrap();
+        fresh.step(1);
         assert!(fresh.particles().positions.iter().flat_map(|p| p.position_m).all(f32::is_finite));
     }
 }

@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use brooklet_fluid::{INIT, MEASURE, STEP, Scene};
+use brooklet_fluid::{Recorded, Scene};
 use brooklet_gpu::{Engine, Gpu, ResourceId, tier_name};
 
 use super::{
@@ -117,15 +117,16 @@ impl Bencher<'_> {
     fn row(&mut self, load: Load, edge: u32, share_s: f64) -> Result<(Row, f64), Failure> {
         let begun = Instant::now();
         let scene = load.scene(edge, &self.options.settings)?;
-        let Planned { plan, particles, measure, list_heads } = workload::plan(&scene)?;
-        let mut engine = fit::engine(self.gpu, &scene, particles, plan)?;
-        engine.run(&[INIT], &[]).map_err(Failure::stopped)?;
+        let Planned { plan, recorded } = workload::plan(&scene)?;
+        let mut engine = fit::engine(self.gpu, &scene, recorded.particle_count, plan)?;
+        engine.run(&[recorded.init.id()], &[]).map_err(Failure::stopped)?;
         engine.finish().map_err(Failure::stopped)?;
         let mut timings = Timings::new(2 * WARM_UP);
-        let recordings: &[&str] = if measure.is_some() { &[STEP, MEASURE] } else { &[STEP] };
-        let readbacks: Vec<ResourceId> = measure.into_iter().collect();
+        let measure = recorded.measure.as_ref().map(|measure| measure.recording.id());
+        let recordings: Vec<_> = [recorded.step.id()].into_iter().chain(measure).collect();
+        let readbacks: Vec<ResourceId> = recorded.measure_id().into_iter().collect();
         let mut stepping =
-            Stepping { engine: &mut engine, recordings, readbacks: &readbacks, interrupt: self.interrupt };
+            Stepping { engine: &mut engine, recordings: &recordings, readbacks: &readbacks, interrupt: self.interrupt };
         // The first steps also sort particles for the first time: they tell nothing of the pace.
         stepping.run(WARM_UP, &mut timings, || ())?;
         let step_s = stepping.run(WARM_UP, &mut timings, || ())?;
@@ -133,13 +134,14 @@ impl Bencher<'_> {
         let steps = ((left_s / step_s) as u64).clamp(MIN_STEPS, MAX_STEPS);
         stepping.run(steps, &mut timings, || ())?;
 
-        let neighbours = match list_heads {
-            Some(heads) => {
-                engine.read(&heads).map_err(Failure::stopped)?.iter().map(|head| u64::from(head.entries)).sum()
+        let neighbours = match &recorded.neighbours {
+            Some(listed) => {
+                let heads = engine.read(&listed.heads).map_err(Failure::stopped)?;
+                heads.iter().map(|head| u64::from(head.entries)).sum()
             }
             None => 0,
         };
-        let row = self.shape(&scene, load, &engine, &timings, neighbours, steps, particles)?;
+        let row = self.shape(&scene, load, &engine, &timings, neighbours, steps, &recorded)?;
         Ok((row, step_s))
     }
 
@@ -152,8 +154,10 @@ impl Bencher<'_> {
         timings: &Timings,
         neighbours: u64,
         steps: u64,
-        particles: u32,
+        recorded: &Recorded,
     ) -> Result<Row, Failure> {
+        let particles = recorded.particle_count;
+        let measure = recorded.measure.as_ref().map(|measure| measure.recording.id());
         let plan = engine.plan();
         let step_ms = timings.step_ms();
         let step_ms = step_ms
@@ -169,7 +173,7 @@ impl Bencher<'_> {
             let info = plan.passes().into_iter().find(|pass| pass.stage == stage);
             let Some(info) = info else { continue };
             let mut ms_a_step = median_ms;
-            if info.recording == MEASURE {
+            if Some(info.recording) == measure {
                 ms_a_step /= interval;
                 measure_ms += ms_a_step;
             } else if info.module.source.starts_with("grid/") && stage != "list_neighbours" {
@@ -203,7 +207,8 @@ impl Bencher<'_> {
             particle_iterations_per_s: work / (ms_a_step * 1e-3),
             ns_per_particle_iteration: ms_a_step * 1e6 / work,
             bytes: plan.bytes(),
-            bytes_per_particle: plan::simulation_bytes_per_particle(plan, particles).unwrap_or_default(),
+            bytes_per_particle: plan::simulation_bytes_per_particle(plan, &recorded.ids(), particles)
+                .unwrap_or_default(),
             neighbours_mean: neighbours as f64 / f64::from(particles),
             grid_share: grid_ms / step_ms.median,
             furthest_from_bound: furthest.map(|(stage, _)| *stage),

@@ -12,8 +12,7 @@ use brooklet_fluid::{
     particles::{ParticleSet, sample_lattice},
     record_particles,
 };
-use brooklet_gpu::{Plan, ResourceId, Resources};
-use brooklet_kernels::{Buffer, ListHead};
+use brooklet_gpu::{Plan, Resources};
 
 use crate::failure::Failure;
 
@@ -80,24 +79,17 @@ impl Load {
 pub struct Planned {
     /// What runs.
     pub plan: Plan,
-    /// Number of particles.
-    pub particles: u32,
-    /// What a measurement is read back from, if it measures.
-    pub measure: Option<ResourceId>,
-    /// How long each particle's list of neighbours is.
-    pub list_heads: Option<Buffer<ListHead>>,
+    /// Its recordings and buffers.
+    pub recorded: Recorded,
 }
 
 /// Plans `scene` with its particles off the lattice.
 pub fn plan(scene: &Scene) -> Result<Planned, Failure> {
     let mut resources = Resources::new();
     let recorded = record_particles(&mut resources, scene, jittered(scene));
-    let Recorded { particle_count: particles, recordings, measure, .. } = recorded;
-    let measure = measure.map(|measure| measure.id);
-    let heads = resources.iter().find(|(_, entry)| entry.label == "list_heads");
-    let list_heads = heads.map(|(id, _)| Buffer::new(id, particles));
-    let plan = Plan::sweep(resources, recordings, measure.as_slice()).map_err(Failure::stopped)?;
-    Ok(Planned { plan, particles, measure, list_heads })
+    let wanted = recorded.measure_id();
+    let plan = Plan::sweep(resources, recorded.recordings(), wanted.as_slice()).map_err(Failure::stopped)?;
+    Ok(Planned { plan, recorded })
 }
 
 /// The scene's particles off their lattice.

@@ -1,8 +1,8 @@
 //! A setup on the GPU: every step a frame of its own, so that what measures and what is read back is
 //! outside the times.
 
-use brooklet_fluid::{INIT, MEASURE, STEP, Stats, record_particles};
-use brooklet_gpu::{Engine, FrameReport, Gpu, GpuError, Plan, PlanError, Resources};
+use brooklet_fluid::{Stats, record_particles};
+use brooklet_gpu::{Engine, FrameReport, Gpu, GpuError, Plan, PlanError, RecordingId, Resources};
 use brooklet_kernels::{Position, QUARANTINED, Velocity};
 use glam::DVec3;
 use thiserror::Error;
@@ -74,14 +74,15 @@ pub fn run(gpu: &Gpu, setup: &Setup, options: &Options<'_>) -> Result<GpuRun, Ru
     scene.outputs.measure_every_steps = 1;
     let mut resources = Resources::new();
     let recorded = record_particles(&mut resources, &scene, setup.particles.clone());
-    let measure = recorded.measure.as_ref().map(|measure| measure.id);
-    let mut plan = Plan::sweep(resources, recorded.recordings, measure.as_slice())?;
+    let measure = recorded.measure_id();
+    let mut plan = Plan::sweep(resources, recorded.recordings(), measure.as_slice())?;
+    let (init, step) = (recorded.init.id(), recorded.step.id());
     if let Some(edit) = options.edit {
         plan = edit(plan);
     }
-    let mut run = GpuRun { bytes: plan.bytes_of(&[INIT, STEP]), gpu_clock: true, ..GpuRun::default() };
+    let mut run = GpuRun { bytes: plan.bytes_of(&[init, step]), gpu_clock: true, ..GpuRun::default() };
     let mut engine = Engine::new(gpu, plan)?;
-    engine.run(&[INIT], &[])?;
+    engine.run(&[init], &[])?;
     engine.finish()?;
     let (count, dt_s) = (setup.count(), scene.solver.dt_s);
     let mut done = 0;
@@ -92,9 +93,9 @@ pub fn run(gpu: &Gpu, setup: &Setup, options: &Options<'_>) -> Result<GpuRun, Ru
                 return Ok(run);
             }
             let begun = std::time::Instant::now();
-            engine.run(&[STEP], &[])?;
+            engine.run(&[step], &[])?;
             if gpu.timing().is_measured() {
-                run.keep(&engine.reports());
+                run.keep(&engine.reports(), step);
             } else {
                 engine.finish()?;
                 run.gpu_clock = false;
@@ -103,8 +104,10 @@ pub fn run(gpu: &Gpu, setup: &Setup, options: &Options<'_>) -> Result<GpuRun, Ru
             done += 1;
             (options.progress)(done);
         }
-        run.keep(&engine.finish()?);
-        engine.run(&[MEASURE], measure.as_slice())?;
+        run.keep(&engine.finish()?, step);
+        if let Some(measure) = &recorded.measure {
+            engine.run(&[measure.recording.id()], &[measure.output.id])?;
+        }
         for report in engine.finish()? {
             let of = report.readbacks.iter().filter(|(id, _)| Some(*id) == measure);
             let time_s = due as f64 * dt_s;
@@ -117,9 +120,9 @@ pub fn run(gpu: &Gpu, setup: &Setup, options: &Options<'_>) -> Result<GpuRun, Ru
 }
 
 impl GpuRun {
-    fn keep(&mut self, reports: &[FrameReport]) {
+    fn keep(&mut self, reports: &[FrameReport], step: RecordingId) {
         for report in reports {
-            let spans = || report.spans.iter().filter(|span| span.recording == STEP);
+            let spans = || report.spans.iter().filter(|span| span.recording == step);
             let begin = spans().map(|span| span.begin_ticks).min();
             let end = spans().map(|span| span.end_ticks).max();
             if let (Some(begin), Some(end)) = (begin, end)

@@ -4,8 +4,8 @@
 use std::time::{Instant, SystemTime};
 
 use brooklet_capture::{CaptureOptions, CaptureWriter};
-use brooklet_fluid::{INIT, MEASURE, STEP, Scene, record};
-use brooklet_gpu::{Engine, Gpu, Plan, ResourceId, Resources};
+use brooklet_fluid::{Recorded, Scene, record};
+use brooklet_gpu::{Engine, Gpu, Plan, Resources};
 
 use super::OVERHEAD_PART;
 use crate::session::{Session, StudyError};
@@ -31,7 +31,7 @@ pub fn overhead_tasks(quick: bool) -> Vec<Task> {
 /// An engine with the scene in it.
 struct Bench {
     engine: Engine,
-    measure: Option<ResourceId>,
+    recorded: Recorded,
     capture: Option<CaptureWriter<std::fs::File>>,
 }
 
@@ -39,8 +39,8 @@ impl Bench {
     fn new(gpu: &Gpu, scene: &Scene, captured: bool) -> Result<Self, String> {
         let mut resources = Resources::new();
         let recorded = record(&mut resources, scene);
-        let measure = recorded.measure.as_ref().map(|measure| measure.id);
-        let plan = Plan::sweep(resources, recorded.recordings, measure.as_slice()).map_err(|e| e.to_string())?;
+        let measure = recorded.measure_id();
+        let plan = Plan::sweep(resources, recorded.recordings(), measure.as_slice()).map_err(|e| e.to_string())?;
         let stages = plan.passes().iter().map(|pass| pass.stage.to_string()).collect();
         let options = CaptureOptions { stages, start: SystemTime::now(), ..CaptureOptions::default() };
         let open = || -> Result<_, String> {
@@ -49,9 +49,9 @@ impl Bench {
         };
         let capture = captured.then(open).transpose()?;
         let mut engine = Engine::new(gpu, plan).map_err(|e| e.to_string())?;
-        engine.run(&[INIT], &[]).map_err(|e| e.to_string())?;
+        engine.run(&[recorded.init.id()], &[]).map_err(|e| e.to_string())?;
         engine.finish().map_err(|e| e.to_string())?;
-        Ok(Self { engine, measure, capture })
+        Ok(Self { engine, recorded, capture })
     }
 
     /// Seconds of a block.
@@ -59,9 +59,12 @@ impl Bench {
         let begun = Instant::now();
         for step in 0..STEPS {
             let with = measures && step % MEASURE_EVERY == 0;
-            let recordings: &[&str] = if with { &[STEP, MEASURE] } else { &[STEP] };
-            let readbacks = self.measure.filter(|_| with);
-            self.engine.run(recordings, readbacks.as_slice()).map_err(|e| e.to_string())?;
+            let step = self.recorded.step.id();
+            let done = match self.recorded.measure.as_ref().filter(|_| with) {
+                Some(measure) => self.engine.run(&[step, measure.recording.id()], &[measure.output.id]),
+                None => self.engine.run(&[step], &[]),
+            };
+            done.map_err(|e| e.to_string())?;
             let reports = self.engine.reports();
             self.keep(&reports)?;
         }
