@@ -226,6 +226,29 @@ impl Engine {
         }
     }
 
+    /// Takes the numbers of a plan that is the running one but for the content of uploads of the recordings
+    /// `of`, and writes those that changed before the next run: what such recordings filled once is then as if
+    /// they had been `other`'s. False, and nothing is written, if `other` needs an engine of its own.
+    ///
+    /// # Errors
+    /// If the device is lost.
+    pub fn take_uploads(&mut self, other: &Plan, of: &[RecordingId]) -> Result<bool, GpuError> {
+        let Some(changed) = self.plan.changed_uploads(other) else { return Ok(false) };
+        if changed.iter().any(|upload| !of.contains(&upload.recording)) {
+            return Ok(false);
+        }
+        let (arena, queue) = (&self.arena, self.gpu.queue());
+        self.gpu.guarded(|| {
+            for upload in &changed {
+                if let Some(buffer) = arena.buffer_of(upload.to) {
+                    queue.write_buffer(buffer, 0, &upload.data);
+                }
+            }
+        })?;
+        self.plan.take_uploads(other);
+        Ok(true)
+    }
+
     /// Finished frames since the last call, in order; none is ever lost.
     pub fn reports(&mut self) -> Vec<FrameReport> {
         self.in_flight();
