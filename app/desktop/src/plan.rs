@@ -56,14 +56,14 @@ fn passes(plan: &Plan) -> Vec<Pass> {
 
 fn print_json(scene: &Scene, planned: &ScenePlan, absent: &[Absent], no_timing: bool) -> Result<(), Failure> {
     let buffers: serde_json::Map<_, _> =
-        planned.plan.buffers().into_iter().map(|buffer| (buffer.label, buffer.bytes.into())).collect();
+        planned.plan().buffers().into_iter().map(|buffer| (buffer.label, buffer.bytes.into())).collect();
     let all = json!({
         "scene": scene.name,
-        "particles": planned.recorded.particle_count,
-        "passes": passes(&planned.plan),
+        "particles": planned.session.particle_count(),
+        "passes": passes(planned.plan()),
         "buffers": buffers,
-        "bytes": planned.plan.bytes(),
-        "timestamps": timestamps(&planned.plan, no_timing).into_iter().collect::<serde_json::Map<_, _>>(),
+        "bytes": planned.plan().bytes(),
+        "timestamps": timestamps(planned.plan(), no_timing).into_iter().collect::<serde_json::Map<_, _>>(),
         "timestamp_bytes": if no_timing { 0 } else { planned.timestamp_memory() },
         "bytes_per_particle": bytes_per_particle(planned),
         "left_out": absent,
@@ -81,7 +81,7 @@ pub fn simulation_bytes_per_particle(plan: &Plan, simulation: &[RecordingId], pa
 
 /// As [`simulation_bytes_per_particle`] of a whole plan.
 pub fn bytes_per_particle(planned: &ScenePlan) -> Option<f64> {
-    simulation_bytes_per_particle(&planned.plan, &planned.recorded.ids(), planned.recorded.particle_count)
+    simulation_bytes_per_particle(planned.plan(), &planned.session.recorded.ids(), planned.session.particle_count())
 }
 
 /// How many timestamps one run of each recording takes at most.
@@ -91,22 +91,22 @@ fn timestamps(plan: &Plan, no_timing: bool) -> Vec<(String, serde_json::Value)> 
 }
 
 fn print_tables(scene: &Scene, planned: &ScenePlan, absent: &[Absent], no_timing: bool) {
-    say!("{}: {} particles", scene.name, planned.recorded.particle_count);
+    say!("{}: {} particles", scene.name, planned.session.particle_count());
     if let Some(other) = fit::other_spacing(scene) {
         say!("{other}");
     }
     say!();
     let mut list = table(&["recording", "pass", "variant", "shader", "runs"], &[4]);
-    for pass in passes(&planned.plan) {
+    for pass in passes(planned.plan()) {
         list.add_row([pass.recording, pass.stage, pass.variant, pass.source, &pass.dispatches.to_string()]);
     }
     say!("{}\n", list.trim_fmt());
 
     let mut list = table(&["buffer", "bytes", ""], &[1, 2]);
-    for buffer in planned.plan.buffers() {
+    for buffer in planned.plan().buffers() {
         list.add_row([buffer.label, buffer.bytes.to_string(), bytes(buffer.bytes)]);
     }
-    let total = planned.plan.bytes();
+    let total = planned.plan().bytes();
     list.add_row(["in all".to_string(), total.to_string(), bytes(total)]);
     say!("{}", list.trim_fmt());
     if let Some(per_particle) = bytes_per_particle(planned) {
@@ -114,7 +114,7 @@ fn print_tables(scene: &Scene, planned: &ScenePlan, absent: &[Absent], no_timing
     }
     if !no_timing {
         let each: Vec<String> =
-            timestamps(&planned.plan, no_timing).iter().map(|(name, count)| format!("{name} {count}")).collect();
+            timestamps(planned.plan(), no_timing).iter().map(|(name, count)| format!("{name} {count}")).collect();
         let memory = bytes(planned.timestamp_memory());
         say!("timestamps of a run, at most: {}; {memory} for the frames in flight", each.join(", "));
     }

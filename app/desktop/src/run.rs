@@ -40,11 +40,12 @@ pub fn run(options: &RunOptions) -> Result<(), Failure> {
     };
     let recorded = Recorded { no_times, no_capture: options.outputs.no_capture };
     let left_out = left_out::list(&scene, gpu.tier(), &planned, &recorded).map_err(job::refused)?;
-    let ScenePlan { plan, recorded, passes } = planned;
-    let (simulation, particles, measure) = (recorded.ids(), recorded.particle_count, recorded.measure_id());
+    let ScenePlan { session: planned, passes } = planned;
+    let (plan, particles) = (planned.plan.clone(), planned.particle_count());
+    let (simulation, measures) = (planned.recorded.ids(), planned.recorded.measure.is_some());
     let plan_bytes = plan.bytes();
     let start = SystemTime::now();
-    let mut engine = fit::engine(&gpu, &scene, particles, plan.clone())?;
+    let session = fit::session(&gpu, planned)?;
     let interrupt = Interrupt::listen()?;
 
     let default_out = Path::new("out").join(&scene.name);
@@ -55,7 +56,7 @@ pub fn run(options: &RunOptions) -> Result<(), Failure> {
     } else {
         let capture_options = CaptureOptions {
             stages: stages(&plan).into_iter().map(|(stage, _)| stage.into()).collect(),
-            stats: if measure.is_some() { captured_fields(&scene).map(StatField::from).collect() } else { Vec::new() },
+            stats: if measures { captured_fields(&scene).map(StatField::from).collect() } else { Vec::new() },
             start,
             ..CaptureOptions::default()
         };
@@ -65,13 +66,13 @@ pub fn run(options: &RunOptions) -> Result<(), Failure> {
 
     let timings = Timings::new(warm_up_frames(steps));
     let mut running = Running {
-        recorder: Recorder::new(&scene, recorded.step.id(), measure, timings, capture),
+        recorder: Recorder::new(session.step_id(), timings, capture),
         scene: &scene,
         out: &out.path,
         steps,
         done: 0,
         images: due_steps(steps, scene.outputs.images),
-        recorded,
+        session,
         passes,
         writes_particles: options.outputs.particles.is_some(),
         files: Files::default(),
@@ -80,7 +81,7 @@ pub fn run(options: &RunOptions) -> Result<(), Failure> {
     };
     let begun = Instant::now();
     let bar = progress::bar(steps);
-    let outcome = running.all(&mut engine, &interrupt, &bar);
+    let outcome = running.all(&interrupt, &bar);
     bar.finish_and_clear();
     let wall_s = begun.elapsed().as_secs_f64();
 

@@ -2,8 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use brooklet_fluid::{Recorded, Scene};
-use brooklet_gpu::Engine;
+use brooklet_fluid::{FrameRequest, Scene, Session};
 use brooklet_render::FramePasses;
 use indicatif::ProgressBar;
 
@@ -11,7 +10,7 @@ use crate::{failure::Failure, interrupt::Interrupt, pictures::Picture, ply, reco
 
 /// A run under way.
 pub struct Running<'a> {
-    /// Takes the engine's reports.
+    /// Takes the session's reports.
     pub recorder: Recorder,
     /// The scene.
     pub scene: &'a Scene,
@@ -23,8 +22,8 @@ pub struct Running<'a> {
     pub done: u64,
     /// Steps at whose end a picture is due, in order.
     pub images: Vec<u64>,
-    /// The simulation's recordings and buffers.
-    pub recorded: Recorded,
+    /// What simulates.
+    pub session: Session,
     /// The picture's, if there is one.
     pub passes: Option<FramePasses>,
     /// Whether particles are written beside the pictures and at the end.
@@ -39,13 +38,13 @@ pub struct Running<'a> {
 
 impl Running<'_> {
     /// All steps, or those before Ctrl-C.
-    pub fn all(&mut self, engine: &mut Engine, interrupt: &Interrupt, bar: &ProgressBar) -> Result<(), Failure> {
-        let result = self.steps(engine, interrupt, bar);
+    pub fn all(&mut self, interrupt: &Interrupt, bar: &ProgressBar) -> Result<(), Failure> {
+        let result = self.steps(interrupt, bar);
         // What came back before a failure belongs to the capture as well.
-        match engine.finish() {
+        match self.session.finish() {
             Ok(reports) => self.recorder.take(&reports),
             Err(error) => {
-                self.recorder.take(&engine.reports());
+                self.recorder.take(&self.session.reports());
                 result?;
                 return Err(Failure::stopped(error));
             }
@@ -53,13 +52,9 @@ impl Running<'_> {
         result
     }
 
-    fn steps(&mut self, engine: &mut Engine, interrupt: &Interrupt, bar: &ProgressBar) -> Result<(), Failure> {
-        engine.run(&[self.recorded.init.id()], &[]).map_err(Failure::stopped)?;
-        if let Some(passes) = &self.passes {
-            engine.run(&[passes.init.id()], &[]).map_err(Failure::stopped)?;
-        }
+    fn steps(&mut self, interrupt: &Interrupt, bar: &ProgressBar) -> Result<(), Failure> {
         while self.done < self.steps && !interrupt.is_pressed() {
-            self.step(engine, self.done + 1)?;
+            self.step(self.done + 1)?;
             bar.inc(1);
             // Whoever watches need not wait for the end to look.
             if let [first] = self.files.images.as_slice()
@@ -78,38 +73,29 @@ impl Running<'_> {
     }
 
     /// Step number `step`, from 1, with what is due at its end.
-    fn step(&mut self, engine: &mut Engine, step: u64) -> Result<(), Failure> {
+    fn step(&mut self, step: u64) -> Result<(), Failure> {
         let is_last = step == self.steps;
         let every = u64::from(self.scene.outputs.measure_every_steps);
         let measures = every > 0 && (is_last || step.is_multiple_of(every));
         let image = self.images.binary_search(&step).ok();
 
-        let mut recordings = vec![self.recorded.step.id()];
-        let mut readbacks = Vec::new();
-        if let Some(measure) = self.recorded.measure.as_ref().filter(|_| measures) {
-            recordings.push(measure.recording.id());
-            readbacks.push(measure.output.id);
-        }
-        if let Some(passes) = self.passes.as_ref().filter(|_| image.is_some()) {
-            recordings.push(passes.draw.id());
-        }
-        let frame = engine.run(&recordings, &readbacks).map_err(Failure::stopped)?;
+        let draw = self.passes.as_ref().filter(|_| image.is_some()).map(|passes| passes.draw.id());
+        let request = FrameRequest { steps: 1, measure: measures, then: draw.as_slice(), ..FrameRequest::default() };
+        self.session.submit(&request).map_err(Failure::stopped)?;
         self.done = step;
-        self.recorder.expect(frame, step);
-        self.recorder.take(&engine.reports());
+        self.recorder.take(&self.session.reports());
 
         if let (Some(number), Some(picture)) = (image, self.passes.as_ref().map(Picture::of)) {
             let path = self.numbered("frame", number, "png");
-            let rgba = picture.read(engine)?;
+            let rgba = picture.read(self.session.engine_mut())?;
             let written = picture.save(&path, &rgba);
             self.note(path, written, |files| &mut files.images);
         }
         if self.writes_particles && (image.is_some() || is_last) {
             let number = image.unwrap_or(self.images.len());
             let path = self.numbered("particles", number, "ply");
-            let positions = engine.read(&self.recorded.positions).map_err(Failure::stopped)?;
-            let velocities = engine.read(&self.recorded.velocities).map_err(Failure::stopped)?;
-            let written = ply::write(&path, &positions, &velocities, self.scene.domain.min_m);
+            let particles = self.session.read_particles().map_err(Failure::stopped)?;
+            let written = ply::write(&path, &particles.positions, &particles.velocities, self.scene.domain.min_m);
             self.note(path, written, |files| &mut files.particles);
         }
         Ok(())

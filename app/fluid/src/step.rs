@@ -5,7 +5,6 @@ use brooklet_kernels::{Buffer, Measure, Position, ResourceId, Velocity};
 
 use crate::grid::Neighbours;
 use crate::measure::{Densities, Measuring};
-use crate::parameters::Parameters;
 use crate::particles::{ParticleSet, sample_lattice};
 use crate::scene::Scene;
 use crate::solver::Solver;
@@ -31,8 +30,6 @@ pub struct Recorded {
     pub neighbours: Option<Neighbours>,
     /// What their density ratios are computed from, if they have neighbours.
     pub densities: Option<Densities>,
-    /// The settings that a run takes as it goes.
-    pub parameters: Parameters,
 }
 
 /// What measures a scene.
@@ -115,7 +112,6 @@ pub fn record_count(resources: &mut Resources, scene: &Scene, particle_count: u3
         measure,
         neighbours: solver.search().map(|search| search.neighbours.alias()),
         densities: solver.search().map(|search| Densities::of(&context, search)),
-        parameters: Parameters::of(scene, particle_count, &context, &solver),
         positions: particles.positions,
         velocities: particles.velocities,
     }

@@ -1,5 +1,6 @@
 //! Runs a plan's recordings.
 
+mod adopt;
 mod download;
 mod exchange;
 

@@ -66,7 +66,7 @@ pub fn list(
     planned: &ScenePlan,
     recorded: &Recorded,
 ) -> Result<Vec<Absent>, ScenePlanError> {
-    let (plan, particles) = (&planned.plan, planned.recorded.particle_count);
+    let (plan, particles) = (planned.plan(), planned.session.particle_count());
     let mut absent: Vec<Absent> = plan
         .left_out()
         .iter()
@@ -84,7 +84,7 @@ pub fn list(
         .collect();
     for field in come_to(scene, tier).terms_left_out() {
         let other = with_term(scene, field);
-        absent.extend(difference(plan, &ScenePlan::of_count(&other, particles, tier)?.plan, &field.reason()));
+        absent.extend(difference(plan, ScenePlan::of_count(&other, particles, tier)?.plan(), &field.reason()));
     }
     if let Some(reason) = recorded.no_times {
         let (name, kind, bytes) = ("timestamps".into(), "timestamps", planned.timestamp_memory());
@@ -158,7 +158,7 @@ mod tests {
         assert_eq!(names(&vorticity, "pass"), ["confine_vorticity", "curl"]);
         let bytes: u64 = vorticity.iter().map(|absent| absent.bytes).sum();
         assert!(bytes > 0);
-        assert_eq!(planned_off.plan.bytes() + bytes, planned_on.plan.bytes());
+        assert_eq!(planned_off.plan().bytes() + bytes, planned_on.plan().bytes());
         let on_list = list(&on, Tier::Desktop, &planned_on, &Recorded::default()).unwrap();
         assert!(on_list.iter().all(|absent| !absent.reason.starts_with("forces.vorticity")));
     }
@@ -204,8 +204,8 @@ mod tests {
     fn without_measurements_nothing_measures() {
         let scene = scene(&["spacing_m=0.1", "outputs.images=0", "outputs.measure_every_steps=0"]);
         let planned = ScenePlan::new(&scene, Tier::Desktop).unwrap();
-        assert!(planned.recorded.measure.is_none() && planned.passes.is_none());
-        let stages: Vec<_> = planned.plan.passes().iter().map(|pass| pass.stage).collect();
+        assert!(planned.session.recorded.measure.is_none() && planned.passes.is_none());
+        let stages: Vec<_> = planned.plan().passes().iter().map(|pass| pass.stage).collect();
         assert!(stages.iter().all(|stage| !stage.starts_with("measure")), "{stages:?}");
         assert!(stages.iter().all(|stage| !stage.starts_with("draw")), "{stages:?}");
         let absent = list(&scene, Tier::Desktop, &planned, &Recorded::default()).unwrap();

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use brooklet_fluid::{Scene, Simulation, record, record_count};
+use brooklet_fluid::{Scene, Session, record, record_count};
 use brooklet_gpu::{Engine, Gpu, GpuOptions, Plan, Resources, Tier, TimingStatus};
 use brooklet_render::{FrameOptions, Particles, View};
 use brooklet_tests::gpu;
@@ -334,13 +334,13 @@ fn a_plan_of_a_number_of_particles_is_that_of_the_particles() {
 }
 
 #[test]
-fn a_simulation_whose_reports_nobody_takes_keeps_few() {
-    let mut simulation = Simulation::new(&gpu(), &scene(&["solver.pbf.iterations=1"])).unwrap();
-    simulation.measure().unwrap();
+fn a_session_whose_reports_nobody_takes_keeps_few() {
+    let mut session = Session::new(&gpu(), &scene(&["solver.pbf.iterations=1"])).unwrap();
+    session.measure().unwrap();
     for _ in 0..200 {
-        simulation.step().unwrap();
+        session.step().unwrap();
     }
-    let kept = simulation.engine().finish().unwrap().len();
+    let kept = session.finish().unwrap().len();
     assert!((1..=64).contains(&kept), "{kept} reports");
-    assert!(simulation.stats().is_some(), "the measurement that came with one of the others is kept");
+    assert!(session.stats().is_some(), "the measurement that came with one of the others is kept");
 }

@@ -3,7 +3,6 @@
 use brooklet_gpu::{Engine, Gpu, Plan, Resources};
 use brooklet_kernels::CopyElements;
 
-use super::stepping::Stepping;
 use crate::{failure::Failure, interrupt::Interrupt, timings::Timings};
 
 /// Size of either buffer: far more than a processor's caches, and no more than any tier binds.
@@ -18,15 +17,17 @@ pub fn copy_bytes_per_s(gpu: &Gpu, interrupt: &Interrupt) -> Result<f64, Failure
     let mut copy = resources.recording("copy");
     let elements = to.len;
     copy.dispatch(&CopyElements { from_elements: from.read(), to_elements: to.write() }, elements);
-    let recordings = [copy.id()];
+    let copy_id = copy.id();
     let plan = Plan::sweep(resources, vec![copy], &[]).map_err(Failure::stopped)?;
     let mut engine = Engine::new(gpu, plan).map_err(Failure::input)?;
     let mut timings = Timings::new(1);
-    Stepping { engine: &mut engine, recordings: &recordings, readbacks: &[], interrupt }.run(
-        RUNS,
-        &mut timings,
-        || (),
-    )?;
+    for _ in 0..RUNS {
+        if interrupt.is_pressed() {
+            return Err(Failure::Interrupted("nothing was written".into()));
+        }
+        engine.run(&[copy_id], &[]).map_err(Failure::stopped)?;
+    }
+    engine.finish().map_err(Failure::stopped)?.iter().for_each(|report| timings.add(report, copy_id));
     let least_ms = timings.least_ms("copy_elements");
     let least_ms = least_ms.ok_or_else(|| Failure::Stopped("the device gave no usable time of a copy".into()))?;
     Ok(2.0 * f64::from(BYTES) / (least_ms * 1e-3))

@@ -1,6 +1,6 @@
 //! What a picture costs, pass by pass.
 
-use brooklet_fluid::Scene;
+use brooklet_fluid::{FrameRequest, Scene};
 use brooklet_gpu::{Gpu, Plan, RecordingId};
 use serde::Serialize;
 
@@ -57,16 +57,16 @@ pub fn picture_cost(
     scene.outputs.images = 1;
     let planned = job::plan(&scene, gpu.tier())?;
     let Some(draw) = planned.passes.as_ref().map(|passes| passes.draw.id()) else { return Ok(None) };
-    let (init, step) = (planned.init(), planned.recorded.step.id());
-    let stages = stages(&planned.plan, draw);
-    let moved: Vec<u64> = stages.iter().map(|(stage, _)| drawn_bytes(&planned.plan, draw, stage)).collect();
-    let total_bytes = planned.plan.bytes() - planned.plan.bytes_of(&[planned.recorded.init.id(), step]);
-    let mut engine = fit::engine(gpu, &scene, planned.recorded.particle_count, planned.plan)?;
-    engine.run(&init, &[]).map_err(Failure::stopped)?;
-    engine.finish().map_err(Failure::stopped)?;
+    let (plan, recorded) = (planned.plan(), &planned.session.recorded);
+    let stages = stages(plan, draw);
+    let moved: Vec<u64> = stages.iter().map(|(stage, _)| drawn_bytes(plan, draw, stage)).collect();
+    let total_bytes = plan.bytes() - plan.bytes_of(&[recorded.init.id(), recorded.step.id()]);
+    let mut session = fit::session(gpu, planned.session)?;
+    session.finish().map_err(Failure::stopped)?;
     let steps = options.warm_up + options.steps;
     let bar = progress::bar(steps + WARM_UP + u64::from(options.pictures));
-    let mut stepping = Stepping { engine: &mut engine, recordings: &[step], readbacks: &[], interrupt };
+    let request = FrameRequest { steps: 1, ..FrameRequest::default() };
+    let mut stepping = Stepping { session: &mut session, request, interrupt };
     let outcome = stepping.run(steps, &mut Timings::new(0), || bar.inc(1));
     let mut timings = Timings::new(WARM_UP);
     let outcome = outcome.and_then(|_| {
@@ -74,8 +74,10 @@ pub fn picture_cost(
             if interrupt.is_pressed() {
                 return Err(Failure::Interrupted("nothing was written".into()));
             }
-            engine.run(&[draw], &[]).map_err(Failure::stopped)?;
-            engine.finish().map_err(Failure::stopped)?.iter().for_each(|report| timings.add(report, draw));
+            let request = FrameRequest { then: &[draw], ..FrameRequest::default() };
+            session.submit(&request).map_err(Failure::stopped)?;
+            let reports = session.finish().map_err(Failure::stopped)?;
+            reports.iter().for_each(|frame| timings.add(&frame.report, draw));
             bar.inc(1);
         }
         Ok(())

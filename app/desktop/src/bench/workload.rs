@@ -8,11 +8,9 @@
 //! every size.
 
 use brooklet_fluid::{
-    Recorded, Scene,
+    ParticleSource, Scene, SessionPlan, SessionRecorder,
     particles::{ParticleSet, sample_lattice},
-    record_particles,
 };
-use brooklet_gpu::{Plan, Resources};
 
 use crate::failure::Failure;
 
@@ -75,21 +73,9 @@ impl Load {
     }
 }
 
-/// The workload's plan, and what is read of it.
-pub struct Planned {
-    /// What runs.
-    pub plan: Plan,
-    /// Its recordings and buffers.
-    pub recorded: Recorded,
-}
-
 /// Plans `scene` with its particles off the lattice.
-pub fn plan(scene: &Scene) -> Result<Planned, Failure> {
-    let mut resources = Resources::new();
-    let recorded = record_particles(&mut resources, scene, jittered(scene));
-    let wanted = recorded.measure_id();
-    let plan = Plan::sweep(resources, recorded.recordings(), wanted.as_slice()).map_err(Failure::stopped)?;
-    Ok(Planned { plan, recorded })
+pub fn plan(scene: &Scene) -> Result<SessionPlan, Failure> {
+    SessionRecorder::new(scene, ParticleSource::Given(jittered(scene))).sweep().map_err(Failure::stopped)
 }
 
 /// The scene's particles off their lattice.
