@@ -2,7 +2,8 @@
 //! is lost or doubled, all are inside the domain, and in the end the fluid is at rest again.
 
 use crate::{compare::vector, gpu};
-use brooklet_fluid::{Scene, Simulation, Stats};
+use brooklet_fluid::particles::ParticleSet;
+use brooklet_fluid::{Scene, Session, Stats};
 use brooklet_kernels::{Position, QUARANTINED, Velocity};
 use glam::DVec3;
 
@@ -97,7 +98,7 @@ impl State {
 
 /// A scene on the GPU that is looked at all the time.
 pub struct Case {
-    simulation: Simulation,
+    session: Session,
     count: usize,
     walled_size_m: Option<[f64; 3]>,
 }
@@ -118,10 +119,10 @@ impl Case {
     /// # Panics
     /// If the device does not allow it.
     pub fn of(scene: &Scene) -> Self {
-        let mut simulation = Simulation::new(&gpu(), scene).unwrap_or_else(|error| panic!("{error}"));
-        let (positions, _) = simulation.particles().unwrap_or_else(|error| panic!("{error}"));
+        let mut session = Session::new(&gpu(), scene).unwrap_or_else(|error| panic!("{error}"));
+        let positions = session.read_particles().unwrap_or_else(|error| panic!("{error}")).positions;
         let walled_size_m = scene.domain.walls.then(|| scene.domain.size_m());
-        Self { simulation, count: positions.len(), walled_size_m }
+        Self { session, count: positions.len(), walled_size_m }
     }
 
     /// Number of particles.
@@ -131,7 +132,7 @@ impl Case {
 
     /// The scene.
     pub fn scene(&self) -> &Scene {
-        self.simulation.scene()
+        self.session.scene()
     }
 
     /// Changes each particle, given its id.
@@ -139,11 +140,12 @@ impl Case {
     /// # Panics
     /// If the device fails.
     pub fn place(&mut self, mut change: impl FnMut(usize, &mut [f32; 3], &mut [f32; 3])) {
-        let (mut positions, mut velocities) = self.simulation.particles().unwrap_or_else(|error| panic!("{error}"));
+        let ParticleSet { mut positions, mut velocities } =
+            self.session.read_particles().unwrap_or_else(|error| panic!("{error}"));
         for (position, velocity) in positions.iter_mut().zip(&mut velocities) {
             change(id(position.tag), &mut position.position_m, &mut velocity.velocity_m_s);
         }
-        self.simulation.set_particles(&positions, &velocities);
+        self.session.write_particles(&ParticleSet { positions, velocities });
     }
 
     /// The particles, unchecked.
@@ -151,7 +153,8 @@ impl Case {
     /// # Panics
     /// If the device fails, or particles are lost.
     pub fn state(&mut self) -> State {
-        let (positions, velocities) = self.simulation.particles().unwrap_or_else(|error| panic!("{error}"));
+        let ParticleSet { positions, velocities } =
+            self.session.read_particles().unwrap_or_else(|error| panic!("{error}"));
         State::new(&positions, &velocities, self.count).unwrap_or_else(|error| panic!("{error}"))
     }
 
@@ -174,7 +177,7 @@ impl Case {
         // A clamped speed is rounded three times, and viscosity's mean again.
         let limit_m_s = self.scene().max_speed_m_s() * (1.0 + 1.0e-6);
         for step in 1..=steps {
-            self.simulation.step().unwrap_or_else(|error| panic!("step {step}: {error}"));
+            self.session.step().unwrap_or_else(|error| panic!("step {step}: {error}"));
             if step % every == 0 || step == steps {
                 let state = self.state();
                 state.check(self.walled_size_m).unwrap_or_else(|error| panic!("step {step}: {error}"));
@@ -189,9 +192,9 @@ impl Case {
     /// # Panics
     /// If the scene does not measure, or the device fails.
     pub fn measure(&mut self) -> Stats {
-        self.simulation.measure().unwrap_or_else(|error| panic!("{error}"));
-        let stats = self.simulation.finish().unwrap_or_else(|error| panic!("{error}"));
-        stats.unwrap_or_else(|| panic!("the scene measures nothing"))
+        self.session.measure().unwrap_or_else(|error| panic!("{error}"));
+        self.session.finish().unwrap_or_else(|error| panic!("{error}"));
+        self.session.stats().unwrap_or_else(|| panic!("the scene measures nothing"))
     }
 
     /// Runs `seconds` more; then the fluid must be at rest: slower than falling a spacing makes it,

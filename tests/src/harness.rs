@@ -35,7 +35,9 @@ impl Default for Bench {
 impl Bench {
     /// Nothing yet.
     pub fn new() -> Self {
-        Self { resources: Resources::new(), recording: Recording::new("bench") }
+        let mut resources = Resources::new();
+        let recording = resources.recording("bench");
+        Self { resources, recording }
     }
 
     /// A buffer that holds `data`. None is shorter than one element: a binding of no bytes does
@@ -74,10 +76,11 @@ impl Bench {
     /// # Panics
     /// If the recording or the device fails.
     pub fn run(self) -> Done {
+        let recording = self.recording.id();
         let plan =
             Plan::sweep(self.resources, vec![self.recording], &[]).unwrap_or_else(|error| panic!("plan: {error}"));
         let mut engine = Engine::new(&gpu(), plan).unwrap_or_else(|error| panic!("engine: {error}"));
-        engine.run(&["bench"], &[]).unwrap_or_else(|error| panic!("run: {error}"));
+        engine.run(&[recording], &[]).unwrap_or_else(|error| panic!("run: {error}"));
         Done { engine }
     }
 }

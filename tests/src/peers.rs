@@ -2,7 +2,7 @@
 //! water of 0.5 x 0.5 x 1 m at one end, h = 2 d, 0 to 1 s. 31k particles at d = 1/50 m.
 
 use crate::{compare::vector, gpu};
-use brooklet_fluid::{Scene, Simulation, SimulationError};
+use brooklet_fluid::{Scene, Session};
 use brooklet_reference::compression::{Compression, Summary, compression};
 use glam::DVec3;
 
@@ -41,16 +41,16 @@ pub fn scene(spacing_m: f64, settings: &[String]) -> Result<Scene, String> {
 /// # Errors
 /// If the device fails, or a particle is not finite.
 pub fn run(scene: &Scene) -> Result<Vec<Snapshot>, String> {
-    let mut simulation = Simulation::new(&gpu(), scene).map_err(failed)?;
+    let mut session = Session::new(&gpu(), scene).map_err(failed)?;
     let mut snapshots = Vec::new();
     let mut step = 0;
     for time_s in SNAPSHOTS_S {
         let until = (time_s / scene.solver.dt_s).round() as u32;
         while step < until {
-            simulation.step().map_err(failed)?;
+            session.step().map_err(failed)?;
             step += 1;
         }
-        let (positions, _) = simulation.particles().map_err(failed)?;
+        let positions = session.read_particles().map_err(failed)?.positions;
         let at_m: Vec<DVec3> = positions.iter().map(|p| vector(p.position_m)).collect();
         let size_m = DVec3::from_array(scene.domain.size_m());
         let compression = compression(&at_m, DVec3::ZERO, size_m, scene.spacing_m)
@@ -65,7 +65,7 @@ pub fn run(scene: &Scene) -> Result<Vec<Snapshot>, String> {
     Ok(snapshots)
 }
 
-fn failed(error: SimulationError) -> String {
+fn failed(error: impl std::fmt::Display) -> String {
     error.to_string()
 }
 

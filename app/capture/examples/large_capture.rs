@@ -5,7 +5,7 @@
 use std::error::Error;
 
 use brooklet_capture::{CaptureOptions, CaptureWriter, StateRow};
-use brooklet_gpu::{FrameReport, Span, SpanFlag, TimingStatus};
+use brooklet_gpu::{FrameReport, RecordingId, Span, SpanFlag, TimingStatus};
 
 const PASSES: usize = 40;
 const FRAME_NS: u64 = 16_666_667;
@@ -25,7 +25,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let spans = stages.iter().map(|stage| {
             let begin_ticks = at + random.u64(0..2000);
             at = begin_ticks + 300_000 + random.u64(0..60_000);
-            Span { recording: "step", stage, begin_ticks, end_ticks: at, flag: SpanFlag::Ok }
+            Span { recording: RecordingId::outside("step"), stage, begin_ticks, end_ticks: at, flag: SpanFlag::Ok }
         });
         capture.frame(&FrameReport {
             frame,

@@ -165,10 +165,16 @@ impl LogClock {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use brooklet_gpu::{Span, SpanFlag, TimingStatus};
+    use brooklet_gpu::{RecordingId, Span, SpanFlag, TimingStatus};
 
     fn report(wall_ns: u64, begin_ticks: u64) -> FrameReport {
-        let span = Span { recording: "step", stage: "a", begin_ticks, end_ticks: begin_ticks + 5, flag: SpanFlag::Ok };
+        let span = Span {
+            recording: RecordingId::outside("step"),
+            stage: "a",
+            begin_ticks,
+            end_ticks: begin_ticks + 5,
+            flag: SpanFlag::Ok,
+        };
         FrameReport {
             frame: 0,
             wall_ns,

@@ -62,7 +62,7 @@ struct Sequence {
 impl Sequences {
     /// The number of the sequence of `spans`, and whether its names have to be told.
     fn number(&mut self, spans: &[Span]) -> (u32, bool) {
-        let names = || spans.iter().map(|span| (span.recording, span.stage));
+        let names = || spans.iter().map(|span| (span.recording.label(), span.stage));
         if let Some(known) = self.known.iter_mut().find(|known| known.passes.iter().copied().eq(names())) {
             return (known.number, !std::mem::replace(&mut known.is_told, true));
         }
@@ -210,6 +210,6 @@ struct Named<'a>(&'a Span);
 
 impl Serialize for Named<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_str(&format_args!("{}/{}", self.0.recording, self.0.stage))
+        serializer.collect_str(&format_args!("{}/{}", self.0.recording.label(), self.0.stage))
     }
 }

@@ -225,7 +225,7 @@ impl<W: Write> CaptureWriter<W> {
             .iter()
             .map(|pass| {
                 json!({
-                    "recording": pass.recording,
+                    "recording": pass.recording.label(),
                     "stage": pass.stage,
                     "variant": pass.module.name,
                     "count": pass.count,

@@ -1,19 +1,19 @@
-//! The engine of a plan, or how much of the scene the device has room for.
+//! The session of a plan, or how much of the scene the device has room for.
 
-use brooklet_fluid::Scene;
 use brooklet_fluid::scene::SurfaceMethod;
-use brooklet_gpu::{Engine, Gpu, GpuError, Plan, tier_name};
+use brooklet_fluid::{Scene, Session, SessionPlan};
+use brooklet_gpu::{Engine, Gpu, GpuError, tier_name};
 
 use crate::{failure::Failure, job};
 
-/// Allocates what `plan`, the plan of `scene` and its `particles`, keeps.
-pub fn engine(gpu: &Gpu, scene: &Scene, particles: u32, plan: Plan) -> Result<Engine, Failure> {
-    let bytes = plan.bytes();
-    Engine::new(gpu, plan).map_err(|error| {
+/// Starts a session of `planned`.
+pub fn session(gpu: &Gpu, planned: SessionPlan) -> Result<Session, Failure> {
+    let (scene, particles, bytes) = (planned.scene.clone(), planned.particle_count(), planned.plan.bytes());
+    Session::start(gpu, planned).map_err(|error| {
         let advice = match &error {
-            GpuError::BufferTooLarge { .. } => within_limits(gpu, scene, particles),
-            GpuError::OutOfMemory { allocated, .. } => within_memory(scene, particles, bytes, *allocated),
-            GpuError::MissingFormat { .. } => without_format(gpu, scene, particles),
+            GpuError::BufferTooLarge { .. } => within_limits(gpu, &scene, particles),
+            GpuError::OutOfMemory { allocated, .. } => within_memory(&scene, particles, bytes, *allocated),
+            GpuError::MissingFormat { .. } => without_format(gpu, &scene, particles),
             GpuError::TextureTooLarge { .. } => "lower outputs.width_px and outputs.height_px".into(),
             _ => return Failure::input(error),
         };
@@ -26,7 +26,7 @@ pub fn engine(gpu: &Gpu, scene: &Scene, particles: u32, plan: Plan) -> Result<En
 /// What of the scene the device's limits allow, found by planning it for less.
 fn within_limits(gpu: &Gpu, scene: &Scene, particles: u32) -> String {
     let allows = |scene: &Scene, particles: u32| {
-        job::plan_for(scene, particles, gpu.tier()).is_ok_and(|other| Engine::check_sizes(gpu, &other.plan).is_ok())
+        job::plan_for(scene, particles, gpu.tier()).is_ok_and(|other| Engine::check_sizes(gpu, other.plan()).is_ok())
     };
     if !allows(scene, 0) {
         return "its grid or its pictures are too large by themselves; make spacing_m larger, or the domain or the \
@@ -52,7 +52,7 @@ fn without_format(gpu: &Gpu, scene: &Scene, particles: u32) -> String {
         let mut other = scene.clone();
         other.surface.method = *method;
         let planned = job::plan_for(&other, particles, gpu.tier());
-        planned.is_ok_and(|other| Engine::check_sizes(gpu, &other.plan).is_ok()).then_some(*name)
+        planned.is_ok_and(|other| Engine::check_sizes(gpu, other.plan()).is_ok()).then_some(*name)
     };
     let methods = [("points", SurfaceMethod::Points), ("none", SurfaceMethod::None)];
     match methods.iter().find_map(works) {

@@ -1,14 +1,12 @@
 //! What `run`, `plan` and `bench` share: the scene with its changes, its plan, the device.
 
 use brooklet_fluid::Scene;
-use brooklet_gpu::{Gpu, GpuOptions, Plan, ResourceId, Tier};
-use brooklet_kernels::{Buffer, Position, Velocity};
+use brooklet_gpu::{Gpu, GpuOptions, Tier};
 use brooklet_render::{ScenePlan, ScenePlanError};
 
 use crate::{
     cli::{LengthOptions, OutputOptions},
     failure::Failure,
-    pictures::Picture,
     shared_options::{DeviceOptions, MOST_STEPS, SceneOptions},
 };
 
@@ -46,30 +44,14 @@ pub fn steps(scene: &Scene, length: &LengthOptions) -> Result<u64, Failure> {
     }
 }
 
-/// A scene's plan, and the outputs the program reads.
-pub struct Planned {
-    /// What runs, and what was left out.
-    pub plan: Plan,
-    /// Number of particles.
-    pub particles: u32,
-    /// Where they are.
-    pub positions: Buffer<Position>,
-    /// How fast they are.
-    pub velocities: Buffer<Velocity>,
-    /// What a measurement is read back from, if the scene measures.
-    pub measure: Option<ResourceId>,
-    /// What a picture is read back from, if there are pictures.
-    pub picture: Option<Picture>,
-}
-
 /// Plans the scene for a device of `tier`: what its outputs do not need is not in the plan.
-pub fn plan(scene: &Scene, tier: Tier) -> Result<Planned, Failure> {
-    ScenePlan::new(scene, tier).map(Planned::from).map_err(refused)
+pub fn plan(scene: &Scene, tier: Tier) -> Result<ScenePlan, Failure> {
+    ScenePlan::new(scene, tier).map_err(refused)
 }
 
 /// As [`plan`] for so many particles, which are not made: for what is only looked at.
-pub fn plan_for(scene: &Scene, particles: u32, tier: Tier) -> Result<Planned, Failure> {
-    ScenePlan::of_count(scene, particles, tier).map(Planned::from).map_err(refused)
+pub fn plan_for(scene: &Scene, particles: u32, tier: Tier) -> Result<ScenePlan, Failure> {
+    ScenePlan::of_count(scene, particles, tier).map_err(refused)
 }
 
 /// A picture's fault is the scene's; a mistake in a recording is the program's.
@@ -77,19 +59,6 @@ pub fn refused(error: ScenePlanError) -> Failure {
     match error {
         ScenePlanError::Render { .. } => Failure::input(error),
         ScenePlanError::Plan(_) => Failure::stopped(error),
-    }
-}
-
-impl From<ScenePlan> for Planned {
-    fn from(ScenePlan { plan, recorded, passes }: ScenePlan) -> Self {
-        Self {
-            plan,
-            particles: recorded.particle_count,
-            positions: recorded.positions,
-            velocities: recorded.velocities,
-            measure: recorded.measure.map(|measure| measure.id),
-            picture: passes.map(|passes| Picture::new(passes.color)),
-        }
     }
 }
 

@@ -4,24 +4,24 @@ use std::path::Path;
 
 use brooklet_gpu::Engine;
 use brooklet_kernels::Texture;
-use brooklet_render::png;
+use brooklet_render::{FramePasses, png};
 
 use crate::failure::Failure;
 
 /// A picture of the particles as they are on the GPU.
-pub struct Picture {
-    color: Texture,
+pub struct Picture<'a> {
+    color: &'a Texture,
 }
 
-impl Picture {
-    /// The picture that is drawn to `color`.
-    pub fn new(color: Texture) -> Self {
-        Self { color }
+impl<'a> Picture<'a> {
+    /// What `passes` draw.
+    pub fn of(passes: &'a FramePasses) -> Self {
+        Self { color: &passes.color }
     }
 
     /// Waits for the last picture that was drawn, and copies it to the host.
     pub fn read(&self, engine: &mut Engine) -> Result<Vec<u8>, Failure> {
-        engine.read_texture(&self.color).map_err(Failure::stopped)
+        engine.read_texture(self.color).map_err(Failure::stopped)
     }
 
     /// Writes a picture that was read.

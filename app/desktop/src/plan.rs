@@ -1,16 +1,16 @@
 //! `brooklet plan`: what a run would do, without doing it; needs no GPU.
 
-use brooklet_fluid::{INIT, MEASURE, STEP, Scene, particles};
-use brooklet_gpu::{Plan, Tier};
-use brooklet_render::left_out::{self, Absent, Recorded, timestamp_memory};
+use brooklet_fluid::{Scene, particles};
+use brooklet_gpu::{Plan, RecordingId, Tier};
+use brooklet_render::ScenePlan;
+use brooklet_render::left_out::{self, Absent};
 use serde::Serialize;
 use serde_json::json;
 
 use crate::{
     cli::{OutputOptions, PlanOptions},
     failure::Failure,
-    fit,
-    job::{self, Planned},
+    fit, job,
     table::{bytes, table},
 };
 
@@ -31,8 +31,8 @@ pub fn plan(options: &PlanOptions) -> Result<(), Failure> {
     let particles = u32::try_from(particles::count(&scene)).map_err(Failure::input)?;
     let planned = job::plan_for(&scene, particles, tier)?;
     let OutputOptions { no_capture, no_timing, .. } = options.outputs;
-    let recorded = Recorded { no_times: no_timing.then_some("--no-timing"), no_capture };
-    let absent = left_out::list(&scene, particles, tier, &planned.plan, &recorded).map_err(job::refused)?;
+    let recorded = left_out::Recorded { no_times: no_timing.then_some("--no-timing"), no_capture };
+    let absent = left_out::list(&scene, tier, &planned, &recorded).map_err(job::refused)?;
     if options.json {
         print_json(&scene, &planned, &absent, no_timing)
     } else {
@@ -45,7 +45,7 @@ fn passes(plan: &Plan) -> Vec<Pass> {
     plan.passes()
         .iter()
         .map(|pass| Pass {
-            recording: pass.recording,
+            recording: pass.recording.label(),
             stage: pass.stage,
             variant: pass.module.name,
             source: pass.module.source,
@@ -54,18 +54,18 @@ fn passes(plan: &Plan) -> Vec<Pass> {
         .collect()
 }
 
-fn print_json(scene: &Scene, planned: &Planned, absent: &[Absent], no_timing: bool) -> Result<(), Failure> {
+fn print_json(scene: &Scene, planned: &ScenePlan, absent: &[Absent], no_timing: bool) -> Result<(), Failure> {
     let buffers: serde_json::Map<_, _> =
-        planned.plan.buffers().into_iter().map(|buffer| (buffer.label, buffer.bytes.into())).collect();
+        planned.plan().buffers().into_iter().map(|buffer| (buffer.label, buffer.bytes.into())).collect();
     let all = json!({
         "scene": scene.name,
-        "particles": planned.particles,
-        "passes": passes(&planned.plan),
+        "particles": planned.session.particle_count(),
+        "passes": passes(planned.plan()),
         "buffers": buffers,
-        "bytes": planned.plan.bytes(),
-        "timestamps": timestamps(&planned.plan, no_timing).into_iter().collect::<serde_json::Map<_, _>>(),
-        "timestamp_bytes": if no_timing { 0 } else { timestamp_memory(&planned.plan) },
-        "bytes_per_particle": simulation_bytes_per_particle(&planned.plan, planned.particles),
+        "bytes": planned.plan().bytes(),
+        "timestamps": timestamps(planned.plan(), no_timing).into_iter().collect::<serde_json::Map<_, _>>(),
+        "timestamp_bytes": if no_timing { 0 } else { planned.timestamp_memory() },
+        "bytes_per_particle": bytes_per_particle(planned),
         "left_out": absent,
     });
     let text = serde_json::to_string_pretty(&all).map_err(Failure::stopped)?;
@@ -73,44 +73,49 @@ fn print_json(scene: &Scene, planned: &Planned, absent: &[Absent], no_timing: bo
     Ok(())
 }
 
-/// Bytes of GPU memory that simulating and measuring take, over the particles; none without
+/// Bytes of GPU memory that the recordings `simulation` take, over the particles; none without
 /// particles. What is drawn grows with pixels, not with particles, and does not count.
-pub fn simulation_bytes_per_particle(plan: &Plan, particles: u32) -> Option<f64> {
-    (particles > 0).then(|| plan.bytes_of(&[INIT, STEP, MEASURE]) as f64 / f64::from(particles))
+pub fn simulation_bytes_per_particle(plan: &Plan, simulation: &[RecordingId], particles: u32) -> Option<f64> {
+    (particles > 0).then(|| plan.bytes_of(simulation) as f64 / f64::from(particles))
+}
+
+/// As [`simulation_bytes_per_particle`] of a whole plan.
+pub fn bytes_per_particle(planned: &ScenePlan) -> Option<f64> {
+    simulation_bytes_per_particle(planned.plan(), &planned.session.recorded.ids(), planned.session.particle_count())
 }
 
 /// How many timestamps one run of each recording takes at most.
 fn timestamps(plan: &Plan, no_timing: bool) -> Vec<(String, serde_json::Value)> {
-    let bound = |recording: &str| if no_timing { 0 } else { plan.timestamp_bound(recording) };
-    plan.recordings().map(|recording| (recording.to_owned(), bound(recording).into())).collect()
+    let bound = |recording| if no_timing { 0 } else { plan.timestamp_bound(recording) };
+    plan.recordings().map(|recording| (recording.label().to_owned(), bound(recording).into())).collect()
 }
 
-fn print_tables(scene: &Scene, planned: &Planned, absent: &[Absent], no_timing: bool) {
-    say!("{}: {} particles", scene.name, planned.particles);
+fn print_tables(scene: &Scene, planned: &ScenePlan, absent: &[Absent], no_timing: bool) {
+    say!("{}: {} particles", scene.name, planned.session.particle_count());
     if let Some(other) = fit::other_spacing(scene) {
         say!("{other}");
     }
     say!();
     let mut list = table(&["recording", "pass", "variant", "shader", "runs"], &[4]);
-    for pass in passes(&planned.plan) {
+    for pass in passes(planned.plan()) {
         list.add_row([pass.recording, pass.stage, pass.variant, pass.source, &pass.dispatches.to_string()]);
     }
     say!("{}\n", list.trim_fmt());
 
     let mut list = table(&["buffer", "bytes", ""], &[1, 2]);
-    for buffer in planned.plan.buffers() {
+    for buffer in planned.plan().buffers() {
         list.add_row([buffer.label, buffer.bytes.to_string(), bytes(buffer.bytes)]);
     }
-    let total = planned.plan.bytes();
+    let total = planned.plan().bytes();
     list.add_row(["in all".to_string(), total.to_string(), bytes(total)]);
     say!("{}", list.trim_fmt());
-    if let Some(per_particle) = simulation_bytes_per_particle(&planned.plan, planned.particles) {
+    if let Some(per_particle) = bytes_per_particle(planned) {
         say!("{per_particle:.0} bytes a particle, without what is drawn");
     }
     if !no_timing {
         let each: Vec<String> =
-            timestamps(&planned.plan, no_timing).iter().map(|(name, count)| format!("{name} {count}")).collect();
-        let memory = bytes(timestamp_memory(&planned.plan));
+            timestamps(planned.plan(), no_timing).iter().map(|(name, count)| format!("{name} {count}")).collect();
+        let memory = bytes(planned.timestamp_memory());
         say!("timestamps of a run, at most: {}; {memory} for the frames in flight", each.join(", "));
     }
 

@@ -1,21 +1,18 @@
 //! Takes the engine's reports as they come, late by a frame or two: into the capture, into the
 //! medians, into the measurements.
 
-use std::{collections::VecDeque, fs::File};
+use std::fs::File;
 
 use brooklet_capture::{CaptureError, CaptureTotals, CaptureWriter};
-use brooklet_fluid::{STEP, Scene, Stats, captured_values};
-use brooklet_gpu::{FrameReport, ResourceId};
+use brooklet_fluid::{SessionReport, captured_values};
+use brooklet_gpu::RecordingId;
 
 use crate::{measured::Measured, timings::Timings};
 
 /// Where a run's reports go.
 pub struct Recorder {
     capture: Option<CaptureWriter<File>>,
-    scene: Scene,
-    measure: Option<ResourceId>,
-    /// Frames that are not reported yet, with the number of steps done at their end.
-    pending: VecDeque<(u64, u64)>,
+    step: RecordingId,
     /// GPU times.
     pub timings: Timings,
     /// Measurements.
@@ -25,54 +22,20 @@ pub struct Recorder {
 }
 
 impl Recorder {
-    /// For a run of `scene`; `measure` is what its measurements are read back from.
-    pub fn new(
-        scene: &Scene,
-        measure: Option<ResourceId>,
-        timings: Timings,
-        capture: Option<CaptureWriter<File>>,
-    ) -> Self {
-        Self {
-            capture,
-            scene: scene.clone(),
-            measure,
-            pending: VecDeque::new(),
-            timings,
-            measured: Measured::default(),
-            trouble: None,
-        }
+    /// For a run whose steps are the recording `step`.
+    pub fn new(step: RecordingId, timings: Timings, capture: Option<CaptureWriter<File>>) -> Self {
+        Self { capture, step, timings, measured: Measured::default(), trouble: None }
     }
 
-    /// Announces frame `frame`, at whose end `step` steps are done.
-    pub fn expect(&mut self, frame: u64, step: u64) {
-        self.pending.push_back((frame, step));
-    }
-
-    /// Takes finished frames; those that nobody announced (set-up) are not the run's.
-    pub fn take(&mut self, reports: &[FrameReport]) {
-        for report in reports {
-            while self.pending.front().is_some_and(|(frame, _)| *frame < report.frame) {
-                self.pending.pop_front();
-            }
-            if let Some(&(frame, step)) = self.pending.front()
-                && frame == report.frame
-            {
-                self.pending.pop_front();
-                self.frame(report, step);
-            }
-        }
-    }
-
-    fn frame(&mut self, report: &FrameReport, step: u64) {
-        self.timings.add(report, STEP);
-        self.record(|capture| capture.frame(report));
-        for (id, bytes) in &report.readbacks {
-            if Some(*id) == self.measure {
-                let stats = Stats::new(bytes, &self.scene);
-                let simulated_s = step as f64 * self.scene.solver.dt_s;
-                let values = captured_values(step, simulated_s, &stats);
+    /// Takes finished frames.
+    pub fn take(&mut self, reports: &[SessionReport]) {
+        for SessionReport { report, steps, simulated_s, stats } in reports {
+            self.timings.add(report, self.step);
+            self.record(|capture| capture.frame(report));
+            if let Some(stats) = stats {
+                let values = captured_values(*steps, *simulated_s, stats);
                 self.record(|capture| capture.stats(report.frame, report.wall_ns, &values));
-                self.measured.add(step, stats);
+                self.measured.add(*steps, *stats);
             }
         }
     }

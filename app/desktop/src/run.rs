@@ -9,6 +9,7 @@ use std::{
 use brooklet_capture::{CaptureError, CaptureOptions, CaptureWriter, StatField};
 use brooklet_fluid::{Scene, captured_fields};
 use brooklet_gpu::{Gpu, Plan, TimingStatus, tier_name};
+use brooklet_render::ScenePlan;
 use brooklet_render::left_out::{self, Recorded};
 
 use crate::{
@@ -17,11 +18,11 @@ use crate::{
     failure::Failure,
     fit,
     interrupt::Interrupt,
-    job::{self, Planned},
+    job,
     out_dir::{self, OutDir},
     progress,
     recorder::Recorder,
-    running::{Outputs, Running, due_steps},
+    running::{Running, due_steps},
     summary::{Facts, Files, Summary, stages},
     timings::{Timings, warm_up_frames},
 };
@@ -31,17 +32,20 @@ pub fn run(options: &RunOptions) -> Result<(), Failure> {
     let scene = job::scene(&options.scene, Some(&options.outputs))?;
     let steps = job::steps(&scene, &options.length)?;
     let gpu = job::open(&options.device, !options.outputs.no_timing)?;
-    let Planned { plan, particles, positions, velocities, measure, picture } = job::plan(&scene, gpu.tier())?;
+    let planned = job::plan(&scene, gpu.tier())?;
     let no_times = match gpu.timing() {
         TimingStatus::Off => Some("--no-timing"),
         TimingStatus::Unsupported => Some("the device gives no timestamps"),
         TimingStatus::PassPerStage | TimingStatus::InsidePasses | TimingStatus::OwnPasses => None,
     };
     let recorded = Recorded { no_times, no_capture: options.outputs.no_capture };
-    let left_out = left_out::list(&scene, particles, gpu.tier(), &plan, &recorded).map_err(job::refused)?;
+    let left_out = left_out::list(&scene, gpu.tier(), &planned, &recorded).map_err(job::refused)?;
+    let ScenePlan { session: planned, passes } = planned;
+    let (plan, particles) = (planned.plan.clone(), planned.particle_count());
+    let (simulation, measures) = (planned.recorded.ids(), planned.recorded.measure.is_some());
     let plan_bytes = plan.bytes();
     let start = SystemTime::now();
-    let mut engine = fit::engine(&gpu, &scene, particles, plan.clone())?;
+    let session = fit::session(&gpu, planned)?;
     let interrupt = Interrupt::listen()?;
 
     let default_out = Path::new("out").join(&scene.name);
@@ -52,7 +56,7 @@ pub fn run(options: &RunOptions) -> Result<(), Failure> {
     } else {
         let capture_options = CaptureOptions {
             stages: stages(&plan).into_iter().map(|(stage, _)| stage.into()).collect(),
-            stats: if measure.is_some() { captured_fields(&scene).map(StatField::from).collect() } else { Vec::new() },
+            stats: if measures { captured_fields(&scene).map(StatField::from).collect() } else { Vec::new() },
             start,
             ..CaptureOptions::default()
         };
@@ -62,13 +66,14 @@ pub fn run(options: &RunOptions) -> Result<(), Failure> {
 
     let timings = Timings::new(warm_up_frames(steps));
     let mut running = Running {
-        recorder: Recorder::new(&scene, measure, timings, capture),
+        recorder: Recorder::new(session.step_id(), timings, capture),
         scene: &scene,
         out: &out.path,
         steps,
         done: 0,
         images: due_steps(steps, scene.outputs.images),
-        outputs: Outputs { positions, velocities, measure, picture },
+        session,
+        passes,
         writes_particles: options.outputs.particles.is_some(),
         files: Files::default(),
         troubles: Vec::new(),
@@ -76,7 +81,7 @@ pub fn run(options: &RunOptions) -> Result<(), Failure> {
     };
     let begun = Instant::now();
     let bar = progress::bar(steps);
-    let outcome = running.all(&mut engine, &interrupt, &bar);
+    let outcome = running.all(&interrupt, &bar);
     bar.finish_and_clear();
     let wall_s = begun.elapsed().as_secs_f64();
 
@@ -92,6 +97,7 @@ pub fn run(options: &RunOptions) -> Result<(), Failure> {
     let summary = Summary::new(Facts {
         scene: &scene,
         plan: &plan,
+        simulation,
         particles,
         steps: done,
         wall_s,

@@ -2,29 +2,15 @@
 
 use std::path::{Path, PathBuf};
 
-use brooklet_fluid::{INIT, MEASURE, STEP, Scene};
-use brooklet_gpu::{Engine, ResourceId};
-use brooklet_kernels::{Buffer, Position, Velocity};
-use brooklet_render::frame::{DRAW, DRAW_INIT};
+use brooklet_fluid::{FrameRequest, Scene, Session};
+use brooklet_render::FramePasses;
 use indicatif::ProgressBar;
 
 use crate::{failure::Failure, interrupt::Interrupt, pictures::Picture, ply, recorder::Recorder, summary::Files};
 
-/// What is read back from the GPU.
-pub struct Outputs {
-    /// Where the particles are.
-    pub positions: Buffer<Position>,
-    /// How fast they are.
-    pub velocities: Buffer<Velocity>,
-    /// Measurements, if the scene measures.
-    pub measure: Option<ResourceId>,
-    /// Pictures, if there are some.
-    pub picture: Option<Picture>,
-}
-
 /// A run under way.
 pub struct Running<'a> {
-    /// Takes the engine's reports.
+    /// Takes the session's reports.
     pub recorder: Recorder,
     /// The scene.
     pub scene: &'a Scene,
@@ -36,8 +22,10 @@ pub struct Running<'a> {
     pub done: u64,
     /// Steps at whose end a picture is due, in order.
     pub images: Vec<u64>,
-    /// What is read back.
-    pub outputs: Outputs,
+    /// What simulates.
+    pub session: Session,
+    /// The picture's, if there is one.
+    pub passes: Option<FramePasses>,
     /// Whether particles are written beside the pictures and at the end.
     pub writes_particles: bool,
     /// What was written, and what could not be.
@@ -50,13 +38,13 @@ pub struct Running<'a> {
 
 impl Running<'_> {
     /// All steps, or those before Ctrl-C.
-    pub fn all(&mut self, engine: &mut Engine, interrupt: &Interrupt, bar: &ProgressBar) -> Result<(), Failure> {
-        let result = self.steps(engine, interrupt, bar);
+    pub fn all(&mut self, interrupt: &Interrupt, bar: &ProgressBar) -> Result<(), Failure> {
+        let result = self.steps(interrupt, bar);
         // What came back before a failure belongs to the capture as well.
-        match engine.finish() {
+        match self.session.finish() {
             Ok(reports) => self.recorder.take(&reports),
             Err(error) => {
-                self.recorder.take(&engine.reports());
+                self.recorder.take(&self.session.reports());
                 result?;
                 return Err(Failure::stopped(error));
             }
@@ -64,13 +52,9 @@ impl Running<'_> {
         result
     }
 
-    fn steps(&mut self, engine: &mut Engine, interrupt: &Interrupt, bar: &ProgressBar) -> Result<(), Failure> {
-        engine.run(&[INIT], &[]).map_err(Failure::stopped)?;
-        if self.outputs.picture.is_some() {
-            engine.run(&[DRAW_INIT], &[]).map_err(Failure::stopped)?;
-        }
+    fn steps(&mut self, interrupt: &Interrupt, bar: &ProgressBar) -> Result<(), Failure> {
         while self.done < self.steps && !interrupt.is_pressed() {
-            self.step(engine, self.done + 1)?;
+            self.step(self.done + 1)?;
             bar.inc(1);
             // Whoever watches need not wait for the end to look.
             if let [first] = self.files.images.as_slice()
@@ -89,38 +73,29 @@ impl Running<'_> {
     }
 
     /// Step number `step`, from 1, with what is due at its end.
-    fn step(&mut self, engine: &mut Engine, step: u64) -> Result<(), Failure> {
+    fn step(&mut self, step: u64) -> Result<(), Failure> {
         let is_last = step == self.steps;
         let every = u64::from(self.scene.outputs.measure_every_steps);
         let measures = every > 0 && (is_last || step.is_multiple_of(every));
         let image = self.images.binary_search(&step).ok();
 
-        let mut recordings = vec![STEP];
-        let mut readbacks = Vec::new();
-        if measures {
-            recordings.push(MEASURE);
-            readbacks.extend(self.outputs.measure);
-        }
-        if image.is_some() && self.outputs.picture.is_some() {
-            recordings.push(DRAW);
-        }
-        let frame = engine.run(&recordings, &readbacks).map_err(Failure::stopped)?;
+        let draw = self.passes.as_ref().filter(|_| image.is_some()).map(|passes| passes.draw.id());
+        let request = FrameRequest { steps: 1, measure: measures, then: draw.as_slice(), ..FrameRequest::default() };
+        self.session.submit(&request).map_err(Failure::stopped)?;
         self.done = step;
-        self.recorder.expect(frame, step);
-        self.recorder.take(&engine.reports());
+        self.recorder.take(&self.session.reports());
 
-        if let (Some(number), Some(picture)) = (image, &self.outputs.picture) {
+        if let (Some(number), Some(picture)) = (image, self.passes.as_ref().map(Picture::of)) {
             let path = self.numbered("frame", number, "png");
-            let rgba = picture.read(engine)?;
+            let rgba = picture.read(self.session.engine_mut())?;
             let written = picture.save(&path, &rgba);
             self.note(path, written, |files| &mut files.images);
         }
         if self.writes_particles && (image.is_some() || is_last) {
             let number = image.unwrap_or(self.images.len());
             let path = self.numbered("particles", number, "ply");
-            let positions = engine.read(&self.outputs.positions).map_err(Failure::stopped)?;
-            let velocities = engine.read(&self.outputs.velocities).map_err(Failure::stopped)?;
-            let written = ply::write(&path, &positions, &velocities, self.scene.domain.min_m);
+            let particles = self.session.read_particles().map_err(Failure::stopped)?;
+            let written = ply::write(&path, &particles.positions, &particles.velocities, self.scene.domain.min_m);
             self.note(path, written, |files| &mut files.particles);
         }
         Ok(())

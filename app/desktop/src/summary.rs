@@ -1,7 +1,7 @@
 //! `summary.json`, and the short table a run ends with.
 
 use brooklet_fluid::{Scene, measure};
-use brooklet_gpu::{Gpu, Plan, TimingStatus, tier_name};
+use brooklet_gpu::{Gpu, Plan, RecordingId, TimingStatus, tier_name};
 use brooklet_render::left_out::Absent;
 use serde::Serialize;
 use serde_json::{Map, Value};
@@ -119,6 +119,8 @@ pub struct Facts<'a> {
     pub scene: &'a Scene,
     /// Its plan.
     pub plan: &'a Plan,
+    /// Recordings of the simulation.
+    pub simulation: Vec<RecordingId>,
     /// Number of particles.
     pub particles: u32,
     /// Steps that were done.
@@ -209,7 +211,7 @@ impl Summary {
                 last_step: any.then_some(measured.last_step),
             },
             buffers: plan.buffers().into_iter().map(|buffer| (buffer.label, buffer.bytes.into())).collect(),
-            bytes_per_particle: simulation_bytes_per_particle(plan, facts.particles),
+            bytes_per_particle: simulation_bytes_per_particle(plan, &facts.simulation, facts.particles),
             left_out: facts.left_out,
             device: Device {
                 name: gpu.info().name.clone(),

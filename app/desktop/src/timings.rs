@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use brooklet_gpu::{FrameReport, TimingStatus};
+use brooklet_gpu::{FrameReport, RecordingId, TimingStatus};
 use serde::{Serialize, Serializer};
 
 /// The frames at the start that medians leave out: the device's clock rises and caches fill then.
@@ -84,7 +84,7 @@ impl Timings {
     }
 
     /// Takes the next frame; `step` is the recording whose spans are a step.
-    pub fn add(&mut self, report: &FrameReport, step: &str) {
+    pub fn add(&mut self, report: &FrameReport, step: RecordingId) {
         let index = self.frames;
         self.frames += 1;
         self.flagged_spans += report.flagged() as u64;
@@ -175,8 +175,8 @@ mod tests {
     use brooklet_gpu::{Span, SpanFlag};
 
     fn report(frame: u64, step_ticks: u64) -> FrameReport {
-        let span = |recording, stage, begin_ticks, end_ticks| Span {
-            recording,
+        let span = |label, stage, begin_ticks, end_ticks| Span {
+            recording: RecordingId::outside(label),
             stage,
             begin_ticks,
             end_ticks,
@@ -210,12 +210,12 @@ mod tests {
     #[test]
     fn a_step_is_its_recordings_spans_with_the_gaps_between() {
         let mut timings = Timings::new(0);
-        timings.add(&report(0, 300), "step");
+        timings.add(&report(0, 300), RecordingId::outside("step"));
         assert_eq!(timings.step_ms().unwrap().median, 300.0);
         assert_eq!(timings.stage_ms("sort").unwrap().median, 50.0);
         assert_eq!(timings.stage_ms("draw_floor").unwrap().median, 8000.0);
         assert_eq!(timings.stage_ms("absent"), None);
-        timings.add(&report(1, 300), "step");
+        timings.add(&report(1, 300), RecordingId::outside("step"));
         assert_eq!((timings.total_ms("sort"), timings.total_ms("absent")), (100.0, 0.0));
         let pass = timings.pass("sort", 3);
         assert_eq!((pass.median_ms, pass.dispatches, pass.total_ms), (Some(50.0), 3, Some(100.0)));
@@ -226,7 +226,7 @@ mod tests {
     fn the_warm_up_does_not_count() {
         let mut timings = Timings::new(2);
         for (frame, ticks) in [900, 900, 300, 200, 250].into_iter().enumerate() {
-            timings.add(&report(frame as u64, ticks), "step");
+            timings.add(&report(frame as u64, ticks), RecordingId::outside("step"));
         }
         let step = timings.step_ms().unwrap();
         assert_eq!((step.median, step.p95), (250.0, 300.0));

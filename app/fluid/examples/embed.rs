@@ -1,7 +1,7 @@
 //! Brooklet inside another wgpu program, on that program's own device.
 //! `cargo run --release -p brooklet-fluid --example embed`
 
-use brooklet_fluid::{Scene, Simulation};
+use brooklet_fluid::{FrameRequest, Scene, Session};
 use brooklet_gpu::Gpu;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -18,15 +18,15 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         ..Default::default()
     }))?;
 
-    // The simulation shares device and queue; `positions` stay on the GPU for the host to draw.
+    // The session shares device and queue; `positions` stay on the GPU for the host to draw.
     let gpu = Gpu::from_device(&adapter, device, queue, Some(tier))?;
     let scene = Scene::load("falling-ball", &["spacing_m=0.04".into()])?;
-    let mut simulation = Simulation::new(&gpu, &scene)?;
-    for _ in 0..60 {
-        simulation.step()?;
+    let mut session = Session::new(&gpu, &scene)?;
+    for frame in 1..=60 {
+        session.submit(&FrameRequest { steps: 1, measure: frame == 60, ..FrameRequest::default() })?;
     }
-    simulation.measure()?;
-    let stats = simulation.finish()?.ok_or("the scene does not measure")?;
+    session.finish()?;
+    let stats = session.stats().ok_or("the scene does not measure")?;
     println!("{} particles, mean compression {:.2} %", stats.particles, 100.0 * stats.compression.mean);
     Ok(())
 }

@@ -6,9 +6,6 @@ use brooklet_kernels::{Buffer, PushParams};
 use crate::scene::Scene;
 use crate::step::Recorded;
 
-/// Name of the recording of one push; run it before the steps of a frame in which somebody drags.
-pub const PUSH: &str = "push";
-
 /// A drag during one frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Drag {
@@ -32,11 +29,13 @@ pub struct Drag {
 
 /// What pushes.
 pub struct Push {
+    /// One push; to be run before the steps of a frame in which somebody drags.
+    pub recording: Recording,
     params: Buffer<PushParams>,
     particle_count: u32,
 }
 
-/// Records [`PUSH`] beside a scene's other recordings: v += w(r) (1 − exp(−dt/τ)) (v_drag − v) with
+/// Records a push beside a scene's other recordings: v += w(r) (1 − exp(−dt/τ)) (v_drag − v) with
 /// w(r) = (1 − r²)² and r the distance from the ray over the radius, so that no edge shows. Until
 /// [`Push::write`] it moves nothing. A scene that nobody drags does without it, and then has neither its
 /// pass nor its buffer.
@@ -44,8 +43,8 @@ pub fn record_push(resources: &mut Resources, recorded: &mut Recorded) -> Push {
     let mut params = resources.persistent("push_params", 1);
     let particle_count = recorded.particle_count;
     let idle = PushParams { particle_count, ..PushParams::default() };
-    recorded.recordings[0].upload(&mut params, &[idle]);
-    let mut recording = Recording::new(PUSH);
+    recorded.init.upload(&mut params, &[idle]);
+    let mut recording = resources.recording("push");
     recording.dispatch(
         &brooklet_kernels::Push {
             positions: recorded.positions.read(),
@@ -54,12 +53,11 @@ pub fn record_push(resources: &mut Resources, recorded: &mut Recorded) -> Push {
         },
         particle_count,
     );
-    recorded.recordings.push(recording);
-    Push { params, particle_count }
+    Push { recording, params, particle_count }
 }
 
 impl Push {
-    /// Sets what the next run of [`PUSH`] does.
+    /// Sets what the next run of the recording does.
     pub fn write(&self, engine: &mut Engine, scene: &Scene, drag: &Drag) {
         engine.write(&self.params, &[self.params(scene, drag)]);
     }

@@ -1,18 +1,17 @@
 //! The particle-fluid simulation: scene, particles, neighbour grid, solvers, measures.
 //!
 //! [`scene::Scene`] says what to simulate; [`record`] turns it into recordings that any engine of
-//! `brooklet-gpu` runs, beside others' (pictures, say); [`Simulation`] is the two together for a
-//! program that only simulates.
+//! `brooklet-gpu` runs; [`Session`] runs them, beside others' that a [`SessionRecorder`] was given (pictures,
+//! say), and is what every program that steps a scene goes through.
 
 pub mod boundary;
 pub mod forces;
 pub mod grid;
 pub mod interact;
 pub mod measure;
-mod parameters;
 pub mod particles;
 pub mod scene;
-mod simulation;
+pub mod session;
 pub mod smoothing_kernel;
 pub mod solver;
 mod stat_fields;
@@ -21,12 +20,10 @@ mod step;
 mod step_context;
 mod step_params;
 
-pub use interact::PUSH;
-pub use measure::{SAMPLE, Stats};
-pub use parameters::Parameters;
+pub use measure::Stats;
 pub use scene::{Scene, SceneError, shipped_scenes};
-pub use simulation::{Simulation, SimulationError};
+pub use session::{FrameRequest, ParticleSource, Session, SessionError, SessionPlan, SessionRecorder, SessionReport};
 pub use stat_fields::{STAT_FIELDS, StatField, captured_fields, captured_values};
-pub use step::{INIT, MEASURE, Recorded, STEP, record, record_count, record_particles};
+pub use step::{Recorded, RecordedMeasure, record, record_count, record_particles};
 pub use step_context::{Particles, StepContext};
 pub use step_params::step_params;

@@ -2,7 +2,7 @@
 
 mod sample_particles;
 
-pub use sample_particles::{SAMPLE, Sample, record_sample};
+pub use sample_particles::{Sample, record_sample};
 
 use brooklet_gpu::{Recording, Resources};
 use brooklet_kernels::{

@@ -1,30 +1,26 @@
 //! A scene as recordings: its start, one step of its solver's substeps, and its measurement.
 
-use brooklet_gpu::{Engine, GpuError, Recording, Resources};
-use brooklet_kernels::{Buffer, Measure, Position, Velocity};
+use brooklet_gpu::{Engine, GpuError, Recording, RecordingId, Resources};
+use brooklet_kernels::{Buffer, Measure, Position, ResourceId, Velocity};
 
 use crate::grid::Neighbours;
 use crate::measure::{Densities, Measuring};
-use crate::parameters::Parameters;
 use crate::particles::{ParticleSet, sample_lattice};
 use crate::scene::Scene;
 use crate::solver::Solver;
 use crate::step_context::{Particles, StepContext};
 use crate::step_params::step_params;
 
-/// Name of the recording that uploads the scene; run it once, first.
-pub const INIT: &str = "init";
-/// Name of the recording of one step.
-pub const STEP: &str = "step";
-/// Name of the recording of one measurement.
-pub const MEASURE: &str = "measure";
-
 /// A scene as recordings, and the buffers others read.
 pub struct Recorded {
     /// Number of particles.
     pub particle_count: u32,
-    /// `init`, `step` and, if the scene measures, `measure`.
-    pub recordings: Vec<Recording>,
+    /// Uploads the scene; to be run once, first.
+    pub init: Recording,
+    /// One step.
+    pub step: Recording,
+    /// A measurement, if the scene measures.
+    pub measure: Option<RecordedMeasure>,
     /// Where the particles are after a step, relative to the domain's lowest corner; in cell
     /// order, named by the ids in their tags.
     pub positions: Buffer<Position>,
@@ -34,13 +30,34 @@ pub struct Recorded {
     pub neighbours: Option<Neighbours>,
     /// What their density ratios are computed from, if they have neighbours.
     pub densities: Option<Densities>,
-    /// The last measurement, if the scene measures.
-    pub measure: Option<Buffer<Measure>>,
-    /// The settings that a run takes as it goes.
-    pub parameters: Parameters,
+}
+
+/// What measures a scene.
+pub struct RecordedMeasure {
+    /// To be run after the steps of a frame.
+    pub recording: Recording,
+    /// What it writes, and a frame reads back ([`crate::Stats::new`]).
+    pub output: Buffer<Measure>,
 }
 
 impl Recorded {
+    /// All of its recordings, for a plan.
+    pub fn recordings(&self) -> Vec<Recording> {
+        let measure = self.measure.as_ref().map(|measure| measure.recording.clone());
+        [self.init.clone(), self.step.clone()].into_iter().chain(measure).collect()
+    }
+
+    /// The handles of all of its recordings.
+    pub fn ids(&self) -> Vec<RecordingId> {
+        let measure = self.measure.as_ref().map(|measure| measure.recording.id());
+        [self.init.id(), self.step.id()].into_iter().chain(measure).collect()
+    }
+
+    /// What a measurement is read back from, if the scene measures.
+    pub fn measure_id(&self) -> Option<ResourceId> {
+        self.measure.as_ref().map(|measure| measure.output.id)
+    }
+
     /// Waits, and copies the particles to the host, in cell order: to save them, or to carry them over
     /// to another plan with [`record_particles`].
     ///
@@ -59,9 +76,8 @@ pub fn record(resources: &mut Resources, scene: &Scene) -> Recorded {
 /// As [`record`], with particles of the caller's instead of the scene's fluids.
 pub fn record_particles(resources: &mut Resources, scene: &Scene, emitted: ParticleSet) -> Recorded {
     let mut recorded = record_count(resources, scene, emitted.positions.len() as u32);
-    let init = &mut recorded.recordings[0];
-    init.upload(&mut recorded.positions, &emitted.positions);
-    init.upload(&mut recorded.velocities, &emitted.velocities);
+    recorded.init.upload(&mut recorded.positions, &emitted.positions);
+    recorded.init.upload(&mut recorded.velocities, &emitted.velocities);
     recorded
 }
 
@@ -73,31 +89,29 @@ pub fn record_count(resources: &mut Resources, scene: &Scene, particle_count: u3
     let mut particles = Particles::declare(resources, particle_count);
     let mut solver = Solver::declare(resources, scene, particle_count);
 
-    let mut init = Recording::new(INIT);
+    let mut init = resources.recording("init");
     init.upload(&mut context.step, &[step_params(scene, particle_count)]);
     init.clear(&mut context.counters);
     solver.record_init(&mut init, scene);
 
-    let mut step = Recording::new(STEP);
+    let mut step = resources.recording("step");
     for _ in 0..scene.solver.substeps {
         solver.record_substep(&mut step, &mut context, &mut particles);
     }
 
-    let mut recordings = vec![init, step];
     let measure = (scene.outputs.measure_every_steps > 0).then(|| {
         let mut measuring = Measuring::declare(resources, particle_count);
-        let mut recording = Recording::new(MEASURE);
+        let mut recording = resources.recording("measure");
         measuring.record(&mut recording, &mut context, solver.search(), &particles);
-        recordings.push(recording);
-        measuring.measure
+        RecordedMeasure { recording, output: measuring.measure }
     });
     Recorded {
         particle_count,
-        recordings,
+        init,
+        step,
+        measure,
         neighbours: solver.search().map(|search| search.neighbours.alias()),
         densities: solver.search().map(|search| Densities::of(&context, search)),
-        measure,
-        parameters: Parameters::of(scene, particle_count, &context, &solver),
         positions: particles.positions,
         velocities: particles.velocities,
     }

@@ -2,6 +2,7 @@
 
 use crate::device::Gpu;
 use crate::readback::Ticks;
+use crate::recording::RecordingId;
 use crate::steps::{DispatchStep, DrawsStep, Ready, Step, StepGroups};
 use crate::timing::{SpanSlot, TimingStatus};
 use brooklet_kernels::Tier;
@@ -52,13 +53,13 @@ impl<'a> Encoder<'a> {
                 Step::Copy { from, to, bytes } => {
                     self.commands.copy_buffer_to_buffer(from, 0, to, 0, *bytes);
                 }
-                Step::Draws(pass) => self.draws(ready.name, pass),
+                Step::Draws(pass) => self.draws(ready.id, pass),
                 Step::Dispatch(dispatch) if self.timing == TimingStatus::PassPerStage => {
-                    self.lone_dispatch(ready.name, dispatch);
+                    self.lone_dispatch(ready.id, dispatch);
                 }
                 Step::Dispatch(_) => {
                     let run = steps.iter().take_while(|step| matches!(step, Step::Dispatch(_))).count();
-                    self.dispatches(ready.name, &steps[..run]);
+                    self.dispatches(ready.id, &steps[..run]);
                     steps = &steps[run..];
                     continue;
                 }
@@ -68,7 +69,7 @@ impl<'a> Encoder<'a> {
     }
 
     /// One pass for all: each wgpu pass is a command buffer of its own.
-    fn dispatches(&mut self, recording: &'static str, steps: &[Step]) {
+    fn dispatches(&mut self, recording: RecordingId, steps: &[Step]) {
         let mut pass = self.commands.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
         let timed = self.timing == TimingStatus::InsidePasses;
         let mut before = None;
@@ -89,7 +90,7 @@ impl<'a> Encoder<'a> {
         }
     }
 
-    fn lone_dispatch(&mut self, recording: &'static str, step: &DispatchStep) {
+    fn lone_dispatch(&mut self, recording: RecordingId, step: &DispatchStep) {
         let pair = self.ticks.take(2);
         let first = pair.map(|(_, _, number)| number);
         let mut pass = self.commands.begin_compute_pass(&wgpu::ComputePassDescriptor {
@@ -106,13 +107,13 @@ impl<'a> Encoder<'a> {
         self.pair_span(recording, step.stage, first);
     }
 
-    fn pair_span(&mut self, recording: &'static str, stage: &'static str, first: Option<u32>) {
+    fn pair_span(&mut self, recording: RecordingId, stage: &'static str, first: Option<u32>) {
         if let Some(begin) = first {
             self.ticks.spans.push(SpanSlot { recording, stage, begin, end: begin + 1 });
         }
     }
 
-    fn draws(&mut self, recording: &'static str, step: &DrawsStep) {
+    fn draws(&mut self, recording: RecordingId, step: &DrawsStep) {
         let pass_pair = (self.timing.is_measured() && !self.time_each_draw).then(|| self.ticks.take(2)).flatten();
         let first = pass_pair.map(|(_, _, number)| number);
         let color: Vec<_> = step

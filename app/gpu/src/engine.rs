@@ -1,5 +1,6 @@
 //! Runs a plan's recordings.
 
+mod adopt;
 mod download;
 mod exchange;
 
@@ -9,6 +10,7 @@ use crate::error::GpuError;
 use crate::memory::{Arena, Memory, check_sizes};
 use crate::plan::Plan;
 use crate::readback::{Grown, Slot};
+use crate::recording::RecordingId;
 use crate::steps::{Ready, Staging, pipeline_count, prepare};
 use crate::timing::FrameReport;
 use brooklet_kernels::{Buffer, ResourceId};
@@ -110,18 +112,18 @@ impl Engine {
         &self.plan
     }
 
-    /// Hands `recordings` to the GPU as one frame, in order (a name may come more than once), and
+    /// Hands `recordings` to the GPU as one frame, in order (one may come more than once), and
     /// asks for the content that `readbacks`, buffers and textures, have at its end. Waits for no result, unless
     /// [`FRAMES_IN_FLIGHT`] frames are under way: then for the oldest. Returns the frame's number;
     /// its [`FrameReport`] comes with [`Engine::reports`], which keeps each one until then.
     ///
     /// # Errors
-    /// If the device is lost, a name is unknown, or a readback is not in the plan.
-    pub fn run(&mut self, recordings: &[&str], readbacks: &[ResourceId]) -> Result<u64, GpuError> {
+    /// If the device is lost, or a recording or a readback is not in the plan.
+    pub fn run(&mut self, recordings: &[RecordingId], readbacks: &[ResourceId]) -> Result<u64, GpuError> {
         if let Some(error) = self.pending_error.take() {
             return Err(error);
         }
-        let order = recordings.iter().map(|name| self.find(name)).collect::<Result<Vec<usize>, _>>()?;
+        let order = recordings.iter().map(|id| self.find(*id)).collect::<Result<Vec<usize>, _>>()?;
         let wanted = readbacks.iter().map(|id| self.copy_out(*id)).collect::<Result<Vec<_>, GpuError>>()?;
 
         self.gpu.poll(None)?;
@@ -162,10 +164,10 @@ impl Engine {
         Ok(self.frames - 1)
     }
 
-    fn find(&self, name: &str) -> Result<usize, GpuError> {
-        self.ready.iter().position(|ready| ready.name == name).ok_or_else(|| GpuError::NoSuchRecording {
-            name: name.to_owned(),
-            present: self.ready.iter().map(|ready| ready.name).collect(),
+    fn find(&self, id: RecordingId) -> Result<usize, GpuError> {
+        self.ready.iter().position(|ready| ready.id == id).ok_or_else(|| GpuError::NoSuchRecording {
+            name: id.label().to_owned(),
+            present: self.ready.iter().map(|ready| ready.id.label()).collect(),
         })
     }
 
@@ -223,6 +225,29 @@ impl Engine {
                 self.pending_error.get_or_insert(error);
             }
         }
+    }
+
+    /// Takes the numbers of a plan that is the running one but for the content of uploads of the recordings
+    /// `of`, and writes those that changed before the next run: what such recordings filled once is then as if
+    /// they had been `other`'s. False, and nothing is written, if `other` needs an engine of its own.
+    ///
+    /// # Errors
+    /// If the device is lost.
+    pub fn take_uploads(&mut self, other: &Plan, of: &[RecordingId]) -> Result<bool, GpuError> {
+        let Some(changed) = self.plan.changed_uploads(other) else { return Ok(false) };
+        if changed.iter().any(|upload| !of.contains(&upload.recording)) {
+            return Ok(false);
+        }
+        let (arena, queue) = (&self.arena, self.gpu.queue());
+        self.gpu.guarded(|| {
+            for upload in &changed {
+                if let Some(buffer) = arena.buffer_of(upload.to) {
+                    queue.write_buffer(buffer, 0, &upload.data);
+                }
+            }
+        })?;
+        self.plan.take_uploads(other);
+        Ok(true)
     }
 
     /// Finished frames since the last call, in order; none is ever lost.

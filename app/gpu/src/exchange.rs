@@ -40,7 +40,7 @@ impl Plan {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Recording, Resources};
+    use crate::Resources;
     use brooklet_kernels::{Kernel, ReduceGroups};
 
     #[test]
@@ -48,7 +48,7 @@ mod tests {
         let mut resources = Resources::new();
         let values = resources.persistent::<u32>("values", 4);
         let mut sums = resources.persistent::<u32>("group_sums", 1);
-        let mut recording = Recording::new("sum");
+        let mut recording = resources.recording("sum");
         let kernel = ReduceGroups { values: values.read(), group_sums: sums.write() };
         let module = kernel.module();
         recording.dispatch(&kernel, 4);

@@ -1,6 +1,7 @@
 //! Times the passes of any wgpu program, on its own device, as the engine times its own: the same
 //! [`FrameReport`]s, late by some frames, and nothing ever waits for them.
 
+use crate::recording::RecordingId;
 use crate::timing::{FrameReport, SpanSlot, TimingStatus, spans};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU8, Ordering};
@@ -17,7 +18,7 @@ const ARRIVED: u8 = 2;
 const FAILED: u8 = 3;
 
 /// What every span's recording is called.
-const RECORDING: &str = "host";
+const RECORDING: RecordingId = RecordingId::outside("host");
 
 /// Times passes by the timestamps at their begin and end.
 ///

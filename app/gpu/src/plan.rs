@@ -1,6 +1,6 @@
 //! The backward sweep: which commands feed what is wanted, and which are left out.
 
-use crate::recording::{Command, RecordError, Recording, Touch};
+use crate::recording::{Command, RecordError, Recording, RecordingId, Touch};
 use crate::resources::{ResourceInfo, Resources, Shape};
 use brooklet_kernels::{BindingKind, Bound, Module, ResourceId};
 use std::collections::{BTreeMap, BTreeSet};
@@ -18,7 +18,7 @@ pub struct Plan {
 /// A recording after the sweep; one whose commands were all left out runs as nothing.
 #[derive(Clone, Debug)]
 pub(crate) struct PlannedRecording {
-    pub name: &'static str,
+    pub id: RecordingId,
     pub commands: Vec<Command>,
 }
 
@@ -26,7 +26,7 @@ pub(crate) struct PlannedRecording {
 #[derive(Clone, Copy, Debug)]
 pub struct PassInfo {
     /// The recording.
-    pub recording: &'static str,
+    pub recording: RecordingId,
     /// The stage.
     pub stage: &'static str,
     /// Module of the chosen variant; of a draw, its vertex module.
@@ -147,8 +147,8 @@ impl Plan {
         check_known(&resources, wanted.iter().copied(), || "the list of wanted outputs".into())?;
         let mut names = BTreeSet::new();
         for recording in &recordings {
-            if !names.insert(recording.name()) {
-                let name = recording.name();
+            let name = recording.id().label();
+            if !names.insert(name) {
                 return Err(PlanError::SameName { name });
             }
             check_recording(&resources, recording)?;
@@ -160,15 +160,16 @@ impl Plan {
         let mut dropped: Vec<Command> = Vec::new();
         for recording in recordings {
             let keep = sweep_one(&resources, recording.commands(), lasting.clone());
+            let id = recording.id();
             let mut commands = Vec::new();
-            for (command, keep) in recording.commands().iter().zip(keep) {
+            for (command, keep) in recording.into_commands().into_iter().zip(keep) {
                 if keep {
-                    commands.push(command.clone());
+                    commands.push(command);
                 } else {
-                    dropped.push(command.clone());
+                    dropped.push(command);
                 }
             }
-            planned.push(PlannedRecording { name: recording.name(), commands });
+            planned.push(PlannedRecording { id, commands });
         }
 
         let used = planned
@@ -192,14 +193,14 @@ impl Plan {
         &self.wanted
     }
 
-    /// Names of the recordings, those that run as nothing included.
-    pub fn recordings(&self) -> impl Iterator<Item = &'static str> + '_ {
-        self.recordings.iter().map(|recording| recording.name)
+    /// The recordings, those that run as nothing included.
+    pub fn recordings(&self) -> impl Iterator<Item = RecordingId> + '_ {
+        self.recordings.iter().map(|recording| recording.id)
     }
 
-    /// Commands that stayed of a recording; empty if there is none of that name.
-    pub fn commands(&self, recording: &str) -> &[Command] {
-        self.recordings.iter().find(|planned| planned.name == recording).map_or(&[], |planned| &planned.commands)
+    /// Commands that stayed of a recording; empty if the plan does not have it.
+    pub fn commands(&self, recording: RecordingId) -> &[Command] {
+        self.recordings.iter().find(|planned| planned.id == recording).map_or(&[], |planned| &planned.commands)
     }
 
     /// Every dispatch and draw that stayed, those of one module in one recording together, in
@@ -214,11 +215,11 @@ impl Plan {
                     _ => continue,
                 };
                 let same = passes.iter_mut().find(|pass| {
-                    pass.recording == recording.name && pass.stage == stage && pass.module.name == module.name
+                    pass.recording == recording.id && pass.stage == stage && pass.module.name == module.name
                 });
                 match same {
                     Some(pass) => pass.count += 1,
-                    None => passes.push(PassInfo { recording: recording.name, stage, module, count: 1 }),
+                    None => passes.push(PassInfo { recording: recording.id, stage, module, count: 1 }),
                 }
             }
         }
@@ -248,10 +249,10 @@ impl Plan {
     }
 
     /// Bytes of the resources that some of the recordings use.
-    pub fn bytes_of(&self, recordings: &[&str]) -> u64 {
+    pub fn bytes_of(&self, recordings: &[RecordingId]) -> u64 {
         let used: BTreeSet<ResourceId> = recordings
             .iter()
-            .flat_map(|recording| self.commands(recording))
+            .flat_map(|recording| self.commands(*recording))
             .flat_map(|command| command.touches())
             .map(|(id, _)| id)
             .collect();
@@ -260,7 +261,7 @@ impl Plan {
 
     /// At most so many timestamps are taken while a recording runs: what a device takes depends on
     /// whether it can take them inside a pass.
-    pub fn timestamp_bound(&self, recording: &str) -> u64 {
+    pub fn timestamp_bound(&self, recording: RecordingId) -> u64 {
         let bound = |command: &Command| match command {
             Command::Dispatch(_) => 2,
             // Its own two, and where its pass begins.
@@ -319,7 +320,7 @@ fn check_known(
 /// Refuses what no GPU could run, before anything is left out: a mistake in a stage that happens
 /// to be unwanted today would otherwise show only when somebody wants it.
 fn check_recording(resources: &Resources, recording: &Recording) -> Result<(), PlanError> {
-    let name = recording.name();
+    let name = recording.id().label();
     if let Some(error) = recording.errors().first() {
         return Err(PlanError::Record { recording: name, error: error.clone() });
     }

@@ -112,7 +112,7 @@ fn step() -> Step {
     let mut positions = resources.persistent("positions", 1000);
     let mut counts = resources.buffer("counts", 10);
     let mut curl = resources.buffer("curl", 1000);
-    let mut recording = Recording::new("step");
+    let mut recording = resources.recording("step");
     recording.clear(&mut counts);
     recording.dispatch(&Density { source: positions.read(), target: counts.write() }, 1000);
     recording.clear(&mut curl);
@@ -122,7 +122,8 @@ fn step() -> Step {
 }
 
 fn names(plan: &Plan, recording: &str) -> Vec<String> {
-    let commands = plan.commands(recording).iter();
+    let id = plan.recordings().find(|id| id.label() == recording).expect("the plan has it");
+    let commands = plan.commands(id).iter();
     commands.map(|c| describe(plan.resources(), c)).collect()
 }
 
@@ -167,7 +168,7 @@ fn a_full_overwrite_ends_the_want_and_a_partial_one_does_not() {
         let mut resources = Resources::new();
         let source = resources.persistent("source", 4);
         let mut target = resources.buffer("target", 4);
-        let mut recording = Recording::new("run");
+        let mut recording = resources.recording("run");
         recording.dispatch(&Density { source: source.read(), target: target.write() }, 4);
         recording.upload(&mut target, data);
         let plan = Plan::sweep(resources, vec![recording], &[target.id]).expect("a plan");
@@ -183,7 +184,7 @@ fn a_copy_moves_the_want_to_its_source() {
     let state = resources.persistent("state", 4);
     let mut first = resources.buffer("first", 4);
     let mut second = resources.buffer("second", 4);
-    let mut recording = Recording::new("run");
+    let mut recording = resources.recording("run");
     recording.dispatch(&Density { source: state.read(), target: first.write() }, 4);
     recording.clear(&mut second);
     recording.copy(&first, &mut second);
@@ -196,11 +197,11 @@ fn an_empty_recording_still_has_its_name() {
     let mut resources = Resources::new();
     let mut unwanted = resources.buffer::<u32>("unwanted", 4);
     let unused = resources.texture("unused", Format::Rgba8Unorm, [2, 2]);
-    let mut recording = Recording::new("measure");
+    let mut recording = resources.recording("measure");
     recording.clear(&mut unwanted);
     let plan = Plan::sweep(resources, vec![recording], &[]).expect("a plan");
-    assert_eq!(plan.recordings().collect::<Vec<_>>(), ["measure"]);
-    assert!(plan.commands("measure").is_empty());
+    assert_eq!(plan.recordings().map(RecordingId::label).collect::<Vec<_>>(), ["measure"]);
+    assert!(names(&plan, "measure").is_empty());
     assert!(!plan.uses(unused.id));
     let last = plan.left_out().last().expect("the texture");
     assert_eq!(last.kind, LeftOutKind::Texture);
@@ -212,7 +213,7 @@ fn iterations_are_counted_and_kept_together() {
     let mut resources = Resources::new();
     let mut positions = resources.persistent("positions", 100_000_000);
     let mut counts = resources.buffer("counts", 1);
-    let mut recording = Recording::new("step");
+    let mut recording = resources.recording("step");
     for _ in 0..3 {
         recording.dispatch(&Density { source: positions.read(), target: counts.write() }, 100_000_000);
         recording.dispatch(&Correct { source: counts.read(), target: positions.write() }, 0);
@@ -232,7 +233,7 @@ fn draws_pull_in_what_they_read_and_clear_ends_the_want() {
     let mut dots = resources.buffer("dots", 4);
     let source = resources.persistent("source", 4);
     let picture = resources.texture("picture", Format::Rgba8Unorm, [2, 2]);
-    let mut recording = Recording::new("frame");
+    let mut recording = resources.recording("frame");
     let cleared = |picture| Targets { color: vec![(picture, Load::Clear([0.0; 4]))], depth: None };
     let mut lost = resources.buffer("lost", 4);
     recording.clear(&mut lost);
@@ -253,10 +254,10 @@ fn reading_a_transient_before_writing_it_is_refused() {
     let mut resources = Resources::new();
     let table = resources.buffer("table", 4);
     let mut state = resources.persistent("state", 4);
-    let mut init = Recording::new("init");
+    let mut init = resources.recording("init");
     let mut filled = Buffer::<u32>::new(table.id, 4);
     init.upload(&mut filled, &[1, 2, 3, 4]);
-    let mut step = Recording::new("step");
+    let mut step = resources.recording("step");
     step.dispatch(&Density { source: table.read(), target: state.write() }, 4);
     let text = refused(resources, vec![init, step], &[]);
     assert!(text.starts_with("recording step: density reads table"), "{text}");
@@ -270,34 +271,34 @@ fn mistakes_of_the_recorder_are_refused_by_name() {
     let eight = resources.persistent::<u32>("eight", 8);
     let small = resources.persistent::<u32>("small", 1);
 
-    let mut long = Recording::new("long");
+    let mut long = resources.recording("long");
     long.upload(&mut four, &[0; 5]);
     assert_eq!(
         refused(resources.clone(), vec![long], &[]),
         "recording long: upload of 5 elements does not fit a buffer of 4"
     );
-    let mut copy = Recording::new("copy");
+    let mut copy = resources.recording("copy");
     copy.copy(&eight, &mut four);
     assert!(refused(resources.clone(), vec![copy], &[]).contains("copy of 8 elements"));
 
-    let mut missing = Recording::new("missing");
+    let mut missing = resources.recording("missing");
     missing.dispatch(&Walls { walls: None, params: small.uniform() }, 1);
     assert_eq!(
         refused(resources.clone(), vec![missing], &[]),
         "recording missing: kernel Walls+ON needs walls, which was not given"
     );
-    let mut uniform = Recording::new("uniform");
+    let mut uniform = resources.recording("uniform");
     uniform.dispatch(&Walls { walls: Some(four.read()), params: small.uniform() }, 1);
     let text = refused(resources.clone(), vec![uniform], &[]);
     assert!(text.contains("walls binds small to params: it has 4 bytes, 16 are needed"), "{text}");
 
-    let mut both = Recording::new("both");
+    let mut both = resources.recording("both");
     let alias = four.alias();
     both.dispatch(&Density { source: alias.read(), target: four.write() }, 4);
     let text = refused(resources.clone(), vec![both], &[]);
     assert!(text.contains("density both reads and writes four at once"), "{text}");
 
-    let twice = vec![Recording::new("step"), Recording::new("step")];
+    let twice = vec![resources.recording("step"), resources.recording("step")];
     assert!(refused(resources.clone(), twice, &[]).contains("two recordings are called step"));
     let text = refused(resources, Vec::new(), &[ResourceId(77)]);
     assert!(text.contains("resource 77") && text.contains("another table"), "{text}");

@@ -198,28 +198,55 @@ pub enum RecordError {
     },
 }
 
-/// A list of commands under a name.
+/// A recording's handle: what an engine is told to run, and what plans and spans name it by. Two are
+/// equal if both place and label are, so a handle of another table is found out where either differs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct RecordingId {
+    index: u32,
+    label: &'static str,
+}
+
+impl RecordingId {
+    pub(crate) fn new(index: u32, label: &'static str) -> Self {
+        Self { index, label }
+    }
+
+    /// For spans of passes that no engine ran, a host program's own: no plan has it.
+    pub const fn outside(label: &'static str) -> Self {
+        Self { index: u32::MAX, label }
+    }
+
+    /// Name in plans, captures and errors.
+    pub fn label(self) -> &'static str {
+        self.label
+    }
+}
+
+/// A list of commands, declared by [`crate::Resources::recording`].
 #[derive(Clone, Debug)]
 pub struct Recording {
-    name: &'static str,
+    id: RecordingId,
     commands: Vec<Command>,
     errors: Vec<RecordError>,
 }
 
 impl Recording {
-    /// An empty recording.
-    pub fn new(name: &'static str) -> Self {
-        Self { name, commands: Vec::new(), errors: Vec::new() }
+    pub(crate) fn new(id: RecordingId) -> Self {
+        Self { id, commands: Vec::new(), errors: Vec::new() }
     }
 
-    /// Its name.
-    pub fn name(&self) -> &'static str {
-        self.name
+    /// Its handle, which lasts when the recording is given to a plan.
+    pub fn id(&self) -> RecordingId {
+        self.id
     }
 
     /// What was recorded.
     pub fn commands(&self) -> &[Command] {
         &self.commands
+    }
+
+    pub(crate) fn into_commands(self) -> Vec<Command> {
+        self.commands
     }
 
     /// Mistakes made while recording.

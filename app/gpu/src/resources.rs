@@ -1,5 +1,6 @@
 //! The table of declared buffers and textures: plain data, no memory.
 
+use crate::recording::{Recording, RecordingId};
 use brooklet_kernels::{Buffer, Format, ResourceId, Texture};
 
 /// What a declared resource is.
@@ -69,6 +70,7 @@ pub fn bytes_per_pixel(format: Format) -> u64 {
 #[derive(Clone, Debug, Default)]
 pub struct Resources {
     entries: Vec<ResourceInfo>,
+    recordings: u32,
 }
 
 impl Resources {
@@ -98,6 +100,13 @@ impl Resources {
     /// Declares a transient texture.
     pub fn texture(&mut self, label: &str, format: Format, size_px: [u32; 2]) -> Texture {
         Texture { id: self.declare(label, Shape::Texture { format, size_px }, false), size_px }
+    }
+
+    /// An empty recording over these resources.
+    pub fn recording(&mut self, label: &'static str) -> Recording {
+        let id = RecordingId::new(self.recordings, label);
+        self.recordings += 1;
+        Recording::new(id)
     }
 
     /// The entry of `id`; `None` if it belongs to another table.

@@ -8,7 +8,7 @@ use crate::memory::{Arena, Memory};
 use crate::order::encoding_order;
 use crate::pipelines::{DrawKey, Entries, check_module, identity};
 use crate::plan::{Plan, PlannedRecording};
-use crate::recording::{Command, Dispatch, DrawCall, Groups};
+use crate::recording::{Command, Dispatch, DrawCall, Groups, RecordingId};
 use crate::resources::{Resources, Shape};
 use brooklet_kernels::{BindingKind, Bound, Module, ResourceId};
 use std::collections::{HashMap, HashSet};
@@ -17,7 +17,7 @@ use wgpu::util::DeviceExt;
 
 /// A recording, ready to be encoded.
 pub(crate) struct Ready {
-    pub name: &'static str,
+    pub id: RecordingId,
     pub steps: Vec<Step>,
 }
 
@@ -152,7 +152,7 @@ impl Preparer<'_> {
                 }
             }
         }
-        Ok(Ready { name: recording.name, steps })
+        Ok(Ready { id: recording.id, steps })
     }
 
     /// Whether a draw writes storage, which an earlier draw of the same pass may not see.

@@ -1,5 +1,6 @@
 //! GPU times as plain data: raw ticks, flags for those that cannot be right, and sums.
 
+use crate::recording::RecordingId;
 use brooklet_kernels::ResourceId;
 
 /// How GPU times are taken.
@@ -68,7 +69,7 @@ impl SpanFlag {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Span {
     /// Recording it belongs to.
-    pub recording: &'static str,
+    pub recording: RecordingId,
     /// Its stage; of a render pass without inner timestamps, the first draw's.
     pub stage: &'static str,
     /// Tick when everything before it was done, as the device wrote it.
@@ -171,7 +172,7 @@ impl FrameReport {
 /// A span before its ticks are known: which ticks of the frame are its own.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SpanSlot {
-    pub recording: &'static str,
+    pub recording: RecordingId,
     pub stage: &'static str,
     pub begin: u32,
     pub end: u32,
@@ -209,7 +210,7 @@ mod tests {
     use super::*;
 
     fn slot(stage: &'static str, begin: u32, end: u32) -> SpanSlot {
-        SpanSlot { recording: "step", stage, begin, end }
+        SpanSlot { recording: RecordingId::outside("step"), stage, begin, end }
     }
 
     fn report(spans: Vec<Span>) -> FrameReport {

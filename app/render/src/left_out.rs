@@ -7,12 +7,11 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use brooklet_fluid::Scene;
 use brooklet_fluid::scene::{Field, Smoothing};
-use brooklet_fluid::{MEASURE, STEP, Scene};
-use brooklet_gpu::{FRAMES_IN_FLIGHT, LeftOutKind, Plan, Tier, timestamp_bytes};
+use brooklet_gpu::{LeftOutKind, Plan, Tier};
 use serde::Serialize;
 
-use crate::frame::DRAW;
 use crate::{ScenePlan, ScenePlanError};
 
 /// Something that does not run, or that there is no memory of.
@@ -60,14 +59,14 @@ pub struct Recorded {
     pub no_capture: bool,
 }
 
-/// Everything that `plan`, the plan of `scene` and its `particles` for `tier`, does without.
+/// Everything that the plan of `scene` for `tier` does without.
 pub fn list(
     scene: &Scene,
-    particles: u32,
     tier: Tier,
-    plan: &Plan,
+    planned: &ScenePlan,
     recorded: &Recorded,
 ) -> Result<Vec<Absent>, ScenePlanError> {
+    let (plan, particles) = (planned.plan(), planned.session.particle_count());
     let mut absent: Vec<Absent> = plan
         .left_out()
         .iter()
@@ -85,10 +84,10 @@ pub fn list(
         .collect();
     for field in come_to(scene, tier).terms_left_out() {
         let other = with_term(scene, field);
-        absent.extend(difference(plan, &ScenePlan::of_count(&other, particles, tier)?.plan, &field.reason()));
+        absent.extend(difference(plan, ScenePlan::of_count(&other, particles, tier)?.plan(), &field.reason()));
     }
     if let Some(reason) = recorded.no_times {
-        let (name, kind, bytes) = ("timestamps".into(), "timestamps", timestamp_memory(plan));
+        let (name, kind, bytes) = ("timestamps".into(), "timestamps", planned.timestamp_memory());
         absent.push(Absent { name, kind, bytes, reason: reason.into() });
     }
     if recorded.no_capture {
@@ -97,12 +96,6 @@ pub fn list(
         absent.push(Absent { name, kind, bytes: 0, reason: "--no-capture".into() });
     }
     Ok(absent)
-}
-
-/// Bytes that timestamps take of a frame that does everything, for all frames in flight.
-pub fn timestamp_memory(plan: &Plan) -> u64 {
-    let most = [STEP, MEASURE, DRAW].iter().map(|recording| plan.timestamp_bound(recording)).sum();
-    FRAMES_IN_FLIGHT as u64 * timestamp_bytes(most)
 }
 
 fn difference(plan: &Plan, fuller: &Plan, reason: &str) -> Vec<Absent> {
@@ -155,10 +148,9 @@ mod tests {
         let base = ["spacing_m=0.1", "outputs.images=0"];
         let off = scene(&[&base[..], &["forces.vorticity_m_s=0"]].concat());
         let on = scene(&[&base[..], &["forces.vorticity_m_s=0.5"]].concat());
-        let ScenePlan { plan: plan_off, recorded, .. } = ScenePlan::new(&off, Tier::Desktop).unwrap();
-        let particles = recorded.particle_count;
-        let plan_on = ScenePlan::new(&on, Tier::Desktop).unwrap().plan;
-        let vorticity: Vec<Absent> = list(&off, particles, Tier::Desktop, &plan_off, &Recorded::default())
+        let planned_off = ScenePlan::new(&off, Tier::Desktop).unwrap();
+        let planned_on = ScenePlan::new(&on, Tier::Desktop).unwrap();
+        let vorticity: Vec<Absent> = list(&off, Tier::Desktop, &planned_off, &Recorded::default())
             .unwrap()
             .into_iter()
             .filter(|absent| absent.reason.starts_with("forces.vorticity"))
@@ -166,8 +158,8 @@ mod tests {
         assert_eq!(names(&vorticity, "pass"), ["confine_vorticity", "curl"]);
         let bytes: u64 = vorticity.iter().map(|absent| absent.bytes).sum();
         assert!(bytes > 0);
-        assert_eq!(plan_off.bytes() + bytes, plan_on.bytes());
-        let on_list = list(&on, particles, Tier::Desktop, &plan_on, &Recorded::default()).unwrap();
+        assert_eq!(planned_off.plan().bytes() + bytes, planned_on.plan().bytes());
+        let on_list = list(&on, Tier::Desktop, &planned_on, &Recorded::default()).unwrap();
         assert!(on_list.iter().all(|absent| !absent.reason.starts_with("forces.vorticity")));
     }
 
@@ -212,12 +204,11 @@ mod tests {
     fn without_measurements_nothing_measures() {
         let scene = scene(&["spacing_m=0.1", "outputs.images=0", "outputs.measure_every_steps=0"]);
         let planned = ScenePlan::new(&scene, Tier::Desktop).unwrap();
-        assert!(planned.recorded.measure.is_none() && planned.passes.is_none());
-        let stages: Vec<_> = planned.plan.passes().iter().map(|pass| pass.stage).collect();
+        assert!(planned.session.recorded.measure.is_none() && planned.passes.is_none());
+        let stages: Vec<_> = planned.plan().passes().iter().map(|pass| pass.stage).collect();
         assert!(stages.iter().all(|stage| !stage.starts_with("measure")), "{stages:?}");
         assert!(stages.iter().all(|stage| !stage.starts_with("draw")), "{stages:?}");
-        let absent =
-            list(&scene, planned.recorded.particle_count, Tier::Desktop, &planned.plan, &Recorded::default()).unwrap();
+        let absent = list(&scene, Tier::Desktop, &planned, &Recorded::default()).unwrap();
         let passes = names(&absent, "pass");
         assert!(passes.contains(&"measure_totals".into()), "{passes:?}");
         assert!(passes.iter().any(|name| name.starts_with("draw")), "{passes:?}");

@@ -1,17 +1,15 @@
 //! A scene's whole chain as one plan: simulated, measured and drawn, as far as anything of it is wanted.
 
-use brooklet_fluid::{Recorded, Scene, record, record_count};
-use brooklet_gpu::{Plan, PlanError, ResourceId, Resources, Tier};
+use brooklet_fluid::{ParticleSource, Scene, SessionPlan, SessionRecorder};
+use brooklet_gpu::{FRAMES_IN_FLIGHT, Plan, PlanError, Tier, timestamp_bytes};
 
 use crate::{FrameOptions, FramePasses, Particles, RenderError, View};
 
-/// A swept plan, and what its recordings read and write.
+/// A scene's plan for a session, and the picture's handles in it.
 pub struct ScenePlan {
-    /// What runs, and what was left out.
-    pub plan: Plan,
-    /// The simulation's buffers; its recordings are in the plan.
-    pub recorded: Recorded,
-    /// The picture's, if there is one.
+    /// What simulates, measures and draws.
+    pub session: SessionPlan,
+    /// The picture's recordings and textures, if there is one.
     pub passes: Option<FramePasses>,
 }
 
@@ -32,14 +30,12 @@ pub enum ScenePlanError {
 }
 
 impl ScenePlan {
-    /// Plans `scene` with its particles for a device of `tier`.
+    /// Plans `scene` as it says, with its particles, for a device of `tier`.
     ///
     /// # Errors
     /// Every [`ScenePlanError`].
     pub fn new(scene: &Scene, tier: Tier) -> Result<Self, ScenePlanError> {
-        let mut resources = Resources::new();
-        let recorded = record(&mut resources, scene);
-        Self::as_scene_says(scene, tier, resources, recorded)
+        Self::of(scene, ParticleSource::Scene, tier)
     }
 
     /// As [`ScenePlan::new`] for so many particles, which are not made: for what is only looked at.
@@ -47,43 +43,47 @@ impl ScenePlan {
     /// # Errors
     /// Every [`ScenePlanError`].
     pub fn of_count(scene: &Scene, particles: u32, tier: Tier) -> Result<Self, ScenePlanError> {
-        let mut resources = Resources::new();
-        let recorded = record_count(&mut resources, scene, particles);
-        Self::as_scene_says(scene, tier, resources, recorded)
+        Self::of(scene, ParticleSource::Count(particles), tier)
     }
 
-    fn as_scene_says(
-        scene: &Scene,
-        tier: Tier,
-        resources: Resources,
-        recorded: Recorded,
-    ) -> Result<Self, ScenePlanError> {
+    fn of(scene: &Scene, source: ParticleSource, tier: Tier) -> Result<Self, ScenePlanError> {
         let looks = (View::of_scene(scene), FrameOptions::for_scene(scene, tier));
-        Self::sweep(scene, resources, recorded, (scene.outputs.images > 0).then_some(looks), &[])
+        Self::sweep(scene, SessionRecorder::new(scene, source), (scene.outputs.images > 0).then_some(looks))
     }
 
-    /// Sweeps what was recorded, with a picture if one is looked at, and `wanted` besides.
+    /// Adds a picture of `scene` to what was recorded of it, if one is looked at, and sweeps.
     ///
     /// # Errors
     /// Every [`ScenePlanError`].
     pub fn sweep(
         scene: &Scene,
-        mut resources: Resources,
-        mut recorded: Recorded,
+        mut recorder: SessionRecorder,
         looks: Option<(View, FrameOptions)>,
-        wanted: &[ResourceId],
     ) -> Result<Self, ScenePlanError> {
-        let mut recordings = std::mem::take(&mut recorded.recordings);
         let mut passes = None;
         if let Some((view, options)) = looks {
-            let drawn = crate::record(&mut resources, &view, &Particles::of(&recorded), &options)
+            let particles = Particles::of(&recorder.recorded);
+            let drawn = crate::record(&mut recorder.resources, &view, &particles, &options)
                 .map_err(|error| ScenePlanError::Render { scene: scene.name.clone(), error })?;
-            recordings.extend([drawn.init.clone(), drawn.recording.clone()]);
+            recorder.add_init(&drawn.init);
+            recorder.add(&drawn.draw);
+            recorder.want(drawn.color.id);
             passes = Some(drawn);
         }
-        let measure = recorded.measure.as_ref().map(|measure| measure.id);
-        let color = passes.as_ref().map(|passes| passes.color.id);
-        let wanted: Vec<ResourceId> = measure.into_iter().chain(color).chain(wanted.iter().copied()).collect();
-        Ok(Self { plan: Plan::sweep(resources, recordings, &wanted)?, recorded, passes })
+        Ok(Self { session: recorder.sweep()?, passes })
+    }
+
+    /// What runs, and what was left out.
+    pub fn plan(&self) -> &Plan {
+        &self.session.plan
+    }
+
+    /// Bytes that timestamps take of a frame that does everything, for all frames in flight.
+    pub fn timestamp_memory(&self) -> u64 {
+        let recorded = &self.session.recorded;
+        let measure = recorded.measure.as_ref().map(|measure| measure.recording.id());
+        let draw = self.passes.as_ref().map(|passes| passes.draw.id());
+        let all = [recorded.step.id()].into_iter().chain(measure).chain(draw);
+        FRAMES_IN_FLIGHT as u64 * timestamp_bytes(all.map(|recording| self.plan().timestamp_bound(recording)).sum())
     }
 }

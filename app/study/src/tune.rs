@@ -5,13 +5,13 @@
 //! error fall with the iterations and with the square of the substeps. Every candidate that counts is then
 //! run; what is chosen was measured, and is run once more.
 
-use brooklet_fluid::Scene;
 use brooklet_fluid::particles::sample_lattice;
+use brooklet_fluid::{Scene, SessionError};
 use brooklet_gpu::Gpu;
 use thiserror::Error;
 
 use crate::Setup;
-use crate::backend::{GpuRun, Options, RunError, run};
+use crate::backend::{GpuRun, Options, run};
 
 /// What is wanted.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -63,7 +63,7 @@ pub struct Found {
 pub enum TuneError {
     /// A run failed.
     #[error(transparent)]
-    Run(#[from] RunError),
+    Run(#[from] SessionError),
     /// It was stopped.
     #[error("stopped")]
     Stopped,

@@ -3,7 +3,6 @@
 use std::path::{Path, PathBuf};
 
 use brooklet_capture::StateRow;
-use brooklet_fluid::particles::ParticleSet;
 use brooklet_fluid::state::{self, State};
 use brooklet_fluid::{Scene, SceneError};
 use brooklet_gpu::tier_name;
@@ -94,7 +93,7 @@ impl Viewer {
         match world.apply_live(&scene, &RUNGS[self.rung]) {
             Ok(true) => self.note("settings"),
             Ok(false) => {
-                let start = Start::Carry(world.particles);
+                let start = Start::Carry(world.session.particle_count());
                 self.load(scene, start, "settings");
             }
             Err(error) => self.messages.say(Kind::Error, error.to_string()),
@@ -111,18 +110,15 @@ impl Viewer {
         let Some(world) = &mut self.world else { return };
         let simulated = RUNGS[rung].scene(&world.scene);
         let scene = world.scene.clone();
-        let start = if needs_reset(&world.simulated, &simulated) {
-            match world.read_particles() {
-                Ok((positions, velocities)) => Start::Resampled {
-                    from: Box::new(world.simulated.clone()),
-                    particles: ParticleSet { positions, velocities },
-                    steps: world.steps,
-                    simulated_s: world.simulated_s,
-                },
+        let start = if needs_reset(world.session.scene(), &simulated) {
+            match world.read_state() {
+                Ok(State { scene, time_s, steps, particles }) => {
+                    Start::Resampled { from: Box::new(scene), particles, steps, simulated_s: time_s }
+                }
                 Err(error) => return self.messages.say(Kind::Error, error.to_string()),
             }
         } else {
-            Start::Carry(world.particles)
+            Start::Carry(world.session.particle_count())
         };
         self.load(scene, start, &format!("quality: {}", RUNGS[rung].name));
     }
@@ -130,18 +126,19 @@ impl Viewer {
     /// Tells the capture what is computed and drawn from now on, and what changed.
     pub(crate) fn note(&mut self, event: &str) {
         let Some(world) = &self.world else { return };
-        let solver = &world.simulated.solver;
+        let scene = world.session.scene();
+        let solver = &scene.solver;
         let name = |value: &dyn std::fmt::Debug| format!("{value:?}").to_lowercase();
         let state = StateRow {
             event: event.to_owned(),
             scene: Some(world.scene.name.clone()),
             tier: tier_name(self.gpu.tier()).to_owned(),
             precision: name(&solver.precision),
-            surface: name(&world.simulated.surface.method),
+            surface: name(&scene.surface.method),
             rung: self.rung as i32,
             rung_name: RUNGS[self.rung].name.to_owned(),
             paused: self.running.paused,
-            particles: Some(u64::from(world.particles)),
+            particles: Some(u64::from(world.session.particle_count())),
             substeps: Some(solver.substeps),
             iterations: solver.iterations(),
             ..StateRow::default()
@@ -190,15 +187,9 @@ impl Viewer {
     fn save_state(&mut self) {
         let path = self.state_file();
         let Some(world) = &mut self.world else { return };
-        let (positions, velocities) = match world.read_particles() {
-            Ok(read) => read,
+        let state = match world.read_state() {
+            Ok(state) => state,
             Err(error) => return self.messages.say(Kind::Error, error.to_string()),
-        };
-        let state = State {
-            scene: world.simulated.clone(),
-            time_s: world.simulated_s,
-            steps: world.steps,
-            particles: ParticleSet { positions, velocities },
         };
         self.running.jobs.begin(&mut self.messages, move || {
             let folder = path.parent().unwrap_or(&path);
@@ -211,13 +202,7 @@ impl Viewer {
     /// The running scene with its particles, to go on on another device; none before there is one.
     pub fn take_state(&mut self) -> Option<State> {
         let world = self.world.as_mut()?;
-        let (positions, velocities) = world.read_particles().ok()?;
-        Some(State {
-            scene: world.scene.clone(),
-            time_s: world.simulated_s,
-            steps: world.steps,
-            particles: ParticleSet { positions, velocities },
-        })
+        Some(State { scene: world.scene.clone(), ..world.read_state().ok()? })
     }
 
     fn restore_state(&mut self, path: &Path) {

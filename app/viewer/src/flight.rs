@@ -12,10 +12,6 @@ pub struct Flying {
     pub frame: u64,
     /// What it does.
     pub doing: Doing,
-    /// Steps done at its end.
-    pub steps: u64,
-    /// Simulated time at its end, s.
-    pub simulated_s: f64,
     /// When it was handed over.
     pub handed: Instant,
     /// The painter's number of the frame in which it is shown.

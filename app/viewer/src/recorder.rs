@@ -8,10 +8,9 @@ use brooklet_capture::{
     CaptureClock, CaptureCost, CaptureError, CaptureOptions, CaptureTotals, CaptureWriter, DeviceState, Level,
     StatField, StateRow,
 };
-use brooklet_fluid::{Stats, captured_fields, captured_values};
-use brooklet_gpu::{FrameReport, Gpu, tier_name};
+use brooklet_fluid::{SessionReport, captured_fields, captured_values};
+use brooklet_gpu::{Gpu, tier_name};
 
-use crate::flight::Flying;
 use crate::messages::Kind;
 use crate::thumbnail::{Picture, Thumbnails};
 use crate::world::World;
@@ -42,7 +41,7 @@ impl Recorder {
     pub fn begin(path: PathBuf, gpu: &Gpu, world: &World) -> Result<Self, CaptureError> {
         let clock = CaptureClock::new();
         let options = CaptureOptions {
-            stats: captured_fields(&world.simulated).map(StatField::from).collect(),
+            stats: captured_fields(world.session.scene()).map(StatField::from).collect(),
             start: clock.start(),
             spans_every: SPANS_EVERY,
             ..CaptureOptions::default()
@@ -55,7 +54,7 @@ impl Recorder {
             path,
             writer,
             clock,
-            has_density: world.simulated.solver.method.interacts(),
+            has_density: world.session.scene().solver.method.interacts(),
             heat: DeviceState::find(),
             thumbnails: Thumbnails::new(),
             frames: 0,
@@ -68,26 +67,23 @@ impl Recorder {
 
     /// Another world is recorded from now on.
     pub fn world(&mut self, world: &World) -> Result<(), CaptureError> {
-        self.writer.plan(world.engine.plan())?;
-        let name = format!("{}.toml", world.simulated.name);
-        self.writer.attach(&name, "application/toml", world.simulated.to_toml().as_bytes())
+        let scene = world.session.scene();
+        self.writer.plan(world.session.engine().plan())?;
+        let name = format!("{}.toml", scene.name);
+        self.writer.attach(&name, "application/toml", scene.to_toml().as_bytes())
     }
 
-    /// A frame that came back.
-    pub fn frame(
-        &mut self,
-        mut report: FrameReport,
-        flying: &Flying,
-        stats: Option<&Stats>,
-    ) -> Result<(), CaptureError> {
+    /// A frame that came back, handed over at that time.
+    pub fn frame(&mut self, frame: SessionReport, handed: Instant) -> Result<(), CaptureError> {
+        let SessionReport { mut report, steps, simulated_s, stats } = frame;
         report.frame = self.frames;
-        report.wall_ns = self.clock.ns_at(flying.handed);
+        report.wall_ns = self.clock.ns_at(handed);
         self.frames += 1;
         self.writer.frame(&report)?;
         // A scene whose particles have no densities has none of the fields that this capture began with, or the other
         // way round: its measurements are left out.
         if let Some(stats) = stats.filter(|stats| stats.has_density == self.has_density) {
-            let values = captured_values(flying.steps, flying.simulated_s, stats);
+            let values = captured_values(steps, simulated_s, &stats);
             self.writer.stats(report.frame, report.wall_ns, &values)?;
         }
         Ok(())

@@ -5,9 +5,8 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use brooklet_capture::StateRow;
-use brooklet_fluid::{MEASURE, STEP, Stats};
+use brooklet_fluid::{SessionReport, Stats};
 use brooklet_gpu::FrameReport;
-use brooklet_render::frame::DRAW;
 use brooklet_render::png;
 
 use crate::WorldError;
@@ -40,7 +39,7 @@ pub struct Running {
     pub pull: Option<Pull>,
     flight: Flight,
     /// Came back, and wait for the times of what was painted over them.
-    returned: VecDeque<(FrameReport, Flying)>,
+    returned: VecDeque<(SessionReport, Flying)>,
     painted: VecDeque<FrameReport>,
     started: Instant,
     last_advance: Instant,
@@ -82,14 +81,14 @@ impl Running {
         self.returned.clear();
         self.is_stale = true;
         let density_error = std::mem::take(&mut self.times.density_error);
-        let passes = world.engine.plan().passes();
-        self.times.restart([STEP, MEASURE, DRAW].into_iter().flat_map(|recording| {
+        let passes = world.session.engine().plan().passes();
+        self.times.restart(world.frame_recordings().into_iter().flat_map(|recording| {
             passes.iter().filter(move |pass| pass.recording == recording).map(|pass| pass.stage)
         }));
         if carries {
             self.times.density_error = density_error;
         }
-        self.measured_step = world.steps;
+        self.measured_step = world.session.steps();
         self.last_advance = Instant::now();
         self.record(messages, |recorder| recorder.world(world));
     }
@@ -152,9 +151,9 @@ impl Running {
         messages: &mut Messages,
     ) -> Result<(), WorldError> {
         self.painted.extend(painted);
-        for report in world.engine.reports() {
-            if let Some(flying) = self.flight.end(report.frame) {
-                self.returned.push_back((report, flying));
+        for frame in world.session.reports() {
+            if let Some(flying) = self.flight.end(frame.report.frame) {
+                self.returned.push_back((frame, flying));
             }
         }
         while let Some((_, flying)) = self.returned.front() {
@@ -163,15 +162,15 @@ impl Running {
             if !is_there && self.returned.len() <= MOST_WAITING {
                 break;
             }
-            let Some((mut report, flying)) = self.returned.pop_front() else { break };
+            let Some((mut frame, flying)) = self.returned.pop_front() else { break };
             while let Some(painted) =
                 self.painted.pop_front_if(|painted| wanted.is_some_and(|frame| painted.frame <= frame))
             {
                 if Some(painted.frame) == wanted {
-                    report.append(painted);
+                    frame.report.append(painted);
                 }
             }
-            self.take(report, &flying, world, messages);
+            self.take(frame, &flying, world, messages);
         }
         while self.painted.len() > 8 * MOST_WAITING {
             self.painted.pop_front();
@@ -180,33 +179,30 @@ impl Running {
             self.record(messages, |recorder| recorder.log(kind, &text));
         }
         self.record(messages, Recorder::now_and_then);
-        match world.engine.gpu().is_lost() {
+        match world.session.engine().gpu().is_lost() {
             Some(reason) => Err(WorldError::Gpu(brooklet_gpu::GpuError::DeviceLost { reason })),
             None => Ok(()),
         }
     }
 
-    fn take(&mut self, report: FrameReport, flying: &Flying, world: &World, messages: &mut Messages) {
+    fn take(&mut self, frame: SessionReport, flying: &Flying, world: &World, messages: &mut Messages) {
+        let SessionReport { report, stats, .. } = &frame;
         let time_s = (flying.handed - self.started).as_secs_f64();
-        self.times.take(&report, flying.doing.steps, time_s);
+        self.times.take(report, (world.session.step_id(), flying.doing.steps), time_s);
         self.fresh_times = true;
-        let mut measured = None;
+        if let Some(stats) = stats.filter(|stats| stats.has_density) {
+            self.times.density_error.push(time_s, 100.0 * stats.density_error.mean);
+        }
         for (id, bytes) in &report.readbacks {
-            if Some(*id) == world.measure_id() {
-                let stats = Stats::new(bytes, &world.simulated);
-                if stats.has_density {
-                    self.times.density_error.push(time_s, 100.0 * stats.density_error.mean);
-                }
-                measured = Some(stats);
-            } else if *id == world.picture_id() {
+            if *id == world.picture_id() {
                 self.keep_picture(bytes, flying, world, messages);
-            } else if *id == world.points_id() {
+            } else if Some(*id) == world.session.samples_id() {
                 let points = points(bytes, world);
                 self.record(messages, |recorder| recorder.particles(&points, flying.handed));
             }
         }
-        self.stats = measured.or(self.stats);
-        self.record(messages, |recorder| recorder.frame(report, flying, measured.as_ref()));
+        self.stats = stats.or(self.stats);
+        self.record(messages, |recorder| recorder.frame(frame, flying.handed));
     }
 
     fn keep_picture(&mut self, rgba: &[u8], flying: &Flying, world: &World, messages: &mut Messages) {
@@ -236,7 +232,7 @@ impl Running {
             return None;
         }
         let (step_ms, draw_ms) = (self.times.step_ms.last()?, self.times.draw_ms.last()?);
-        let dt_s = world?.simulated.solver.dt_s;
+        let dt_s = world?.session.scene().solver.dt_s;
         Some(draw_ms + step_ms * self.clock.speed * 1e-3 * budget_ms / dt_s)
     }
 
@@ -251,27 +247,28 @@ impl Running {
         let elapsed_s = self.last_advance.elapsed().as_secs_f64();
         self.last_advance = Instant::now();
         let most = self.times.cost_ms().map_or(1, |(step_ms, draw_ms)| steps_within(budget_ms, draw_ms, step_ms));
+        let (dt_s, every) = {
+            let scene = world.session.scene();
+            (scene.solver.dt_s, u64::from(scene.outputs.measure_every_steps))
+        };
         let steps = match (std::mem::take(&mut self.single_steps), self.paused) {
             (0, true) => 0,
-            (0, false) => self.clock.steps(elapsed_s, world.simulated.solver.dt_s, most),
+            (0, false) => self.clock.steps(elapsed_s, dt_s, most),
             (single, _) => single,
         };
         let screenshot = self.screenshot.is_some();
         if steps == 0 && !self.is_stale && !screenshot {
             return Ok(false);
         }
-        let every = u64::from(world.simulated.outputs.measure_every_steps);
-        let measures = every > 0 && steps > 0 && world.steps + u64::from(steps) >= self.measured_step + every;
+        let done = world.session.steps() + u64::from(steps);
+        let measures = every > 0 && steps > 0 && done >= self.measured_step + every;
         let records = self.recorder.as_mut().is_some_and(Recorder::wants_picture);
-        let advance_s = f64::from(steps) * world.simulated.solver.dt_s;
+        let advance_s = f64::from(steps) * dt_s;
         let pull = if steps > 0 { self.pull.take() } else { None };
-        if let Some(pull) = pull {
-            world.push(&pull.over(advance_s));
-        }
-        let doing = Doing { steps, measures, draws: true, pushes: pull.is_some(), screenshot, records };
-        let frame = world.run(doing)?;
+        let doing = Doing { steps, measures, screenshot, records };
+        let frame = world.run(&doing, pull.map(|pull| pull.over(advance_s)).as_ref())?;
         if measures {
-            self.measured_step = world.steps;
+            self.measured_step = done;
         }
         self.is_stale = false;
         let now = Instant::now();
@@ -280,8 +277,7 @@ impl Running {
         if elapsed_s > 0.0 && !self.paused {
             self.times.speed.push(time_s, advance_s / elapsed_s);
         }
-        let (steps, simulated_s) = (world.steps, world.simulated_s);
-        self.flight.begin(Flying { frame, doing, steps, simulated_s, handed: now, painted: None });
+        self.flight.begin(Flying { frame, doing, handed: now, painted: None });
         Ok(true)
     }
 

@@ -1,7 +1,6 @@
 //! What frames took, over the last seconds.
 
-use brooklet_fluid::STEP;
-use brooklet_gpu::FrameReport;
+use brooklet_gpu::{FrameReport, RecordingId};
 
 use crate::history::{History, Quantiles};
 
@@ -41,13 +40,13 @@ pub struct Times {
 const LOOK_EVERY_S: f64 = 0.25;
 
 impl Times {
-    /// Takes a frame that has come back at `time_s`, of `steps` steps.
-    pub fn take(&mut self, report: &FrameReport, steps: u32, time_s: f64) {
+    /// Takes a frame that has come back at `time_s`, of `steps` runs of the recording `step`.
+    pub fn take(&mut self, report: &FrameReport, (step, steps): (RecordingId, u32), time_s: f64) {
         self.flagged_spans += report.flagged() as u64;
         let Some(gpu_ms) = report.gpu_ms() else { return };
         self.gpu_ms.push(time_s, gpu_ms);
         let mut simulation_ms = 0.0;
-        for span in report.spans.iter().filter(|span| span.recording == STEP) {
+        for span in report.spans.iter().filter(|span| span.recording == step) {
             simulation_ms += span.end_ticks.saturating_sub(span.begin_ticks) as f64 * report.timestamp_period_ns * 1e-6;
         }
         if steps > 0 {

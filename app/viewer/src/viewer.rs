@@ -315,8 +315,11 @@ impl Viewer {
         self.loading = None;
         match result {
             Ok(mut world) => {
-                if carries && let Some(old) = &self.world {
-                    world.adopt(old);
+                if carries
+                    && let Some(old) = &self.world
+                    && let Err(error) = world.adopt(old)
+                {
+                    self.messages.say(Kind::Error, error.to_string());
                 }
                 self.running.begin(&world, carries, &mut self.messages);
                 self.picture = world.picture().map(|picture| self.presenter.show(picture));
@@ -367,7 +370,7 @@ impl Viewer {
         let Some(world) = &self.world else { return };
         let wanted_px = RUNGS[self.rung].picture_px(self.room_px);
         if self.loading.is_none() && world.view().size_px != wanted_px && self.room_since.elapsed() >= STILL {
-            let (scene, start) = (world.scene.clone(), Start::Carry(world.particles));
+            let (scene, start) = (world.scene.clone(), Start::Carry(world.session.particle_count()));
             self.load(scene, start, "picture size");
         }
     }

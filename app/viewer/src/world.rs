@@ -1,14 +1,11 @@
-//! A scene on the GPU, as the window shows it: simulated, measured, drawn, step by step.
+//! A scene on the GPU, as the window shows it: simulated, measured and drawn.
 
-use std::collections::BTreeSet;
-
-use brooklet_fluid::interact::{Drag, PUSH, Push, record_push};
-use brooklet_fluid::measure::{SAMPLE, Sample, record_sample};
-use brooklet_fluid::particles::{ParticleSet, resample, sample_lattice};
-use brooklet_fluid::{INIT, MEASURE, Recorded, STEP, Scene, record_count};
-use brooklet_gpu::{Command, Engine, Gpu, Plan, ResourceId, Resources};
-use brooklet_kernels::{Position, Velocity};
-use brooklet_render::frame::{DRAW, DRAW_INIT, FrameValues};
+use brooklet_fluid::interact::Drag;
+use brooklet_fluid::particles::{ParticleSet, resample};
+use brooklet_fluid::state::State;
+use brooklet_fluid::{FrameRequest, ParticleSource, Scene, Session, SessionRecorder};
+use brooklet_gpu::{Gpu, RecordingId, ResourceId};
+use brooklet_render::frame::FrameValues;
 use brooklet_render::left_out::{self, Absent};
 use brooklet_render::{Camera, FrameOptions, FramePasses, ScenePlan, View};
 
@@ -71,10 +68,6 @@ pub struct Doing {
     pub steps: u32,
     /// Whether the state is measured after them.
     pub measures: bool,
-    /// Whether a picture is drawn.
-    pub draws: bool,
-    /// Whether the fluid is pushed before the steps, as [`World::push`] said.
-    pub pushes: bool,
     /// Whether the picture comes back to the host as a screenshot.
     pub screenshot: bool,
     /// Whether picture and points come back to the host for a capture.
@@ -88,24 +81,13 @@ const MOST_POINTS: u32 = 1000;
 pub struct World {
     /// The scene as it was chosen.
     pub scene: Scene,
-    /// The scene as it is simulated, after the ladder.
-    pub simulated: Scene,
-    /// Its engine.
-    pub engine: Engine,
-    /// Number of particles.
-    pub particles: u32,
-    /// Steps done.
-    pub steps: u64,
-    /// Simulated time, s.
-    pub simulated_s: f64,
+    /// What steps it, as it is after the ladder.
+    pub session: Session,
     /// What its plan does without.
     pub left_out: Vec<Absent>,
     view: View,
     options: FrameOptions,
-    recorded: Recorded,
     passes: FramePasses,
-    push: Push,
-    sample: Sample,
 }
 
 impl World {
@@ -116,21 +98,14 @@ impl World {
     pub fn build(gpu: &Gpu, order: Order, progress: &mut dyn FnMut(usize, usize, &str)) -> Result<World, WorldError> {
         let simulated = order.rung.scene(&order.scene);
         progress(0, 0, "filling the scene with particles");
-        let (emitted, particles, steps, simulated_s) = match order.start {
-            Start::Scene => {
-                let emitted = sample_lattice(&simulated);
-                let count = emitted.positions.len() as u32;
-                (Some(emitted), count, 0, 0.0)
-            }
-            Start::Carry(count) => (None, count, 0, 0.0),
+        let (source, steps, simulated_s) = match order.start {
+            Start::Scene => (ParticleSource::Scene, 0, 0.0),
+            Start::Carry(count) => (ParticleSource::Count(count), 0, 0.0),
             Start::Resampled { from, particles, steps, simulated_s } => {
-                let particles = resample(&from, &particles, &simulated);
-                let count = particles.positions.len() as u32;
-                (Some(particles), count, steps, simulated_s)
+                (ParticleSource::Given(resample(&from, &particles, &simulated)), steps, simulated_s)
             }
             Start::Particles { particles, steps, simulated_s } => {
-                let count = particles.positions.len() as u32;
-                (Some(particles), count, steps, simulated_s)
+                (ParticleSource::Given(particles), steps, simulated_s)
             }
         };
         let view = View {
@@ -139,53 +114,23 @@ impl World {
             ..View::of_scene(&simulated)
         };
         let options = order.rung.options(FrameOptions::for_scene(&simulated, gpu.tier()));
-        let (planned, push, sample) = plan(&simulated, particles, view, options)?;
-        let ScenePlan { plan, recorded, passes } = planned;
+        let planned = plan(&simulated, source, view, options)?;
+        let left_out =
+            left_out::list(&simulated, gpu.tier(), &planned, &left_out::Recorded::default()).unwrap_or_default();
+        let ScenePlan { session: mut planned, passes } = planned;
         let passes = passes.ok_or(WorldError::NoPicture)?;
-        let plan = order.modules.put_into(plan).map_err(WorldError::Shader)?;
-        let left_out = left_out::list(&simulated, particles, gpu.tier(), &plan, &left_out::Recorded::default())
-            .unwrap_or_default();
-        let mut engine = Engine::new_with_progress(gpu, plan, progress)?;
-        if let Some(emitted) = emitted {
-            engine.write(&recorded.positions, &emitted.positions);
-            engine.write(&recorded.velocities, &emitted.velocities);
-        }
-        engine.run(&[INIT, DRAW_INIT], &[])?;
-        Ok(World {
-            scene: order.scene,
-            simulated,
-            engine,
-            particles,
-            steps,
-            simulated_s,
-            left_out,
-            view,
-            options,
-            recorded,
-            passes,
-            push,
-            sample,
-        })
+        planned.plan = order.modules.put_into(planned.plan).map_err(WorldError::Shader)?;
+        let mut session = Session::start_with_progress(gpu, planned, progress)?;
+        session.set_time(steps, simulated_s);
+        Ok(World { scene: order.scene, session, left_out, view, options, passes })
     }
 
-    /// Takes over the state of `old`, the same particles in another plan: every buffer that both have in
-    /// the same size, without a way over the host.
-    pub fn adopt(&mut self, old: &World) {
-        let kept = self.engine.plan().buffers();
-        let fresh = uploaded(self.engine.plan());
-        let others = old.engine.plan().buffers();
-        let gpu = self.engine.gpu().clone();
-        let mut encoder = gpu.device().create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        for buffer in kept.iter().filter(|buffer| !fresh.contains(&buffer.id)) {
-            let same = others.iter().find(|other| other.label == buffer.label && other.bytes == buffer.bytes);
-            let from = same.and_then(|other| old.engine.wgpu_buffer(other.id));
-            if let (Some(from), Some(to)) = (from, self.engine.wgpu_buffer(buffer.id)) {
-                encoder.copy_buffer_to_buffer(from, 0, to, 0, buffer.bytes.next_multiple_of(4));
-            }
-        }
-        gpu.queue().submit([encoder.finish()]);
-        self.steps = old.steps;
-        self.simulated_s = old.simulated_s;
+    /// Takes over the state of `old`, the same particles in another plan, without a way over the host.
+    ///
+    /// # Errors
+    /// If the device is lost.
+    pub fn adopt(&mut self, old: &World) -> Result<(), WorldError> {
+        Ok(self.session.adopt(&old.session)?)
     }
 
     /// Applies another scene to the running one if only numbers of its plan change; false if it needs a
@@ -195,25 +140,16 @@ impl World {
     /// If the scene has no plan.
     pub fn apply_live(&mut self, scene: &Scene, rung: &Rung) -> Result<bool, WorldError> {
         let simulated = rung.scene(scene);
-        if needs_reset(&self.simulated, &simulated) {
+        if needs_reset(self.session.scene(), &simulated) {
             return Ok(false);
         }
-        let options = rung.options(FrameOptions::for_scene(&simulated, self.engine.gpu().tier()));
-        let (other, ..) = plan(&simulated, self.particles, self.view, options)?;
-        if !same_shape(self.engine.plan(), &other.plan) {
+        let options = rung.options(FrameOptions::for_scene(&simulated, self.session.engine().gpu().tier()));
+        let source = ParticleSource::Count(self.session.particle_count());
+        let other = plan(&simulated, source, self.view, options)?;
+        if !self.session.apply(&other.session)? {
             return Ok(false);
         }
-        let queue = self.engine.gpu().queue();
-        for recording in [INIT, DRAW_INIT] {
-            for command in other.plan.commands(recording) {
-                if let Command::Upload { to, data } = command
-                    && let Some(buffer) = self.engine.wgpu_buffer(*to)
-                {
-                    queue.write_buffer(buffer, 0, data);
-                }
-            }
-        }
-        (self.scene, self.simulated, self.options) = (scene.clone(), simulated, options);
+        (self.scene, self.options) = (scene.clone(), options);
         Ok(true)
     }
 
@@ -222,8 +158,8 @@ impl World {
     /// # Errors
     /// If the driver refuses one; what ran before then goes on.
     pub fn exchange(&mut self, modules: &NewModules) -> Result<(), WorldError> {
-        let plan = modules.put_into(self.engine.plan().clone()).map_err(WorldError::Shader)?;
-        Ok(self.engine.exchange(plan)?)
+        let plan = modules.put_into(self.session.engine().plan().clone()).map_err(WorldError::Shader)?;
+        Ok(self.session.swap_modules(plan)?)
     }
 
     /// From where it is seen, from the next picture on.
@@ -233,9 +169,9 @@ impl World {
     pub fn look_from(&mut self, camera: Camera) -> Result<(), WorldError> {
         self.view.camera = camera;
         let values = FrameValues::new(&self.view, &self.options)?;
-        let uniforms = &self.passes.uniforms;
-        self.engine.write(&uniforms.view, &[values.view]);
-        self.engine.write(&uniforms.style, &[values.style]);
+        let (engine, uniforms) = (self.session.engine_mut(), &self.passes.uniforms);
+        engine.write(&uniforms.view, &[values.view]);
+        engine.write(&uniforms.style, &[values.style]);
         Ok(())
     }
 
@@ -248,38 +184,22 @@ impl World {
     ///
     /// # Errors
     /// If the device is lost.
-    pub fn run(&mut self, doing: Doing) -> Result<u64, WorldError> {
-        let mut recordings = Vec::with_capacity(doing.steps as usize + 4);
-        let mut readbacks: Vec<ResourceId> = Vec::new();
-        if doing.pushes {
-            recordings.push(PUSH);
-        }
-        recordings.extend(std::iter::repeat_n(STEP, doing.steps as usize));
-        if doing.measures
-            && let Some(measure) = &self.recorded.measure
-        {
-            recordings.push(MEASURE);
-            readbacks.push(measure.id);
-        }
-        if doing.draws {
-            recordings.push(DRAW);
-        }
-        if doing.records {
-            recordings.push(SAMPLE);
-            readbacks.push(self.sample.samples.id);
-        }
-        if doing.records || doing.screenshot {
-            readbacks.push(self.passes.color.id);
-        }
-        let frame = self.engine.run(&recordings, &readbacks)?;
-        self.steps += u64::from(doing.steps);
-        self.simulated_s += f64::from(doing.steps) * self.simulated.solver.dt_s;
-        Ok(frame)
+    pub fn run(&mut self, doing: &Doing, drag: Option<&Drag>) -> Result<u64, WorldError> {
+        let (draw, color) = ([self.passes.draw.id()], [self.passes.color.id]);
+        let request = FrameRequest {
+            drag,
+            steps: doing.steps,
+            measure: doing.measures,
+            then: &draw,
+            sample: doing.records,
+            readbacks: if doing.records || doing.screenshot { &color } else { &[] },
+        };
+        Ok(self.session.submit(&request)?)
     }
 
     /// The picture's texture.
     pub fn picture(&self) -> Option<&wgpu::TextureView> {
-        self.engine.wgpu_view(self.passes.color.id)
+        self.session.engine().wgpu_view(self.passes.color.id)
     }
 
     /// The picture among a report's readbacks.
@@ -287,60 +207,32 @@ impl World {
         self.passes.color.id
     }
 
-    /// Points of the fluid among a report's readbacks.
-    pub fn points_id(&self) -> ResourceId {
-        self.sample.samples.id
+    /// What frames run, in the order of their passes' times: steps, measurements, pictures.
+    pub fn frame_recordings(&self) -> Vec<RecordingId> {
+        let measure = self.session.recorded().measure.as_ref().map(|measure| measure.recording.id());
+        [self.session.step_id()].into_iter().chain(measure).chain([self.passes.draw.id()]).collect()
     }
 
-    /// What the next frame that pushes does.
-    pub fn push(&mut self, drag: &Drag) {
-        self.push.write(&mut self.engine, &self.simulated, drag);
-    }
-
-    /// A measurement among a report's readbacks.
-    pub fn measure_id(&self) -> Option<ResourceId> {
-        self.recorded.measure.as_ref().map(|measure| measure.id)
-    }
-
-    /// Waits, and copies the particles to the host, in cell order.
+    /// Waits, and copies the running scene to the host.
     ///
     /// # Errors
     /// If the device is lost.
-    pub fn read_particles(&mut self) -> Result<(Vec<Position>, Vec<Velocity>), WorldError> {
-        Ok((self.engine.read(&self.recorded.positions)?, self.engine.read(&self.recorded.velocities)?))
+    pub fn read_state(&mut self) -> Result<State, WorldError> {
+        Ok(State {
+            scene: self.session.scene().clone(),
+            time_s: self.session.simulated_s(),
+            steps: self.session.steps(),
+            particles: self.session.read_particles()?,
+        })
     }
 }
 
-type Planned = (ScenePlan, Push, Sample);
-
-fn plan(scene: &Scene, particles: u32, view: View, options: FrameOptions) -> Result<Planned, WorldError> {
-    let mut resources = Resources::new();
-    let mut recorded = record_count(&mut resources, scene, particles);
-    let push = record_push(&mut resources, &mut recorded);
-    let sample = record_sample(&mut resources, &mut recorded, MOST_POINTS);
-    let wanted = [sample.samples.id];
-    Ok((ScenePlan::sweep(scene, resources, recorded, Some((view, options)), &wanted)?, push, sample))
+fn plan(scene: &Scene, source: ParticleSource, view: View, options: FrameOptions) -> Result<ScenePlan, WorldError> {
+    let recorder = SessionRecorder::new(scene, source).with_drag().with_samples(MOST_POINTS);
+    Ok(ScenePlan::sweep(scene, recorder, Some((view, options)))?)
 }
 
 /// Whether the particles of one scene mean nothing in the other.
 pub fn needs_reset(running: &Scene, other: &Scene) -> bool {
     running.spacing_m != other.spacing_m || running.domain != other.domain || running.fluids != other.fluids
-}
-
-/// Whether two plans differ at most in the numbers they upload.
-fn same_shape(one: &Plan, other: &Plan) -> bool {
-    let text = |command: &Command| match command {
-        Command::Upload { to, data } => format!("upload {to:?} {}", data.len()),
-        command => format!("{command:?}"),
-    };
-    let commands = |plan: &Plan| -> Vec<String> {
-        plan.recordings().flat_map(|name| plan.commands(name).iter().map(text).chain([name.to_owned()])).collect()
-    };
-    one.buffers() == other.buffers() && commands(one) == commands(other)
-}
-
-/// What a plan's first recordings fill: its own parameters.
-fn uploaded(plan: &Plan) -> BTreeSet<ResourceId> {
-    let first = [INIT, DRAW_INIT].into_iter().flat_map(|name| plan.commands(name));
-    first.filter_map(|command| if let Command::Upload { to, .. } = command { Some(*to) } else { None }).collect()
 }

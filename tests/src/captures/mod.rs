@@ -6,7 +6,7 @@ pub mod python;
 use std::collections::BTreeSet;
 
 use brooklet_capture::Capture;
-use brooklet_gpu::{FrameReport, Span, SpanFlag, TimingStatus};
+use brooklet_gpu::{FrameReport, RecordingId, Span, SpanFlag, TimingStatus};
 
 /// Opcode of a chunk.
 pub const CHUNK: u8 = 0x06;
@@ -70,7 +70,7 @@ pub fn frame_report(frame: u64) -> FrameReport {
     // Beyond 2^53, where a double no longer tells two ticks apart.
     let begin = 1 << 60 | frame << 20 | 1;
     let span = |stage, offset, ticks, flag| Span {
-        recording: "step",
+        recording: RecordingId::outside("step"),
         stage,
         begin_ticks: begin + offset,
         end_ticks: begin + offset + ticks,

@@ -132,7 +132,7 @@ fn what_was_written_is_read() {
         assert_eq!(spans.len(), report.spans.len());
         for (read, written) in spans.iter().zip(&report.spans) {
             assert_eq!((read.begin_ticks, read.end_ticks), (written.begin_ticks, written.end_ticks));
-            assert_eq!((&*read.recording, &*read.stage), (written.recording, written.stage));
+            assert_eq!((&*read.recording, &*read.stage), (written.recording.label(), written.stage));
         }
         let stats = &capture.stats[frame as usize].values;
         assert_eq!(stats["front_m"], frame as f64 * 0.5);

@@ -3,7 +3,7 @@
 use std::{collections::BTreeSet, fs, path::Path, time::Duration, time::UNIX_EPOCH};
 
 use brooklet_capture::{Capture, CaptureCost, CaptureOptions, CaptureWriter, DeviceState, Level, StateRow, ThermalRow};
-use brooklet_gpu::{FrameReport, Span, SpanFlag, TimingStatus};
+use brooklet_gpu::{FrameReport, RecordingId, Span, SpanFlag, TimingStatus};
 use brooklet_tests::captures::{events::everything, frame_report};
 
 fn options() -> CaptureOptions {
@@ -65,7 +65,13 @@ fn lies_and_losses_are_counted() {
     let mut writer = CaptureWriter::new(&mut bytes, "test.mcap".into(), options()).unwrap();
     use SpanFlag::*;
     let flags = [Zero, Negative, Negative, Overlapping, Overlapping, Overlapping, Gap, Ok];
-    let spans = flags.map(|flag| Span { recording: "step", stage: "a", begin_ticks: 10, end_ticks: 90, flag });
+    let spans = flags.map(|flag| Span {
+        recording: RecordingId::outside("step"),
+        stage: "a",
+        begin_ticks: 10,
+        end_ticks: 90,
+        flag,
+    });
     let lies = FrameReport { spans: spans.into(), dropped_spans: 5, ..frame_report(0) };
     writer.frame(&lies).unwrap();
     // Frames 1 to 6 are lost; a new engine begins at 0 again, which loses none.
@@ -141,7 +147,7 @@ fn wide_report(frame: u64, passes: u64) -> FrameReport {
         let begin_ticks = begin + pass * 400_000 + (frame * 7919 + pass * 104_729) % 9_973;
         let stage: &'static str = Box::leak(format!("{}_{}", STAGES[pass as usize % 10], pass * 7 / 10).into());
         Span {
-            recording: "step",
+            recording: RecordingId::outside("step"),
             stage,
             begin_ticks,
             end_ticks: begin_ticks + 380_000 + frame % 977,

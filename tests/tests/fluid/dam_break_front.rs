@@ -3,7 +3,7 @@
 //! The front is the largest x of any particle plus half a spacing, thin spray ahead of the body
 //! included; Z is the front over the column's base a, T is t √(2g/a).
 
-use brooklet_fluid::{Scene, Simulation};
+use brooklet_fluid::{Scene, Session};
 use brooklet_reference::dam_break::{Sample, compare, parse_series};
 use brooklet_tests::gpu;
 
@@ -18,14 +18,15 @@ fn front_follows_martin_and_moyce() {
     // A slice eight particles wide: the front does not feel the width, and a CPU driver does.
     let settings = ["domain.max_m.2=0.02286", "fluid.0.block.max_m.2=0.02286"].map(String::from);
     let scene = Scene::load("martin-moyce", &settings).unwrap();
-    let mut simulation = Simulation::new(&gpu(), &scene).unwrap();
+    let mut session = Session::new(&gpu(), &scene).unwrap();
     let mut front = Vec::new();
     let per_t = (2.0 * 9.81 / BASE_M).sqrt();
     for step in 1..=500_u32 {
-        simulation.step().unwrap();
+        session.step().unwrap();
         if step % 4 == 0 {
-            simulation.measure().unwrap();
-            let stats = simulation.finish().unwrap().unwrap();
+            session.measure().unwrap();
+            session.finish().unwrap();
+            let stats = session.stats().unwrap();
             front.push((f64::from(step) * scene.solver.dt_s * per_t, stats.front_m / BASE_M));
         }
     }

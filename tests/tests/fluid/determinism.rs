@@ -1,6 +1,7 @@
 //! `solver.deterministic`: runs repeat bit for bit, whatever the order of the input.
 
-use brooklet_fluid::{Scene, Simulation};
+use brooklet_fluid::particles::ParticleSet;
+use brooklet_fluid::{Scene, Session};
 use brooklet_kernels::{Position, Velocity};
 use brooklet_tests::harness::small;
 use brooklet_tests::{gpu, rng};
@@ -27,22 +28,22 @@ fn scene(deterministic: bool) -> Scene {
 
 /// Every bit of the particles after `steps`, by id.
 fn particles_after(scene: &Scene, steps: u32, shuffled: Option<u64>) -> Vec<(Position, Velocity)> {
-    let mut simulation = Simulation::new(&gpu(), scene).unwrap();
+    let mut session = Session::new(&gpu(), scene).unwrap();
     if let Some(seed) = shuffled {
-        let (positions, velocities) = simulation.particles().unwrap();
+        let ParticleSet { positions, velocities } = session.read_particles().unwrap();
         let mut both: Vec<_> = positions.into_iter().zip(velocities).collect();
         both.shuffle(&mut rng(seed));
         let (positions, velocities): (Vec<_>, Vec<_>) = both.into_iter().unzip();
-        simulation.set_particles(&positions, &velocities);
+        session.write_particles(&ParticleSet { positions, velocities });
     }
     for step in 0..steps {
-        simulation.step().unwrap();
+        session.step().unwrap();
         // Keeps what has arrived from piling up.
         if step % 16 == 0 {
-            simulation.stats();
+            session.stats();
         }
     }
-    let (positions, velocities) = simulation.particles().unwrap();
+    let ParticleSet { positions, velocities } = session.read_particles().unwrap();
     let mut both: Vec<_> = positions.into_iter().zip(velocities).collect();
     both.sort_by_key(|(position, _)| position.tag);
     both

@@ -2,7 +2,7 @@
 //! force over the nearest images, in grids that are dense and in ones that are wrapped.
 
 use brooklet_fluid::particles::ParticleSet;
-use brooklet_fluid::{INIT, STEP, Scene, grid, record_particles};
+use brooklet_fluid::{Scene, grid, record_particles};
 use brooklet_gpu::{Engine, Plan, Resources};
 use brooklet_kernels::{Kernel, ListHead, ListNeighbours, Position, Velocity};
 use brooklet_reference::grid::list_neighbours::{check_list, list_images, list_neighbours};
@@ -55,9 +55,9 @@ fn check(scene: &Scene, emitted: ParticleSet, images: bool) -> Result<usize, Str
     let count = emitted.positions.len();
     let mut resources = Resources::new();
     let recorded = record_particles(&mut resources, scene, emitted);
-    let plan = Plan::sweep(resources, recorded.recordings, &[]).unwrap();
+    let plan = Plan::sweep(resources, recorded.recordings(), &[]).unwrap();
     let mut engine = Engine::new(&gpu(), plan).unwrap();
-    engine.run(&[INIT, STEP], &[]).unwrap();
+    engine.run(&[recorded.init.id(), recorded.step.id()], &[]).unwrap();
     let positions: Vec<Position> = engine.read(&recorded.positions).unwrap();
     let heads: Vec<ListHead> = engine.read(&recorded.neighbours.as_ref().unwrap().heads).unwrap();
     let deltas: Vec<[u32; 2]> = engine.read(&recorded.neighbours.as_ref().unwrap().deltas).unwrap();

@@ -29,5 +29,6 @@ mod plan;
 mod precision;
 mod resample;
 mod scene_schema;
+mod session;
 mod settings;
 mod state;

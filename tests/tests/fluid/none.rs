@@ -1,7 +1,7 @@
 //! Particles that do not interact, as a scene: what their plan has, where they go, and how they end.
 
-use brooklet_fluid::particles::{fluid_of, id_of, is_simulated, sample_lattice};
-use brooklet_fluid::{Scene, Simulation, record};
+use brooklet_fluid::particles::{ParticleSet, fluid_of, id_of, is_simulated, sample_lattice};
+use brooklet_fluid::{Scene, Session, record};
 use brooklet_gpu::{Plan, Resources};
 use brooklet_kernels::INACTIVE_FLUID;
 use brooklet_tests::compare::{ROUNDING, Worst, vector};
@@ -18,8 +18,7 @@ fn its_plan_has_no_grid_no_lists_and_no_densities() {
     let mut resources = Resources::new();
     let recorded = record(&mut resources, &scene(&[]));
     assert!(recorded.neighbours.is_none() && recorded.densities.is_none());
-    let measure = recorded.measure.as_ref().map(|measure| measure.id);
-    let plan = Plan::sweep(resources, recorded.recordings, measure.as_slice()).unwrap();
+    let plan = Plan::sweep(resources, recorded.recordings(), recorded.measure_id().as_slice()).unwrap();
     let stages: Vec<&str> = plan.passes().iter().map(|pass| pass.stage).collect();
     assert_eq!(stages, ["integrate_particles", "measure_particles", "measure_totals"]);
     let modules: Vec<&str> = plan.passes().iter().map(|pass| pass.module.name).collect();
@@ -35,13 +34,13 @@ fn sparks_fly_as_their_twins() {
     let scene = scene(&[]);
     let start = sample_lattice(&scene);
     let mut fluid = twin(&scene, &start.positions, &start.velocities);
-    let mut simulation = Simulation::new(&gpu(), &scene).unwrap();
+    let mut session = Session::new(&gpu(), &scene).unwrap();
     const STEPS: u32 = 120;
     for _ in 0..STEPS {
-        simulation.step().unwrap();
+        session.step().unwrap();
         fluid.substep();
     }
-    let (positions, velocities) = simulation.particles().unwrap();
+    let ParticleSet { positions, velocities } = session.read_particles().unwrap();
     // Roundings of each step add up, and a bounce one step later shows as the way of a step.
     let size_m = vector(scene.domain.size_m().map(|x| x as f32)).length();
     let mut worst = Worst::new("sparks after 120 steps", f64::from(STEPS) * 4.0 * ROUNDING);
@@ -68,17 +67,18 @@ fn sparks_fly_as_their_twins() {
 #[test]
 fn all_sparks_go_out_and_their_energy_only_falls() {
     let scene = scene(&["gravity_m_s2=[0,0,0]", "solver.none.lifetime_s=0.5"]);
-    let mut simulation = Simulation::new(&gpu(), &scene).unwrap();
+    let mut session = Session::new(&gpu(), &scene).unwrap();
     let mut energies = Vec::new();
     let mut counts = Vec::new();
     for _ in 0..14 {
-        simulation.measure().unwrap();
-        let stats = simulation.finish().unwrap().unwrap();
+        session.measure().unwrap();
+        session.finish().unwrap();
+        let stats = session.stats().unwrap();
         assert!(!stats.has_density && stats.density_error.max == 0.0 && stats.quarantined == 0);
         energies.push(stats.kinetic_j);
         counts.push(stats.particles);
         for _ in 0..10 {
-            simulation.step().unwrap();
+            session.step().unwrap();
         }
     }
     assert_eq!(counts[0] as usize, sample_lattice(&scene).positions.len());

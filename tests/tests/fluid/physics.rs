@@ -1,6 +1,7 @@
 //! Scenes on the GPU against closed forms and conservation laws.
 
-use brooklet_fluid::{Scene, Simulation, Stats};
+use brooklet_fluid::particles::ParticleSet;
+use brooklet_fluid::{Scene, Session, Stats};
 use brooklet_tests::gpu;
 
 fn scene(name: &str, settings: &[&str]) -> Scene {
@@ -9,13 +10,13 @@ fn scene(name: &str, settings: &[&str]) -> Scene {
 }
 
 /// Runs `steps` steps, measuring every `every` of them.
-fn run(simulation: &mut Simulation, steps: u32, every: u32) -> Vec<Stats> {
+fn run(session: &mut Session, steps: u32, every: u32) -> Vec<Stats> {
     let mut history = Vec::new();
     for step in 1..=steps {
-        simulation.step().unwrap();
+        session.step().unwrap();
         if step % every == 0 {
-            simulation.measure().unwrap();
-            history.extend(simulation.finish().unwrap());
+            session.measure().unwrap();
+            history.extend(session.finish().unwrap().into_iter().filter_map(|frame| frame.stats));
         }
     }
     history
@@ -39,12 +40,12 @@ fn free_fall_of_one_and_two_particles_is_exact_to_rounding() {
     );
     for (count, text) in [(1, FALL), (2, pair.as_str())] {
         let scene = Scene::from_toml(text, "fall.toml", &[]).unwrap();
-        let mut simulation = Simulation::new(&gpu(), &scene).unwrap();
-        let (start, _) = simulation.particles().unwrap();
+        let mut session = Session::new(&gpu(), &scene).unwrap();
+        let start = session.read_particles().unwrap().positions;
         assert_eq!(start.len(), count);
         let steps = 100;
-        run(&mut simulation, steps, 1000);
-        let (positions, velocities) = simulation.particles().unwrap();
+        run(&mut session, steps, 1000);
+        let ParticleSet { positions, velocities } = session.read_particles().unwrap();
         let (n, dt_s) = (f64::from(steps), scene.solver.dt_s);
         let mut largest = 0.0_f64;
         for (position, velocity) in positions.iter().zip(&velocities) {
@@ -71,8 +72,8 @@ fn free_fall_of_one_and_two_particles_is_exact_to_rounding() {
 #[test]
 fn momentum_in_free_space_drifts_by_rounding_alone() {
     let scene = scene("colliding-drops", &["spacing_m=0.03"]);
-    let mut simulation = Simulation::new(&gpu(), &scene).unwrap();
-    let history = run(&mut simulation, 120, 10);
+    let mut session = Session::new(&gpu(), &scene).unwrap();
+    let history = run(&mut session, 120, 10);
     let last = history.last().unwrap();
     let mass_kg = scene.particle_mass_kg() * f64::from(last.particles);
     // Against the momentum that meets: half the mass at 1 m/s.
@@ -89,13 +90,14 @@ fn momentum_in_free_space_drifts_by_rounding_alone() {
 #[test]
 fn energy_never_rises_and_water_comes_to_rest() {
     let scene = scene("dam-break", &["spacing_m=0.04"]);
-    let mut simulation = Simulation::new(&gpu(), &scene).unwrap();
-    simulation.measure().unwrap();
-    let start = simulation.finish().unwrap().unwrap();
+    let mut session = Session::new(&gpu(), &scene).unwrap();
+    session.measure().unwrap();
+    session.finish().unwrap();
+    let start = session.stats().unwrap();
     let mut before = start.kinetic_j + start.potential_j;
     let begin = before;
     let mut rise = 0.0_f64;
-    let history = run(&mut simulation, 1200, 20);
+    let history = run(&mut session, 1200, 20);
     for stats in &history {
         let energy = stats.kinetic_j + stats.potential_j;
         rise = rise.max(energy - before);
@@ -132,8 +134,8 @@ fn energy_never_rises_and_water_comes_to_rest() {
 #[test]
 fn a_calm_pool_stays_calm() {
     let scene = scene("calm-pool", &[]);
-    let mut simulation = Simulation::new(&gpu(), &scene).unwrap();
-    let history = run(&mut simulation, 480, 40);
+    let mut session = Session::new(&gpu(), &scene).unwrap();
+    let history = run(&mut session, 480, 40);
     let last = history.last().unwrap();
     println!("calm pool after 2 s: {last:?}");
     // It settles once by about half a spacing, for its surface layer has half the neighbours it
@@ -148,16 +150,17 @@ fn a_calm_pool_stays_calm() {
 #[test]
 fn a_particle_that_is_not_finite_is_quarantined_and_spreads_nothing() {
     let scene = scene("calm-pool", &["spacing_m=0.05"]);
-    let mut simulation = Simulation::new(&gpu(), &scene).unwrap();
-    let (mut positions, mut velocities) = simulation.particles().unwrap();
+    let mut session = Session::new(&gpu(), &scene).unwrap();
+    let mut particles = session.read_particles().unwrap();
+    let (positions, velocities) = (&mut particles.positions, &mut particles.velocities);
     positions[100].position_m[1] = f32::NAN;
     velocities[7].velocity_m_s[0] = f32::INFINITY;
     let gone = [positions[100].tag, positions[7].tag];
-    simulation.set_particles(&positions, &velocities);
-    let history = run(&mut simulation, 30, 30);
+    session.write_particles(&particles);
+    let history = run(&mut session, 30, 30);
     assert_eq!(history[0].quarantined, 2);
-    assert_eq!(history[0].particles as usize, positions.len() - 2);
-    let (positions, velocities) = simulation.particles().unwrap();
+    assert_eq!(history[0].particles as usize, particles.positions.len() - 2);
+    let ParticleSet { positions, velocities } = session.read_particles().unwrap();
     for (position, velocity) in positions.iter().zip(&velocities) {
         assert!(position.position_m.iter().chain(&velocity.velocity_m_s).all(|x| x.is_finite()));
         let quarantined = position.tag >> 31 == 1;

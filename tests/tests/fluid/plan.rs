@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use brooklet_fluid::{Scene, Simulation, record, record_count};
+use brooklet_fluid::{Scene, Session, record, record_count};
 use brooklet_gpu::{Engine, Gpu, GpuOptions, Plan, Resources, Tier, TimingStatus};
 use brooklet_render::{FrameOptions, Particles, View};
 use brooklet_tests::gpu;
@@ -18,14 +18,14 @@ fn scene(settings: &[&str]) -> Scene {
 fn plan(settings: &[&str]) -> Plan {
     let scene = scene(settings);
     let mut resources = Resources::new();
-    let mut recorded = record(&mut resources, &scene);
-    let mut wanted: Vec<_> = recorded.measure.iter().map(|measure| measure.id).collect();
-    let mut recordings = std::mem::take(&mut recorded.recordings);
+    let recorded = record(&mut resources, &scene);
+    let mut wanted: Vec<_> = recorded.measure_id().into_iter().collect();
+    let mut recordings = recorded.recordings();
     if scene.outputs.images > 0 {
         let options = FrameOptions::for_scene(&scene, gpu().tier());
         let view = View::of_scene(&scene);
         let passes = brooklet_render::record(&mut resources, &view, &Particles::of(&recorded), &options).unwrap();
-        recordings.extend([passes.init, passes.recording]);
+        recordings.extend([passes.init, passes.draw]);
         wanted.push(passes.color.id);
     }
     Plan::sweep(resources, recordings, &wanted).unwrap()
@@ -55,7 +55,7 @@ struct Counted {
 }
 
 fn count_on(gpu: &Gpu, plan: Plan) -> Counted {
-    let recordings: Vec<&str> = plan.recordings().collect();
+    let recordings: Vec<_> = plan.recordings().collect();
     let mut engine = Engine::new(gpu, plan).unwrap();
     let allocations = engine.allocation_count();
     engine.run(&recordings, &[]).unwrap();
@@ -323,8 +323,8 @@ fn a_plan_of_a_number_of_particles_is_that_of_the_particles() {
     let particles = brooklet_fluid::particles::count(&scene) as u32;
     let mut resources = Resources::new();
     let recorded = record_count(&mut resources, &scene, particles);
-    let wanted = recorded.measure.as_ref().map(|measure| measure.id);
-    let counted = Plan::sweep(resources, recorded.recordings, wanted.as_slice()).unwrap();
+    let wanted = recorded.measure_id();
+    let counted = Plan::sweep(resources, recorded.recordings(), wanted.as_slice()).unwrap();
     assert_eq!(counted.buffers(), made.buffers());
     assert_eq!(counted.left_out(), made.left_out());
     let passes = |plan: &Plan| -> Vec<_> {
@@ -334,13 +334,13 @@ fn a_plan_of_a_number_of_particles_is_that_of_the_particles() {
 }
 
 #[test]
-fn a_simulation_whose_reports_nobody_takes_keeps_few() {
-    let mut simulation = Simulation::new(&gpu(), &scene(&["solver.pbf.iterations=1"])).unwrap();
-    simulation.measure().unwrap();
+fn a_session_whose_reports_nobody_takes_keeps_few() {
+    let mut session = Session::new(&gpu(), &scene(&["solver.pbf.iterations=1"])).unwrap();
+    session.measure().unwrap();
     for _ in 0..200 {
-        simulation.step().unwrap();
+        session.step().unwrap();
     }
-    let kept = simulation.engine().finish().unwrap().len();
+    let kept = session.finish().unwrap().len();
     assert!((1..=64).contains(&kept), "{kept} reports");
-    assert!(simulation.stats().is_some(), "the measurement that came with one of the others is kept");
+    assert!(session.stats().is_some(), "the measurement that came with one of the others is kept");
 }

@@ -2,7 +2,7 @@
 
 use brooklet_fluid::particles::{ParticleSet, sample_lattice};
 use brooklet_fluid::state::{State, StateError};
-use brooklet_fluid::{Scene, Simulation};
+use brooklet_fluid::{Scene, Session};
 use brooklet_kernels::QUARANTINED;
 use brooklet_tests::states::{OLD_SCENE, of_version, patched, sections_at, version_1, with_section};
 use brooklet_tests::{gpu, rng};
@@ -41,25 +41,24 @@ fn a_state_comes_back_as_it_was() {
 fn going_on_from_a_saved_state_is_going_on() {
     let scene = scene(&["solver.deterministic=true", "forces.vorticity_m_s=0.05"]);
     let gpu = gpu();
-    let mut simulation = Simulation::new(&gpu, &scene).unwrap();
-    let run = |simulation: &mut Simulation| {
+    let mut session = Session::new(&gpu, &scene).unwrap();
+    let run = |session: &mut Session| {
         for _ in 0..12 {
-            simulation.step().unwrap();
+            session.step().unwrap();
         }
-        let (positions, velocities) = simulation.particles().unwrap();
-        ParticleSet { positions, velocities }
+        session.read_particles().unwrap()
     };
-    let particles = run(&mut simulation);
+    let particles = run(&mut session);
     let bytes = State { scene: scene.clone(), time_s: 12.0 * scene.solver.dt_s, steps: 12, particles }.to_bytes();
-    let expected = run(&mut simulation);
+    let expected = run(&mut session);
 
     let restored = State::from_bytes(&bytes, "restored").unwrap();
-    let mut again = Simulation::new(&gpu, &restored.scene).unwrap();
-    again.set_particles(&restored.particles.positions, &restored.particles.velocities);
+    let mut again = Session::new(&gpu, &restored.scene).unwrap();
+    again.write_particles(&restored.particles);
     let got = run(&mut again);
     assert!(bits(&got) == bits(&expected), "bit for bit");
     let start = sample_lattice(&scene);
-    again.set_particles(&start.positions, &start.velocities);
+    again.write_particles(&start);
     assert!(bits(&run(&mut again)) != bits(&expected), "another start ends elsewhere");
 }
 

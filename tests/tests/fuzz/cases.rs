@@ -57,15 +57,15 @@ fn check_scene(case: &SceneCase, validator: &Validator) -> Result<bool, String> 
         }
     }
     let mut resources = Resources::new();
-    let mut recorded = record_count(&mut resources, &scene, count as u32);
-    let mut wanted: Vec<_> = recorded.measure.iter().map(|measure| measure.id).collect();
-    let mut recordings = std::mem::take(&mut recorded.recordings);
+    let recorded = record_count(&mut resources, &scene, count as u32);
+    let mut wanted: Vec<_> = recorded.measure_id().into_iter().collect();
+    let mut recordings = recorded.recordings();
     if scene.outputs.images > 0 {
         let options = FrameOptions::for_scene(&scene, Tier::Floor);
         let view = View::of_scene(&scene);
         let drawn = brooklet_render::record(&mut resources, &view, &Particles::of(&recorded), &options);
         let drawn = drawn.map_err(|error| format!("a picture that the scene's check let through: {error}"))?;
-        recordings.extend([drawn.init, drawn.recording]);
+        recordings.extend([drawn.init, drawn.draw]);
         wanted.push(drawn.color.id);
     }
     let plan = Plan::sweep(resources, recordings, &wanted).map_err(|error| format!("no plan: {error}"))?;

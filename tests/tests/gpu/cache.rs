@@ -1,7 +1,7 @@
 //! The pipeline cache: kept between runs, and never believed when it is damaged.
 
 use crate::support::{Increment, options};
-use brooklet_gpu::{CacheStatus, Engine, Gpu, GpuOptions, Plan, Recording, Resources};
+use brooklet_gpu::{CacheStatus, Engine, Gpu, GpuOptions, Plan, Resources};
 use std::path::{Path, PathBuf};
 
 fn open(folder: &Path) -> Gpu {
@@ -12,11 +12,12 @@ fn open(folder: &Path) -> Gpu {
 fn run(gpu: &Gpu) {
     let mut resources = Resources::new();
     let mut values = resources.persistent::<u32>("values", 100);
-    let mut step = Recording::new("step");
+    let mut step = resources.recording("step");
     step.dispatch(&Increment { values: values.write() }, 100);
+    let step_id = step.id();
     let plan = Plan::sweep(resources, vec![step], &[]).expect("a plan");
     let mut engine = Engine::new(gpu, plan).expect("an engine");
-    engine.run(&["step"], &[]).expect("it runs");
+    engine.run(&[step_id], &[]).expect("it runs");
     assert_eq!(engine.read(&values).expect("values"), [1; 100]);
 }
 

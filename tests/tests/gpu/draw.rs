@@ -1,7 +1,7 @@
 //! Render passes of the engine, on pictures small enough to check every pixel.
 
 use crate::support::{DrawHalf, DrawSwapped, gpu};
-use brooklet_gpu::{Blend, DepthTest, DrawState, Engine, Format, Load, Plan, Recording, Resources, Targets};
+use brooklet_gpu::{Blend, DepthTest, DrawState, Engine, Format, Load, Plan, Resources, Targets};
 
 const SIZE: [u32; 2] = [20, 12];
 
@@ -17,15 +17,16 @@ fn a_triangle_covers_its_half_and_a_sampled_copy_is_exact() {
     let mut color = resources.buffer::<[f32; 4]>("color", 1);
     let picture = resources.texture("picture", Format::Rgba8Unorm, SIZE);
     let copy = resources.texture("copy", Format::Rgba8Unorm, SIZE);
-    let mut frame = Recording::new("frame");
+    let mut frame = resources.recording("frame");
     frame.upload(&mut color, &[[1.0, 0.5, 0.0, 1.0]]);
     let targets = Targets { color: vec![(&picture, Load::Clear([0.0, 0.0, 1.0, 1.0]))], depth: None };
     frame.draw(&DrawHalf { color: color.uniform() }, &targets, DrawState::default(), 3, 1);
     let targets = Targets { color: vec![(&copy, Load::Clear([0.0; 4]))], depth: None };
     frame.draw(&DrawSwapped { picture: picture.read() }, &targets, DrawState::default(), 3, 1);
+    let frame_id = frame.id();
     let plan = Plan::sweep(resources, vec![frame], &[copy.id]).expect("a plan");
     let mut engine = Engine::new(&gpu, plan).expect("an engine");
-    engine.run(&["frame"], &[]).expect("it runs");
+    engine.run(&[frame_id], &[]).expect("it runs");
     let picture = engine.read_texture(&picture).expect("the picture");
     let copy = engine.read_texture(&copy).expect("the copy");
     assert_eq!(picture.len(), 4 * (SIZE[0] * SIZE[1]) as usize, "no padding");
@@ -50,7 +51,7 @@ fn kept_targets_share_a_pass_and_depth_and_blending_hold() {
     let mut red = resources.buffer::<[f32; 4]>("red", 1);
     let picture = resources.texture("picture", Format::Rgba8Unorm, SIZE);
     let depth = resources.texture("depth", Format::Depth32Float, SIZE);
-    let mut frame = Recording::new("frame");
+    let mut frame = resources.recording("frame");
     frame.upload(&mut green, &[[0.0, 1.0, 0.0, 1.0]]);
     frame.upload(&mut red, &[[1.0, 0.0, 0.0, 0.5]]);
     let first = Targets { color: vec![(&picture, Load::Clear([0.0; 4]))], depth: Some((&depth, Load::Clear(1.0))) };
@@ -61,9 +62,10 @@ fn kept_targets_share_a_pass_and_depth_and_blending_hold() {
     frame.draw(&DrawHalf { color: red.uniform() }, &then, solid, 3, 1);
     let mixed = DrawState { depth_test: DepthTest::LessEqual, blend: Blend::Alpha, ..DrawState::default() };
     frame.draw(&DrawHalf { color: red.uniform() }, &then, mixed, 3, 1);
+    let frame_id = frame.id();
     let plan = Plan::sweep(resources, vec![frame], &[picture.id, depth.id]).expect("a plan");
     let mut engine = Engine::new(&gpu, plan).expect("an engine");
-    engine.run(&["frame"], &[]).expect("it runs");
+    engine.run(&[frame_id], &[]).expect("it runs");
     let colours = engine.read_texture(&picture).expect("the picture");
     // Half red over green; drivers may round a half either way.
     let [r, g, b, a] = pixel(&colours, 1, SIZE[1] - 2);

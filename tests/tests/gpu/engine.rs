@@ -1,9 +1,9 @@
 //! The engine on a real driver: recordings give the right numbers, what is left out does not
 //! exist, results come back in order, and every failure is an error that says what to do.
 
-use crate::support::{Any, Arguments, Increment, Scale, compute, gpu, options, words};
+use crate::support::{Any, Arguments, Increment, Scale, compute, gpu, only, options, words};
 use brooklet_gpu::{
-    Engine, FrameReport, Gpu, GpuError, GpuOptions, LeftOutKind, Plan, Recording, Resources, SpanFlag, Tier,
+    Engine, FrameReport, Gpu, GpuError, GpuOptions, LeftOutKind, Plan, RecordingId, Resources, SpanFlag, Tier,
     TimingStatus,
 };
 use brooklet_kernels::{Access, Module};
@@ -11,16 +11,18 @@ use brooklet_kernels::{Access, Module};
 /// `counter += 1` over `len` words in recording `step`.
 struct Counting {
     engine: Engine,
+    step: RecordingId,
     counter: brooklet_kernels::Buffer<u32>,
 }
 
 fn counting(gpu: &Gpu, len: u32) -> Counting {
     let mut resources = Resources::new();
     let mut counter = resources.persistent::<u32>("counter", len);
-    let mut step = Recording::new("step");
+    let mut step = resources.recording("step");
     step.dispatch(&Increment { values: counter.write() }, len);
+    let step_id = step.id();
     let plan = Plan::sweep(resources, vec![step], &[]).expect("a plan");
-    Counting { engine: Engine::new(gpu, plan).expect("an engine"), counter }
+    Counting { engine: Engine::new(gpu, plan).expect("an engine"), step: step_id, counter }
 }
 
 #[test]
@@ -34,7 +36,7 @@ fn a_recording_runs_in_order_and_exactly() {
         let mut output = resources.persistent::<u32>("output", len);
         let mut factor = resources.buffer::<[u32; 4]>("factor", 1);
         let data: Vec<u32> = (0..len).map(|i| i.wrapping_mul(2_654_435_761)).collect();
-        let mut run = Recording::new("run");
+        let mut run = resources.recording("run");
         run.upload(&mut input, &data);
         run.upload(&mut factor, &[[3, 0, 0, 0]]);
         run.clear(&mut middle);
@@ -43,9 +45,10 @@ fn a_recording_runs_in_order_and_exactly() {
         run.upload(&mut factor, &[[5, 0, 0, 0]]);
         run.dispatch(&Scale { from: middle.read(), to: input.write(), factor: factor.uniform() }, len);
         run.copy(&input, &mut output);
+        let run_id = run.id();
         let plan = Plan::sweep(resources, vec![run], &[]).expect("a plan");
         let mut engine = Engine::new(&gpu, plan).expect("an engine");
-        engine.run(&["run"], &[]).expect("it runs");
+        engine.run(&[run_id], &[]).expect("it runs");
         let expected: Vec<u32> =
             data.iter().map(|x| x.wrapping_mul(3).wrapping_add(1).wrapping_mul(5).wrapping_add(1)).collect();
         assert!(engine.read(&output).expect("output") == expected, "{len} words");
@@ -58,7 +61,7 @@ fn a_buffer_is_bound_at_exactly_its_length() {
     // the rest of a pooled allocation.
     let gpu = gpu();
     let mut counting = counting(&gpu, 70);
-    counting.engine.run(&["step"], &[]).expect("it runs");
+    counting.engine.run(&[counting.step], &[]).expect("it runs");
     assert_eq!(counting.engine.read(&counting.counter).expect("read"), [1; 70]);
     assert_eq!(counting.engine.wgpu_buffer(counting.counter.id).map(|buffer| buffer.size() >= 280), Some(true));
 }
@@ -70,17 +73,18 @@ fn indirect_dispatches_run_what_the_gpu_says() {
     let wanted = resources.persistent::<u32>("wanted", 1);
     let mut args = resources.buffer::<[u32; 3]>("args", 1);
     let mut values = resources.persistent::<u32>("values", 256);
-    let mut run = Recording::new("run");
+    let mut run = resources.recording("run");
     run.dispatch(&Arguments { wanted: wanted.read(), args: args.write() }, 1);
     run.dispatch_indirect(&Increment { values: values.write() }, &args);
+    let run_id = run.id();
     let plan = Plan::sweep(resources, vec![run], &[]).expect("a plan");
     let mut engine = Engine::new(&gpu, plan).expect("an engine");
     engine.write(&wanted, &[3]);
-    engine.run(&["run"], &[]).expect("it runs");
+    engine.run(&[run_id], &[]).expect("it runs");
     engine.write(&wanted, &[1]);
-    engine.run(&["run"], &[]).expect("it runs");
+    engine.run(&[run_id], &[]).expect("it runs");
     engine.write(&wanted, &[0]);
-    engine.run(&["run"], &[]).expect("it runs");
+    engine.run(&[run_id], &[]).expect("it runs");
     let mut expected = vec![0; 256];
     expected[..192].fill(1);
     expected[..64].fill(2);
@@ -93,7 +97,7 @@ fn fifty_frames_come_back_in_order() {
     let mut counting = counting(&gpu, 100);
     let mut reports: Vec<FrameReport> = Vec::new();
     for frame in 0..50 {
-        let number = counting.engine.run(&["step"], &[counting.counter.id]).expect("it runs");
+        let number = counting.engine.run(&[counting.step], &[counting.counter.id]).expect("it runs");
         assert_eq!(number, frame);
         if frame % 7 == 0 {
             reports.extend(counting.engine.reports());
@@ -116,17 +120,17 @@ fn a_steady_frame_allocates_nothing() {
     let gpu = gpu();
     let mut counting = counting(&gpu, 100);
     for _ in 0..8 {
-        counting.engine.run(&["step"], &[counting.counter.id]).expect("it runs");
+        counting.engine.run(&[counting.step], &[counting.counter.id]).expect("it runs");
     }
     let allocations = counting.engine.allocation_count();
     let bytes = counting.engine.allocated_bytes();
     for _ in 0..20 {
-        counting.engine.run(&["step"], &[counting.counter.id]).expect("it runs");
+        counting.engine.run(&[counting.step], &[counting.counter.id]).expect("it runs");
     }
     assert_eq!(counting.engine.allocation_count(), allocations);
     assert_eq!(counting.engine.allocated_bytes(), bytes);
     // A larger frame needs more, so the counter can move.
-    counting.engine.run(&["step"; 3000], &[]).expect("it runs");
+    counting.engine.run(&[counting.step; 3000], &[]).expect("it runs");
     assert!(counting.engine.allocation_count() > allocations);
 }
 
@@ -136,14 +140,14 @@ fn every_dispatch_has_its_span() {
     assert!(gpu.timing().is_measured(), "{:?}", gpu.timing());
     // Enough for a second query set.
     let mut counting = counting(&gpu, 64);
-    counting.engine.run(&["step"; 2500], &[]).expect("it runs");
+    counting.engine.run(&[counting.step; 2500], &[]).expect("it runs");
     let reports = counting.engine.finish().expect("it finishes");
     let report = &reports[0];
     assert_eq!(report.spans.len(), 2500);
     assert_eq!(report.timing, gpu.timing());
     assert_eq!(counting.engine.dispatch_count(), 2500);
     assert!(counting.engine.timestamp_query_count() > 2500);
-    assert!(report.spans.iter().all(|span| span.stage == "increment" && span.recording == "step"));
+    assert!(report.spans.iter().all(|span| span.stage == "increment" && span.recording == counting.step));
     assert!(report.spans.iter().any(|span| span.flag == SpanFlag::Ok), "some can be believed");
     let stages = report.stage_ms();
     assert_eq!((stages.len(), stages[0].0, stages[0].2), (1, "increment", 2500));
@@ -156,7 +160,7 @@ fn every_dispatch_has_its_span() {
 fn without_timing_there_is_no_query() {
     let gpu = Gpu::open(&GpuOptions::default()).expect("a device");
     let mut counting = counting(&gpu, 64);
-    counting.engine.run(&["step"; 10], &[]).expect("it runs");
+    counting.engine.run(&[counting.step; 10], &[]).expect("it runs");
     let reports = counting.engine.finish().expect("it finishes");
     assert_eq!(reports[0].timing, TimingStatus::Off);
     assert!(reports[0].spans.is_empty());
@@ -171,15 +175,16 @@ fn what_nothing_wants_is_neither_run_nor_allocated() {
         let mut resources = Resources::new();
         let mut kept = resources.persistent::<u32>("kept", 64);
         let mut unwanted = resources.buffer::<u32>("unwanted", 1 << 20);
-        let mut step = Recording::new("step");
+        let mut step = resources.recording("step");
         step.clear(&mut unwanted);
         step.dispatch(&Increment { values: unwanted.write() }, 1 << 20);
         step.dispatch(&Increment { values: kept.write() }, 64);
         let outputs = if wanted { vec![unwanted.id] } else { Vec::new() };
+        let step_id = step.id();
         let plan = Plan::sweep(resources, vec![step], &outputs).expect("a plan");
         let left_out = plan.left_out().to_vec();
         let mut engine = Engine::new(&gpu, plan).expect("an engine");
-        engine.run(&["step"], &[]).expect("it runs");
+        engine.run(&[step_id], &[]).expect("it runs");
         assert_eq!(engine.read(&kept).expect("kept"), [1; 64]);
         (engine, unwanted, left_out)
     };
@@ -200,20 +205,21 @@ fn what_nothing_wants_is_neither_run_nor_allocated() {
     );
     let error = without.read(&unwanted).expect_err("it has no memory");
     assert!(error.to_string().contains("unwanted cannot be read"), "{error}");
-    assert!(without.run(&["step"], &[unwanted.id]).is_err());
+    let step = only(&without);
+    assert!(without.run(&[step], &[unwanted.id]).is_err());
 }
 
 #[test]
 fn memory_is_used_again_and_starts_at_zero() {
     let gpu = gpu();
     let mut first = counting(&gpu, 5000);
-    first.engine.run(&["step"], &[]).expect("it runs");
+    first.engine.run(&[first.step], &[]).expect("it runs");
     drop(first);
     let pooled = gpu.pooled_bytes();
     assert!(pooled >= 20_000);
     let mut second = counting(&gpu, 5000);
     assert!(gpu.pooled_bytes() <= pooled - 20_000, "taken from the pool");
-    second.engine.run(&["step"], &[]).expect("it runs");
+    second.engine.run(&[second.step], &[]).expect("it runs");
     assert_eq!(second.engine.read(&second.counter).expect("read"), [1; 5000]);
     drop(second);
     gpu.trim();
@@ -233,7 +239,7 @@ fn a_forced_floor_runs_with_the_floors_limits() {
     let beyond = wgpu::Features::SUBGROUP | wgpu::Features::SHADER_F16;
     assert!(!gpu.device().features().intersects(beyond));
     let mut counting = counting(&gpu, 1000);
-    counting.engine.run(&["step"; 2], &[]).expect("it runs");
+    counting.engine.run(&[counting.step; 2], &[]).expect("it runs");
     assert_eq!(counting.engine.read(&counting.counter).expect("read"), [2; 1000]);
 }
 
@@ -247,7 +253,7 @@ fn a_module_above_the_tier_or_its_limits_is_refused_by_name() {
     let build = |module: Module| {
         let mut resources = Resources::new();
         let mut values = resources.persistent::<u32>("values", 1);
-        let mut step = Recording::new("step");
+        let mut step = resources.recording("step");
         let module: &'static Module = Box::leak(Box::new(module));
         step.dispatch(&Any { module, values: values.write() }, 1);
         let plan = Plan::sweep(resources, vec![step], &[]).expect("a plan");
@@ -282,7 +288,7 @@ fn the_callers_own_device_serves() {
     let gpu = Gpu::from_device(&adapter, device, queue, Some(tier)).expect("it serves");
     assert_eq!(gpu.info().name, adapter.get_info().name);
     let mut counting = counting(&gpu, 10);
-    counting.engine.run(&["step"], &[]).expect("it runs");
+    counting.engine.run(&[counting.step], &[]).expect("it runs");
     assert_eq!(counting.engine.read(&counting.counter).expect("read"), [1; 10]);
 
     let (device, queue) = open(wgpu::Features::empty());
@@ -307,7 +313,7 @@ fn lesser_timestamps_are_used_and_said() {
         let gpu = Gpu::from_device(&adapter, device, queue, Some(Tier::Floor)).expect("it serves");
         let mut counting = counting(&gpu, 64);
         // More than a query set holds.
-        counting.engine.run(&["step"; 2100], &[]).expect("it runs");
+        counting.engine.run(&[counting.step; 2100], &[]).expect("it runs");
         let report = counting.engine.finish().expect("it finishes").remove(0);
         assert_eq!(counting.engine.read(&counting.counter).expect("read"), [2100; 64]);
         (report.timing, report.spans.len(), report.gpu_ms())
@@ -346,7 +352,7 @@ fn a_buffer_beyond_the_binding_limit_is_named() {
     let mut resources = Resources::new();
     let mut small = resources.persistent::<u32>("small", 16);
     let mut huge = resources.persistent::<[u32; 4]>("neighbour_list", len);
-    let mut step = Recording::new("step");
+    let mut step = resources.recording("step");
     step.dispatch(&Increment { values: small.write() }, 16);
     let module = brooklet_kernels::Kernel::module(&Increment { values: small.write() });
     let words = brooklet_kernels::Buffer::<u32>::new(huge.id, 4);
@@ -370,13 +376,13 @@ fn a_buffer_beyond_the_binding_limit_is_named() {
 fn a_lost_device_is_an_error() {
     let gpu = gpu();
     let mut counting = counting(&gpu, 1000);
-    counting.engine.run(&["step"], &[]).expect("it runs");
+    counting.engine.run(&[counting.step], &[]).expect("it runs");
     assert_eq!(gpu.is_lost(), None);
     gpu.device().destroy();
     let mut runs = 0;
     let error = loop {
         // A frame handed over in the same instant may still be taken.
-        match counting.engine.run(&["step"], &[counting.counter.id]) {
+        match counting.engine.run(&[counting.step], &[counting.counter.id]) {
             Ok(_) if runs < 10 => runs += 1,
             Ok(_) => panic!("ten frames ran on a destroyed device"),
             Err(error) => break error,
@@ -394,10 +400,14 @@ fn a_lost_device_is_an_error() {
 fn wrong_calls_are_errors_that_name_what_is_wrong() {
     let gpu = gpu();
     let mut counting = counting(&gpu, 10);
-    let error = counting.engine.run(&["stpe"], &[]).expect_err("no such recording");
+    let error = counting.engine.run(&[Resources::new().recording("stpe").id()], &[]).expect_err("no such recording");
     assert_eq!(error.to_string(), "there is no recording \"stpe\"; the plan has: step");
+    let mut other = Resources::new();
+    other.recording("first");
+    let elsewhere = other.recording("step").id();
+    assert!(counting.engine.run(&[elsewhere], &[]).is_err(), "a handle of another table");
     counting.engine.write(&counting.counter, &[7; 11]);
-    let error = counting.engine.run(&["step"], &[]).expect_err("it was too long");
+    let error = counting.engine.run(&[counting.step], &[]).expect_err("it was too long");
     assert_eq!(error.to_string(), "11 elements were written to buffer counter, which has 10");
-    counting.engine.run(&["step"], &[]).expect("and then it goes on");
+    counting.engine.run(&[counting.step], &[]).expect("and then it goes on");
 }

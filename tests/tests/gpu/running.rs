@@ -1,9 +1,9 @@
 //! What a window asks of the engine while it runs: progress, few frames in flight, pictures that come
 //! back without a stall, and other shaders over the same memory.
 
-use crate::support::{DrawHalf, Increment, Scale, compute, gpu, words};
+use crate::support::{DrawHalf, Increment, Scale, compute, gpu, only, words};
 use brooklet_gpu::{
-    DrawState, Engine, FRAMES_IN_FLIGHT, Format, Gpu, GpuError, Load, Plan, Recording, Resources, Targets, Texture,
+    DrawState, Engine, FRAMES_IN_FLIGHT, Format, Gpu, GpuError, Load, Plan, Resources, Targets, Texture,
 };
 use brooklet_kernels::{Access, Buffer, Module};
 
@@ -13,7 +13,7 @@ fn counting(len: u32) -> (Plan, Buffer<u32>, Buffer<u32>) {
     let mut counter = resources.persistent::<u32>("counter", len);
     let mut scaled = resources.persistent::<u32>("scaled", len);
     let mut factor = resources.buffer::<[u32; 4]>("factor", 1);
-    let mut step = Recording::new("step");
+    let mut step = resources.recording("step");
     step.upload(&mut factor, &[[3, 0, 0, 0]]);
     step.dispatch(&Increment { values: counter.write() }, len);
     step.dispatch(&Increment { values: counter.write() }, len);
@@ -37,7 +37,8 @@ fn making_an_engine_says_how_far_it_is_from_any_thread() {
     let expected =
         [(0, 3, "counter"), (0, 3, "scaled"), (0, 3, "factor"), (1, 3, "memory"), (2, 3, "Increment"), (3, 3, "Scale")];
     assert_eq!(said, expected);
-    engine.run(&["step"], &[]).expect("it runs");
+    let recording = only(&engine);
+    engine.run(&[recording], &[]).expect("it runs");
     assert_eq!(engine.read(&counter).expect("counter"), [2; 100]);
 }
 
@@ -62,14 +63,16 @@ fn engines_are_made_on_one_thread_while_another_runs_its_own() {
                     .expect("it fits");
                 assert!(Engine::new(&gpu, refused).is_err(), "an error here is this thread's own");
                 let mut made = Engine::new(&gpu, changed).expect("an engine");
-                made.run(&["step"], &[]).expect("it runs");
+                let recording = only(&made);
+                made.run(&[recording], &[]).expect("it runs");
                 made.read(&counting(5000).1).expect("counter")
             })
             .all(|values| values == [20; 5000])
     });
     let mut frames = 0;
     while frames < 20 || !making.is_finished() {
-        running.run(&["step"], &[]).expect("it runs");
+        let recording = only(&running);
+        running.run(&[recording], &[]).expect("it runs");
         frames += 1;
     }
     assert!(making.join().expect("the thread ends"));
@@ -83,7 +86,8 @@ fn frames_in_flight_and_reports_are_all_frames() {
     assert_eq!(engine.in_flight(), 0);
     let mut reports = 0;
     for frame in 1..=20 {
-        engine.run(&["step"], &[counter.id]).expect("it runs");
+        let recording = only(&engine);
+        engine.run(&[recording], &[counter.id]).expect("it runs");
         let in_flight = engine.in_flight();
         assert!(in_flight <= FRAMES_IN_FLIGHT);
         // What `in_flight` no longer counts is in the reports, and maybe more since.
@@ -106,7 +110,7 @@ fn painting(gpu: &Gpu, size_px: [u32; 2], format: Format) -> Painting {
     let mut resources = Resources::new();
     let color = resources.persistent::<[f32; 4]>("color", 1);
     let picture = resources.texture("picture", format, size_px);
-    let mut frame = Recording::new("frame");
+    let mut frame = resources.recording("frame");
     let targets = Targets { color: vec![(&picture, Load::Clear([0.0, 0.0, 1.0, 1.0]))], depth: None };
     frame.draw(&DrawHalf { color: color.uniform() }, &targets, DrawState::default(), 3, 1);
     let plan = Plan::sweep(resources, vec![frame], &[picture.id]).expect("a plan");
@@ -130,7 +134,8 @@ fn textures_come_back_with_their_frame_without_padding_or_new_memory() {
         let mut expected = Vec::new();
         for frame in 0..8 {
             engine.write(&color, &red(frame));
-            engine.run(&["frame"], &[]).expect("it runs");
+            let recording = only(&engine);
+            engine.run(&[recording], &[]).expect("it runs");
             expected.push(engine.read_texture(&picture).expect("the picture"));
         }
         assert!(expected.windows(2).all(|two| two[0] != two[1]), "the frames differ");
@@ -139,7 +144,8 @@ fn textures_come_back_with_their_frame_without_padding_or_new_memory() {
         let mut allocations = 0;
         for frame in 0..8 {
             engine.write(&color, &red(frame));
-            engine.run(&["frame"], &[color.id, picture.id, color.id]).expect("it runs");
+            let recording = only(&engine);
+            engine.run(&[recording], &[color.id, picture.id, color.id]).expect("it runs");
             reports.extend(engine.reports());
             if frame + 1 == FRAMES_IN_FLIGHT as u64 {
                 allocations = engine.allocation_count();
@@ -167,7 +173,7 @@ fn a_texture_that_cannot_come_back_is_refused_and_says_why() {
     let picture = resources.texture("picture", Format::Rgba8Unorm, [4, 4]);
     let inverse_depth = resources.texture("inverse_depth", Format::Depth24Plus, [4, 4]);
     let spare = resources.texture("spare", Format::Rgba8Unorm, [4, 4]);
-    let mut frame = Recording::new("frame");
+    let mut frame = resources.recording("frame");
     let targets =
         Targets { color: vec![(&picture, Load::Clear([0.0; 4]))], depth: Some((&inverse_depth, Load::Clear(1.0))) };
     frame.draw(&DrawHalf { color: color.uniform() }, &targets, DrawState::default(), 3, 1);
@@ -176,10 +182,12 @@ fn a_texture_that_cannot_come_back_is_refused_and_says_why() {
     for (id, words) in
         [(spare.id, "spare cannot be read: the plan left it out"), (inverse_depth.id, "use Depth32Float")]
     {
-        let error = engine.run(&["frame"], &[id]).expect_err(words).to_string();
+        let recording = only(&engine);
+        let error = engine.run(&[recording], &[id]).expect_err(words).to_string();
         assert!(error.contains(words), "{error}");
     }
-    engine.run(&["frame"], &[picture.id]).expect("it runs all the same");
+    let recording = only(&engine);
+    engine.run(&[recording], &[picture.id]).expect("it runs all the same");
     assert_eq!(engine.finish().expect("it finishes").len(), 1, "what was refused was no frame");
 }
 
@@ -205,19 +213,22 @@ fn other_shaders_take_over_the_memory_and_a_failure_leaves_the_old_ones_running(
     let by_ten = increment_by_ten();
     let changed = plan.clone().with_modules(|module| (module.name == "Increment").then_some(by_ten)).expect("it fits");
     for _ in 0..3 {
-        engine.run(&["step"], &[counter.id]).expect("it runs");
+        let recording = only(&engine);
+        engine.run(&[recording], &[counter.id]).expect("it runs");
     }
     let bytes = engine.allocated_bytes();
     // Three frames are under way, and end with what they began with.
     engine.exchange(changed.clone()).expect("it is taken");
     assert_eq!(engine.allocated_bytes(), bytes, "nothing is allocated twice");
-    assert_eq!(engine.run(&["step"], &[counter.id]), Ok(3), "frames go on counting");
+    let recording = only(&engine);
+    assert_eq!(engine.run(&[recording], &[counter.id]), Ok(3), "frames go on counting");
 
     let broken: &'static Module = Box::leak(Box::new(Module { spirv: &[0; 64], ..*by_ten }));
     let refused = plan.clone().with_modules(|module| (module.name == "Increment").then_some(broken)).expect("it fits");
     let error = engine.exchange(refused).expect_err("no SPIR-V").to_string();
     assert!(error.contains("kernel Increment: it is no SPIR-V"), "{error}");
-    engine.run(&["step"], &[counter.id]).expect("it goes on with the last good ones");
+    let recording = only(&engine);
+    engine.run(&[recording], &[counter.id]).expect("it goes on with the last good ones");
 
     let seen: Vec<u32> = engine
         .finish()
@@ -230,7 +241,8 @@ fn other_shaders_take_over_the_memory_and_a_failure_leaves_the_old_ones_running(
     assert_eq!(engine.read(&scaled).expect("scaled"), [139; 1000]);
     assert!(std::ptr::eq(engine.plan().passes()[0].module, by_ten));
     engine.exchange(plan).expect("and back");
-    engine.run(&["step"], &[]).expect("it runs");
+    let recording = only(&engine);
+    engine.run(&[recording], &[]).expect("it runs");
     assert_eq!(engine.read(&counter).expect("counter"), [48; 1000]);
 }
 
@@ -247,6 +259,7 @@ fn a_plan_over_other_memory_is_not_taken() {
     fewer.persistent::<u32>("counter", 64);
     let plan = Plan::sweep(fewer, vec![], &[]).expect("a plan");
     refused(&mut engine, plan, "scaled: the two plans declare it differently");
-    engine.run(&["step"], &[]).expect("it runs as before");
+    let recording = only(&engine);
+    engine.run(&[recording], &[]).expect("it runs as before");
     assert_eq!(engine.read(&counter).expect("counter"), [2; 64]);
 }

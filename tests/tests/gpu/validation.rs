@@ -1,6 +1,6 @@
 //! The ears for Vulkan's validation layers, given something to hear.
 
-use brooklet_gpu::{Engine, Plan, Recording, Resources};
+use brooklet_gpu::{Engine, Plan, Resources};
 use brooklet_kernels::{BindingError, Bound, Kernel, Module, ReduceGroups};
 use brooklet_tests::{gpu, validation};
 use std::{
@@ -35,15 +35,16 @@ fn build(mistaken: bool) {
     let mut resources = Resources::new();
     let values = resources.persistent::<u32>("values", 4);
     let mut sums = resources.persistent::<u32>("group_sums", 1);
-    let mut recording = Recording::new("sum");
+    let mut recording = resources.recording("sum");
     let kernel = ReduceGroups { values: values.read(), group_sums: sums.write() };
     if mistaken {
         recording.dispatch(&Undeclared(kernel), 1);
     } else {
         recording.dispatch(&kernel, 1);
     }
+    let sum_id = recording.id();
     let plan = Plan::sweep(resources, vec![recording], &[]).unwrap();
-    Engine::new(&gpu(), plan).unwrap().run(&["sum"], &[]).unwrap();
+    Engine::new(&gpu(), plan).unwrap().run(&[sum_id], &[]).unwrap();
 }
 
 /// This test in a process of its own, which builds a kernel with validation on.

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use brooklet_compiler::{Places, Recompiled, compile_one, target_below};
-use brooklet_fluid::{INIT, STEP, Scene, record};
+use brooklet_fluid::{Scene, record};
 use brooklet_gpu::{Engine, Plan, Resources};
 use brooklet_kernels::{Module, Tier, modules};
 use brooklet_tests::gpu;
@@ -60,10 +60,10 @@ fn an_edited_kernel_goes_on_with_the_particles_that_are_there() {
     let (_folder, places) = checkout();
     let scene = Scene::load("calm-pool", &["spacing_m=0.1".into(), "domain.walls=false".into()]).unwrap();
     let mut resources = Resources::new();
-    let mut recorded = record(&mut resources, &scene);
-    let plan = Plan::sweep(resources, std::mem::take(&mut recorded.recordings), &[]).unwrap();
+    let recorded = record(&mut resources, &scene);
+    let plan = Plan::sweep(resources, recorded.recordings(), &[]).unwrap();
     let mut engine = Engine::new(&gpu(), plan.clone()).unwrap();
-    engine.run(&[INIT, STEP], &[]).unwrap();
+    engine.run(&[recorded.init.id(), recorded.step.id()], &[]).unwrap();
     let before = recorded.particles(&mut engine).unwrap();
     let mean_m_s = |velocities: &[brooklet_kernels::Velocity]| {
         velocities.iter().map(|v| f64::from(v.velocity_m_s[1])).sum::<f64>() / velocities.len() as f64
@@ -76,7 +76,7 @@ fn an_edited_kernel_goes_on_with_the_particles_that_are_there() {
     let of = |module: &'static Module| new.iter().find(|new| new.name == module.name).map(replacement);
     engine.exchange(plan.with_modules(of).unwrap()).unwrap();
     assert_eq!(recorded.particles(&mut engine).unwrap().positions, before.positions);
-    engine.run(&[STEP], &[]).unwrap();
+    engine.run(&[recorded.step.id()], &[]).unwrap();
     let after = recorded.particles(&mut engine).unwrap();
     // Gravity turned round and three times as strong: solver and viscosity keep the mean.
     let change = mean_m_s(&after.velocities) - fallen_m_s;

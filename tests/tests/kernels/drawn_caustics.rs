@@ -124,9 +124,10 @@ fn draw(positions: &[Position], photons: u32) -> Drawn {
     init.upload(&mut buffer, positions);
     // The picture itself is not wanted here.
     let wanted = [caustics.raw.id, caustics.sun_depth.id, caustics.light.id, water.thickness.sun.id];
-    let plan = Plan::sweep(resources, vec![init, passes.recording], &wanted).expect("a plan");
+    let ids = [init.id(), passes.draw.id()];
+    let plan = Plan::sweep(resources, vec![init, passes.draw], &wanted).expect("a plan");
     let mut engine = Engine::new(&gpu(), plan).expect("an engine");
-    engine.run(&[frame::DRAW_INIT, frame::DRAW], &[]).expect("it draws");
+    engine.run(&ids, &[]).expect("it draws");
     let mut map = |texture| {
         let values: Vec<f32> = bytemuck::pod_collect_to_vec(&engine.read_texture(texture).expect("a texture"));
         SunMap { side: photons as usize, values: values.into_iter().map(f64::from).collect() }

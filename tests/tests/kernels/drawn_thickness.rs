@@ -89,10 +89,11 @@ fn draw(size_px: [u32; 2], eye_m: DVec3, positions: &[Position]) -> Drawn {
     let water = passes.water.expect("water");
     let mut init = passes.init;
     init.upload(&mut buffer, positions);
-    let plan = Plan::sweep(resources, vec![init, passes.recording], &[water.surface.raw.id, water.thickness.eye.id])
+    let ids = [init.id(), passes.draw.id()];
+    let plan = Plan::sweep(resources, vec![init, passes.draw], &[water.surface.raw.id, water.thickness.eye.id])
         .expect("a plan");
     let mut engine = Engine::new(&gpu(), plan).expect("an engine");
-    engine.run(&[frame::DRAW_INIT, frame::DRAW], &[]).expect("it draws");
+    engine.run(&ids, &[]).expect("it draws");
     let inverse_depth: Vec<f32> =
         bytemuck::pod_collect_to_vec(&engine.read_texture(&water.surface.raw).expect("the nearest spheres"));
     let halves = engine.read_texture(&water.thickness.eye).expect("thickness");

@@ -1,8 +1,8 @@
 //! Dragging: the kernel against its twin, and as a program records it.
 
-use brooklet_fluid::interact::{Drag, PUSH, record_push};
+use brooklet_fluid::interact::{Drag, record_push};
 use brooklet_fluid::particles::is_simulated;
-use brooklet_fluid::{INIT, Scene, record};
+use brooklet_fluid::{Scene, record};
 use brooklet_gpu::{Engine, Plan, Resources};
 use brooklet_kernels::{Kernel, Position, Push, PushParams, Velocity};
 use brooklet_reference::particles::push::{self, push};
@@ -134,7 +134,9 @@ fn a_scene_is_dragged_only_if_somebody_asks() {
         let mut resources = Resources::new();
         let mut recorded = record(&mut resources, &scene);
         let push = dragged.then(|| record_push(&mut resources, &mut recorded));
-        let plan = Plan::sweep(resources, std::mem::take(&mut recorded.recordings), &[]).unwrap();
+        let pushes = push.as_ref().map(|push| push.recording.clone());
+        let recordings = recorded.recordings().into_iter().chain(pushes).collect();
+        let plan = Plan::sweep(resources, recordings, &[]).unwrap();
         (plan, recorded, push)
     };
     let has_push = |plan: &Plan| plan.passes().iter().any(|pass| pass.stage == Push::STAGE);
@@ -143,11 +145,11 @@ fn a_scene_is_dragged_only_if_somebody_asks() {
     assert!(!has_push(&without) && labels(&without) == 0);
     let (plan, recorded, push) = plan_of(true);
     assert!(has_push(&plan) && labels(&plan) == 1);
-    assert!(!plan.commands(brooklet_fluid::STEP).iter().any(|command| command.stage() == Some(Push::STAGE)));
+    assert!(!plan.commands(recorded.step.id()).iter().any(|command| command.stage() == Some(Push::STAGE)));
 
     let push = push.unwrap();
     let mut engine = Engine::new(&gpu(), plan).unwrap();
-    engine.run(&[INIT, PUSH], &[]).unwrap();
+    engine.run(&[recorded.init.id(), push.recording.id()], &[]).unwrap();
     let positions = engine.read(&recorded.positions).unwrap();
     let before = engine.read(&recorded.velocities).unwrap();
     assert!(before.iter().all(|v| v.velocity_m_s == [0.5, -0.25, 0.0]), "nothing moves before the first drag");
@@ -175,11 +177,11 @@ fn a_scene_is_dragged_only_if_somebody_asks() {
         Drag { far_m: 50.0, ..drag },
     ] {
         push.write(&mut engine, &scene, &idle);
-        engine.run(&[PUSH], &[]).unwrap();
+        engine.run(&[push.recording.id()], &[]).unwrap();
         assert!(engine.read(&recorded.velocities).unwrap() == before, "{idle:?}");
     }
     push.write(&mut engine, &scene, &drag);
-    engine.run(&[PUSH], &[]).unwrap();
+    engine.run(&[push.recording.id()], &[]).unwrap();
     let after = engine.read(&recorded.velocities).unwrap();
     assert!(engine.read(&recorded.positions).unwrap() == positions);
     // The twin in f64, from a place on the same ray: what the foot's rounding may be is in the tolerance.

@@ -1,8 +1,8 @@
 //! `measure/sample_particles` against its twin, and as a program records it.
 
-use brooklet_fluid::measure::{SAMPLE, record_sample};
+use brooklet_fluid::measure::record_sample;
 use brooklet_fluid::particles::{fluid_of, id_of};
-use brooklet_fluid::{INIT, STEP, Scene, record};
+use brooklet_fluid::{Scene, record};
 use brooklet_gpu::{Engine, Plan, Resources};
 use brooklet_kernels::{FLUID_SHIFT, INACTIVE_FLUID, Kernel, QUARANTINED, SampleParams, SampleParticles};
 use brooklet_reference::measure::sample_particles::sample_particles;
@@ -112,20 +112,22 @@ fn a_scene_is_sampled_only_if_somebody_wants_it_and_never_beyond_what_was_allowe
     let scene = Scene::load("calm-pool", &["spacing_m=0.1".into()]).unwrap();
     for most_points in [0, 1, 100, 1_000_000] {
         let mut resources = Resources::new();
-        let mut recorded = record(&mut resources, &scene);
-        let sample = record_sample(&mut resources, &mut recorded, most_points);
+        let recorded = record(&mut resources, &scene);
+        let sample = record_sample(&mut resources, &recorded, most_points);
         let count = recorded.particle_count;
         assert_eq!(sample.samples.len, count.div_ceil(sample.stride));
         assert!(sample.samples.len <= most_points.max(1));
         assert!(sample.stride == 1 || count.div_ceil(sample.stride - 1) > most_points, "no more is left out than must");
-        let recordings = std::mem::take(&mut recorded.recordings);
+        let mut recordings = recorded.recordings();
+        recordings.push(sample.recording.clone());
+        let (init, step) = (recorded.init.id(), recorded.step.id());
         let has_sample = |plan: &Plan| plan.passes().iter().any(|pass| pass.stage == SampleParticles::STAGE);
         let without = Plan::sweep(resources.clone(), recordings.clone(), &[]).unwrap();
         assert!(!has_sample(&without));
         let plan = Plan::sweep(resources, recordings, &[sample.samples.id]).unwrap();
         assert!(has_sample(&plan));
         let mut engine = Engine::new(&gpu(), plan).unwrap();
-        engine.run(&[INIT, STEP, STEP, SAMPLE], &[sample.samples.id]).unwrap();
+        engine.run(&[init, step, step, sample.recording.id()], &[sample.samples.id]).unwrap();
         let report = engine.finish().unwrap().remove(0);
         let samples: Vec<[f32; 4]> = bytemuck::pod_collect_to_vec(&report.readbacks[0].1);
         let mut positions = engine.read(&recorded.positions).unwrap();

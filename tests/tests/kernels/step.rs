@@ -1,6 +1,7 @@
 //! A whole step of the chain, as the fluid records it, against the f64 twin's.
 
-use brooklet_fluid::{Scene, Simulation};
+use brooklet_fluid::particles::ParticleSet;
+use brooklet_fluid::{Scene, Session};
 use brooklet_kernels::{Position, Velocity};
 use brooklet_reference::params::nearest_image;
 use brooklet_tests::compare::{Worst, vector};
@@ -68,10 +69,10 @@ vorticity_m_s = 0.01
 ";
 
 /// The scene's particles moved a little off their lattice, so that nothing is even by symmetry.
-fn start(simulation: &mut Simulation) -> (Vec<Position>, Vec<Velocity>) {
-    let (mut positions, mut velocities) = simulation.particles().unwrap();
+fn start(session: &mut Session) -> (Vec<Position>, Vec<Velocity>) {
+    let ParticleSet { mut positions, mut velocities } = session.read_particles().unwrap();
     let mut rng = rng(71);
-    let dimensions = simulation.scene().domain.dimensions as usize;
+    let dimensions = session.scene().domain.dimensions as usize;
     let mut part = |size: f32| (rng.random::<f32>() - 0.5) * size;
     for (position, velocity) in positions.iter_mut().zip(&mut velocities) {
         for axis in 0..dimensions {
@@ -80,8 +81,9 @@ fn start(simulation: &mut Simulation) -> (Vec<Position>, Vec<Velocity>) {
             velocity.velocity_m_s[axis] += part(0.4);
         }
     }
-    simulation.set_particles(&positions, &velocities);
-    (positions, velocities)
+    let particles = ParticleSet { positions, velocities };
+    session.write_particles(&particles);
+    (particles.positions, particles.velocities)
 }
 
 fn scene_with(settings: &[&str]) -> Scene {
@@ -95,17 +97,17 @@ fn scene_of(text: &str, settings: &[&str]) -> Scene {
 
 /// Follows `scene` on the GPU and `twin_scene` with the twin, and compares where they end.
 fn follow(scene: &Scene, twin_scene: &Scene, steps: usize, worst: &mut Worst) -> Result<(), String> {
-    let mut simulation = Simulation::new(&gpu(), scene).unwrap();
-    let (positions, velocities) = start(&mut simulation);
+    let mut session = Session::new(&gpu(), scene).unwrap();
+    let (positions, velocities) = start(&mut session);
     assert!(positions.len() >= 400);
     let mut fluid = twin(twin_scene, &positions, &velocities);
     for _ in 0..steps {
-        simulation.step().unwrap();
+        session.step().unwrap();
         for _ in 0..scene.solver.substeps {
             fluid.substep();
         }
     }
-    let (after, velocities) = simulation.particles().unwrap();
+    let ParticleSet { positions: after, velocities } = session.read_particles().unwrap();
     let mut furthest = 0.0_f64;
     for (position, velocity) in after.iter().zip(&velocities) {
         let id = (position.tag & 0xff_ffff) as usize;
@@ -216,11 +218,12 @@ fn a_scene_without_particles_runs() {
     let mut scene = scene_with(&[]);
     scene.fluids.clear();
     scene.outputs.measure_every_steps = 1;
-    let mut simulation = Simulation::new(&gpu(), &scene).unwrap();
-    simulation.step().unwrap();
-    simulation.measure().unwrap();
-    let stats = simulation.finish().unwrap().expect("a measurement was asked for");
+    let mut session = Session::new(&gpu(), &scene).unwrap();
+    session.step().unwrap();
+    session.measure().unwrap();
+    session.finish().unwrap();
+    let stats = session.stats().expect("a measurement was asked for");
     assert_eq!((stats.particles, stats.quarantined, stats.escaped), (0, 0, 0));
     assert_eq!((stats.density_error.max, stats.max_speed_m_s, stats.kinetic_j), (0.0, 0.0, 0.0));
-    assert!(simulation.particles().unwrap().0.is_empty());
+    assert!(session.read_particles().unwrap().positions.is_empty());
 }

@@ -2,7 +2,7 @@
 //! gets the raw surface that the device drew, bit for bit.
 
 use brooklet_fluid::scene::Smoothing;
-use brooklet_gpu::{Engine, Plan, Recording, Resources};
+use brooklet_gpu::{Engine, Plan, Resources};
 use brooklet_kernels::{FrameView, Position, QUARANTINED, SurfaceParams};
 use brooklet_reference::surface::smooth_bilateral::smooth_bilateral;
 use brooklet_reference::surface::smooth_curvature_flow::smooth_curvature_flow;
@@ -107,18 +107,19 @@ fn draw(view: &View, options: &ScreenSpaceOptions, positions: &[Position]) -> Dr
     let buffer = resources.persistent::<Position>("positions", count);
     let velocities = resources.persistent("velocities", count);
     let mut frame_view = resources.persistent("frame_view", 1);
-    let (mut init, mut recording) = (Recording::new("init"), Recording::new("draw"));
+    let (mut init, mut recording) = (resources.recording("init"), resources.recording("draw"));
     init.upload(&mut frame_view, &[values.view]);
     let particles = Particles { positions: &buffer, velocities: &velocities, count, neighbours: None, densities: None };
     let into = (&mut init, &mut recording);
     let surface = screen_space::record(&mut resources, into, &frame_view, &particles, view.size_px, tier, options);
     let wanted = [surface.raw.id, surface.inverse_depth.id, surface.normals.id];
+    let ids = [init.id(), recording.id()];
     let plan = Plan::sweep(resources, vec![init, recording], &wanted).expect("a plan");
     let mut engine = Engine::new(&gpu(), plan).expect("an engine");
     if count > 0 {
         engine.write(&buffer, positions);
     }
-    engine.run(&["init", "draw"], &[]).expect("it draws");
+    engine.run(&ids, &[]).expect("it draws");
     let mut read = |texture| {
         let values: Vec<f32> = bytemuck::pod_collect_to_vec(&engine.read_texture(texture).expect("a texture"));
         InverseDepth {

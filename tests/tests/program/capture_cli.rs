@@ -3,7 +3,7 @@
 use std::{collections::BTreeSet, fs, path::Path};
 
 use brooklet_capture::{Capture, CaptureOptions, CaptureWriter};
-use brooklet_gpu::{FrameReport, Span, SpanFlag, TimingStatus};
+use brooklet_gpu::{FrameReport, RecordingId, Span, SpanFlag, TimingStatus};
 use brooklet_tests::captures::{events::everything, python::read_in_python};
 use brooklet_tests::program::Workshop;
 
@@ -18,7 +18,7 @@ fn made_up(path: &Path, scene: &str, factor: f64, frames: u64) {
         let mut span = |stage, ms: f64| {
             let begin_ticks = at;
             at += (ms * 1e6 * (0.98 + 0.04 * random())) as u64;
-            Span { recording: "step", stage, begin_ticks, end_ticks: at, flag: SpanFlag::Ok }
+            Span { recording: RecordingId::outside("step"), stage, begin_ticks, end_ticks: at, flag: SpanFlag::Ok }
         };
         let spans = vec![span("sort", 1.0), span("solve", 2.0 * factor)];
         let report = FrameReport {

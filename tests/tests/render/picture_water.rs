@@ -122,25 +122,27 @@ fn flicker(settings: &[&str], jitter_m: f32) -> f64 {
     let settings: Vec<String> = base.iter().chain(settings).map(|&s| s.into()).collect();
     let scene = Scene::load("calm-pool", &settings).expect("a scene");
     let mut resources = Resources::new();
-    let mut recorded: Recorded = record(&mut resources, &scene);
+    let recorded: Recorded = record(&mut resources, &scene);
     let options = FrameOptions::for_scene(&scene, gpu().tier());
     let passes =
         frame::record(&mut resources, &View::of_scene(&scene), &Particles::of(&recorded), &options).expect("a frame");
-    let mut recordings = std::mem::take(&mut recorded.recordings);
-    recordings.extend([passes.init, passes.recording]);
+    let mut recordings = recorded.recordings();
+    let step = recorded.step.id();
+    let (init, draw) = ([recorded.init.id(), passes.init.id()], passes.draw.id());
+    recordings.extend([passes.init, passes.draw]);
     let color = passes.color;
     let mut engine =
         Engine::new(&gpu(), Plan::sweep(resources, recordings, &[color.id]).expect("a plan")).expect("an engine");
-    engine.run(&["init", frame::DRAW_INIT], &[]).expect("it starts");
+    engine.run(&init, &[]).expect("it starts");
     let mut rng = rng(42);
     // What an emitted lattice needs to come to rest is not flicker.
     for _ in 0..120 {
-        engine.run(&["step"], &[]).expect("a step");
+        engine.run(&[step], &[]).expect("a step");
     }
     let mut before: Option<Vec<u8>> = None;
     let mut sum = 0.0;
     for _ in 0..60 {
-        engine.run(&["step"], &[]).expect("a step");
+        engine.run(&[step], &[]).expect("a step");
         if jitter_m > 0.0 {
             let mut positions = engine.read(&recorded.positions).expect("positions");
             for position in &mut positions {
@@ -148,7 +150,7 @@ fn flicker(settings: &[&str], jitter_m: f32) -> f64 {
             }
             engine.write(&recorded.positions, &positions);
         }
-        engine.run(&[frame::DRAW], &[]).expect("a picture");
+        engine.run(&[draw], &[]).expect("a picture");
         let rgba = engine.read_texture(&color).expect("a picture");
         if let Some(before) = &before {
             let change: u64 = rgba.iter().zip(before).map(|(a, b)| u64::from(a.abs_diff(*b))).sum();

@@ -4,7 +4,7 @@
 use brooklet_fluid::grid::Neighbours;
 use brooklet_fluid::scene::Smoothing;
 use brooklet_fluid::{Scene, record};
-use brooklet_gpu::{Engine, Plan, Recording, Resources};
+use brooklet_gpu::{Engine, Plan, Resources};
 use brooklet_kernels::{FrameView, ListHead, Position, QUARANTINED};
 use brooklet_reference::grid::list_neighbours::list_neighbours;
 use brooklet_reference::shared::list;
@@ -76,7 +76,7 @@ fn draw(view: &View, positions: &[Position]) -> Drawn {
         heads: resources.persistent("list_heads", count),
     };
     let mut frame_view = resources.persistent("frame_view", 1);
-    let (mut init, mut recording) = (Recording::new("init"), Recording::new("draw"));
+    let (mut init, mut recording) = (resources.recording("init"), resources.recording("draw"));
     init.upload(&mut frame_view, &[values.view]);
     init.upload(&mut buffer, positions);
     init.upload(&mut listed.deltas, &lists);
@@ -86,11 +86,12 @@ fn draw(view: &View, positions: &[Position]) -> Drawn {
     let into = (&mut init, &mut recording);
     let drawn =
         screen_space::record(&mut resources, into, &frame_view, &particles, view.size_px, gpu().tier(), &surface);
+    let ids = [init.id(), recording.id()];
     let plan = Plan::sweep(resources, vec![init, recording], &[drawn.raw.id]).expect("a plan");
     let is_made = plan.passes().iter().any(|pass| pass.stage == "anisotropy");
     assert!(is_made || count == 0, "ellipsoids are drawn");
     let mut engine = Engine::new(&gpu(), plan).expect("an engine");
-    engine.run(&["init", "draw"], &[]).expect("it draws");
+    engine.run(&ids, &[]).expect("it draws");
     let inverse_depth = bytemuck::pod_collect_to_vec(&engine.read_texture(&drawn.raw).expect("a texture"));
     let params = screen_space::anisotropy::params(&surface, count, LIST_CHUNKS);
     let seen = (0..positions.len()).filter(|&i| !quarantined(i));
@@ -185,20 +186,21 @@ fn before_first_step(anisotropic: bool, listed: bool, head: Option<ListHead>) ->
     let mut scene = Scene::load("calm-pool", &settings.map(String::from)).expect("a scene");
     scene.surface.anisotropic = anisotropic;
     let mut resources = Resources::new();
-    let mut recorded = record(&mut resources, &scene);
-    let mut recordings = std::mem::take(&mut recorded.recordings);
+    let recorded = record(&mut resources, &scene);
+    let mut recordings = recorded.recordings();
     let particles = Particles::of(&recorded);
     let particles = Particles { neighbours: particles.neighbours.filter(|_| listed), ..particles };
     let options = FrameOptions::for_scene(&scene, gpu().tier());
     let passes = frame::record(&mut resources, &View::of_scene(&scene), &particles, &options).expect("a frame");
-    recordings.extend([passes.init, passes.recording]);
+    let (init, draw) = ([recorded.init.id(), passes.init.id()], passes.draw.id());
+    recordings.extend([passes.init, passes.draw]);
     let plan = Plan::sweep(resources, recordings, &[passes.color.id]).expect("a plan");
     let mut engine = Engine::new(&gpu(), plan).expect("an engine");
-    engine.run(&["init", frame::DRAW_INIT], &[]).expect("it starts");
+    engine.run(&init, &[]).expect("it starts");
     if let Some(head) = head {
         engine.write(&recorded.neighbours.as_ref().unwrap().heads, &vec![head; recorded.particle_count as usize]);
     }
-    engine.run(&[frame::DRAW], &[]).expect("a picture");
+    engine.run(&[draw], &[]).expect("a picture");
     engine.read_texture(&passes.color).expect("a picture")
 }
 

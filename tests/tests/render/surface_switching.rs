@@ -2,7 +2,7 @@
 //! said by name before anything is allocated.
 
 use brooklet_fluid::{Scene, record};
-use brooklet_gpu::{Engine, Gpu, GpuError, GpuOptions, Plan, Resources, check_formats};
+use brooklet_gpu::{Engine, Gpu, GpuError, GpuOptions, Plan, RecordingId, Resources, check_formats};
 use brooklet_kernels::Format;
 use brooklet_render::{FrameOptions, Particles, View, frame};
 use brooklet_tests::gpu;
@@ -19,25 +19,27 @@ const SURFACES: [&str; 6] = [
 ];
 
 /// The plan of a scene with its picture, and the stages it brings.
-fn plan(setting: &str) -> Plan {
+fn plan(setting: &str) -> (Plan, [RecordingId; 4]) {
     let small = ["spacing_m=0.1", "outputs.width_px=48", "outputs.height_px=32", "outputs.measure_every_steps=0"];
     let settings: Vec<String> = small.iter().chain([&setting]).map(|s| s.to_string()).collect();
     let scene = Scene::load("calm-pool", &settings).expect("a scene");
     let mut resources = Resources::new();
-    let mut recorded = record(&mut resources, &scene);
-    let mut recordings = std::mem::take(&mut recorded.recordings);
+    let recorded = record(&mut resources, &scene);
+    let mut recordings = recorded.recordings();
     let options = FrameOptions::for_scene(&scene, gpu().tier());
     let passes =
         frame::record(&mut resources, &View::of_scene(&scene), &Particles::of(&recorded), &options).expect("a frame");
     let color = passes.color.id;
-    recordings.extend([passes.init, passes.recording]);
-    Plan::sweep(resources, recordings, &[color]).expect("a plan")
+    let ids = [recorded.init.id(), passes.init.id(), recorded.step.id(), passes.draw.id()];
+    recordings.extend([passes.init, passes.draw]);
+    (Plan::sweep(resources, recordings, &[color]).expect("a plan"), ids)
 }
 
 /// A step and a picture of it, and what the engine had allocated for them.
 fn draw(gpu: &Gpu, setting: &str) -> u64 {
-    let mut engine = Engine::new(gpu, plan(setting)).expect("an engine");
-    engine.run(&["init", frame::DRAW_INIT, "step", frame::DRAW], &[]).expect("it draws");
+    let (plan, ids) = plan(setting);
+    let mut engine = Engine::new(gpu, plan).expect("an engine");
+    engine.run(&ids, &[]).expect("it draws");
     engine.finish().expect("it ends");
     engine.allocated_bytes()
 }
@@ -73,7 +75,7 @@ fn surfaces_that_come_and_go_leave_nothing() {
     println!("50 changes of surface: {before} bytes held before, {after} after; a surface takes {first:?}");
     assert_eq!(after, before);
     // The count can fail: what is kept is counted.
-    let kept = Engine::new(&gpu, plan(SURFACES[2])).expect("an engine");
+    let kept = Engine::new(&gpu, plan(SURFACES[2]).0).expect("an engine");
     assert!(held_bytes(&gpu) >= before + kept.allocated_bytes(), "what an engine holds is not in the report");
 }
 
@@ -91,7 +93,7 @@ fn all_but(lacking: Format, usage: TextureUsages, can: Can) -> impl Fn(Format) -
 #[test]
 fn a_format_that_is_missing_is_said_by_name() {
     let (none, draw) = (TextureUsages::empty(), TextureUsages::RENDER_ATTACHMENT);
-    let water = plan(SURFACES[2]);
+    let water = plan(SURFACES[2]).0;
     for (lacking, usage, can, texture, used_as) in [
         (Format::R16Float, none, Can::BLENDABLE, "thickness", "blended to"),
         (Format::R16Float, none, Can::FILTERABLE, "thickness", "read with a filter"),
@@ -110,11 +112,11 @@ fn a_format_that_is_missing_is_said_by_name() {
         check_formats("a phone", &water, &all_but(Format::R32Float, none, Can::BLENDABLE | Can::FILTERABLE)),
         Ok(())
     );
-    let points = plan(SURFACES[1]);
+    let points = plan(SURFACES[1]).0;
     assert_eq!(check_formats("a phone", &points, &all_but(Format::R16Float, TextureUsages::all(), Can::all())), Ok(()));
     // And what is promised of each format anywhere is enough for every surface.
     let guaranteed = |format| brooklet_gpu::texture_format(format).guaranteed_format_features(wgpu::Features::empty());
     for setting in SURFACES {
-        assert_eq!(check_formats("any device", &plan(setting), &guaranteed), Ok(()), "{setting}");
+        assert_eq!(check_formats("any device", &plan(setting).0, &guaranteed), Ok(()), "{setting}");
     }
 }

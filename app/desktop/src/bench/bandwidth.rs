@@ -1,28 +1,33 @@
 //! What the device can move, measured by the same means as the passes. (Shader: `bench/copy.compute`.)
 
-use brooklet_gpu::{Engine, Gpu, Plan, Recording, Resources};
+use brooklet_gpu::{Engine, Gpu, Plan, Resources};
 use brooklet_kernels::CopyElements;
 
-use super::stepping::Stepping;
 use crate::{failure::Failure, interrupt::Interrupt, timings::Timings};
 
 /// Size of either buffer: far more than a processor's caches, and no more than any tier binds.
 const BYTES: u32 = 128 << 20;
 const RUNS: u64 = 7;
-const COPY: &str = "copy";
 
 /// Bytes a second that a copy of a large buffer reads and writes, by the fastest of a few runs.
 pub fn copy_bytes_per_s(gpu: &Gpu, interrupt: &Interrupt) -> Result<f64, Failure> {
     let mut resources = Resources::new();
     let from = resources.persistent("from_elements", BYTES / 16);
     let mut to = resources.persistent("to_elements", BYTES / 16);
-    let mut copy = Recording::new(COPY);
+    let mut copy = resources.recording("copy");
     let elements = to.len;
     copy.dispatch(&CopyElements { from_elements: from.read(), to_elements: to.write() }, elements);
+    let copy_id = copy.id();
     let plan = Plan::sweep(resources, vec![copy], &[]).map_err(Failure::stopped)?;
     let mut engine = Engine::new(gpu, plan).map_err(Failure::input)?;
     let mut timings = Timings::new(1);
-    Stepping { engine: &mut engine, recordings: &[COPY], readbacks: &[], interrupt }.run(RUNS, &mut timings, || ())?;
+    for _ in 0..RUNS {
+        if interrupt.is_pressed() {
+            return Err(Failure::Interrupted("nothing was written".into()));
+        }
+        engine.run(&[copy_id], &[]).map_err(Failure::stopped)?;
+    }
+    engine.finish().map_err(Failure::stopped)?.iter().for_each(|report| timings.add(report, copy_id));
     let least_ms = timings.least_ms("copy_elements");
     let least_ms = least_ms.ok_or_else(|| Failure::Stopped("the device gave no usable time of a copy".into()))?;
     Ok(2.0 * f64::from(BYTES) / (least_ms * 1e-3))

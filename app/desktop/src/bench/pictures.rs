@@ -1,8 +1,7 @@
 //! What a picture costs, pass by pass.
 
-use brooklet_fluid::{INIT, STEP, Scene};
-use brooklet_gpu::{Gpu, Plan};
-use brooklet_render::frame::{DRAW, DRAW_INIT};
+use brooklet_fluid::{FrameRequest, Scene};
+use brooklet_gpu::{Gpu, Plan, RecordingId};
 use serde::Serialize;
 
 use super::{stepping::Stepping, traffic::drawn_bytes};
@@ -57,15 +56,17 @@ pub fn picture_cost(
     let mut scene = scene.clone();
     scene.outputs.images = 1;
     let planned = job::plan(&scene, gpu.tier())?;
-    let stages = stages(&planned.plan);
-    let moved: Vec<u64> = stages.iter().map(|(stage, _)| drawn_bytes(&planned.plan, DRAW, stage)).collect();
-    let total_bytes = planned.plan.bytes() - planned.plan.bytes_of(&[INIT, STEP]);
-    let mut engine = fit::engine(gpu, &scene, planned.particles, planned.plan)?;
-    engine.run(&[INIT, DRAW_INIT], &[]).map_err(Failure::stopped)?;
-    engine.finish().map_err(Failure::stopped)?;
+    let Some(draw) = planned.passes.as_ref().map(|passes| passes.draw.id()) else { return Ok(None) };
+    let (plan, recorded) = (planned.plan(), &planned.session.recorded);
+    let stages = stages(plan, draw);
+    let moved: Vec<u64> = stages.iter().map(|(stage, _)| drawn_bytes(plan, draw, stage)).collect();
+    let total_bytes = plan.bytes() - plan.bytes_of(&[recorded.init.id(), recorded.step.id()]);
+    let mut session = fit::session(gpu, planned.session)?;
+    session.finish().map_err(Failure::stopped)?;
     let steps = options.warm_up + options.steps;
     let bar = progress::bar(steps + WARM_UP + u64::from(options.pictures));
-    let mut stepping = Stepping { engine: &mut engine, recordings: &[STEP], readbacks: &[], interrupt };
+    let request = FrameRequest { steps: 1, ..FrameRequest::default() };
+    let mut stepping = Stepping { session: &mut session, request, interrupt };
     let outcome = stepping.run(steps, &mut Timings::new(0), || bar.inc(1));
     let mut timings = Timings::new(WARM_UP);
     let outcome = outcome.and_then(|_| {
@@ -73,8 +74,10 @@ pub fn picture_cost(
             if interrupt.is_pressed() {
                 return Err(Failure::Interrupted("nothing was written".into()));
             }
-            engine.run(&[DRAW], &[]).map_err(Failure::stopped)?;
-            engine.finish().map_err(Failure::stopped)?.iter().for_each(|report| timings.add(report, DRAW));
+            let request = FrameRequest { then: &[draw], ..FrameRequest::default() };
+            session.submit(&request).map_err(Failure::stopped)?;
+            let reports = session.finish().map_err(Failure::stopped)?;
+            reports.iter().for_each(|frame| timings.add(&frame.report, draw));
             bar.inc(1);
         }
         Ok(())
@@ -102,9 +105,9 @@ pub fn picture_cost(
 }
 
 /// The stages of a picture in order, and how often each runs.
-fn stages(plan: &Plan) -> Vec<(&'static str, u32)> {
+fn stages(plan: &Plan, draw: RecordingId) -> Vec<(&'static str, u32)> {
     let mut stages: Vec<(&'static str, u32)> = Vec::new();
-    for pass in plan.passes().iter().filter(|pass| pass.recording == DRAW) {
+    for pass in plan.passes().iter().filter(|pass| pass.recording == draw) {
         match stages.iter_mut().find(|(stage, _)| *stage == pass.stage) {
             Some((_, count)) => *count += pass.count,
             None => stages.push((pass.stage, pass.count)),

@@ -2,8 +2,8 @@
 
 use std::time::Instant;
 
-use brooklet_fluid::{INIT, MEASURE, STEP, Scene};
-use brooklet_gpu::{Engine, Gpu, ResourceId, tier_name};
+use brooklet_fluid::{FrameRequest, Session};
+use brooklet_gpu::{Gpu, tier_name};
 
 use super::{
     bandwidth, check_folder,
@@ -11,7 +11,7 @@ use super::{
     open, plot, report,
     stepping::Stepping,
     targets, traffic,
-    workload::{self, EDGES, LOADS, Load, Planned},
+    workload::{self, EDGES, LOADS, Load},
 };
 use crate::{
     bench_options::BenchOptions,
@@ -117,15 +117,12 @@ impl Bencher<'_> {
     fn row(&mut self, load: Load, edge: u32, share_s: f64) -> Result<(Row, f64), Failure> {
         let begun = Instant::now();
         let scene = load.scene(edge, &self.options.settings)?;
-        let Planned { plan, particles, measure, list_heads } = workload::plan(&scene)?;
-        let mut engine = fit::engine(self.gpu, &scene, particles, plan)?;
-        engine.run(&[INIT], &[]).map_err(Failure::stopped)?;
-        engine.finish().map_err(Failure::stopped)?;
+        let planned = workload::plan(&scene)?;
+        let mut session = fit::session(self.gpu, planned)?;
+        session.finish().map_err(Failure::stopped)?;
         let mut timings = Timings::new(2 * WARM_UP);
-        let recordings: &[&str] = if measure.is_some() { &[STEP, MEASURE] } else { &[STEP] };
-        let readbacks: Vec<ResourceId> = measure.into_iter().collect();
-        let mut stepping =
-            Stepping { engine: &mut engine, recordings, readbacks: &readbacks, interrupt: self.interrupt };
+        let request = FrameRequest { steps: 1, measure: true, ..FrameRequest::default() };
+        let mut stepping = Stepping { session: &mut session, request, interrupt: self.interrupt };
         // The first steps also sort particles for the first time: they tell nothing of the pace.
         stepping.run(WARM_UP, &mut timings, || ())?;
         let step_s = stepping.run(WARM_UP, &mut timings, || ())?;
@@ -133,28 +130,29 @@ impl Bencher<'_> {
         let steps = ((left_s / step_s) as u64).clamp(MIN_STEPS, MAX_STEPS);
         stepping.run(steps, &mut timings, || ())?;
 
-        let neighbours = match list_heads {
+        let heads = session.recorded().neighbours.as_ref().map(|listed| listed.heads.alias());
+        let neighbours = match heads {
             Some(heads) => {
-                engine.read(&heads).map_err(Failure::stopped)?.iter().map(|head| u64::from(head.entries)).sum()
+                let heads = session.engine_mut().read(&heads).map_err(Failure::stopped)?;
+                heads.iter().map(|head| u64::from(head.entries)).sum()
             }
             None => 0,
         };
-        let row = self.shape(&scene, load, &engine, &timings, neighbours, steps, particles)?;
+        let row = self.shape(load, &session, &timings, neighbours, steps)?;
         Ok((row, step_s))
     }
 
-    #[allow(clippy::too_many_arguments)]
     fn shape(
         &self,
-        scene: &Scene,
         load: Load,
-        engine: &Engine,
+        session: &Session,
         timings: &Timings,
         neighbours: u64,
         steps: u64,
-        particles: u32,
     ) -> Result<Row, Failure> {
-        let plan = engine.plan();
+        let (scene, plan, recorded) = (session.scene(), session.engine().plan(), session.recorded());
+        let particles = recorded.particle_count;
+        let measure = recorded.measure.as_ref().map(|measure| measure.recording.id());
         let step_ms = timings.step_ms();
         let step_ms = step_ms
             .ok_or_else(|| Failure::Stopped(format!("no usable times: {} flagged spans", timings.flagged_spans())))?;
@@ -169,7 +167,7 @@ impl Bencher<'_> {
             let info = plan.passes().into_iter().find(|pass| pass.stage == stage);
             let Some(info) = info else { continue };
             let mut ms_a_step = median_ms;
-            if info.recording == MEASURE {
+            if Some(info.recording) == measure {
                 ms_a_step /= interval;
                 measure_ms += ms_a_step;
             } else if info.module.source.starts_with("grid/") && stage != "list_neighbours" {
@@ -203,7 +201,8 @@ impl Bencher<'_> {
             particle_iterations_per_s: work / (ms_a_step * 1e-3),
             ns_per_particle_iteration: ms_a_step * 1e6 / work,
             bytes: plan.bytes(),
-            bytes_per_particle: plan::simulation_bytes_per_particle(plan, particles).unwrap_or_default(),
+            bytes_per_particle: plan::simulation_bytes_per_particle(plan, &recorded.ids(), particles)
+                .unwrap_or_default(),
             neighbours_mean: neighbours as f64 / f64::from(particles),
             grid_share: grid_ms / step_ms.median,
             furthest_from_bound: furthest.map(|(stage, _)| *stage),

@@ -1,6 +1,6 @@
 //! One scene, without measurements; and what its pictures cost, if asked.
 
-use brooklet_fluid::{INIT, STEP};
+use brooklet_fluid::FrameRequest;
 use brooklet_gpu::{TimingStatus, tier_name};
 use serde_json::json;
 
@@ -28,18 +28,18 @@ pub fn bench(name: &str, options: &BenchOptions) -> Result<(), Failure> {
     scene.outputs.measure_every_steps = 0;
     let gpu = open(&options.device)?;
     let planned = job::plan(&scene, gpu.tier())?;
-    let per_particle = plan::simulation_bytes_per_particle(&planned.plan, planned.particles);
-    let (total_bytes, stages) = (planned.plan.bytes(), stages(&planned.plan));
-    let particles = planned.particles;
-    let mut engine = fit::engine(&gpu, &scene, particles, planned.plan)?;
+    let per_particle = plan::bytes_per_particle(&planned);
+    let (total_bytes, stages) = (planned.plan().bytes(), stages(planned.plan()));
+    let particles = planned.session.particle_count();
+    let mut session = fit::session(&gpu, planned.session)?;
     let interrupt = Interrupt::listen()?;
     let mut timings = Timings::new(options.warm_up);
-    engine.run(&[INIT], &[]).map_err(Failure::stopped)?;
-    engine.finish().map_err(Failure::stopped)?;
+    session.finish().map_err(Failure::stopped)?;
 
     let steps = options.warm_up + options.steps;
     let bar = progress::bar(steps);
-    let mut stepping = Stepping { engine: &mut engine, recordings: &[STEP], readbacks: &[], interrupt: &interrupt };
+    let request = FrameRequest { steps: 1, ..FrameRequest::default() };
+    let mut stepping = Stepping { session: &mut session, request, interrupt: &interrupt };
     let outcome = stepping.run(steps, &mut timings, || bar.inc(1));
     bar.finish_and_clear();
     outcome?;

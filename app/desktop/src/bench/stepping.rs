@@ -1,20 +1,17 @@
-//! Runs a recording again and again, and keeps its times.
+//! Runs frames again and again, and keeps their times.
 
 use std::time::Instant;
 
-use brooklet_fluid::STEP;
-use brooklet_gpu::{Engine, ResourceId};
+use brooklet_fluid::{FrameRequest, Session, SessionReport};
 
 use crate::{failure::Failure, interrupt::Interrupt, timings::Timings};
 
 /// What is run, and how it is stopped.
 pub struct Stepping<'a> {
     /// What runs it.
-    pub engine: &'a mut Engine,
-    /// A frame's recordings.
-    pub recordings: &'a [&'a str],
-    /// What a frame reads back.
-    pub readbacks: &'a [ResourceId],
+    pub session: &'a mut Session,
+    /// What a frame does.
+    pub request: FrameRequest<'a>,
     /// Ctrl-C.
     pub interrupt: &'a Interrupt,
 }
@@ -22,20 +19,18 @@ pub struct Stepping<'a> {
 impl Stepping<'_> {
     /// Runs `frames` frames to their end, and returns how many seconds one took.
     pub fn run(&mut self, frames: u64, timings: &mut Timings, mut each: impl FnMut()) -> Result<f64, Failure> {
+        let step = self.session.step_id();
+        let mut take = |reports: Vec<SessionReport>| reports.iter().for_each(|frame| timings.add(&frame.report, step));
         let begun = Instant::now();
         for _ in 0..frames {
             if self.interrupt.is_pressed() {
                 return Err(Failure::Interrupted("nothing was written".into()));
             }
-            self.engine.run(self.recordings, self.readbacks).map_err(Failure::stopped)?;
-            for report in self.engine.reports() {
-                timings.add(&report, STEP);
-            }
+            self.session.submit(&self.request).map_err(Failure::stopped)?;
+            take(self.session.reports());
             each();
         }
-        for report in self.engine.finish().map_err(Failure::stopped)? {
-            timings.add(&report, STEP);
-        }
+        take(self.session.finish().map_err(Failure::stopped)?);
         Ok(begun.elapsed().as_secs_f64() / frames.max(1) as f64)
     }
 }

@@ -11,7 +11,7 @@
 //!
 //! A pass's bound is the time that the device's own copy needs for the compulsory bytes.
 
-use brooklet_gpu::{Command, Plan, ResourceId, Shape};
+use brooklet_gpu::{Command, Plan, RecordingId, ResourceId, Shape};
 use brooklet_kernels::BindingKind;
 use serde::Serialize;
 
@@ -45,7 +45,7 @@ pub struct Traffic {
 
 /// All dispatches of `stage` in `recording` together, where all particles have `neighbours`
 /// neighbours together.
-pub fn of(plan: &Plan, recording: &str, stage: &str, neighbours: u64) -> Traffic {
+pub fn of(plan: &Plan, recording: RecordingId, stage: &str, neighbours: u64) -> Traffic {
     let gathers = GATHERS.iter().find(|(name, _)| *name == stage).map_or(&[][..], |(_, gathers)| gathers);
     let mut traffic = Traffic::default();
     for command in plan.commands(recording) {
@@ -73,7 +73,7 @@ pub fn of(plan: &Plan, recording: &str, stage: &str, neighbours: u64) -> Traffic
 
 /// Bytes that `stage` moves in one run of `recording` at least, draws included: every buffer and texture that it
 /// binds and every target, once for each time it runs. Of a texture less may be read, where little is covered.
-pub fn drawn_bytes(plan: &Plan, recording: &str, stage: &str) -> u64 {
+pub fn drawn_bytes(plan: &Plan, recording: RecordingId, stage: &str) -> u64 {
     let bytes_of =
         |ids: &mut dyn Iterator<Item = ResourceId>| -> u64 { ids.map(|id| plan.resources().bytes(id)).sum() };
     let commands = plan.commands(recording).iter().map(|command| match command {
@@ -94,7 +94,6 @@ pub fn drawn_bytes(plan: &Plan, recording: &str, stage: &str) -> u64 {
 mod tests {
     use super::*;
     use crate::bench::workload::{LOADS, plan};
-    use brooklet_fluid::{MEASURE, STEP};
     use brooklet_kernels::{Counters, modules};
     use std::collections::BTreeSet;
 
@@ -102,22 +101,24 @@ mod tests {
     fn bytes_of_known_passes() {
         let scene = LOADS[2].scene(16, &[]).unwrap();
         let planned = plan(&scene).unwrap();
-        let n = u64::from(planned.particles);
+        let n = u64::from(planned.particle_count());
+        let step = planned.recorded.step.id();
+        let measure = planned.recorded.measure.as_ref().unwrap().recording.id();
         let kept = planned.plan.buffers();
         let bytes = |labels: &[&str]| -> u64 {
             labels.iter().map(|label| kept.iter().find(|buffer| buffer.label == *label).unwrap().bytes).sum()
         };
         // 4 iterations; what is bound once each, of the list what is in use, and 8 bytes of each
         // neighbour's place.
-        let constrain = of(&planned.plan, STEP, "constrain_density", 27 * n);
+        let constrain = of(&planned.plan, step, "constrain_density", 27 * n);
         let once = bytes(&["quantized_positions", "sorted_positions", "list_heads", "position_lambdas"]);
         assert_eq!(constrain.compulsory_bytes, 4 * (once + 2 * 27 * n));
         assert_eq!(constrain.gathered_bytes, 4 * 27 * n * 8);
         // Nothing is gathered where nothing is listed.
-        let update = of(&planned.plan, STEP, "update_velocity", 27 * n);
+        let update = of(&planned.plan, step, "update_velocity", 27 * n);
         assert_eq!(update, Traffic { compulsory_bytes: n * 72 + size_of::<Counters>() as u64, gathered_bytes: 0 });
-        assert!(of(&planned.plan, MEASURE, "measure_particles", 27 * n).gathered_bytes > 0);
-        assert_eq!(of(&planned.plan, MEASURE, "constrain_density", 27 * n), Traffic::default());
+        assert!(of(&planned.plan, measure, "measure_particles", 27 * n).gathered_bytes > 0);
+        assert_eq!(of(&planned.plan, measure, "constrain_density", 27 * n), Traffic::default());
     }
 
     #[test]

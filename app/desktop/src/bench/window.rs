@@ -93,7 +93,7 @@ pub fn bench(options: &WindowOptions) -> Result<(), Failure> {
         device: gpu.info().name.clone(),
         device_type: gpu.info().device_type.clone(),
         scene: scene.name.clone(),
-        particles: plain.viewer.world().map_or(0, |world| world.particles),
+        particles: plain.viewer.world().map_or(0, |world| world.session.particle_count()),
         window_px: size_px,
         picture_px,
         pairs: with_panels.len(),
@@ -150,7 +150,7 @@ impl<'a> Shown<'a> {
     }
 
     fn steps(&self) -> u64 {
-        self.viewer.world().map_or(0, |world| world.steps)
+        self.viewer.world().map_or(0, |world| world.session.steps())
     }
 
     fn frame(&mut self) -> Result<(), Failure> {

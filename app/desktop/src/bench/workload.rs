@@ -8,12 +8,9 @@
 //! every size.
 
 use brooklet_fluid::{
-    Recorded, Scene,
+    ParticleSource, Scene, SessionPlan, SessionRecorder,
     particles::{ParticleSet, sample_lattice},
-    record_particles,
 };
-use brooklet_gpu::{Plan, ResourceId, Resources};
-use brooklet_kernels::{Buffer, ListHead};
 
 use crate::failure::Failure;
 
@@ -76,28 +73,9 @@ impl Load {
     }
 }
 
-/// The workload's plan, and what is read of it.
-pub struct Planned {
-    /// What runs.
-    pub plan: Plan,
-    /// Number of particles.
-    pub particles: u32,
-    /// What a measurement is read back from, if it measures.
-    pub measure: Option<ResourceId>,
-    /// How long each particle's list of neighbours is.
-    pub list_heads: Option<Buffer<ListHead>>,
-}
-
 /// Plans `scene` with its particles off the lattice.
-pub fn plan(scene: &Scene) -> Result<Planned, Failure> {
-    let mut resources = Resources::new();
-    let recorded = record_particles(&mut resources, scene, jittered(scene));
-    let Recorded { particle_count: particles, recordings, measure, .. } = recorded;
-    let measure = measure.map(|measure| measure.id);
-    let heads = resources.iter().find(|(_, entry)| entry.label == "list_heads");
-    let list_heads = heads.map(|(id, _)| Buffer::new(id, particles));
-    let plan = Plan::sweep(resources, recordings, measure.as_slice()).map_err(Failure::stopped)?;
-    Ok(Planned { plan, particles, measure, list_heads })
+pub fn plan(scene: &Scene) -> Result<SessionPlan, Failure> {
+    SessionRecorder::new(scene, ParticleSource::Given(jittered(scene))).sweep().map_err(Failure::stopped)
 }
 
 /// The scene's particles off their lattice.

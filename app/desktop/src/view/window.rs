@@ -207,12 +207,12 @@ impl<'a> Window<'a> {
         let facts = open.viewer.world().map(|world| {
             json!({
                 "scene": world.scene.name,
-                "toml": world.simulated.to_toml(),
-                "particles": world.particles,
-                "steps": world.steps,
+                "toml": world.session.scene().to_toml(),
+                "particles": world.session.particle_count(),
+                "steps": world.session.steps(),
                 "paused": open.viewer.is_paused(),
                 "rung": open.viewer.rung(),
-                "tier": brooklet_gpu::tier_name(world.engine.gpu().tier()),
+                "tier": brooklet_gpu::tier_name(world.session.engine().gpu().tier()),
                 "kinetic_j": open.viewer.stats().map(|stats| stats.kinetic_j),
                 "capture": open.viewer.capture(),
                 "messages": open.viewer.words().collect::<Vec<_>>(),

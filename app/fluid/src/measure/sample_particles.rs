@@ -6,11 +6,10 @@ use brooklet_kernels::{Buffer, SampleParams, SampleParticles};
 
 use crate::step::Recorded;
 
-/// Name of the recording that picks them; run it after a frame's steps.
-pub const SAMPLE: &str = "sample";
-
 /// Every `stride`-th particle.
 pub struct Sample {
+    /// Picks them; to be run after a frame's steps.
+    pub recording: Recording,
     /// Position relative to the domain's lowest corner, m, and speed, m/s, of the particle whose id is
     /// the place times `stride`; no numbers of one that is quarantined.
     pub samples: Buffer<[f32; 4]>,
@@ -18,15 +17,15 @@ pub struct Sample {
     pub stride: u32,
 }
 
-/// Records [`SAMPLE`] beside a scene's other recordings: of all particles every second, third or so by
+/// Records a sample beside a scene's other recordings: of all particles every second, third or so by
 /// id, as many as make `most_points` or fewer (at least one is taken), so that a point stays the same
 /// particle from frame to frame. Only a plan that wants `samples` has it.
-pub fn record_sample(resources: &mut Resources, recorded: &mut Recorded, most_points: u32) -> Sample {
+pub fn record_sample(resources: &mut Resources, recorded: &Recorded, most_points: u32) -> Sample {
     let particle_count = recorded.particle_count;
     let stride = particle_count.div_ceil(most_points.max(1)).max(1);
     let mut samples = resources.buffer("samples", particle_count.div_ceil(stride));
     let mut params = resources.buffer("sample_params", 1);
-    let mut recording = Recording::new(SAMPLE);
+    let mut recording = resources.recording("sample");
     recording.upload(&mut params, &[SampleParams { stride, particle_count, ..SampleParams::default() }]);
     // Without particles nothing else writes it.
     recording.clear(&mut samples);
@@ -39,6 +38,5 @@ pub fn record_sample(resources: &mut Resources, recorded: &mut Recorded, most_po
         },
         particle_count,
     );
-    recorded.recordings.push(recording);
-    Sample { samples, stride }
+    Sample { recording, samples, stride }
 }

@@ -7,7 +7,7 @@ use super::field::Field;
 /// What has to be done for a running scene to take another value of a field; the worse the later.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Applied {
-    /// Its uniforms are written (`Parameters::write`), or only the host reads it.
+    /// Its uniforms are written (`Session::apply`), or only the host reads it.
     Live,
     /// A new plan is made, with other passes, buffers or modules; the particles are carried over.
     Rebuild,

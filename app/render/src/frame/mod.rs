@@ -18,18 +18,13 @@ use crate::surface::screen_space::{self, Caustics, SeenBy, Shapes, Sunlit, Thick
 use crate::surface::{Particles, ScreenSpaceOptions, SmoothedSurface, SurfaceOptions, points};
 use crate::{RenderError, View};
 
-/// Name of the recording that uploads camera, light and style; run it once before [`DRAW`].
-pub const DRAW_INIT: &str = "draw_init";
-/// Name of the recording that draws a picture.
-pub const DRAW: &str = "draw";
-
 /// A picture's recordings and what they draw to.
 #[derive(Debug)]
 pub struct FramePasses {
-    /// Uploads camera, light and style: [`DRAW_INIT`].
+    /// Uploads camera, light and style; to be run once before the first picture.
     pub init: Recording,
-    /// Draws the picture: [`DRAW`].
-    pub recording: Recording,
+    /// Draws the picture.
+    pub draw: Recording,
     /// The picture: `Rgba8Unorm`, already sRGB-encoded, of the view's size. This is what to want
     /// of a plan, and to read back.
     pub color: Texture,
@@ -73,7 +68,7 @@ pub fn record(
         light: resources.persistent("frame_light", 1),
         style: resources.persistent("frame_style", 1),
     };
-    let mut init = Recording::new(DRAW_INIT);
+    let mut init = resources.recording("draw_init");
     init.upload(&mut uniforms.view, &[values.view]);
     init.upload(&mut uniforms.light, &[values.light]);
     init.upload(&mut uniforms.style, &[values.style]);
@@ -82,8 +77,8 @@ pub fn record(
     let radiance = resources.texture("radiance", Format::Rgba16Float, drawn_px);
     let depth = resources.texture("depth", options.depth_format(), drawn_px);
     let color = resources.texture("picture", Format::Rgba8Unorm, view.size_px);
-    let mut recording = Recording::new(DRAW);
-    let mut frame = Frame { resources, recording: &mut recording, uniforms: &uniforms, options };
+    let mut draw = resources.recording("draw");
+    let mut frame = Frame { resources, recording: &mut draw, uniforms: &uniforms, options };
     let onto = (&radiance, &depth);
     let water = match &options.surface {
         SurfaceOptions::None => {
@@ -103,7 +98,7 @@ pub fn record(
             Some(frame.screen_space(&mut init, (view, water), particles, onto, &color))
         }
     };
-    Ok(FramePasses { init, recording, color, depth, water, uniforms })
+    Ok(FramePasses { init, draw, color, depth, water, uniforms })
 }
 
 /// What shades the floor.

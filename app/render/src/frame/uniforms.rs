@@ -17,7 +17,7 @@ pub struct FrameUniforms {
     pub style: Buffer<FrameStyle>,
 }
 
-/// What [`FrameUniforms`] hold for a view: what [`DRAW_INIT`](super::DRAW_INIT) uploads, and what a moving camera
+/// What [`FrameUniforms`] hold for a view: what [`FramePasses::init`](super::FramePasses::init) uploads, and what a moving camera
 /// writes before each picture (`engine.write(&uniforms.view, &[values.view])`).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FrameValues {

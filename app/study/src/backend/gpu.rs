@@ -1,11 +1,10 @@
 //! A setup on the GPU: every step a frame of its own, so that what measures and what is read back is
 //! outside the times.
 
-use brooklet_fluid::{INIT, MEASURE, STEP, Stats, record_particles};
-use brooklet_gpu::{Engine, FrameReport, Gpu, GpuError, Plan, PlanError, Resources};
+use brooklet_fluid::{ParticleSource, Session, SessionError, SessionRecorder, SessionReport, Stats};
+use brooklet_gpu::{Gpu, Plan, RecordingId};
 use brooklet_kernels::{Position, QUARANTINED, Velocity};
 use glam::DVec3;
-use thiserror::Error;
 
 use super::Counted;
 use crate::setup::{position_m, velocity_m_s};
@@ -53,36 +52,22 @@ pub struct Measured {
     pub stats: Stats,
 }
 
-/// Why a run did not happen.
-#[derive(Debug, Error)]
-pub enum RunError {
-    /// The device.
-    #[error(transparent)]
-    Gpu(#[from] GpuError),
-    /// The recordings (a fault of this program).
-    #[error(transparent)]
-    Plan(#[from] PlanError),
-}
-
 /// Runs `setup` to its end.
 ///
 /// # Errors
 /// If the device lacks memory or limits for it, or is lost.
-pub fn run(gpu: &Gpu, setup: &Setup, options: &Options<'_>) -> Result<GpuRun, RunError> {
+pub fn run(gpu: &Gpu, setup: &Setup, options: &Options<'_>) -> Result<GpuRun, SessionError> {
     let mut scene = setup.scene.clone();
     // Measured when sampled, not in between: the scene must have the stage at all.
     scene.outputs.measure_every_steps = 1;
-    let mut resources = Resources::new();
-    let recorded = record_particles(&mut resources, &scene, setup.particles.clone());
-    let measure = recorded.measure.as_ref().map(|measure| measure.id);
-    let mut plan = Plan::sweep(resources, recorded.recordings, measure.as_slice())?;
+    let mut planned = SessionRecorder::new(&scene, ParticleSource::Given(setup.particles.clone())).sweep()?;
     if let Some(edit) = options.edit {
-        plan = edit(plan);
+        planned.plan = edit(planned.plan);
     }
-    let mut run = GpuRun { bytes: plan.bytes_of(&[INIT, STEP]), gpu_clock: true, ..GpuRun::default() };
-    let mut engine = Engine::new(gpu, plan)?;
-    engine.run(&[INIT], &[])?;
-    engine.finish()?;
+    let (init, step) = (planned.recorded.init.id(), planned.recorded.step.id());
+    let mut run = GpuRun { bytes: planned.plan.bytes_of(&[init, step]), gpu_clock: true, ..GpuRun::default() };
+    let mut session = Session::start(gpu, planned)?;
+    session.finish()?;
     let (count, dt_s) = (setup.count(), scene.solver.dt_s);
     let mut done = 0;
     for due in setup.sample_steps() {
@@ -92,34 +77,32 @@ pub fn run(gpu: &Gpu, setup: &Setup, options: &Options<'_>) -> Result<GpuRun, Ru
                 return Ok(run);
             }
             let begun = std::time::Instant::now();
-            engine.run(&[STEP], &[])?;
+            session.step()?;
             if gpu.timing().is_measured() {
-                run.keep(&engine.reports());
+                run.keep(&session.reports(), step);
             } else {
-                engine.finish()?;
+                session.finish()?;
                 run.gpu_clock = false;
                 run.step_ms.push(begun.elapsed().as_secs_f64() * 1e3);
             }
             done += 1;
             (options.progress)(done);
         }
-        run.keep(&engine.finish()?);
-        engine.run(&[MEASURE], measure.as_slice())?;
-        for report in engine.finish()? {
-            let of = report.readbacks.iter().filter(|(id, _)| Some(*id) == measure);
-            let time_s = due as f64 * dt_s;
-            run.measured.extend(of.map(|(_, bytes)| Measured { time_s, stats: Stats::new(bytes, &scene) }));
-        }
-        let (positions, velocities) = (engine.read(&recorded.positions)?, engine.read(&recorded.velocities)?);
-        run.samples.push(sample(due as f64 * dt_s, &positions, &velocities, count));
+        run.keep(&session.finish()?, step);
+        session.measure()?;
+        let time_s = due as f64 * dt_s;
+        let measured = session.finish()?.into_iter().filter_map(|frame| frame.stats);
+        run.measured.extend(measured.map(|stats| Measured { time_s, stats }));
+        let particles = session.read_particles()?;
+        run.samples.push(sample(time_s, &particles.positions, &particles.velocities, count));
     }
     Ok(run)
 }
 
 impl GpuRun {
-    fn keep(&mut self, reports: &[FrameReport]) {
-        for report in reports {
-            let spans = || report.spans.iter().filter(|span| span.recording == STEP);
+    fn keep(&mut self, reports: &[SessionReport], step: RecordingId) {
+        for SessionReport { report, .. } in reports {
+            let spans = || report.spans.iter().filter(|span| span.recording == step);
             let begin = spans().map(|span| span.begin_ticks).min();
             let end = spans().map(|span| span.end_ticks).max();
             if let (Some(begin), Some(end)) = (begin, end)

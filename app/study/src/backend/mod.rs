@@ -5,5 +5,5 @@ mod gpu;
 mod reference;
 
 pub use counted::Counted;
-pub use gpu::{GpuRun, Measured, Options, RunError, run};
+pub use gpu::{GpuRun, Measured, Options, run};
 pub use reference::{Cache, Origin, converged, reference_fluid, run_reference};

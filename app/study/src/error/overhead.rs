@@ -4,8 +4,8 @@
 use std::time::{Instant, SystemTime};
 
 use brooklet_capture::{CaptureOptions, CaptureWriter};
-use brooklet_fluid::{INIT, MEASURE, STEP, Scene, record};
-use brooklet_gpu::{Engine, Gpu, Plan, ResourceId, Resources};
+use brooklet_fluid::{self as fluid, FrameRequest, ParticleSource, Scene, SessionRecorder, SessionReport};
+use brooklet_gpu::Gpu;
 
 use super::OVERHEAD_PART;
 use crate::session::{Session, StudyError};
@@ -30,28 +30,23 @@ pub fn overhead_tasks(quick: bool) -> Vec<Task> {
 
 /// An engine with the scene in it.
 struct Bench {
-    engine: Engine,
-    measure: Option<ResourceId>,
+    session: fluid::Session,
     capture: Option<CaptureWriter<std::fs::File>>,
 }
 
 impl Bench {
     fn new(gpu: &Gpu, scene: &Scene, captured: bool) -> Result<Self, String> {
-        let mut resources = Resources::new();
-        let recorded = record(&mut resources, scene);
-        let measure = recorded.measure.as_ref().map(|measure| measure.id);
-        let plan = Plan::sweep(resources, recorded.recordings, measure.as_slice()).map_err(|e| e.to_string())?;
-        let stages = plan.passes().iter().map(|pass| pass.stage.to_string()).collect();
+        let planned = SessionRecorder::new(scene, ParticleSource::Scene).sweep().map_err(|e| e.to_string())?;
+        let stages = planned.plan.passes().iter().map(|pass| pass.stage.to_string()).collect();
         let options = CaptureOptions { stages, start: SystemTime::now(), ..CaptureOptions::default() };
         let open = || -> Result<_, String> {
             let file = tempfile::tempfile().map_err(|e| e.to_string())?;
             CaptureWriter::new(file, "overhead".into(), options).map_err(|e| e.to_string())
         };
         let capture = captured.then(open).transpose()?;
-        let mut engine = Engine::new(gpu, plan).map_err(|e| e.to_string())?;
-        engine.run(&[INIT], &[]).map_err(|e| e.to_string())?;
-        engine.finish().map_err(|e| e.to_string())?;
-        Ok(Self { engine, measure, capture })
+        let mut session = fluid::Session::start(gpu, planned).map_err(|e| e.to_string())?;
+        session.finish().map_err(|e| e.to_string())?;
+        Ok(Self { session, capture })
     }
 
     /// Seconds of a block.
@@ -59,20 +54,19 @@ impl Bench {
         let begun = Instant::now();
         for step in 0..STEPS {
             let with = measures && step % MEASURE_EVERY == 0;
-            let recordings: &[&str] = if with { &[STEP, MEASURE] } else { &[STEP] };
-            let readbacks = self.measure.filter(|_| with);
-            self.engine.run(recordings, readbacks.as_slice()).map_err(|e| e.to_string())?;
-            let reports = self.engine.reports();
+            let request = FrameRequest { steps: 1, measure: with, ..FrameRequest::default() };
+            self.session.submit(&request).map_err(|e| e.to_string())?;
+            let reports = self.session.reports();
             self.keep(&reports)?;
         }
-        let reports = self.engine.finish().map_err(|e| e.to_string())?;
+        let reports = self.session.finish().map_err(|e| e.to_string())?;
         self.keep(&reports)?;
         Ok(begun.elapsed().as_secs_f64())
     }
 
-    fn keep(&mut self, reports: &[brooklet_gpu::FrameReport]) -> Result<(), String> {
+    fn keep(&mut self, reports: &[SessionReport]) -> Result<(), String> {
         let Some(capture) = &mut self.capture else { return Ok(()) };
-        reports.iter().try_for_each(|report| capture.frame(report)).map_err(|e| e.to_string())
+        reports.iter().try_for_each(|frame| capture.frame(&frame.report)).map_err(|e| e.to_string())
     }
 }
 

@@ -77,6 +77,6 @@ fn status(ui: &mut Ui, shown: &Shown<'_>) {
         let rate = 1000.0 / frame.p50;
         if rate < 9.95 { format!("{rate:.1} frames/s") } else { format!("{rate:.0} frames/s") }
     });
-    let text = format!("{:.2} s   {speed}   {frames}", world.simulated_s);
+    let text = format!("{:.2} s   {speed}   {frames}", world.session.simulated_s());
     ui.label(RichText::new(text).color(style::QUIET));
 }

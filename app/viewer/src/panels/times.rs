@@ -88,10 +88,10 @@ fn facts(ui: &mut Ui, shown: &Shown<'_>) {
     let megabytes = |bytes: u64| format!("{:.1} MB", bytes as f64 * 1e-6);
     let [width_px, height_px] = world.view().size_px;
     let rows = [
-        ("particles", world.particles.to_string()),
-        ("spacing", format!("{:.4} m", world.simulated.fitted_spacing_m())),
-        ("steps", world.steps.to_string()),
-        ("GPU memory", megabytes(world.engine.allocated_bytes())),
+        ("particles", world.session.particle_count().to_string()),
+        ("spacing", format!("{:.4} m", world.session.scene().fitted_spacing_m())),
+        ("steps", world.session.steps().to_string()),
+        ("GPU memory", megabytes(world.session.engine().allocated_bytes())),
         ("picture", format!("{width_px} × {height_px}")),
         ("tier", brooklet_gpu::tier_name(shown.gpu.tier()).to_owned()),
         ("device", shown.gpu.info().name.clone()),

@@ -1,7 +1,7 @@
 //! Kernels small enough to know what they must do. They are written in WGSL and compiled by naga,
 //! which wgpu brings along: the engine takes any SPIR-V, and its tests must not depend on what
 //! the fluid's kernels happen to be.
-use brooklet_gpu::{Gpu, GpuOptions, Tier};
+use brooklet_gpu::{Engine, Gpu, GpuOptions, RecordingId, Tier};
 use brooklet_kernels::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Draw, Kernel, Module, ResourceId, StageKind,
     Tex, Uniform,
@@ -19,6 +19,11 @@ pub fn options() -> GpuOptions {
 /// The default device.
 pub fn gpu() -> Gpu {
     Gpu::open(&options()).expect("a Vulkan device")
+}
+
+/// The first recording of an engine's plan.
+pub fn only(engine: &Engine) -> RecordingId {
+    engine.plan().recordings().next().expect("a recording")
 }
 
 /// SPIR-V of a WGSL module.

@@ -78,7 +78,8 @@ pub fn draw_moving(view: &View, options: &FrameOptions, spheres: &[Sphere], velo
         Particles { positions: &positions, velocities: &velocities, count, neighbours: None, densities: None };
     let passes = frame::record(&mut resources, view, &particles, options).expect("a frame");
     let (color, depth) = (passes.color.alias(), passes.depth.alias());
-    let plan = Plan::sweep(resources, vec![passes.init, passes.recording], &[color.id]).expect("a plan");
+    let ids = [passes.init.id(), passes.draw.id()];
+    let plan = Plan::sweep(resources, vec![passes.init, passes.draw], &[color.id]).expect("a plan");
     let mut engine = Engine::new(&gpu(), plan).expect("an engine");
     let particles: Vec<Position> =
         spheres.iter().map(|sphere| Position { position_m: sphere.at_m.as_vec3().into(), tag: sphere.tag }).collect();
@@ -92,7 +93,7 @@ pub fn draw_moving(view: &View, options: &FrameOptions, spheres: &[Sphere], velo
             engine.write(&velocities, &moving);
         }
     }
-    engine.run(&[frame::DRAW_INIT, frame::DRAW], &[]).expect("it draws");
+    engine.run(&ids, &[]).expect("it draws");
     let rgba = engine.read_texture(&color).expect("a picture");
     let depth = match options.tier {
         Tier::Floor => Vec::new(),

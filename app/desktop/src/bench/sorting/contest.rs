@@ -1,16 +1,9 @@
 //! Two ways to the same result, run in turn.
 
-use brooklet_gpu::{Engine, FrameReport, Gpu, Plan, Recording, Resources};
+use brooklet_gpu::{Engine, FrameReport, Gpu, Plan, Recording, RecordingId, Resources};
 use serde::Serialize;
 
 use crate::{failure::Failure, interrupt::Interrupt, timings::Quantiles};
-
-/// Uploads, run once.
-pub const INIT: &str = "init";
-/// The product's way.
-pub const BASELINE: &str = "baseline";
-/// The other way.
-pub const ALTERNATIVE: &str = "alternative";
 
 /// What two ways came to.
 #[derive(Clone, Debug, Serialize)]
@@ -39,6 +32,27 @@ pub struct Names {
     pub alternative: &'static str,
 }
 
+/// What a contest runs.
+pub struct Ways {
+    /// Uploads, run once.
+    pub init: Recording,
+    /// The product's way.
+    pub baseline: Recording,
+    /// The other way.
+    pub alternative: Recording,
+}
+
+impl Ways {
+    /// Three empty recordings.
+    pub fn declare(resources: &mut Resources) -> Self {
+        Self {
+            init: resources.recording("init"),
+            baseline: resources.recording("baseline"),
+            alternative: resources.recording("alternative"),
+        }
+    }
+}
+
 /// Runs pairs of recordings on a device.
 pub struct Ring<'a> {
     pub gpu: &'a Gpu,
@@ -56,13 +70,15 @@ impl Ring<'_> {
         &self,
         names: Names,
         resources: Resources,
-        recordings: [Recording; 3],
+        ways: Ways,
         check: impl FnOnce(&mut Engine) -> Result<(), Failure>,
     ) -> Result<Outcome, Failure> {
-        let plan = Plan::sweep(resources, recordings.into(), &[]).map_err(Failure::stopped)?;
+        let [init, baseline, alternative] = [&ways.init, &ways.baseline, &ways.alternative].map(Recording::id);
+        let plan =
+            Plan::sweep(resources, vec![ways.init, ways.baseline, ways.alternative], &[]).map_err(Failure::stopped)?;
         let mut engine = Engine::new(self.gpu, plan).map_err(Failure::input)?;
-        engine.run(&[INIT], &[]).map_err(Failure::stopped)?;
-        engine.run(&[BASELINE, ALTERNATIVE], &[]).map_err(Failure::stopped)?;
+        engine.run(&[init], &[]).map_err(Failure::stopped)?;
+        engine.run(&[baseline, alternative], &[]).map_err(Failure::stopped)?;
         check(&mut engine)?;
         let mut reports = engine.finish().map_err(Failure::stopped)?;
         reports.clear();
@@ -71,7 +87,7 @@ impl Ring<'_> {
                 return Err(Failure::Interrupted("nothing was written".into()));
             }
             // What ran before leaves the caches as it does: so each goes first as often.
-            let order = if pair % 2 == 0 { [BASELINE, ALTERNATIVE] } else { [ALTERNATIVE, BASELINE] };
+            let order = if pair % 2 == 0 { [baseline, alternative] } else { [alternative, baseline] };
             engine.run(&order, &[]).map_err(Failure::stopped)?;
             reports.extend(engine.reports());
         }
@@ -79,14 +95,14 @@ impl Ring<'_> {
         let times: Vec<(f64, f64)> = reports
             .iter()
             .skip(WARM_UP)
-            .filter_map(|report| Some((ms_of(report, BASELINE)?, ms_of(report, ALTERNATIVE)?)))
+            .filter_map(|report| Some((ms_of(report, baseline)?, ms_of(report, alternative)?)))
             .collect();
         outcome(names, &times).ok_or_else(|| Failure::Stopped("the device gave no usable times".into()))
     }
 }
 
 /// From the first span of a recording to the end of its last, ms.
-fn ms_of(report: &FrameReport, recording: &str) -> Option<f64> {
+fn ms_of(report: &FrameReport, recording: RecordingId) -> Option<f64> {
     let spans = || report.spans.iter().filter(|span| span.recording == recording);
     let begin = spans().map(|span| span.begin_ticks).min()?;
     let end = spans().map(|span| span.end_ticks).max()?;

@@ -1,9 +1,9 @@
 //! Aggregated atomics: one for each run of particles of a cell, or one for each particle.
 
-use brooklet_gpu::{Recording, Resources};
+use brooklet_gpu::Resources;
 use brooklet_kernels::{CountCells, CountCellsAggregated, CountCellsVariant, GridParams, Position};
 
-use super::contest::{ALTERNATIVE, BASELINE, INIT, Names, Outcome, Ring};
+use super::contest::{Names, Outcome, Ring, Ways};
 use crate::failure::Failure;
 
 /// Counts `positions` both ways.
@@ -20,11 +20,10 @@ pub fn aggregated_atomics(
     let mut grid = resources.persistent("grid", 1);
     let mut counts = [resources.persistent("counts_a", cells), resources.persistent("counts_b", cells)];
     let mut slots = [resources.persistent("slots_a", count), resources.persistent("slots_b", count)];
-    let mut init = Recording::new(INIT);
+    let Ways { mut init, mut baseline, mut alternative } = Ways::declare(&mut resources);
     init.upload(&mut at, positions);
     init.upload(&mut grid, &[*params]);
 
-    let mut baseline = Recording::new(BASELINE);
     baseline.clear(&mut counts[0]);
     baseline.dispatch(
         &CountCells {
@@ -36,7 +35,6 @@ pub fn aggregated_atomics(
         },
         count,
     );
-    let mut alternative = Recording::new(ALTERNATIVE);
     alternative.clear(&mut counts[1]);
     alternative.dispatch(
         &CountCellsAggregated {
@@ -53,7 +51,7 @@ pub fn aggregated_atomics(
         baseline: "an atomic a particle",
         alternative: "an atomic a run",
     };
-    ring.compare(names, resources, [init, baseline, alternative], |engine| {
+    ring.compare(names, resources, Ways { init, baseline, alternative }, |engine| {
         let [a, b] = [engine.read(&counts[0]), engine.read(&counts[1])];
         super::equal("counts", a.map_err(Failure::stopped)?, b.map_err(Failure::stopped)?)
     })

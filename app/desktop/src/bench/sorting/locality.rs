@@ -14,7 +14,7 @@ use brooklet_kernels::{
     SmoothingKernelParams, StepParams, Velocity,
 };
 
-use super::contest::{ALTERNATIVE, BASELINE, INIT, Names, Outcome, Ring};
+use super::contest::{Names, Outcome, Ring, Ways};
 use crate::failure::Failure;
 
 /// What both ways are given.
@@ -71,14 +71,13 @@ pub fn locality(
     };
     let mut product = Way::declare(&mut resources, scene, &params);
     let mut by_index = Way::declare(&mut resources, scene, &params);
-    let mut init = Recording::new(INIT);
+    let Ways { mut init, mut baseline, mut alternative } = Ways::declare(&mut resources);
     init.upload(&mut settings.step, &[step_params(scene, count)]);
     init.upload(&mut settings.kernel, &[smoothing_kernel::params(scene)]);
     init.upload(&mut settings.pbf, &[pbf::params(scene)]);
     product.upload(&mut init, &params, in_order);
     by_index.upload(&mut init, &params, lie);
 
-    let mut baseline = Recording::new(BASELINE);
     let mut neighbours = Neighbours::declare(&mut resources, &params);
     let mut sorted = Sorted {
         positions: resources.persistent("sorted_positions", count),
@@ -88,13 +87,12 @@ pub fn locality(
     };
     reorder_everything(&mut baseline, &mut resources, &settings, &mut product, &mut sorted, &mut neighbours);
 
-    let mut alternative = Recording::new(ALTERNATIVE);
     let mut listed_counts = resources.persistent("listed_counts", count);
     reorder_index(&mut alternative, &mut resources, &settings, &mut by_index, &params, &mut listed_counts);
 
     let names =
         Names { optimisation: "locality", case, baseline: "reorder everything", alternative: "reorder an index" };
-    ring.compare(names, resources, [init, baseline, alternative], |engine| {
+    ring.compare(names, resources, Ways { init, baseline, alternative }, |engine| {
         let sorted = engine.read(&sorted.positions).map_err(Failure::stopped)?;
         let product = neighbours_by_id(engine, &neighbours, &sorted, params.list_chunks)?;
         let counts = engine.read(&listed_counts).map_err(Failure::stopped)?;

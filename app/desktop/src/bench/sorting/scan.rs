@@ -6,7 +6,7 @@ use brooklet_kernels::{
     Buffer, SCAN_ITEMS, ScanGroups, ScanGroupsTree, ScanGroupsTreeVariant, ScanGroupsVariant, ScanStep,
 };
 
-use super::contest::{ALTERNATIVE, BASELINE, INIT, Names, Outcome, Ring};
+use super::contest::{Names, Outcome, Ring, Ways};
 use crate::failure::Failure;
 
 /// The whole scan of `values`: reduce-then-scan in groupshared memory, or a dispatch for each
@@ -18,12 +18,10 @@ pub fn shared_memory(ring: &Ring<'_>, case: String, values: &[u32]) -> Result<Ou
     let mut scanned = resources.persistent("scanned", count);
     let mut scan = Scan::declare(&mut resources, "baseline", count);
     let mut turns = [resources.persistent("even", count), resources.persistent("odd", count)];
-    let mut init = Recording::new(INIT);
+    let Ways { mut init, mut baseline, mut alternative } = Ways::declare(&mut resources);
     init.upload(&mut input, values);
-    let mut baseline = Recording::new(BASELINE);
     scan.record(&mut baseline, &input, &mut scanned);
 
-    let mut alternative = Recording::new(ALTERNATIVE);
     let reaches =
         std::iter::once(0).chain((0..32).map(|bit| 1_u64 << bit).take_while(|reach| *reach < values.len() as u64));
     let mut last = 0;
@@ -42,7 +40,7 @@ pub fn shared_memory(ring: &Ring<'_>, case: String, values: &[u32]) -> Result<Ou
         baseline: "groupshared memory",
         alternative: "global memory",
     };
-    ring.compare(names, resources, [init, baseline, alternative], |engine| {
+    ring.compare(names, resources, Ways { init, baseline, alternative }, |engine| {
         let [a, b] = [engine.read(&scanned), engine.read(&turns[last])];
         super::equal("sums", a.map_err(Failure::stopped)?, b.map_err(Failure::stopped)?)
     })
@@ -109,16 +107,14 @@ pub fn inner(
     let mut input = resources.persistent("values", count);
     let mut group_offsets = resources.persistent("group_offsets", offsets.len() as u32);
     let mut scanned = [resources.persistent("scanned_a", count), resources.persistent("scanned_b", count)];
-    let mut init = Recording::new(INIT);
+    let Ways { mut init, mut baseline, mut alternative } = Ways::declare(&mut resources);
     init.upload(&mut input, values);
     init.upload(&mut group_offsets, &offsets);
-    let mut recordings = [Recording::new(BASELINE), Recording::new(ALTERNATIVE)];
-    for ((way, recording), scanned) in ways.into_iter().zip(&mut recordings).zip(&mut scanned) {
+    for ((way, recording), scanned) in ways.into_iter().zip([&mut baseline, &mut alternative]).zip(&mut scanned) {
         way.dispatch(recording, &input, &group_offsets, scanned);
     }
-    let [baseline, alternative] = recordings;
     let names = Names { optimisation, case, baseline: ways[0].name(), alternative: ways[1].name() };
-    ring.compare(names, resources, [init, baseline, alternative], |engine| {
+    ring.compare(names, resources, Ways { init, baseline, alternative }, |engine| {
         let [a, b] = [engine.read(&scanned[0]), engine.read(&scanned[1])];
         super::equal("sums", a.map_err(Failure::stopped)?, b.map_err(Failure::stopped)?)
     })

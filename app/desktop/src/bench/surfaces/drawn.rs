@@ -1,7 +1,7 @@
 //! Bodies of particles drawn by the product's own passes, and what that cost.
 
 use brooklet_fluid::{Scene, scene::Smoothing};
-use brooklet_gpu::{Engine, Gpu, Plan, Recording, Resources, Shape as Kind};
+use brooklet_gpu::{Engine, Gpu, Plan, Resources, Shape as Kind};
 use brooklet_kernels::{Position, Tier};
 use brooklet_render::{
     Coloring, FrameOptions, Particles, SurfaceOptions, View,
@@ -17,8 +17,6 @@ use super::{
 };
 use crate::{failure::Failure, interrupt::Interrupt, timings::Quantiles};
 
-const INIT: &str = "init";
-const DRAW: &str = "draw";
 /// Pictures drawn before those that are timed.
 const WARM_UP: usize = 2;
 
@@ -105,7 +103,7 @@ pub fn draw(
     let count = positions.len() as u32;
     let mut resources = Resources::new();
     let mut frame_view = resources.persistent("frame_view", 1);
-    let (mut init, mut recording) = (Recording::new(INIT), Recording::new(DRAW));
+    let (mut init, mut recording) = (resources.recording("init"), resources.recording("draw"));
     init.upload(&mut frame_view, &[values.view]);
     let listed = Listed::record(&mut resources, &mut init, &scene, &positions);
     // The bodies are no spray: spheres are drawn as they are.
@@ -114,11 +112,12 @@ pub fn draw(
         Particles { positions: &listed.positions, velocities: &listed.velocities, count, neighbours, densities: None };
     let into = (&mut init, &mut recording);
     let surface = screen_space::record(&mut resources, into, &frame_view, &particles, view.size_px, tier, &options);
+    let (init_id, draw_id) = (init.id(), recording.id());
     let plan = Plan::sweep(resources, vec![init, recording], &[surface.normals.id]).map_err(Failure::stopped)?;
     let is_texture = |id| plan.resources().get(id).is_some_and(|entry| !matches!(entry.shape, Kind::Buffer { .. }));
     let texture_bytes = plan.buffers().iter().filter(|kept| is_texture(kept.id)).map(|kept| kept.bytes).sum();
     let mut engine = Engine::new(gpu, plan).map_err(Failure::input)?;
-    engine.run(&[INIT], &[]).map_err(Failure::stopped)?;
+    engine.run(&[init_id], &[]).map_err(Failure::stopped)?;
     engine.finish().map_err(Failure::stopped)?;
 
     let mut times = Vec::new();
@@ -126,7 +125,7 @@ pub fn draw(
         if interrupt.is_pressed() {
             return Err(Failure::Interrupted("nothing was written".into()));
         }
-        engine.run(&[DRAW], &[]).map_err(Failure::stopped)?;
+        engine.run(&[draw_id], &[]).map_err(Failure::stopped)?;
         times.extend(engine.reports());
     }
     times.extend(engine.finish().map_err(Failure::stopped)?);

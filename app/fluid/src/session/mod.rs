@@ -1,0 +1,341 @@
+//! A scene running on a GPU: what every program that steps one goes through.
+
+mod plan;
+
+pub use plan::{ParticleSource, SessionPlan, SessionRecorder};
+
+use std::collections::VecDeque;
+
+use brooklet_gpu::{Engine, FrameReport, Gpu, GpuError, Plan, PlanError, RecordingId, ResourceId};
+use brooklet_kernels::{Buffer, Position};
+use thiserror::Error;
+
+use crate::interact::{Drag, Push};
+use crate::measure::{Sample, Stats};
+use crate::particles::ParticleSet;
+use crate::scene::{Applied, Scene};
+use crate::step::Recorded;
+
+/// Why a session cannot start.
+#[derive(Debug, Error)]
+pub enum SessionError {
+    /// The device.
+    #[error(transparent)]
+    Gpu(#[from] GpuError),
+    /// The recordings (a fault of the program).
+    #[error(transparent)]
+    Plan(#[from] PlanError),
+}
+
+/// What one frame does, in this order; by default nothing.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct FrameRequest<'a> {
+    /// Draws the fluid along before the steps, if the session was recorded with drag.
+    pub drag: Option<&'a Drag>,
+    /// Steps of the scene's `dt_s`.
+    pub steps: u32,
+    /// Measures after the steps, if the scene measures.
+    pub measure: bool,
+    /// Other recordings of the session's plan, after that.
+    pub then: &'a [RecordingId],
+    /// Samples the particles, if the session was recorded with samples.
+    pub sample: bool,
+    /// Buffers and textures whose content comes back with the frame's report, besides measurement and samples.
+    pub readbacks: &'a [ResourceId],
+}
+
+/// A frame that the GPU is done with.
+#[derive(Clone, Debug)]
+pub struct SessionReport {
+    /// Its number, GPU times and readbacks.
+    pub report: FrameReport,
+    /// Steps done at its end.
+    pub steps: u64,
+    /// Simulated time at its end, s.
+    pub simulated_s: f64,
+    /// Its measurement, if it measured.
+    pub stats: Option<Stats>,
+}
+
+/// A frame handed to the GPU.
+#[derive(Clone, Copy, Debug)]
+struct InFlightFrame {
+    frame: u64,
+    steps: u64,
+    simulated_s: f64,
+}
+
+/// From when on time is counted: with steps of one length it is their number times it, without a sum's rounding.
+#[derive(Clone, Copy, Debug, Default)]
+struct TimeBase {
+    steps: u64,
+    simulated_s: f64,
+}
+
+/// So many reports wait for whoever takes them; of more, the oldest go.
+const MOST_KEPT: usize = 64;
+
+/// A scene running on a GPU.
+pub struct Session {
+    engine: Engine,
+    scene: Scene,
+    recorded: Recorded,
+    drag: Option<Push>,
+    sample: Option<Sample>,
+    init: Vec<RecordingId>,
+    steps: u64,
+    since: TimeBase,
+    stats: Option<Stats>,
+    in_flight: VecDeque<InFlightFrame>,
+    kept: VecDeque<SessionReport>,
+    // A frame's, kept for their memory.
+    order: Vec<RecordingId>,
+    readbacks: Vec<ResourceId>,
+}
+
+impl Session {
+    /// Plans and starts a scene with its own particles.
+    ///
+    /// # Errors
+    /// If the device lacks memory or limits for the scene.
+    pub fn new(gpu: &Gpu, scene: &Scene) -> Result<Self, SessionError> {
+        Ok(Self::start(gpu, SessionRecorder::new(scene, ParticleSource::Scene).sweep()?)?)
+    }
+
+    /// Allocates what the plan keeps, fills it with the particles and runs the first recordings, each a frame of
+    /// its own.
+    ///
+    /// # Errors
+    /// If the device lacks memory or limits for the plan.
+    pub fn start(gpu: &Gpu, planned: SessionPlan) -> Result<Self, GpuError> {
+        Self::start_with_progress(gpu, planned, &mut |_, _, _| ())
+    }
+
+    /// [`Session::start`], saying how far it is, as [`Engine::new_with_progress`] does.
+    ///
+    /// # Errors
+    /// As [`Session::start`].
+    pub fn start_with_progress(
+        gpu: &Gpu,
+        planned: SessionPlan,
+        progress: &mut dyn FnMut(usize, usize, &str),
+    ) -> Result<Self, GpuError> {
+        let SessionPlan { plan, recorded, scene, particles, drag, sample, init } = planned;
+        let mut session = Self {
+            engine: Engine::new_with_progress(gpu, plan, progress)?,
+            scene,
+            recorded,
+            drag,
+            sample,
+            init,
+            steps: 0,
+            since: TimeBase::default(),
+            stats: None,
+            in_flight: VecDeque::new(),
+            kept: VecDeque::new(),
+            order: Vec::new(),
+            readbacks: Vec::new(),
+        };
+        if let Some(particles) = particles {
+            session.write_particles(&particles);
+        }
+        for recording in &session.init {
+            session.engine.run(&[*recording], &[])?;
+        }
+        Ok(session)
+    }
+
+    /// Hands a frame to the GPU; returns its number. Waits for nothing, unless
+    /// [`brooklet_gpu::FRAMES_IN_FLIGHT`] are under way: then for the oldest.
+    ///
+    /// # Errors
+    /// If the device is lost, or what the request names is not in the plan.
+    pub fn submit(&mut self, request: &FrameRequest<'_>) -> Result<u64, GpuError> {
+        self.order.clear();
+        self.readbacks.clear();
+        if let (Some(push), Some(drag)) = (&self.drag, request.drag) {
+            push.write(&mut self.engine, &self.scene, drag);
+            self.order.push(push.recording.id());
+        }
+        self.order.extend(std::iter::repeat_n(self.recorded.step.id(), request.steps as usize));
+        if let Some(measure) = self.recorded.measure.as_ref().filter(|_| request.measure) {
+            self.order.push(measure.recording.id());
+            self.readbacks.push(measure.output.id);
+        }
+        self.order.extend_from_slice(request.then);
+        if let Some(sample) = self.sample.as_ref().filter(|_| request.sample) {
+            self.order.push(sample.recording.id());
+            self.readbacks.push(sample.samples.id);
+        }
+        self.readbacks.extend_from_slice(request.readbacks);
+        let frame = self.engine.run(&self.order, &self.readbacks)?;
+        self.steps += u64::from(request.steps);
+        self.in_flight.push_back(InFlightFrame { frame, steps: self.steps, simulated_s: self.simulated_s() });
+        if self.in_flight.len() >= MOST_KEPT {
+            let reports = self.engine.reports();
+            self.keep(reports);
+        }
+        Ok(frame)
+    }
+
+    /// One step, as a frame of its own.
+    ///
+    /// # Errors
+    /// If the device is lost.
+    pub fn step(&mut self) -> Result<(), GpuError> {
+        self.submit(&FrameRequest { steps: 1, ..FrameRequest::default() }).map(drop)
+    }
+
+    /// One measurement, as a frame of its own: comes a frame or two later with [`Session::reports`] and
+    /// [`Session::stats`]. A scene that does not measure has none.
+    ///
+    /// # Errors
+    /// If the device is lost.
+    pub fn measure(&mut self) -> Result<(), GpuError> {
+        self.submit(&FrameRequest { measure: true, ..FrameRequest::default() }).map(drop)
+    }
+
+    /// Frames that came back since the last call, in order; of more than 64, the newest.
+    pub fn reports(&mut self) -> Vec<SessionReport> {
+        let reports = self.engine.reports();
+        self.keep(reports);
+        self.kept.drain(..).collect()
+    }
+
+    /// Waits for every frame in flight; returns the reports since the last call.
+    ///
+    /// # Errors
+    /// If the device is lost; what came back before is still [`Session::reports`]'.
+    pub fn finish(&mut self) -> Result<Vec<SessionReport>, GpuError> {
+        let reports = self.engine.finish()?;
+        self.keep(reports);
+        Ok(self.kept.drain(..).collect())
+    }
+
+    fn keep(&mut self, reports: Vec<FrameReport>) {
+        let measure = self.recorded.measure_id();
+        for report in reports {
+            // Frames that no request made, the first ones, are nobody's.
+            while self.in_flight.pop_front_if(|handed| handed.frame < report.frame).is_some() {}
+            let Some(handed) = self.in_flight.pop_front_if(|handed| handed.frame == report.frame) else { continue };
+            let measured = report.readbacks.iter().find(|(id, _)| Some(*id) == measure);
+            let stats = measured.map(|(_, bytes)| Stats::new(bytes, &self.scene));
+            self.stats = stats.or(self.stats);
+            self.kept.push_back(SessionReport { report, steps: handed.steps, simulated_s: handed.simulated_s, stats });
+        }
+        self.kept.drain(..self.kept.len().saturating_sub(MOST_KEPT));
+    }
+
+    /// The newest measurement that has come back.
+    pub fn stats(&mut self) -> Option<Stats> {
+        let reports = self.engine.reports();
+        self.keep(reports);
+        self.stats
+    }
+
+    /// Waits, and copies the particles to the host, in cell order.
+    ///
+    /// # Errors
+    /// If the device is lost.
+    pub fn read_particles(&mut self) -> Result<ParticleSet, GpuError> {
+        self.recorded.particles(&mut self.engine)
+    }
+
+    /// Replaces the particles by as many others, before the next frame. More are an error of the next frame.
+    pub fn write_particles(&mut self, particles: &ParticleSet) {
+        self.engine.write(&self.recorded.positions, &particles.positions);
+        self.engine.write(&self.recorded.velocities, &particles.velocities);
+    }
+
+    /// Goes on as `planned`, which was made as this session's plan was, of another scene: from the next frame on,
+    /// if only numbers are another. False if it needs a session of its own, which may [`Session::adopt`] this
+    /// one's particles; nothing is changed then. What was added to the plan beside the scene is compared as well.
+    ///
+    /// # Errors
+    /// If the device is lost.
+    pub fn apply(&mut self, planned: &SessionPlan) -> Result<bool, GpuError> {
+        let resets = self.scene.change_to(&planned.scene).applied == Applied::Reset;
+        if resets || !self.engine.take_uploads(&planned.plan, &self.init)? {
+            return Ok(false);
+        }
+        self.since = TimeBase { steps: self.steps, simulated_s: self.simulated_s() };
+        self.scene = planned.scene.clone();
+        Ok(true)
+    }
+
+    /// Takes over the state of `old`, the same particles in another plan, without a way over the host: every
+    /// buffer that both have by name and size, but those that the first recordings fill; and its time.
+    ///
+    /// # Errors
+    /// If the device is lost.
+    pub fn adopt(&mut self, old: &Session) -> Result<(), GpuError> {
+        self.engine.adopt(&old.engine, &self.init)?;
+        self.set_time(old.steps, old.simulated_s());
+        Ok(())
+    }
+
+    /// Goes on as if `steps` steps had been done, in `simulated_s`: of a saved state.
+    pub fn set_time(&mut self, steps: u64, simulated_s: f64) {
+        self.steps = steps;
+        self.since = TimeBase { steps, simulated_s };
+    }
+
+    /// Runs with other modules from the next frame on: `plan` is this session's with some of them exchanged
+    /// ([`Plan::with_modules`]).
+    ///
+    /// # Errors
+    /// If the driver refuses one; what ran before then goes on.
+    pub fn swap_modules(&mut self, plan: Plan) -> Result<(), GpuError> {
+        self.engine.exchange(plan)
+    }
+
+    /// The scene.
+    pub fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    /// Steps done.
+    pub fn steps(&self) -> u64 {
+        self.steps
+    }
+
+    /// Simulated time, s.
+    pub fn simulated_s(&self) -> f64 {
+        self.since.simulated_s + (self.steps - self.since.steps) as f64 * self.scene.solver.dt_s
+    }
+
+    /// Number of particles.
+    pub fn particle_count(&self) -> u32 {
+        self.recorded.particle_count
+    }
+
+    /// The positions' buffer on the GPU, for drawing without a copy.
+    pub fn positions(&self) -> &Buffer<Position> {
+        &self.recorded.positions
+    }
+
+    /// The simulation's recordings and buffers.
+    pub fn recorded(&self) -> &Recorded {
+        &self.recorded
+    }
+
+    /// A step's recording, which names its spans.
+    pub fn step_id(&self) -> RecordingId {
+        self.recorded.step.id()
+    }
+
+    /// The samples among a report's readbacks, if the session was recorded with samples.
+    pub fn samples_id(&self) -> Option<ResourceId> {
+        self.sample.as_ref().map(|sample| sample.samples.id)
+    }
+
+    /// What runs it.
+    pub fn engine(&self) -> &Engine {
+        &self.engine
+    }
+
+    /// What runs it, to read and write what was added to the plan. Reports are taken from the session.
+    pub fn engine_mut(&mut self) -> &mut Engine {
+        &mut self.engine
+    }
+}

@@ -1,0 +1,140 @@
+//! A scene's recordings and what others add to them, swept into the plan of a session.
+
+use brooklet_gpu::{Plan, PlanError, Recording, RecordingId, ResourceId, Resources};
+
+use crate::interact::{Push, record_push};
+use crate::measure::{Sample, record_sample};
+use crate::particles::{ParticleSet, sample_lattice};
+use crate::scene::Scene;
+use crate::step::{Recorded, record_count};
+
+/// Where a session's particles come from.
+#[derive(Clone, Debug)]
+pub enum ParticleSource {
+    /// The scene's fluids, on their lattice.
+    Scene,
+    /// These.
+    Given(ParticleSet),
+    /// So many, at rest at the domain's lowest corner until [`crate::Session::adopt`] or
+    /// [`crate::Session::write_particles`]: also for a plan that is only looked at.
+    Count(u32),
+}
+
+/// A scene that is recorded, before the sweep. Another crate records what reads the simulation's buffers beside
+/// it: into [`SessionRecorder::resources`], from [`SessionRecorder::recorded`], and keeps its recordings' handles
+/// for [`crate::FrameRequest::then`].
+pub struct SessionRecorder {
+    /// Where buffers, textures and recordings are declared.
+    pub resources: Resources,
+    /// The simulation's recordings and buffers.
+    pub recorded: Recorded,
+    scene: Scene,
+    particles: Option<ParticleSet>,
+    drag: Option<Push>,
+    sample: Option<Sample>,
+    init: Vec<RecordingId>,
+    others: Vec<Recording>,
+    wanted: Vec<ResourceId>,
+}
+
+impl SessionRecorder {
+    /// Records `scene`: its start, a step, and a measurement if the scene measures.
+    pub fn new(scene: &Scene, source: ParticleSource) -> Self {
+        let (particles, count) = match source {
+            ParticleSource::Scene => with_count(sample_lattice(scene)),
+            ParticleSource::Given(particles) => with_count(particles),
+            ParticleSource::Count(count) => (None, count),
+        };
+        let mut resources = Resources::new();
+        let recorded = record_count(&mut resources, scene, count);
+        Self {
+            init: vec![recorded.init.id()],
+            wanted: recorded.measure_id().into_iter().collect(),
+            resources,
+            recorded,
+            scene: scene.clone(),
+            particles,
+            drag: None,
+            sample: None,
+            others: Vec::new(),
+        }
+    }
+
+    /// Lets frames drag the fluid ([`crate::FrameRequest::drag`]).
+    pub fn with_drag(mut self) -> Self {
+        let drag = record_push(&mut self.resources, &mut self.recorded);
+        self.others.push(drag.recording.clone());
+        self.drag = Some(drag);
+        self
+    }
+
+    /// Lets frames sample at most so many particles ([`crate::FrameRequest::sample`]).
+    pub fn with_samples(mut self, most_points: u32) -> Self {
+        let sample = record_sample(&mut self.resources, &self.recorded, most_points);
+        self.others.push(sample.recording.clone());
+        self.wanted.push(sample.samples.id);
+        self.sample = Some(sample);
+        self
+    }
+
+    /// Adds a recording that runs once, before the first frame. What it uploads can be changed while the session
+    /// runs ([`crate::Session::apply`]).
+    pub fn add_init(&mut self, recording: &Recording) {
+        self.init.push(recording.id());
+        self.add(recording);
+    }
+
+    /// Adds a recording that frames name.
+    pub fn add(&mut self, recording: &Recording) {
+        self.others.push(recording.clone());
+    }
+
+    /// Adds an output, whose passes stay in the plan.
+    pub fn want(&mut self, output: ResourceId) {
+        self.wanted.push(output);
+    }
+
+    /// Leaves out what nothing wants.
+    ///
+    /// # Errors
+    /// If a recording is wrong: a fault of the program that recorded it.
+    pub fn sweep(self) -> Result<SessionPlan, PlanError> {
+        let recordings = self.recorded.recordings().into_iter().chain(self.others).collect();
+        Ok(SessionPlan {
+            plan: Plan::sweep(self.resources, recordings, &self.wanted)?,
+            recorded: self.recorded,
+            scene: self.scene,
+            particles: self.particles,
+            drag: self.drag,
+            sample: self.sample,
+            init: self.init,
+        })
+    }
+}
+
+fn with_count(particles: ParticleSet) -> (Option<ParticleSet>, u32) {
+    let count = particles.positions.len() as u32;
+    (Some(particles), count)
+}
+
+/// All that a session needs but a device.
+pub struct SessionPlan {
+    /// What runs, and what was left out. May be exchanged for the same plan with other modules
+    /// ([`Plan::with_modules`]).
+    pub plan: Plan,
+    /// The simulation's recordings and buffers.
+    pub recorded: Recorded,
+    /// The scene.
+    pub scene: Scene,
+    pub(super) particles: Option<ParticleSet>,
+    pub(super) drag: Option<Push>,
+    pub(super) sample: Option<Sample>,
+    pub(super) init: Vec<RecordingId>,
+}
+
+impl SessionPlan {
+    /// Number of particles.
+    pub fn particle_count(&self) -> u32 {
+        self.recorded.particle_count
+    }
+}
