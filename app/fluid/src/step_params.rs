@@ -28,6 +28,6 @@ pub fn step_params(scene: &Scene, particle_count: u32) -> StepParams {
 /// Where the walls of an axis without walls stand: finite in f32 even over the smallest support.
 const FAR_M: f32 = 1.0e30;
 
-/// How near a wall a particle's middle may come, over the spacing. The lattice starts at a half;
-/// what is nearer than this the walls' density alone did not hold back.
+/// How near a wall a particle's middle may come, over the spacing. The lattice starts at a half. Nearer, the layer
+/// there would make room for more fluid than there is; what comes nearer the walls' density alone did not hold back.
 const WALL_OFFSET_RATIO: f64 = 0.5;

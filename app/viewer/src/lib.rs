@@ -3,6 +3,18 @@
 //!
 //! The program around it owns the window and its surface. Each time something is to be painted it hands
 //! [`Viewer::frame`] what the user did (egui's input) and where to paint, and does what comes back.
+//!
+//! A frame is one submission: a push if somebody drags, as many steps as time asks for and the budget holds, a
+//! measurement and samples if they are due, a picture. At most two are under way; what comes back is taken when it is
+//! there. The panels are painted over the last picture, and only when something is new.
+//!
+//! A scene, its plan and its engine are made on a thread of their own beside those that run, and take their state over
+//! on the GPU: every buffer that both have by name and size, but those that the first recordings fill. The ladder's
+//! other spacings are the same fluid sampled on another lattice. Whether a setting is taken at once is asked of the
+//! plans: if two differ at most in what they upload, the numbers are written.
+//!
+//! A capture goes over all of these. Its frames are numbered and timed by the window's clock, and what the panels cost
+//! (`overlay`) is a span of the frame that they were painted over.
 
 mod acting;
 pub mod action;

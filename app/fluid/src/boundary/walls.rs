@@ -2,9 +2,10 @@
 //! & Kawaguchi 2007) agrees with the lattice. (Shader: `boundary/walls.hlsli`.)
 //!
 //! Beyond one wall at distance s lies the share P(s) of the kernel; beyond several at right angles
-//! nearly the product of their shares. By inclusion and exclusion the density ratio beyond the walls is
-//! a ΣP − e ΣPP + c PPP. Shares stand for wall particles at rest; a, e and c are such that fluid
-//! placed half a spacing from walls has density ratio 1 at walls, edges and corners alike.
+//! nearly the product of their shares: within .003 of the kernel's integral, .004 in two dimensions.
+//! By inclusion and exclusion the density ratio beyond the walls is a ΣP − e ΣPP + c PPP. Shares stand
+//! for wall particles at rest; a, e and c are such that fluid placed half a spacing from walls has
+//! density ratio 1 at walls, edges and corners alike.
 
 use std::f64::consts::PI;
 

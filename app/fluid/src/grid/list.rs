@@ -1,5 +1,7 @@
-//! Each particle's neighbours: sorted indices in ascending order, 16 bits each, in slices of
-//! particles. (Shader: `shared/list.hlsli`, `grid/list_neighbours.compute`.)
+//! Each particle's neighbours: sorted indices in ascending order as deltas of 16 bits, in slices of
+//! particles. (Shaders: `shared/list.hlsli`, `grid/list_neighbours.compute`.)
+//!
+//! 16 bits take half the memory and the loads of 32: 1.39 million lists of 48 fit a binding of 128 MiB.
 
 use brooklet_gpu::{Recording, Resources};
 use brooklet_kernels::{
@@ -34,7 +36,7 @@ pub fn listed(i: u32, head: ListHead, lists: &[[u32; 2]], list_chunks: u32) -> i
 
 /// The lists, made once a substep.
 pub struct Neighbours {
-    /// Gaps between sorted indices, four of a particle side by side, interleaved over slices of
+    /// Deltas of sorted indices, four of a particle side by side, interleaved over slices of
     /// `LIST_SLICE` particles.
     pub deltas: Buffer<[u32; 2]>,
     /// Where each list begins, and its length.

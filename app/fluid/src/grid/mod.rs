@@ -1,5 +1,11 @@
-//! The neighbour grid: counting sort into cells of h/2 with full reorder, and neighbour lists. Where
-//! the domain has far more cells than the fluid fills, they are wrapped onto fewer.
+//! The neighbour grid: counting sort into cells of h/2 with full reorder, and neighbour lists.
+//!
+//! Cells are dense over the domain. Where it has far more of them than the fluid fills, they are wrapped onto powers of
+//! two, not hashed: rows stay runs of memory, neighbours stay in order, and only the list has to tell particles a whole
+//! grid apart (`grid/search_wrapped.hlsli`).
+//!
+//! A search looks at `MAX_CANDIDATES` at most and counts whom it cut short: 100,000 particles in one cell would be
+//! 10^10 pairs.
 
 mod list;
 mod neighbour_search;
@@ -34,7 +40,7 @@ pub fn cells(scene: &Scene) -> [u64; 3] {
 const CELLS_A_PARTICLE: u64 = 16;
 /// A grid of so many cells is small however few particles there are.
 const FEW_CELLS: u64 = 1 << 16;
-/// Fewest cells that an axis is wrapped onto: no search meets a cell twice, and quantized_positions, which repeat
+/// Fewest cells that an axis is wrapped onto: no search meets a cell twice, and quantized positions, which repeat
 /// every 4 h, repeat with it. An axis of fewer keeps them.
 const LEAST_WRAPPED: u64 = 8;
 
@@ -187,9 +193,11 @@ pub struct Sorted {
     pub positions: Buffer<Position>,
     /// Predicted velocities.
     pub velocities: Buffer<Velocity>,
-    /// The same positions in fixed point, for the iterations to change.
+    /// The same positions in fixed point, for the iterations to change (`shared/quantized_position.hlsli`). Modulo
+    /// 4 h, not relative to a cell: no cell is stored or compared, and the 8 bytes of three unorm16 hold 21 bits an
+    /// axis.
     pub quantized_positions: Buffer<[u32; 2]>,
-    /// Whether the quantized_positions are packed into 16 bits an axis.
+    /// Whether they are packed into 16 bits an axis.
     pub packed: bool,
 }
 

@@ -1,10 +1,11 @@
 //! Lattices that fill what has to be filled from end to end.
 //!
 //! A block between two walls rarely is a whole number of spacings wide. A lattice that leaves what is over as a
-//! gap falls into it: water at rest would swing. So the nearest spacing is taken of which a whole number fit there,
-//! and everything with it, mass, support and walls alike: that lattice is at rest as any that fits. Where blocks
-//! reach from wall to wall along axes whose sides no one spacing fits, each gets whole steps of its own, and a
-//! particle keeps its volume by the steps along free axes.
+//! gap falls by it: water at rest would swing. So the nearest spacing is taken of which a whole number fit there.
+//! Mass, support, walls and pictures follow it (`Scene::fitted_spacing_m`), and the lattice is at rest.
+//!
+//! Where blocks reach from wall to wall along axes whose sides no one spacing fits, the lattice is strained: each axis
+//! gets whole steps of its own, and a particle keeps its volume by the steps along free axes.
 
 /// A side within this share of a spacing of a whole number of spacings is that number: .3 / .1 is 3.
 pub(super) const WHOLE: f64 = 0.01;

@@ -1,4 +1,8 @@
 //! What is drawn of the fluid: its particles as balls, or its surface as water.
+//!
+//! Depths and particle indices are `R32Float`, drawn to and loaded, never blended nor filtered. Thickness is `R16Float`
+//! and light `Rgba16Float`, both blended and filtered. Pictures are `Rgba8Unorm`. WebGPU's base promises all of that
+//! anywhere, and a test holds every surface against it; `brooklet_gpu::check_formats` asks the driver all the same.
 
 pub(crate) mod points;
 pub mod screen_space;

@@ -1,4 +1,11 @@
 //! Position Based Fluids (Macklin & Müller 2013): Jacobi iterations of the density constraint, then velocities.
+//!
+//! During the iterations a particle is a quantized position. What it moved from its predicted f32 position is added to
+//! that once, at the end; iterations hold it below h, and count that.
+//!
+//! `quantized_positions` and `position_lambdas` are each read by one pass of an iteration and written by the other. A
+//! Jacobi iteration so needs no copy, and a neighbour's position and lambda are one load of 16 bytes, or of 8 with
+//! `solver.packed_positions`.
 
 mod constrain_density;
 mod correct_positions;

@@ -1,4 +1,8 @@
-//! The particles' ellipsoids (Yu & Turk 2013), made once before the surface is drawn.
+//! The particles' ellipsoids (Yu & Turk 2013), made once before the surface is drawn: 32 bytes each.
+//! (Shader: `surface/anisotropy.compute`.)
+//!
+//! An ellipsoid's center moves by what the neighbours' mean is off more than that of a flat surface. Moved by all of
+//! it, water stood half a spacing low and away from its walls.
 
 use brooklet_fluid::grid::Neighbours;
 use brooklet_gpu::{Recording, Resources};
