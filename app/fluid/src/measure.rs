@@ -1,4 +1,4 @@
-//! Density error, energy and place of the fluid, measured on the GPU. (Shaders: `measure/`.)
+//! Density error, energy, momentum and front of the fluid, measured on the GPU. (Shaders: `measure/`.)
 
 mod sample_particles;
 

@@ -23,7 +23,6 @@ impl<F: Fn(Format) -> TextureFormatFeatures> FormatSupport for F {
     }
 }
 
-/// Every format there is.
 const FORMATS: [Format; 11] = [
     Format::R32Float,
     Format::Rg32Float,

@@ -6,7 +6,6 @@ use crate::recording::Command;
 use brooklet_kernels::ResourceId;
 use std::collections::BTreeSet;
 
-/// The commands in the order to encode them in.
 pub(crate) fn encoding_order(commands: &[Command]) -> Vec<&Command> {
     let mut order: Vec<&Command> = Vec::with_capacity(commands.len());
     // The run of dispatches at the end of `order`: where it starts, and what it touches.

@@ -31,7 +31,6 @@ struct Layout {
     pipeline: wgpu::PipelineLayout,
 }
 
-/// A device's pipelines.
 pub(crate) struct Pipelines {
     cache: Option<wgpu::PipelineCache>,
     file: Option<CacheFile>,

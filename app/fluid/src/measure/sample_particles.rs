@@ -11,7 +11,7 @@ pub struct Sample {
     /// Picks them; to be run after a frame's steps.
     pub recording: Recording,
     /// Position relative to the domain's lowest corner, m, and speed, m/s, of the particle whose id is
-    /// the place times `stride`; no numbers of one that is quarantined.
+    /// the index times `stride`; no numbers of one that is quarantined.
     pub samples: Buffer<[f32; 4]>,
     /// From one sampled id to the next.
     pub stride: u32,

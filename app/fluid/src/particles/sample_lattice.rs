@@ -21,10 +21,9 @@ pub struct ParticleSet {
     pub velocities: Vec<Velocity>,
 }
 
-/// Puts a cubic lattice of spacing d into each fluid. A block's lattice starts half a spacing
-/// inside it, so that fluid against a wall is where the wall expects it, and fills it from wall to wall
-/// (`lattice.rs`); a ball's is centred on it. Where fluids overlap, the first has the place. In two dimensions the lattice is one layer, in
-/// the domain's plane.
+/// Puts a cubic lattice of spacing d into each fluid. A block's lattice starts half a spacing inside it, so that fluid
+/// against a wall is where the wall expects it, and fills it from wall to wall (`lattice.rs`); a ball's is centred on it.
+/// Where fluids overlap, the first has the particle. In two dimensions the lattice is one layer, in the domain's plane.
 pub fn sample_lattice(scene: &Scene) -> ParticleSet {
     let mut particles = ParticleSet::default();
     for_each(scene, |index, fluid, place_m| {

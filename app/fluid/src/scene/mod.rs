@@ -232,7 +232,7 @@ impl Scene {
         })
     }
 
-    /// What the side of a periodic axis is a whole number of, m: 4 h, after which places repeat
+    /// What the side of a periodic axis is a whole number of, m: 4 h, after which quantized positions repeat
     /// (shader: `shared/quantized_position.hlsli`).
     pub fn period_unit_m(&self) -> f64 {
         4.0 * self.support_m()

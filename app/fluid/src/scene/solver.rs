@@ -69,8 +69,7 @@ pub struct Solver {
     /// about 0.7 h two bodies are inside each other before four iterations can part them.
     pub max_speed_m_s: Option<f64>,
     /// Room for neighbours a particle, rounded up to fours; what does not fit is counted. Default: 1.43 times
-    /// what the support holds at rest, 48 at h = 2 d, 164 at
-    /// h = 3 d, 44 at h = 3 d in two dimensions; 24 at least.
+    /// what the support holds at rest, 48 at h = 2 d, 164 at h = 3 d, 44 at h = 3 d in two dimensions; 24 at least.
     pub neighbour_slots: Option<u32>,
     /// Sorts the particles of a cell by id, so that runs repeat bit for bit on a device; else they
     /// come in the order that atomics give.
@@ -78,8 +77,8 @@ pub struct Solver {
     /// How what is computed for each pair of particles is rounded. Positions, sums and everything
     /// outside the pairs stay f32.
     pub precision: Precision,
-    /// Gathers 16 bits an axis and an f16 multiplier, 8 bytes, where otherwise 21 bits an axis and
-    /// an f32 multiplier take 16.
+    /// Gathers 16 bits an axis and an f16 lambda, 8 bytes, where otherwise 21 bits an axis and
+    /// an f32 lambda take 16.
     pub packed_positions: bool,
     /// What Position Based Fluids takes.
     pub pbf: PbfSettings,

@@ -8,7 +8,6 @@ const OPTIONAL: u16 = 1;
 /// Name, version, flags, length.
 const HEAD_BYTES: usize = 16;
 
-/// A section of a file.
 pub(super) struct Section<'a> {
     pub name: Name,
     pub version: u16,

@@ -182,7 +182,7 @@ mod tests {
 
     #[test]
     fn products_of_planes_are_close_to_edges_and_corners() {
-        // The kernel is not quite a product of kernels along the axes. At 11^3 places in a corner:
+        // The kernel is not quite a product of kernels along the axes. At 11^3 points in a corner:
         // how far off the product is where particles may be, half a spacing from walls or further,
         // and anywhere.
         for (support_ratio, allowed) in [(2.0, [0.002, 0.012]), (2.5, [0.003, 0.006]), (3.0, [0.003, 0.004])] {
@@ -251,7 +251,7 @@ mod tests {
 
     #[test]
     fn mirror_images_pull_along_walls() {
-        // Half a spacing from a wall, in a lattice whose multiplier rises evenly along the wall: what
+        // Half a spacing from a wall, in a lattice whose lambda rises evenly along the wall: what
         // the fluid's side gives times the gain is what it and its mirror image give together.
         for (support_ratio, tolerance) in [(2.0, 0.02), (2.5, 0.02), (3.0, 0.01)] {
             let domain = DomainWalls { support_m: support_ratio, ..wide(support_ratio) };

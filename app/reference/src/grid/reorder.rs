@@ -1,6 +1,6 @@
-//! Moving attributes to their places in cell order.
+//! Moving attributes to cell order.
 
-/// The place of each particle: its cell's start plus its rank there.
+/// Sorted index of each particle: its cell's start plus its rank in the cell.
 pub fn places(cells: &[u32], ranks: &[u32], starts: &[u32]) -> Vec<usize> {
     cells.iter().zip(ranks).map(|(&cell, &rank)| (starts[cell as usize] + rank) as usize).collect()
 }
@@ -14,7 +14,7 @@ pub fn reorder<T: Copy>(values: &[T], places: &[usize]) -> Vec<T> {
     out
 }
 
-/// The places of a stable sort by cell, one of the orders that the atomic sort may give.
+/// Sorted indices of a stable sort by cell, one of the orders that the atomic sort may give.
 pub fn stable_places(cells: &[u32]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..cells.len()).collect();
     order.sort_by_key(|&i| cells[i]);

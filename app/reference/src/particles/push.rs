@@ -24,7 +24,7 @@ pub struct Drag {
 }
 
 impl Drag {
-    /// Weight of a place: 1 on the ray, 0 where it does not reach.
+    /// Weight at a position: 1 on the ray, 0 where it does not reach.
     pub fn weight(&self, position_m: DVec3) -> f64 {
         let from_origin_m = position_m - self.origin_m;
         let depth_m = from_origin_m.dot(self.direction);

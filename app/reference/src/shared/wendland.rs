@@ -20,7 +20,7 @@ pub fn slope(q: f64) -> f64 {
 }
 
 /// Gradient of W with respect to the first point, at `offset` = (first - second) / h. The kernel is
-/// flat at q = 0, so two particles in one place have none.
+/// flat at q = 0, so two particles at one point have none.
 pub fn gradient(offset: DVec3) -> DVec3 {
     let q = offset.length();
     if q == 0.0 {

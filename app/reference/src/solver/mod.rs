@@ -14,7 +14,7 @@ use pbf::substep::Pbf;
 pub enum Solver {
     /// Position Based Fluids.
     Pbf(Pbf),
-    /// Particles that do not interact; their ids are their places.
+    /// Particles that do not interact; their ids are their indices.
     None(NonInteracting),
 }
 

@@ -1,6 +1,8 @@
 //! Twins of the stages that make a surface in screen space: ellipsoids, depth, smoothing filters, normals and
-//! thickness; and of those that carry sunlight through it (caustics). A picture is rows from the top of inverse_depth, 1 / distance along the direction of view, in 1/m; 0
-//! where no fluid is.
+//! thickness; and of those that carry sunlight through it (caustics).
+//!
+//! A picture is rows from the top of the inverse depth, 1 / distance along the direction of view, in 1/m; 0 where no fluid
+//! is.
 
 pub mod anisotropy;
 pub mod caustics;
@@ -19,7 +21,7 @@ pub mod thickness;
 use brooklet_kernels::{FrameView, SurfaceParams};
 use glam::DVec3;
 
-/// A picture of inverse_depth, 1/m.
+/// A picture of inverse depths, 1/m.
 #[derive(Clone, Debug, PartialEq)]
 pub struct InverseDepth {
     /// Width and height in pixels.
@@ -66,12 +68,11 @@ pub(crate) fn ray_of(view: &FrameView, size_px: [usize; 2], index: usize) -> DVe
         + vector(view.up) * (y * f64::from(view.tan_half_height))
 }
 
-/// A small difference of distance as one of inverse_depth.
+/// A small difference of distance as one of the inverse depth.
 pub(crate) fn inverse_depth_difference(distance_m: f32, inverse_depth: f64) -> f64 {
     (f64::from(distance_m) * inverse_depth * inverse_depth).min(0.5 * inverse_depth)
 }
 
-/// Reach of a filter in pixels.
 pub(crate) fn reach_px(params: &SurfaceParams, view: &FrameView, inverse_depth: f64) -> f64 {
     let reach = f64::from(params.smoothing_m) * inverse_depth / f64::from(view.pixel_angle);
     reach.min(f64::from(params.most_reach_px))
@@ -82,7 +83,6 @@ pub(crate) fn spatial_weight(squared_px: f64, reach: f64) -> f64 {
     ((-2.0 * squared_px / (reach * reach)).exp() - (-2.0f64).exp()).max(0.0)
 }
 
-/// The weight of the pixel in the middle.
 pub(crate) fn middle_weight() -> f64 {
     1.0 - (-2.0f64).exp()
 }

@@ -14,7 +14,7 @@ const WHOLE_WAY: f64 = 1.25;
 /// Water less than so many spacings thick has no surface to trust, and more than so many has.
 const THIN: f64 = 1.5;
 const THICK: f64 = 6.0;
-/// A surface so near the tank's glass, over the spacing, and so nearly along it, is the glass.
+/// A surface so near a wall of the tank, over the spacing, and so nearly along it, is the wall.
 const AT_GLASS: f64 = 1.0;
 const ALONG_GLASS: f64 = 0.6;
 /// No photon runs flatter than this.
@@ -81,7 +81,7 @@ fn normal_toward_sun(sun_depth: &SunMap, params: &SurfaceParams, light: &FrameLi
     (depth - f64::from(params.photons) * (along_u * u + along_v * v)).normalize()
 }
 
-/// The glass is flat, whatever dimples particles leave in it.
+/// The wall is flat, whatever dimples particles leave in it.
 fn flat_at_glass(at_m: DVec3, normal: DVec3, params: &SurfaceParams) -> DVec3 {
     for axis in [0, 2] {
         let glass_m = if normal[axis] > 0.0 { params.wall_max_m[axis] } else { params.wall_min_m[axis] };

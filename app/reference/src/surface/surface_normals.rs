@@ -1,4 +1,4 @@
-//! Normals from inverse_depth.
+//! Normals from the inverse depth.
 
 use super::{InverseDepth, inverse_depth_difference};
 use brooklet_kernels::{FrameView, SurfaceParams};

@@ -82,7 +82,6 @@ pub(super) fn frame_light(view: &View, options: &FrameOptions) -> FrameLight {
     }
 }
 
-/// What is drawn and how it looks.
 pub(super) fn frame_style(view: &View, options: &FrameOptions) -> FrameStyle {
     let size_m = view.domain_max_m - view.domain_min_m;
     let foam_m_s = match options.coloring {
@@ -143,7 +142,7 @@ mod tests {
         (view, options)
     }
 
-    /// As camera.hlsl computes it, in f64.
+    /// As camera.hlsli computes it, in f64.
     fn clip_from_offset(frame: &FrameView, offset_m: DVec3) -> DVec4 {
         let dot = |axis: [f32; 3]| offset_m.dot(glam::Vec3::from(axis).as_dvec3());
         DVec4::new(

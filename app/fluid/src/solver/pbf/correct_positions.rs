@@ -6,7 +6,6 @@ use brooklet_kernels::{CorrectPositions, CorrectPositionsVariant};
 use super::{Lambdas, Pbf};
 use crate::step_context::StepContext;
 
-/// One Jacobi correction of all particles.
 pub(super) fn correct_positions(recording: &mut Recording, pbf: &mut Pbf, context: &mut StepContext) {
     let (position_lambdas, packed_position_lambdas) = match &pbf.lambdas {
         Lambdas::Full(lambdas) => (Some(lambdas.read()), None),

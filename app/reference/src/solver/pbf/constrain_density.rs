@@ -1,4 +1,4 @@
-//! The density constraint's multiplier (Macklin & Muller 2013, eq. 1, 8-11), unilateral: only
+//! Lambda of the density constraint (Macklin & Muller 2013, eq. 1, 8-11), unilateral: only
 //! compression is a violation.
 
 use crate::boundary::walls::DomainWalls;
@@ -10,7 +10,7 @@ use glam::DVec3;
 /// lambda = -constraint / (gradients + cfm), and what it is made of.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Multiplier {
-    /// The multiplier, never positive.
+    /// Times h^2, without unit; never positive.
     pub lambda: f64,
     /// max(rho / rho0 - 1, 0).
     pub constraint: f64,
@@ -22,7 +22,7 @@ pub struct Multiplier {
 /// gradient, and without mixing nothing to divide by.
 pub const STIFFNESS_FLOOR: f64 = 1e-6;
 
-/// The multiplier of particle `i`.
+/// Lambda of particle `i`.
 pub fn constrain_density(
     i: usize,
     positions_m: &[DVec3],

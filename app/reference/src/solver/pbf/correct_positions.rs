@@ -68,7 +68,7 @@ pub fn correct_positions(
         let boundary = walls.sample(here_m);
         correction *= boundary.correction_scale;
         terms *= boundary.correction_scale.max_element();
-        // The fluid mirrored in a wall has the particle's own multiplier.
+        // The fluid mirrored in a wall has the particle's own lambda.
         let term = boundary.gradient * (lambdas[i] + lambdas[i]);
         correction += term;
         terms += term.length();
@@ -88,7 +88,7 @@ pub fn correct_positions(
     }
 }
 
-/// What parts two particles at one point, as a multiplier; it falls to nothing where they are
+/// What parts two particles at one point, added to their lambdas; it falls to nothing where they are
 /// `separation` apart.
 pub const SEPARATION: f64 = 0.02;
 

@@ -29,11 +29,11 @@ pub(crate) use water::{Water, record as record_water};
 
 /// The surface as the eye sees it.
 ///
-/// A *inverse_depth* is 1 / distance along the direction of view, in 1/m, and 0 where no fluid is: planes
+/// The inverse depth is 1 / distance along the direction of view, in 1/m, and 0 where no fluid is: planes
 /// are linear in it, so filters leave them as they are (shader: `surface/inverse_depth.hlsli`).
 #[derive(Debug)]
 pub struct SmoothedSurface {
-    /// InverseDepth of the particles' spheres, `R32Float`.
+    /// Inverse depth of the particles' spheres, `R32Float`.
     pub raw: Texture,
     /// The same after smoothing; `raw` itself where nothing smooths.
     pub inverse_depth: Texture,

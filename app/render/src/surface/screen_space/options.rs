@@ -15,7 +15,7 @@ pub struct ScreenSpaceOptions {
     /// Radius of a particle's sphere.
     pub radius_m: f64,
     /// The fluid is cut off outside this box, relative to the domain's lowest corner: a tank's
-    /// glass. Infinite where there is none.
+    /// walls. Infinite where there are none.
     pub wall_bounds_m: [DVec3; 2],
     /// Whether ellipsoids are drawn where the particles' neighbours are known, else spheres.
     pub anisotropic: bool,

@@ -10,7 +10,6 @@ use brooklet_kernels::{
 
 use super::{ON_FLUID, ScreenSpaceOptions};
 
-/// One pass of a filter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Pass {
     Gaussian(AlongKeyword),
@@ -19,7 +18,6 @@ enum Pass {
     CurvatureFlow,
 }
 
-/// The passes of a filter, in order.
 fn passes(smoothing: Smoothing, iterations: u32) -> Vec<Pass> {
     let once: &[Pass] = match smoothing {
         Smoothing::None => &[],
