@@ -1,6 +1,6 @@
 //! `brooklet plan`: what a run would do, without doing it; needs no GPU.
 
-use brooklet_fluid::{Scene, particles};
+use brooklet_fluid::Scene;
 use brooklet_gpu::{Plan, RecordingId, Tier};
 use brooklet_render::ScenePlan;
 use brooklet_render::left_out::{self, Absent};
@@ -28,7 +28,7 @@ struct Pass {
 pub fn plan(options: &PlanOptions) -> Result<(), Failure> {
     let scene = job::scene(&options.scene, Some(&options.outputs))?;
     let tier = options.tier.map_or(Tier::Desktop, Into::into);
-    let particles = u32::try_from(particles::count(&scene)).map_err(Failure::input)?;
+    let particles = u32::try_from(scene.particle_count()).map_err(Failure::input)?;
     let planned = job::plan_for(&scene, particles, tier)?;
     let OutputOptions { no_capture, no_timing, .. } = options.outputs;
     let recorded = left_out::Recorded { no_times: no_timing.then_some("--no-timing"), no_capture };

@@ -36,8 +36,8 @@ use brooklet_kernels::{Position, QUARANTINED, Velocity};
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-use crate::particles::{MAX_PARTICLES, ParticleSet, id_of};
-use crate::scene::{Scene, SceneError, shortened};
+use crate::particles::{ParticleSet, id_of};
+use crate::scene::{MAX_PARTICLES, Scene, SceneError, shortened};
 use sections::{Cut, Name, Section};
 
 /// The format's version, which is written.

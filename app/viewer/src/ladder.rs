@@ -195,7 +195,7 @@ mod tests {
         let work = |rung: &Rung| {
             let run = rung.scene(&scene);
             let drawn = rung.options(options);
-            let particles = brooklet_fluid::particles::count(&run) as f64;
+            let particles = run.particle_count() as f64;
             let rounds = f64::from(run.solver.substeps * run.solver.pbf.iterations);
             let cost = if run.solver.precision == Precision::Full { 1.0 } else { 0.8 };
             let side = rung.picture_px([1000, 1000])[0] * drawn.supersample;
@@ -208,8 +208,8 @@ mod tests {
         for pair in RUNGS.windows(2) {
             assert!(work(&pair[1]) < work(&pair[0]), "{} after {}", pair[1].name, pair[0].name);
         }
-        let half = brooklet_fluid::particles::count(&RUNGS[1].scene(&scene)) as f64;
-        let all = brooklet_fluid::particles::count(&scene) as f64;
+        let half = RUNGS[1].scene(&scene).particle_count() as f64;
+        let all = scene.particle_count() as f64;
         assert!((0.4..0.6).contains(&(half / all)), "{}", half / all);
         assert_eq!(RUNGS[0].scene(&scene), scene);
         assert_eq!(RUNGS[0].options(options), options);

@@ -196,16 +196,16 @@ fn particles_at_one_point_of_a_plane_part_in_it() {
 #[test]
 fn masses_and_counts_are_those_of_two_dimensions() {
     let scene = Scene::from_toml(&filled([16, 24, 1], 10, "dimensions = 2"), "flat.toml", &[]).unwrap();
-    assert_eq!(brooklet_fluid::particles::count(&scene), 160);
+    assert_eq!(scene.particle_count(), 160);
     // Per metre of depth: 0.32 m by 0.2 m of water.
     let mass_kg_m = 160.0 * scene.particle_mass_kg();
     assert!((mass_kg_m - 64.0).abs() < 1e-9, "{mass_kg_m}");
     // However deep the domain is.
     let mut deep = scene.clone();
     deep.domain.max_m[2] += 1.0;
-    assert_eq!(brooklet_fluid::particles::count(&deep), 0, "the plane has moved out of the block");
+    assert_eq!(deep.particle_count(), 0, "the plane has moved out of the block");
     deep.fluids[0].block.as_mut().unwrap().max_m[2] += 1.0;
-    assert_eq!(brooklet_fluid::particles::count(&deep), 160);
+    assert_eq!(deep.particle_count(), 160);
 }
 
 #[test]
@@ -213,7 +213,7 @@ fn a_large_open_domain_costs_what_its_fluid_does() {
     let text = filled([16_384, 16_384, 1], 1, "walls = false\ndimensions = 2")
         .replace("max_m = [326.68, 2.02, 5.02]", "max_m = [-0.36, 2.64, 5.02]");
     let scene = Scene::from_toml(&text, "open.toml", &[]).unwrap();
-    let count = brooklet_fluid::particles::count(&scene) as u32;
+    let count = scene.particle_count() as u32;
     assert_eq!(count, 1024);
     let params = grid::params(&scene, count);
     assert!(params.cell_count <= 1 << 16 && params.cells[2] == 1, "{:?}", params.cells);

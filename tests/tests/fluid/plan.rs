@@ -320,7 +320,7 @@ fn a_plan_of_a_number_of_particles_is_that_of_the_particles() {
     let settings = ["outputs.images=0", "forces.vorticity_m_s=0.1"];
     let made = plan(&settings);
     let scene = scene(&settings);
-    let particles = brooklet_fluid::particles::count(&scene) as u32;
+    let particles = scene.particle_count() as u32;
     let mut resources = Resources::new();
     let recorded = record_count(&mut resources, &scene, particles);
     let wanted = recorded.measure_id();

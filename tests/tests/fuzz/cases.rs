@@ -10,7 +10,7 @@ use std::path::Path;
 
 use crate::support::{Budget, Fuzz, damage, scenes};
 use brooklet_capture::Capture;
-use brooklet_fluid::{Scene, particles, record_count, scene::schema};
+use brooklet_fluid::{Scene, record_count, scene::schema};
 use brooklet_gpu::{Plan, Resources, Tier};
 use brooklet_render::{FrameOptions, Particles, View};
 use brooklet_tests::program::Workshop;
@@ -42,12 +42,12 @@ fn check_scene(case: &SceneCase, validator: &Validator) -> Result<bool, String> 
         }
         Ok(scene) => scene,
     };
-    let count = particles::count(&scene);
-    if count > u64::from(particles::MAX_PARTICLES) {
+    let count = scene.particle_count();
+    if count > u64::from(brooklet_fluid::scene::MAX_PARTICLES) {
         return Err(format!("{count} particles were let through"));
     }
     if count < 20_000 {
-        let emitted = particles::sample_lattice(&scene);
+        let emitted = brooklet_fluid::particles::sample_lattice(&scene);
         let size_m = scene.domain.size_m();
         let inside = |at: &[f32; 3]| {
             (0..3).all(|axis| (-1e-3 * scene.spacing_m..=size_m[axis] + scene.spacing_m).contains(&f64::from(at[axis])))

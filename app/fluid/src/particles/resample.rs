@@ -11,9 +11,8 @@ use std::collections::HashMap;
 
 use brooklet_kernels::{FLUID_SHIFT, Position, Velocity};
 
-use super::lattice::{WHOLE, steps_m};
-use super::{MAX_PARTICLES, ParticleSet, fluid_of, is_simulated};
-use crate::scene::Scene;
+use super::{ParticleSet, fluid_of, is_simulated};
+use crate::scene::{MAX_PARTICLES, Scene, WHOLE, steps_m};
 use crate::smoothing_kernel::{lattice, wendland};
 
 /// The support radius of the splatting kernel, in spacings of whichever lattice is coarser.
@@ -27,7 +26,7 @@ const RATIO_STEP: f32 = 1.0 / 64.0;
 /// and dimensions. What is quarantined is left out. The particle count is the old one times the ratio of
 /// the particles' volumes, to within half a particle; at most [`MAX_PARTICLES`], and fewer where spray is
 /// finer than the new lattice. Fluid that reaches from wall to wall gets a lattice that does, too
-/// (`lattice.rs`); elsewhere it lies as [`super::sample_lattice`] puts a block at the domain's corner.
+/// (`scene/lattice.rs`); elsewhere it lies as [`super::sample_lattice`] puts a block at the domain's corner.
 ///
 /// What it costs a fluid at rest or in smooth motion (`tests/tests/fluid/resample.rs`, 0.7 to 1.6 times the spacing): no
 /// volume, up to 3.3 % of the momentum, and less than 0.3 spacings of its place where it is two layers thin.

@@ -7,8 +7,8 @@ use toml::Value;
 use super::explain::written;
 use super::field::{Kind, Short};
 use super::fields::kind_of;
+use super::fill::{self, MAX_FLUIDS, MAX_PARTICLES};
 use super::{Fluid, Method, PointColor, Scene, SceneError};
-use crate::particles::{self, MAX_FLUIDS, MAX_PARTICLES};
 
 /// Spacings a side of the domain may have: f32 positions then still tell 1/256 of a spacing apart.
 const MAX_SPACINGS_A_SIDE: f64 = 65_536.0;
@@ -204,7 +204,7 @@ impl Scene {
         let estimate = self.fluids.iter().map(|fluid| fluid.lattice_cells(self)).sum::<f64>();
         let most = f64::from(MAX_PARTICLES);
         // Counting is exact, and takes a while where there are many more than fit.
-        let count = if estimate > 2.0 * most { estimate } else { particles::count(self) as f64 };
+        let count = if estimate > 2.0 * most { estimate } else { fill::count(self) as f64 };
         check.require(
             count <= most,
             "spacing_m",
@@ -278,7 +278,7 @@ impl Scene {
             format_args!("must lie inside the domain, {} to {}", numbers(domain.min_m), numbers(domain.max_m)),
         )?;
         check.require(
-            particles::fits(fluid, self),
+            fill::fits(fluid, self),
             &shape,
             format_args!("{} to {}", numbers(min), numbers(max)),
             match domain.is_flat() {

@@ -9,7 +9,9 @@ mod error;
 mod explain;
 mod field;
 mod fields;
+mod fill;
 mod forces;
+mod lattice;
 mod load;
 mod methods;
 mod moved;
@@ -35,7 +37,10 @@ pub use error::SceneError;
 pub(crate) use explain::shortened;
 pub use field::{Field, Kind, Knob, Limits, Slider, Term, Values};
 pub use fields::FIELDS;
+pub(crate) use fill::for_each_point;
+pub use fill::{MAX_FLUIDS, MAX_PARTICLES};
 pub use forces::Forces;
+pub(crate) use lattice::{WHOLE, steps_m};
 pub use none::NoneSettings;
 pub use panel::Setting;
 pub use pbf::PbfSettings;
@@ -48,8 +53,6 @@ pub use surface::{PointColor, Smoothing, Surface, SurfaceMethod};
 use std::f64::consts::PI;
 
 use serde::{Deserialize, Serialize};
-
-use crate::particles;
 
 /// A whole scene. [`Scene::load`] reads one, [`shipped_scenes`] lists those that come along.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -176,7 +179,12 @@ impl Scene {
     /// The spacing that its particles have, m: `spacing_m`, or the nearest of which a whole number fit where a block
     /// reaches from wall to wall, so that it is at rest there.
     pub fn fitted_spacing_m(&self) -> f64 {
-        particles::fitted_spacing_m(self)
+        fill::fitted_spacing_m(self)
+    }
+
+    /// How many particles it begins with, without making them.
+    pub fn particle_count(&self) -> u64 {
+        fill::count(self)
     }
 
     /// Support radius h of the kernel, m.

@@ -1,8 +1,9 @@
 //! Scenes: defaults, shipped ones, and each message a bad one gets.
 
 use super::fields::{FIELDS, kind_of};
+use super::fill;
 use super::*;
-use crate::particles::{self, sample_lattice};
+use crate::particles::sample_lattice;
 
 const SMALL: &str = "spacing_m = 0.1\n[domain]\nmin_m = [0, 0, 0]\nmax_m = [1, 1, 1]\n[[fluid]]\nblock = { min_m = [0, 0, 0], max_m = [0.3, 0.2, 0.1] }\n";
 
@@ -28,7 +29,7 @@ fn every_shipped_scene_loads_and_says_what_it_is() {
         assert!(!summary.is_empty(), "{name} has no summary");
         let emitted = sample_lattice(&scene);
         assert!(!emitted.positions.is_empty(), "{name} has no particles");
-        assert_eq!(particles::count(&scene), emitted.positions.len() as u64);
+        assert_eq!(fill::count(&scene), emitted.positions.len() as u64);
         assert_eq!(Scene::from_toml(&scene.to_toml(), name, &[]).unwrap(), scene, "{name} does not survive TOML");
     }
 }
@@ -234,7 +235,7 @@ fn overlapping_fluids_share_no_place() {
     let scene = load(&text, &[]).unwrap();
     let emitted = sample_lattice(&scene);
     assert_eq!(emitted.positions.len(), 8);
-    assert_eq!(particles::count(&scene), 8);
+    assert_eq!(fill::count(&scene), 8);
     let second = emitted.positions.iter().filter(|p| p.tag >> 24 == 1).count();
     assert_eq!(second, 2);
 }
@@ -242,7 +243,7 @@ fn overlapping_fluids_share_no_place() {
 #[test]
 fn a_domain_far_larger_than_its_fluid_has_a_small_grid() {
     let scene = load(SMALL, &["domain.max_m=[1e3,1e3,1e3]"]).unwrap();
-    let count = particles::count(&scene) as u32;
+    let count = fill::count(&scene) as u32;
     assert_eq!(crate::grid::cells(&scene), [10_000; 3]);
     let cells = crate::grid::wrapped(crate::grid::cells(&scene), count).unwrap();
     assert!(cells.iter().all(|n| n.is_power_of_two() && *n >= 8), "{cells:?}");
@@ -257,7 +258,7 @@ fn a_domain_far_larger_than_its_fluid_has_a_small_grid() {
 #[test]
 fn a_scene_may_have_no_fluid_and_a_domain_of_one_spacing() {
     let empty = &SMALL[..SMALL.find("[[fluid]]").unwrap()];
-    assert_eq!(particles::count(&load(empty, &[]).unwrap()), 0);
+    assert_eq!(fill::count(&load(empty, &[]).unwrap()), 0);
     let tight = ["domain.max_m=[0.1, 0.1, 0.1]"];
     let scene = load(empty, &tight).unwrap();
     assert_eq!(crate::grid::cells(&scene), [1; 3]);

@@ -1,8 +1,8 @@
 //! Iterations against substeps at equal work: the same number of iterations a step, spent in one substep
 //! or in many.
 
+use brooklet_fluid::Scene;
 use brooklet_fluid::particles::{ParticleSet, sample_lattice};
-use brooklet_fluid::{Scene, particles};
 
 use super::{EQUAL_WORK_PART, common};
 use crate::backend::GpuRun;
@@ -40,7 +40,7 @@ fn setup(task: &Task) -> Made {
 /// Particle iterations, without making the particles.
 pub fn equal_work_cost(task: &Task) -> Option<f64> {
     let scene = Scene::load(&task.case, &task.settings).ok()?;
-    let count = particles::count(&scene);
+    let count = scene.particle_count();
     let empty = Setup { scene, particles: ParticleSet::default(), sample_times_s: vec![END_S] };
     Some(empty.particle_iterations_of(count))
 }

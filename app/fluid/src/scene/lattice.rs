@@ -8,7 +8,7 @@
 //! gets whole steps of its own, and a particle keeps its volume by the steps along free axes.
 
 /// A side within this share of a spacing of a whole number of spacings is that number: .3 / .1 is 3.
-pub(super) const WHOLE: f64 = 0.01;
+pub(crate) const WHOLE: f64 = 0.01;
 
 /// Strain counts so much more than a spacing that is not the one asked for: a strained lattice settles into another.
 const STRAIN_COST: f64 = 3.0;
@@ -58,7 +58,7 @@ pub(super) fn fitted_spacing_m(spacing_m: f64, dimensions: u32, filled_m: [Optio
 
 /// The steps along the axes, m, of a lattice of particles of `spacing_m`^`dimensions` each: whole ones along the axes
 /// that are to be filled, and such along the others that a particle has its volume.
-pub(super) fn steps_m(spacing_m: f64, dimensions: u32, filled_m: [Option<f64>; 3]) -> [f64; 3] {
+pub(crate) fn steps_m(spacing_m: f64, dimensions: u32, filled_m: [Option<f64>; 3]) -> [f64; 3] {
     let all = whole_steps_m(spacing_m, dimensions, filled_m).map(|filled_steps_m| {
         let ratios = || filled_steps_m.into_iter().flatten().map(|step_m| step_m / spacing_m);
         let free = f64::from(dimensions) - ratios().count() as f64;
