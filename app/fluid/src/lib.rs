@@ -5,9 +5,9 @@
 //! say), and is what every program that steps a scene goes through.
 
 pub mod boundary;
+pub mod drag;
 pub mod forces;
 pub mod grid;
-pub mod interact;
 pub mod measure;
 pub mod particles;
 pub mod scene;

@@ -2,7 +2,7 @@
 
 mod adopt;
 mod download;
-mod exchange;
+mod swap_modules;
 
 use crate::device::Gpu;
 use crate::encode::{Encoder, tick_bound};

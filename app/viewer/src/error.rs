@@ -3,9 +3,9 @@
 use brooklet_gpu::GpuError;
 use brooklet_render::{RenderError, ScenePlanError};
 
-/// A world that cannot be made, or cannot go on.
+/// A scene that cannot be made, or cannot go on.
 #[derive(Debug, thiserror::Error)]
-pub enum WorldError {
+pub enum ViewerError {
     /// The device.
     #[error(transparent)]
     Gpu(#[from] GpuError),
@@ -29,7 +29,7 @@ pub enum WorldError {
     },
 }
 
-impl WorldError {
+impl ViewerError {
     /// Whether the device is gone, and everything on it.
     pub fn is_device_lost(&self) -> bool {
         matches!(self, Self::Gpu(GpuError::DeviceLost { .. }))

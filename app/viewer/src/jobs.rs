@@ -18,7 +18,7 @@ impl Jobs {
         // Nobody listens any more only where the window is closed.
         match worker.spawn(move || drop(sender.send(job()))) {
             Ok(_) => self.running.push(receiver),
-            Err(error) => messages.say(Kind::Error, format!("nothing can be written: {error}")),
+            Err(error) => messages.notify(Kind::Error, format!("nothing can be written: {error}")),
         }
     }
 
@@ -26,11 +26,11 @@ impl Jobs {
     pub fn poll(&mut self, messages: &mut Messages) -> bool {
         self.running.retain(|job| match job.try_recv() {
             Ok(Ok(done)) => {
-                messages.say(Kind::Done, done);
+                messages.notify(Kind::Done, done);
                 false
             }
             Ok(Err(reason)) => {
-                messages.say(Kind::Error, reason);
+                messages.notify(Kind::Error, reason);
                 false
             }
             Err(TryRecvError::Empty) => true,

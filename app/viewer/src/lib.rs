@@ -16,14 +16,14 @@
 //! A capture goes over all of these. Its frames are numbered and timed by the window's clock, and what the panels cost
 //! (`overlay`) is a span of the frame that they were painted over.
 
-mod acting;
 pub mod action;
 mod clock;
+mod drag;
 mod error;
 mod files;
-mod flight;
-mod hand;
+mod handle_action;
 mod history;
+mod in_flight;
 mod jobs;
 pub mod ladder;
 pub mod loading;
@@ -31,18 +31,18 @@ pub mod marks;
 mod messages;
 mod orbit;
 mod panels;
+mod playback;
 mod pointer;
 mod presenter;
 mod recorder;
 mod reload;
-mod running;
 mod style;
 mod thumbnail;
 mod times;
 mod viewer;
-pub mod world;
+pub mod viewer_scene;
 
-pub use error::WorldError;
+pub use error::ViewerError;
 pub use history::{History, Quantiles};
 pub use messages::Kind;
 pub use orbit::{Orbit, Ray, ray};

@@ -1,4 +1,4 @@
-//! Builds worlds on a thread of its own, so that the window never stands still.
+//! Builds scenes on a thread of its own, so that the window never stands still.
 
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::thread;
@@ -6,10 +6,10 @@ use std::time::Instant;
 
 use brooklet_gpu::Gpu;
 
-use crate::WorldError;
-use crate::world::{Order, World};
+use crate::ViewerError;
+use crate::viewer_scene::{SceneDesc, ViewerScene};
 
-/// How far a world is.
+/// How far a scene is.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Progress {
     /// Parts that are done.
@@ -20,10 +20,10 @@ pub struct Progress {
     pub what: String,
 }
 
-/// A world in the making.
+/// A scene in the making.
 pub struct Loading {
     /// What it will be.
-    pub order: Order,
+    pub desc: SceneDesc,
     /// How far it is.
     pub progress: Progress,
     /// Since when.
@@ -33,7 +33,7 @@ pub struct Loading {
 
 enum News {
     Progress(Progress),
-    Done(Box<Result<World, WorldError>>),
+    Done(Box<Result<ViewerScene, ViewerError>>),
 }
 
 impl Loading {
@@ -41,36 +41,36 @@ impl Loading {
     ///
     /// # Errors
     /// If the system has no thread left.
-    pub fn begin(gpu: &Gpu, order: Order) -> Result<Self, WorldError> {
+    pub fn begin(gpu: &Gpu, desc: SceneDesc) -> Result<Self, ViewerError> {
         let (sender, news) = channel();
-        let (gpu, wanted) = (gpu.clone(), order.clone());
+        let (gpu, wanted) = (gpu.clone(), desc.clone());
         thread::Builder::new()
             .name("loading".into())
             .spawn(move || build(&gpu, wanted, &sender))
-            .map_err(|error| WorldError::NoThread { reason: error.to_string() })?;
-        Ok(Self { order, progress: Progress::default(), begun: Instant::now(), news })
+            .map_err(|error| ViewerError::NoThread { reason: error.to_string() })?;
+        Ok(Self { desc, progress: Progress::default(), begun: Instant::now(), news })
     }
 
-    /// The world, or why there is none, once it is ready.
-    pub fn poll(&mut self) -> Option<Result<World, WorldError>> {
+    /// The scene, or why there is none, once it is ready.
+    pub fn poll(&mut self) -> Option<Result<ViewerScene, ViewerError>> {
         loop {
             match self.news.try_recv() {
                 Ok(News::Progress(progress)) => self.progress = progress,
                 Ok(News::Done(result)) => return Some(*result),
                 Err(std::sync::mpsc::TryRecvError::Empty) => return None,
                 Err(std::sync::mpsc::TryRecvError::Disconnected) => {
-                    return Some(Err(WorldError::NoThread { reason: "it ended early".into() }));
+                    return Some(Err(ViewerError::NoThread { reason: "it ended early".into() }));
                 }
             }
         }
     }
 }
 
-fn build(gpu: &Gpu, order: Order, news: &Sender<News>) {
+fn build(gpu: &Gpu, desc: SceneDesc, news: &Sender<News>) {
     // Where nobody listens any more, the window was closed or something else was opened.
     let mut tell = |done, all, what: &str| {
         let _ = news.send(News::Progress(Progress { done, all, what: what.to_owned() }));
     };
-    let result = World::build(gpu, order, &mut tell);
+    let result = ViewerScene::build(gpu, desc, &mut tell);
     let _ = news.send(News::Done(Box::new(result)));
 }

@@ -37,7 +37,7 @@ const ERROR_LASTS: Duration = Duration::from_secs(15);
 
 impl Messages {
     /// Says it.
-    pub fn say(&mut self, kind: Kind, text: impl Into<String>) {
+    pub fn notify(&mut self, kind: Kind, text: impl Into<String>) {
         let text = text.into();
         self.unlogged.push((kind, text.clone()));
         self.latest.retain(|message| message.text != text);

@@ -15,8 +15,8 @@ pub struct Pointing {
     pub panned: DVec2,
     /// Nearer by a factor; 1: not.
     pub zoomed: f64,
-    /// Where the fluid is pushed (the middle of the way), and by how much the hand moved.
-    pub push: Option<(DVec2, DVec2)>,
+    /// Where the fluid is dragged (the middle of the way), and by how much the hand moved.
+    pub drag: Option<(DVec2, DVec2)>,
 }
 
 /// Points of a mouse wheel that come nearer by a factor of e.
@@ -73,7 +73,7 @@ impl Strokes {
 }
 
 impl Pointing {
-    /// Reads the pointer over the picture: the main button (or one finger) pushes the fluid, the second
+    /// Reads the pointer over the picture: the main button (or one finger) drags the fluid, the second
     /// turns, the third (or the second with Shift) moves sideways, the wheel comes nearer; two fingers do
     /// the last three at once.
     pub fn on(response: &Response, strokes: &mut Strokes) -> Self {
@@ -99,7 +99,7 @@ impl Pointing {
     }
 
     fn take(&mut self, rect: Rect, strokes: &[Stroke]) {
-        let is_push = |stroke: &&Stroke| stroke.held.button == PointerButton::Primary;
+        let is_drag = |stroke: &&Stroke| stroke.held.button == PointerButton::Primary;
         for Stroke { held, to } in strokes {
             let moved = parts(rect, *to - held.at);
             match held.button {
@@ -108,12 +108,12 @@ impl Pointing {
                 _ => {}
             }
         }
-        let mut pushes = strokes.iter().filter(is_push);
-        if let Some(first) = pushes.next() {
-            let last = pushes.next_back().unwrap_or(first);
+        let mut drags = strokes.iter().filter(is_drag);
+        if let Some(first) = drags.next() {
+            let last = drags.next_back().unwrap_or(first);
             let middle = (first.held.at + (last.to - first.held.at) * 0.5 - rect.min) / rect.size();
-            let moved = strokes.iter().filter(is_push).map(|stroke| parts(rect, stroke.to - stroke.held.at)).sum();
-            self.push = Some((DVec2::new(f64::from(middle.x), f64::from(middle.y)), moved));
+            let moved = strokes.iter().filter(is_drag).map(|stroke| parts(rect, stroke.to - stroke.held.at)).sum();
+            self.drag = Some((DVec2::new(f64::from(middle.x), f64::from(middle.y)), moved));
         }
     }
 
@@ -165,7 +165,7 @@ mod tests {
             Event::PointerMoved(to),
             button(PointerButton::Primary, to, false),
         ];
-        let (at, moved) = pointed(&mut strokes, &quick).push.unwrap();
+        let (at, moved) = pointed(&mut strokes, &quick).drag.unwrap();
         assert!(at.abs_diff_eq(DVec2::new(0.375, 0.45), 1e-6), "the middle of the way: {at}");
         assert!(moved.abs_diff_eq(DVec2::new(0.5, -0.1), 1e-6), "{moved}");
         assert!(strokes.held.is_none());
@@ -182,7 +182,7 @@ mod tests {
         assert_eq!(pointed(&mut strokes, &events).turned, DVec2::new(0.25, 0.0));
         assert_eq!(pointed(&mut strokes, &[Event::PointerMoved(at(650.0))]).turned, DVec2::new(2.0, 0.0));
         let end = pointed(&mut strokes, &[button(PointerButton::Secondary, at(650.0), false)]);
-        assert_eq!((end.turned, end.push), (DVec2::ZERO, None));
+        assert_eq!((end.turned, end.drag), (DVec2::ZERO, None));
         assert!(strokes.held.is_none());
     }
 
@@ -191,11 +191,11 @@ mod tests {
         let mut strokes = Strokes::default();
         let [beside, on] = [pos2(50.0, 150.0), pos2(200.0, 150.0)];
         let events = [button(PointerButton::Primary, beside, true), Event::PointerMoved(on)];
-        assert_eq!(pointed(&mut strokes, &events).push, None);
+        assert_eq!(pointed(&mut strokes, &events).drag, None);
         pointed(
             &mut strokes,
             &[button(PointerButton::Primary, beside, false), button(PointerButton::Primary, on, true)],
         );
-        assert_eq!(pointed(&mut strokes, &[Event::PointerGone, Event::PointerMoved(beside)]).push, None);
+        assert_eq!(pointed(&mut strokes, &[Event::PointerGone, Event::PointerMoved(beside)]).drag, None);
     }
 }

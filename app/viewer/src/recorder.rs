@@ -13,7 +13,7 @@ use brooklet_gpu::{Gpu, tier_name};
 
 use crate::messages::Kind;
 use crate::thumbnail::{Picture, Thumbnails};
-use crate::world::World;
+use crate::viewer_scene::ViewerScene;
 
 /// Pictures, points and heat are recorded so often.
 const SLOWLY: Duration = Duration::from_secs(1);
@@ -38,10 +38,10 @@ pub struct Recorder {
 
 impl Recorder {
     /// Creates the file and writes what holds for all of it.
-    pub fn begin(path: PathBuf, gpu: &Gpu, world: &World) -> Result<Self, CaptureError> {
+    pub fn begin(path: PathBuf, gpu: &Gpu, current: &ViewerScene) -> Result<Self, CaptureError> {
         let clock = CaptureClock::new();
         let options = CaptureOptions {
-            stats: captured_fields(world.session.scene()).map(StatField::from).collect(),
+            stats: captured_fields(current.session.scene()).map(StatField::from).collect(),
             start: clock.start(),
             spans_every: SPANS_EVERY,
             ..CaptureOptions::default()
@@ -54,23 +54,23 @@ impl Recorder {
             path,
             writer,
             clock,
-            has_density: world.session.scene().solver.method.interacts(),
+            has_density: current.session.scene().solver.method.interacts(),
             heat: DeviceState::find(),
             thumbnails: Thumbnails::new(),
             frames: 0,
             heat_read: None,
             picture_taken: None,
         };
-        recorder.world(world)?;
+        recorder.scene(current)?;
         Ok(recorder)
     }
 
-    /// Another world is recorded from now on.
-    pub fn world(&mut self, world: &World) -> Result<(), CaptureError> {
-        let scene = world.session.scene();
-        self.writer.plan(world.session.engine().plan())?;
-        let name = format!("{}.toml", scene.name);
-        self.writer.attach(&name, "application/toml", scene.to_toml().as_bytes())
+    /// Another scene is recorded from now on.
+    pub fn scene(&mut self, scene: &ViewerScene) -> Result<(), CaptureError> {
+        let simulated = scene.session.scene();
+        self.writer.plan(scene.session.engine().plan())?;
+        let name = format!("{}.toml", simulated.name);
+        self.writer.attach(&name, "application/toml", simulated.to_toml().as_bytes())
     }
 
     /// A frame that came back, handed over at that time.

@@ -1,4 +1,4 @@
-//! The whole of it: takes what the user did, moves the world, paints.
+//! The whole of it: takes what the user did, moves the scene, paints.
 
 use std::path::PathBuf;
 use std::time::Instant;
@@ -8,21 +8,21 @@ use brooklet_gpu::Gpu;
 use brooklet_render::View;
 use egui::{Context, FullOutput, PlatformOutput, RawInput, TextureId, TexturesDelta};
 
-use crate::WorldError;
+use crate::ViewerError;
 use crate::action::{self, Action};
-use crate::hand::Hand;
+use crate::drag::DragInput;
 use crate::ladder::{Governor, RUNGS};
 use crate::loading::Loading;
 use crate::messages::{Kind, Messages};
 use crate::orbit::Orbit;
 use crate::panels::settings::Draft;
-use crate::panels::{Asked, Panels, Shown};
+use crate::panels::{PanelInput, PanelOutput, Panels};
+use crate::playback::Playback;
 use crate::presenter::{Presenter, Target};
 use crate::recorder::Recorder;
 use crate::reload::{NewModule, NewModules};
-use crate::running::Running;
 use crate::style;
-use crate::world::{Order, Start, World};
+use crate::viewer_scene::{SceneDesc, Start, ViewerScene};
 
 /// What the program around it decides.
 #[derive(Clone, Debug)]
@@ -57,14 +57,14 @@ pub struct Viewer {
     pub(crate) settings: Settings,
     pub(crate) panels: Panels,
     pub(crate) messages: Messages,
-    pub(crate) world: Option<World>,
+    pub(crate) current: Option<ViewerScene>,
     pub(crate) loading: Option<Loading>,
     /// What is wanted once that is done.
-    next: Option<Order>,
+    next: Option<SceneDesc>,
     picture: Option<TextureId>,
     /// Fonts and icons that are not on the GPU yet.
     textures: TexturesDelta,
-    pub(crate) running: Running,
+    pub(crate) playback: Playback,
     pub(crate) orbit: Option<Orbit>,
     /// Whether somebody moved the camera; until then it frames the scene in whatever room there is.
     pub(crate) steered: bool,
@@ -74,13 +74,13 @@ pub struct Viewer {
     pub(crate) auto: bool,
     pub(crate) governor: Governor,
     pub(crate) waiting: Vec<String>,
-    hand: Hand,
+    drag_input: DragInput,
     modules: NewModules,
 }
 
 impl Viewer {
     /// Goes on with what another viewer showed: the same scene, particles and rung.
-    pub fn go_on(&mut self, state: brooklet_fluid::state::State, rung: usize) {
+    pub fn resume(&mut self, state: brooklet_fluid::state::State, rung: usize) {
         self.rung = rung.min(RUNGS.len() - 1);
         let start = Start::Particles { particles: state.particles, steps: state.steps, simulated_s: state.time_s };
         self.load(state.scene, start, "tier");
@@ -96,12 +96,12 @@ impl Viewer {
             presenter: Presenter::new(gpu, format),
             panels: Panels::default(),
             messages: Messages::default(),
-            world: None,
+            current: None,
             loading: None,
             next: None,
             picture: None,
             textures: TexturesDelta::default(),
-            running: Running::new(),
+            playback: Playback::new(),
             orbit: None,
             steered: false,
             room_px,
@@ -110,7 +110,7 @@ impl Viewer {
             auto: settings.auto,
             governor: Governor::new(settings.budget_ms),
             waiting: Vec::new(),
-            hand: Hand::default(),
+            drag_input: DragInput::default(),
             modules: NewModules::default(),
             settings,
         };
@@ -123,34 +123,34 @@ impl Viewer {
         &self.context
     }
 
-    /// The running world.
-    pub fn world(&self) -> Option<&World> {
-        self.world.as_ref()
+    /// The running scene.
+    pub fn current(&self) -> Option<&ViewerScene> {
+        self.current.as_ref()
     }
 
     /// The last measurement.
     pub fn stats(&self) -> Option<&brooklet_fluid::Stats> {
-        self.running.stats.as_ref()
+        self.playback.stats.as_ref()
     }
 
     /// Whether the simulation stands.
     pub fn is_paused(&self) -> bool {
-        self.running.paused
+        self.playback.paused
     }
 
     /// The capture being written.
     pub fn capture(&self) -> Option<&std::path::Path> {
-        self.running.recorder.as_ref().map(Recorder::path)
+        self.playback.recorder.as_ref().map(Recorder::path)
     }
 
-    /// Whether a world is in the making, or a picture of another size is wanted.
+    /// Whether a scene is in the making, or a picture of another size is wanted.
     pub fn is_loading(&self) -> bool {
         self.loading.is_some() || self.settling()
     }
 
     /// Notes in the capture what capturing costs.
-    pub fn tell_cost(&mut self, cost: &brooklet_capture::CaptureCost) {
-        self.running.tell_cost(cost, &mut self.messages);
+    pub fn record_cost(&mut self, cost: &brooklet_capture::CaptureCost) {
+        self.playback.record_cost(cost, &mut self.messages);
     }
 
     /// Rung of the quality ladder.
@@ -159,13 +159,13 @@ impl Viewer {
     }
 
     /// What the window says now.
-    pub fn words(&self) -> impl Iterator<Item = &str> {
+    pub fn messages(&self) -> impl Iterator<Item = &str> {
         self.messages.latest().iter().map(|message| message.text.as_str())
     }
 
     /// Says something in the window.
-    pub fn say(&mut self, kind: Kind, text: impl Into<String>) {
-        self.messages.say(kind, text);
+    pub fn notify(&mut self, kind: Kind, text: impl Into<String>) {
+        self.messages.notify(kind, text);
     }
 
     /// Whether a frame painted now would show anything new: something came back from the GPU, a load goes
@@ -173,11 +173,11 @@ impl Viewer {
     ///
     /// # Errors
     /// If the device is lost.
-    pub fn has_news(&mut self) -> Result<bool, WorldError> {
+    pub fn has_news(&mut self) -> Result<bool, ViewerError> {
         let painted = self.presenter.reports();
-        let Some(world) = &mut self.world else { return Ok(true) };
-        self.running.take_reports(world, painted, &mut self.messages)?;
-        Ok(self.loading.is_some() || self.running.has_room() || self.running.jobs.poll(&mut self.messages))
+        let Some(current) = &mut self.current else { return Ok(true) };
+        self.playback.take_reports(current, painted, &mut self.messages)?;
+        Ok(self.loading.is_some() || self.playback.has_room() || self.playback.jobs.poll(&mut self.messages))
     }
 
     /// Takes shaders that were compiled anew, or what is wrong with them: then those before go on.
@@ -185,20 +185,20 @@ impl Viewer {
         let modules = match news {
             Ok(modules) if modules.is_empty() => return,
             Ok(modules) => modules,
-            Err(problem) => return self.messages.say(Kind::Error, problem),
+            Err(problem) => return self.messages.notify(Kind::Error, problem),
         };
         let count = modules.len();
         let before = self.modules.clone();
         self.modules.add(modules);
-        let Some(world) = &mut self.world else { return };
-        match world.exchange(&self.modules) {
+        let Some(current) = &mut self.current else { return };
+        match current.swap_modules(&self.modules) {
             Ok(()) => {
-                self.messages.say(Kind::Done, format!("{count} shaders compiled anew"));
-                self.running.redraw();
+                self.messages.notify(Kind::Done, format!("{count} shaders compiled anew"));
+                self.playback.redraw();
             }
             Err(error) => {
                 self.modules = before;
-                self.messages.say(Kind::Error, error.to_string());
+                self.messages.notify(Kind::Error, error.to_string());
             }
         }
     }
@@ -207,22 +207,22 @@ impl Viewer {
     ///
     /// # Errors
     /// If the device is lost. Everything else is said in the window.
-    pub fn frame(&mut self, input: RawInput, target: Option<&Target<'_>>) -> Result<Painted, WorldError> {
+    pub fn frame(&mut self, input: RawInput, target: Option<&Target<'_>>) -> Result<Painted, ViewerError> {
         self.take_loaded();
         let painted = self.presenter.reports();
-        if let Some(world) = &mut self.world {
-            self.running.take_reports(world, painted, &mut self.messages)?;
+        if let Some(current) = &mut self.current {
+            self.playback.take_reports(current, painted, &mut self.messages)?;
         }
-        let is_writing = self.running.jobs.poll(&mut self.messages);
-        let (mut output, asked) = self.lay_out(input);
+        let is_writing = self.playback.jobs.poll(&mut self.messages);
+        let (mut output, panel_output) = self.lay_out(input);
         // Kept until it is painted: a frame may have nothing to be painted on.
         self.textures.append(std::mem::take(&mut output.textures_delta));
         let mut for_window = Vec::new();
-        for action in asked.actions {
-            for_window.extend(self.act(action));
+        for action in panel_output.actions {
+            for_window.extend(self.handle_action(action));
         }
-        self.steer(&asked.pointing);
-        self.follow_room(asked.room_px);
+        self.steer(&panel_output.pointing);
+        self.follow_room(panel_output.room_px);
         self.hold_budget();
         let advanced = self.advance()?;
         let again = self.is_moving() || is_writing;
@@ -232,42 +232,42 @@ impl Viewer {
             let shapes = self.context.tessellate(shapes, pixels_per_point);
             let frame = self.presenter.paint(target, &shapes, &mut self.textures);
             if advanced {
-                self.running.painted_as(frame);
+                self.playback.painted_as(frame);
             }
         }
         Ok(Painted { platform: platform_output, again, within, for_window })
     }
 
-    fn lay_out(&mut self, input: RawInput) -> (FullOutput, Asked) {
+    fn lay_out(&mut self, input: RawInput) -> (FullOutput, PanelOutput) {
         let has_messages = self.messages.fade();
-        let mut asked = Asked::default();
-        let picture_px = self.world.as_ref().map(|world| world.view().size_px);
-        let shown = Shown {
+        let mut panel_output = PanelOutput::default();
+        let picture_px = self.current.as_ref().map(|current| current.view().size_px);
+        let shown = PanelInput {
             gpu: &self.gpu,
-            world: self.world.as_ref(),
-            loading: self.loading.as_ref().map(|loading| (loading.order.scene.name.as_str(), &loading.progress)),
+            current: self.current.as_ref(),
+            loading: self.loading.as_ref().map(|loading| (loading.desc.scene.name.as_str(), &loading.progress)),
             picture: self.picture.zip(picture_px),
-            paused: self.running.paused,
-            speed: self.running.clock.speed,
+            paused: self.playback.paused,
+            speed: self.playback.clock.speed,
             rung: self.rung,
             auto: self.auto,
             governor: &self.governor,
-            times: &self.running.times,
-            left_out: self.world.as_ref().map_or(&[], |world| &world.left_out),
-            capture: self.running.recorder.as_ref().map(|recorder| (recorder.path(), recorder.bytes())),
+            times: &self.playback.times,
+            left_out: self.current.as_ref().map_or(&[], |current| &current.left_out),
+            capture: self.playback.recorder.as_ref().map(|recorder| (recorder.path(), recorder.bytes())),
             messages: &self.messages,
             waiting: &self.waiting,
         };
         let panels = &mut self.panels;
         let context = self.context.clone();
         let output = context.run_ui(input, |ui| {
-            asked = panels.show(ui, &shown);
-            asked.actions.extend(action::pressed(ui.ctx()));
+            panel_output = panels.show(ui, &shown);
+            panel_output.actions.extend(action::pressed(ui.ctx()));
             if has_messages {
                 ui.ctx().request_repaint_after(std::time::Duration::from_millis(500));
             }
         });
-        (output, asked)
+        (output, panel_output)
     }
 
     /// The view of a scene in the room there is.
@@ -280,7 +280,7 @@ impl Viewer {
     pub(crate) fn load(&mut self, scene: Scene, start: Start, why: &str) {
         let orbit = *self.orbit.get_or_insert(Orbit::of(&self.framed(&scene)));
         let modules = self.modules.clone();
-        let order = Order {
+        let desc = SceneDesc {
             scene,
             rung: RUNGS[self.rung],
             window_px: self.room_px,
@@ -291,53 +291,53 @@ impl Viewer {
         };
         if self.loading.is_some() {
             // A new plan for what is not there yet is the same as that with the new plan.
-            let starts_anew = |order: &Order| !matches!(order.start, Start::Carry(_));
-            let current = self.loading.as_ref().map(|loading| &loading.order);
-            let fresh = [self.next.as_ref(), current].into_iter().flatten().find(|order| starts_anew(order));
-            let start = match (&order.start, fresh) {
+            let starts_anew = |desc: &SceneDesc| !matches!(desc.start, Start::Carry(_));
+            let current = self.loading.as_ref().map(|loading| &loading.desc);
+            let fresh = [self.next.as_ref(), current].into_iter().flatten().find(|desc| starts_anew(desc));
+            let start = match (&desc.start, fresh) {
                 (Start::Carry(_), Some(fresh)) => fresh.start.clone(),
                 (start, _) => start.clone(),
             };
-            self.next = Some(Order { start, ..order });
+            self.next = Some(SceneDesc { start, ..desc });
             return;
         }
-        match Loading::begin(&self.gpu, order) {
+        match Loading::begin(&self.gpu, desc) {
             Ok(loading) => self.loading = Some(loading),
-            Err(error) => self.messages.say(Kind::Error, error.to_string()),
+            Err(error) => self.messages.notify(Kind::Error, error.to_string()),
         }
     }
 
     fn take_loaded(&mut self) {
         let Some(loading) = &mut self.loading else { return };
         let Some(result) = loading.poll() else { return };
-        let carries = matches!(loading.order.start, Start::Carry(_));
-        let why = std::mem::take(&mut loading.order.why);
+        let carries = matches!(loading.desc.start, Start::Carry(_));
+        let why = std::mem::take(&mut loading.desc.why);
         self.loading = None;
         match result {
-            Ok(mut world) => {
+            Ok(mut current) => {
                 if carries
-                    && let Some(old) = &self.world
-                    && let Err(error) = world.adopt(old)
+                    && let Some(old) = &self.current
+                    && let Err(error) = current.adopt(old)
                 {
-                    self.messages.say(Kind::Error, error.to_string());
+                    self.messages.notify(Kind::Error, error.to_string());
                 }
-                self.running.begin(&world, carries, &mut self.messages);
-                self.picture = world.picture().map(|picture| self.presenter.show(picture));
-                self.panels.draft = Some(Draft::new(world.scene.clone()));
+                self.playback.begin(&current, carries, &mut self.messages);
+                self.picture = current.picture().map(|picture| self.presenter.show(picture));
+                self.panels.draft = Some(Draft::new(current.scene.clone()));
                 self.waiting.clear();
-                self.world = Some(world);
+                self.current = Some(current);
                 self.governor.settle();
                 self.note(&why);
             }
             Err(error) => {
-                self.messages.say(Kind::Error, error.to_string());
-                if let Some(world) = &self.world {
-                    self.panels.draft = Some(Draft::new(world.scene.clone()));
+                self.messages.notify(Kind::Error, error.to_string());
+                if let Some(current) = &self.current {
+                    self.panels.draft = Some(Draft::new(current.scene.clone()));
                 }
             }
         }
-        if let Some(order) = self.next.take() {
-            self.load(order.scene, order.start, &order.why);
+        if let Some(desc) = self.next.take() {
+            self.load(desc.scene, desc.start, &desc.why);
         }
     }
 
@@ -345,19 +345,19 @@ impl Viewer {
         let Some(orbit) = &mut self.orbit else { return };
         self.steered |= pointing.steer(orbit);
         if !self.steered
-            && let Some(world) = &self.world
+            && let Some(current) = &self.current
         {
-            self.orbit = Some(Orbit::of(&self.framed(&world.scene)));
+            self.orbit = Some(Orbit::of(&self.framed(&current.scene)));
         }
-        let (Some(orbit), Some(world)) = (&self.orbit, &mut self.world) else { return };
+        let (Some(orbit), Some(current)) = (&self.orbit, &mut self.current) else { return };
         let camera = orbit.camera();
-        if world.view().camera != camera {
-            if let Err(error) = world.look_from(camera) {
-                self.messages.say(Kind::Error, error.to_string());
+        if current.view().camera != camera {
+            if let Err(error) = current.look_from(camera) {
+                self.messages.notify(Kind::Error, error.to_string());
             }
-            self.running.redraw();
+            self.playback.redraw();
         }
-        self.running.pull = self.hand.pull(pointing, world.view());
+        self.playback.drag = self.drag_input.pending(pointing, current.view());
     }
 
     /// A picture of the room's size, once the room has kept it for a moment.
@@ -367,19 +367,21 @@ impl Viewer {
             self.room_px = room_px;
             self.room_since = Instant::now();
         }
-        let Some(world) = &self.world else { return };
+        let Some(current) = &self.current else { return };
         let wanted_px = RUNGS[self.rung].picture_px(self.room_px);
-        if self.loading.is_none() && world.view().size_px != wanted_px && self.room_since.elapsed() >= STILL {
-            let (scene, start) = (world.scene.clone(), Start::Carry(world.session.particle_count()));
+        if self.loading.is_none() && current.view().size_px != wanted_px && self.room_since.elapsed() >= STILL {
+            let (scene, start) = (current.scene.clone(), Start::Carry(current.session.particle_count()));
             self.load(scene, start, "picture size");
         }
     }
 
     fn hold_budget(&mut self) {
-        if !self.auto || self.loading.is_some() || self.running.paused {
+        if !self.auto || self.loading.is_some() || self.playback.paused {
             return;
         }
-        let Some(needed_ms) = self.running.take_needed_ms(self.world.as_ref(), self.governor.budget_ms) else { return };
+        let Some(needed_ms) = self.playback.take_needed_ms(self.current.as_ref(), self.governor.budget_ms) else {
+            return;
+        };
         let rung = match self.governor.take(needed_ms) {
             Some(crate::ladder::Move::Down) => self.rung + 1,
             Some(crate::ladder::Move::Up) => self.rung.saturating_sub(1),
@@ -388,24 +390,24 @@ impl Viewer {
         self.take_rung(rung);
     }
 
-    fn advance(&mut self) -> Result<bool, WorldError> {
-        let Some(world) = &mut self.world else { return Ok(false) };
-        let advanced = self.running.advance(world, self.governor.budget_ms)?;
+    fn advance(&mut self) -> Result<bool, ViewerError> {
+        let Some(current) = &mut self.current else { return Ok(false) };
+        let advanced = self.playback.advance(current, self.governor.budget_ms)?;
         // While the simulation stands nothing is moved by hand, nor later for it.
-        if self.running.pull.is_none() || self.running.paused {
-            self.hand.restart();
+        if self.playback.drag.is_none() || self.playback.paused {
+            self.drag_input.restart();
         }
         Ok(advanced)
     }
 
     /// Whether there is something to see in the next frame that is not in this one.
     fn is_moving(&self) -> bool {
-        self.loading.is_some() || self.world.is_some() && self.running.is_moving() || self.settling()
+        self.loading.is_some() || self.current.is_some() && self.playback.is_moving() || self.settling()
     }
 
     fn settling(&self) -> bool {
         let wanted_px = RUNGS[self.rung].picture_px(self.room_px);
-        self.world.as_ref().is_some_and(|world| world.view().size_px != wanted_px)
+        self.current.as_ref().is_some_and(|current| current.view().size_px != wanted_px)
     }
 }
 
@@ -414,6 +416,6 @@ impl Drop for Viewer {
         // What was never painted has nobody who misses it.
         self.textures.clear();
         self.end_capture();
-        self.running.jobs.finish();
+        self.playback.jobs.finish();
     }
 }

@@ -218,14 +218,14 @@ fn other_shaders_take_over_the_memory_and_a_failure_leaves_the_old_ones_running(
     }
     let bytes = engine.allocated_bytes();
     // Three frames are under way, and end with what they began with.
-    engine.exchange(changed.clone()).expect("it is taken");
+    engine.swap_modules(changed.clone()).expect("it is taken");
     assert_eq!(engine.allocated_bytes(), bytes, "nothing is allocated twice");
     let recording = only(&engine);
     assert_eq!(engine.run(&[recording], &[counter.id]), Ok(3), "frames go on counting");
 
     let broken: &'static Module = Box::leak(Box::new(Module { spirv: &[0; 64], ..*by_ten }));
     let refused = plan.clone().with_modules(|module| (module.name == "Increment").then_some(broken)).expect("it fits");
-    let error = engine.exchange(refused).expect_err("no SPIR-V").to_string();
+    let error = engine.swap_modules(refused).expect_err("no SPIR-V").to_string();
     assert!(error.contains("kernel Increment: it is no SPIR-V"), "{error}");
     let recording = only(&engine);
     engine.run(&[recording], &[counter.id]).expect("it goes on with the last good ones");
@@ -240,7 +240,7 @@ fn other_shaders_take_over_the_memory_and_a_failure_leaves_the_old_ones_running(
     assert_eq!(engine.read(&counter).expect("counter"), [46; 1000]);
     assert_eq!(engine.read(&scaled).expect("scaled"), [139; 1000]);
     assert!(std::ptr::eq(engine.plan().passes()[0].module, by_ten));
-    engine.exchange(plan).expect("and back");
+    engine.swap_modules(plan).expect("and back");
     let recording = only(&engine);
     engine.run(&[recording], &[]).expect("it runs");
     assert_eq!(engine.read(&counter).expect("counter"), [48; 1000]);
@@ -250,7 +250,7 @@ fn other_shaders_take_over_the_memory_and_a_failure_leaves_the_old_ones_running(
 fn a_plan_over_other_memory_is_not_taken() {
     let (plan, counter, _) = counting(64);
     let mut engine = Engine::new(&gpu(), plan).expect("an engine");
-    let refused = |engine: &mut Engine, plan: Plan, words: &str| match engine.exchange(plan) {
+    let refused = |engine: &mut Engine, plan: Plan, words: &str| match engine.swap_modules(plan) {
         Err(error @ GpuError::OtherMemory { .. }) => assert!(error.to_string().contains(words), "{error}"),
         other => panic!("{other:?}"),
     };

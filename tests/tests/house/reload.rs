@@ -74,7 +74,7 @@ fn an_edited_kernel_goes_on_with_the_particles_that_are_there() {
     let new = compile_one(&places, &places.shaders.join("particles/predict.compute")).unwrap();
     assert_eq!(names(&new), ["Predict", "Predict+PERIODIC", "Predict+WALLS", "Predict+WALLS+PERIODIC"]);
     let of = |module: &'static Module| new.iter().find(|new| new.name == module.name).map(replacement);
-    engine.exchange(plan.with_modules(of).unwrap()).unwrap();
+    engine.swap_modules(plan.with_modules(of).unwrap()).unwrap();
     assert_eq!(recorded.particles(&mut engine).unwrap().positions, before.positions);
     engine.run(&[recorded.step.id()], &[]).unwrap();
     let after = recorded.particles(&mut engine).unwrap();

@@ -1,6 +1,6 @@
 //! Dragging: the kernel against its twin, and as a program records it.
 
-use brooklet_fluid::interact::{Drag, record_push};
+use brooklet_fluid::drag::{Drag, record_drag};
 use brooklet_fluid::particles::is_simulated;
 use brooklet_fluid::{Scene, record};
 use brooklet_gpu::{Engine, Plan, Resources};
@@ -133,7 +133,7 @@ fn a_scene_is_dragged_only_if_somebody_asks() {
     let plan_of = |dragged: bool| {
         let mut resources = Resources::new();
         let mut recorded = record(&mut resources, &scene);
-        let push = dragged.then(|| record_push(&mut resources, &mut recorded));
+        let push = dragged.then(|| record_drag(&mut resources, &mut recorded));
         let pushes = push.as_ref().map(|push| push.recording.clone());
         let recordings = recorded.recordings().into_iter().chain(pushes).collect();
         let plan = Plan::sweep(resources, recordings, &[]).unwrap();

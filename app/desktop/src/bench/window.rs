@@ -64,12 +64,12 @@ pub fn bench(options: &WindowOptions) -> Result<(), Failure> {
     let picture_px = panels.picture_px();
     let alone = || -> Result<Shown<'_>, Failure> {
         let mut shown = Shown::open(&gpu, &scene, picture_px, folder.path())?;
-        shown.viewer.act(Action::Panels);
+        shown.viewer.handle_action(Action::Panels);
         shown.warm_up(&interrupt)?;
         Ok(shown)
     };
     let (mut plain, mut captured) = (alone()?, alone()?);
-    captured.viewer.act(Action::Capture);
+    captured.viewer.handle_action(Action::Capture);
     let capture = captured.viewer.capture().map(Path::to_path_buf);
     let turns = u64::from(options.pairs);
     let bar = progress::bar(turns);
@@ -87,13 +87,13 @@ pub fn bench(options: &WindowOptions) -> Result<(), Failure> {
     bar.finish_and_clear();
     let costs = CaptureCost::of_pairs(&with_panels).zip(CaptureCost::of_pairs(&with_capture));
     let (of_panels, of_capture) = costs.ok_or_else(|| Failure::Interrupted("nothing was timed".into()))?;
-    captured.viewer.tell_cost(&of_capture);
+    captured.viewer.record_cost(&of_capture);
     let kept = keep(captured, capture, options.capture.as_deref())?;
     let cost = WindowCost {
         device: gpu.info().name.clone(),
         device_type: gpu.info().device_type.clone(),
         scene: scene.name.clone(),
-        particles: plain.viewer.world().map_or(0, |world| world.session.particle_count()),
+        particles: plain.viewer.current().map_or(0, |current| current.session.particle_count()),
         window_px: size_px,
         picture_px,
         pairs: with_panels.len(),
@@ -141,16 +141,16 @@ impl<'a> Shown<'a> {
         let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
         let mut viewer = Viewer::new(gpu, FORMAT, scene.clone(), settings, size_px);
         // Two simulated seconds a second: a step is always due.
-        viewer.act(Action::Speed(2.0));
+        viewer.handle_action(Action::Speed(2.0));
         Ok(Self { viewer, gpu, view, size_px })
     }
 
     fn picture_px(&self) -> [u32; 2] {
-        self.viewer.world().map_or(self.size_px, |world| world.view().size_px)
+        self.viewer.current().map_or(self.size_px, |current| current.view().size_px)
     }
 
     fn steps(&self) -> u64 {
-        self.viewer.world().map_or(0, |world| world.session.steps())
+        self.viewer.current().map_or(0, |current| current.session.steps())
     }
 
     fn frame(&mut self) -> Result<(), Failure> {
@@ -171,7 +171,7 @@ impl<'a> Shown<'a> {
             if interrupt.is_pressed() {
                 return Err(Failure::Interrupted("nothing was timed".into()));
             }
-            if let Some(word) = self.viewer.words().next() {
+            if let Some(word) = self.viewer.messages().next() {
                 return Err(Failure::Input(word.to_owned()));
             }
             self.frame()?;

@@ -3,7 +3,7 @@
 mod open;
 mod reload;
 mod surface;
-mod tell;
+mod ui_trace;
 mod window;
 
 use std::panic;

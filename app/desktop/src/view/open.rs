@@ -5,7 +5,7 @@ use std::sync::Arc;
 use brooklet_fluid::Scene;
 use brooklet_gpu::{Gpu, GpuOptions, Tier, vulkan_instance};
 use brooklet_viewer::action::Action;
-use brooklet_viewer::{Painted, Settings, Target, Viewer, WorldError};
+use brooklet_viewer::{Painted, Settings, Target, Viewer, ViewerError};
 use egui_winit::State;
 use winit::window::Window;
 
@@ -120,7 +120,7 @@ impl Open {
         let painted = match self.viewer.frame(input, Some(&target)) {
             Ok(painted) => painted,
             Err(error) if error.is_device_lost() => return Ok(Went::DeviceLost(error.to_string())),
-            Err(error @ WorldError::Gpu(_)) => return Ok(self.lost().unwrap_or(Went::DeviceLost(error.to_string()))),
+            Err(error @ ViewerError::Gpu(_)) => return Ok(self.lost().unwrap_or(Went::DeviceLost(error.to_string()))),
             Err(error) => return Err(Failure::stopped(error)),
         };
         self.window.pre_present_notify();
@@ -157,6 +157,6 @@ impl Open {
 
     /// Opens what was dropped.
     pub fn drop_file(&mut self, path: &std::path::Path) {
-        self.viewer.act(Action::Open(path.display().to_string()));
+        self.viewer.handle_action(Action::Open(path.display().to_string()));
     }
 }

@@ -22,7 +22,7 @@ use winit::{
 use super::{
     open::{Open, Went},
     reload::Reload,
-    tell::Tell,
+    ui_trace::UiTrace,
 };
 use crate::{failure::Failure, view_options::ViewOptions};
 
@@ -42,7 +42,7 @@ pub struct Window<'a> {
     options: &'a ViewOptions,
     scene: Scene,
     open: Option<Open>,
-    tell: Option<Tell>,
+    ui_trace: Option<UiTrace>,
     reload: Option<Reload>,
     frames: u64,
     /// Whether the user did something since the last frame.
@@ -55,12 +55,12 @@ pub struct Window<'a> {
 impl<'a> Window<'a> {
     /// Not open yet.
     pub fn new(options: &'a ViewOptions, scene: Scene) -> Result<Self, Failure> {
-        let tell = options.tell.as_deref().map(Tell::create).transpose()?;
+        let ui_trace = options.tell.as_deref().map(UiTrace::create).transpose()?;
         Ok(Self {
             options,
             scene,
             open: None,
-            tell,
+            ui_trace,
             reload: Reload::watch(&options.shaders),
             frames: 0,
             touched: true,
@@ -137,7 +137,7 @@ impl<'a> Window<'a> {
                     let at = Instant::now().checked_add(painted.within.min(most));
                     events.set_control_flow(at.map_or(ControlFlow::Wait, ControlFlow::WaitUntil));
                 }
-                self.tell();
+                self.trace_ui();
             }
             Ok(Went::Hidden) => {
                 events.set_control_flow(ControlFlow::WaitUntil(Instant::now() + HIDDEN));
@@ -151,7 +151,7 @@ impl<'a> Window<'a> {
     fn reopen(&mut self, events: &ActiveEventLoop, reason: &str) {
         let lost_before = self.lost.replace(Instant::now());
         let Some(open) = self.open.take() else { return };
-        let scene = open.viewer.world().map_or_else(|| self.scene.clone(), |world| world.scene.clone());
+        let scene = open.viewer.current().map_or_else(|| self.scene.clone(), |current| current.scene.clone());
         let window = Arc::clone(&open.window);
         drop(open);
         if lost_before.is_some_and(|before| before.elapsed() < LOST_AGAIN) {
@@ -162,7 +162,7 @@ impl<'a> Window<'a> {
             Ok(mut open) => {
                 let text =
                     format!("The graphics device was lost ({reason}). It is open again, and the scene begins anew.");
-                open.viewer.say(Kind::Error, text);
+                open.viewer.notify(Kind::Error, text);
                 open.window.request_redraw();
                 self.open = Some(open);
             }
@@ -186,13 +186,13 @@ impl<'a> Window<'a> {
         let opened = Open::new(Arc::clone(&window), self.options, self.tier, scene.clone()).or_else(|failure| {
             self.tier = used;
             let mut open = Open::new(window, self.options, used, scene)?;
-            open.viewer.say(Kind::Error, failure.text());
+            open.viewer.notify(Kind::Error, failure.text());
             Ok(open)
         });
         match opened {
             Ok(mut open) => {
                 if let Some(state) = state {
-                    open.viewer.go_on(state, rung);
+                    open.viewer.resume(state, rung);
                 }
                 open.window.request_redraw();
                 self.open = Some(open);
@@ -201,27 +201,27 @@ impl<'a> Window<'a> {
         }
     }
 
-    fn tell(&mut self) {
-        let (Some(tell), Some(open)) = (&mut self.tell, &self.open) else { return };
+    fn trace_ui(&mut self) {
+        let (Some(trace), Some(open)) = (&mut self.ui_trace, &self.open) else { return };
         let marks = marks::take(open.viewer.context());
-        let facts = open.viewer.world().map(|world| {
+        let facts = open.viewer.current().map(|current| {
             json!({
-                "scene": world.scene.name,
-                "toml": world.session.scene().to_toml(),
-                "particles": world.session.particle_count(),
-                "steps": world.session.steps(),
+                "scene": current.scene.name,
+                "toml": current.session.scene().to_toml(),
+                "particles": current.session.particle_count(),
+                "steps": current.session.steps(),
                 "paused": open.viewer.is_paused(),
                 "rung": open.viewer.rung(),
-                "tier": brooklet_gpu::tier_name(world.session.engine().gpu().tier()),
+                "tier": brooklet_gpu::tier_name(current.session.engine().gpu().tier()),
                 "kinetic_j": open.viewer.stats().map(|stats| stats.kinetic_j),
                 "capture": open.viewer.capture(),
-                "messages": open.viewer.words().collect::<Vec<_>>(),
-                "distance_m": (world.view().camera.eye_m - world.view().camera.target_m).length(),
-                "picture_px": world.view().size_px,
-                "eye_m": world.view().camera.eye_m.to_array(),
+                "messages": open.viewer.messages().collect::<Vec<_>>(),
+                "distance_m": (current.view().camera.eye_m - current.view().camera.target_m).length(),
+                "picture_px": current.view().size_px,
+                "eye_m": current.view().camera.eye_m.to_array(),
             })
         });
-        tell.frame(&marks, open.viewer.context().pixels_per_point(), json!(facts));
+        trace.frame(&marks, open.viewer.context().pixels_per_point(), json!(facts));
     }
 }
 

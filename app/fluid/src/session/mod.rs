@@ -10,7 +10,7 @@ use brooklet_gpu::{Engine, FrameReport, Gpu, GpuError, Plan, PlanError, Recordin
 use brooklet_kernels::{Buffer, Position};
 use thiserror::Error;
 
-use crate::interact::{Drag, Push};
+use crate::drag::{Drag, DragPass};
 use crate::measure::{Sample, Stats};
 use crate::particles::ParticleSet;
 use crate::scene::{Applied, Scene};
@@ -80,7 +80,7 @@ pub struct Session {
     engine: Engine,
     scene: Scene,
     recorded: Recorded,
-    drag: Option<Push>,
+    drag: Option<DragPass>,
     sample: Option<Sample>,
     init: Vec<RecordingId>,
     steps: u64,
@@ -286,7 +286,7 @@ impl Session {
     /// # Errors
     /// If the driver refuses one; what ran before then goes on.
     pub fn swap_modules(&mut self, plan: Plan) -> Result<(), GpuError> {
-        self.engine.exchange(plan)
+        self.engine.swap_modules(plan)
     }
 
     /// The scene.

@@ -2,7 +2,7 @@
 
 use brooklet_gpu::{Plan, PlanError, Recording, RecordingId, ResourceId, Resources};
 
-use crate::interact::{Push, record_push};
+use crate::drag::{DragPass, record_drag};
 use crate::measure::{Sample, record_sample};
 use crate::particles::{ParticleSet, sample_lattice};
 use crate::scene::Scene;
@@ -30,7 +30,7 @@ pub struct SessionRecorder {
     pub recorded: Recorded,
     scene: Scene,
     particles: Option<ParticleSet>,
-    drag: Option<Push>,
+    drag: Option<DragPass>,
     sample: Option<Sample>,
     init: Vec<RecordingId>,
     others: Vec<Recording>,
@@ -62,7 +62,7 @@ impl SessionRecorder {
 
     /// Lets frames drag the fluid ([`crate::FrameRequest::drag`]).
     pub fn with_drag(mut self) -> Self {
-        let drag = record_push(&mut self.resources, &mut self.recorded);
+        let drag = record_drag(&mut self.resources, &mut self.recorded);
         self.others.push(drag.recording.clone());
         self.drag = Some(drag);
         self
@@ -127,7 +127,7 @@ pub struct SessionPlan {
     /// The scene.
     pub scene: Scene,
     pub(super) particles: Option<ParticleSet>,
-    pub(super) drag: Option<Push>,
+    pub(super) drag: Option<DragPass>,
     pub(super) sample: Option<Sample>,
     pub(super) init: Vec<RecordingId>,
 }

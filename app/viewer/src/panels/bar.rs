@@ -3,18 +3,18 @@
 use brooklet_fluid::shipped_scenes;
 use egui::{Align, Button, ComboBox, Layout, RichText, Slider, Ui};
 
-use super::Shown;
+use super::PanelInput;
 use crate::action::Action;
 use crate::marks::mark;
 use crate::style;
 
-pub(super) fn show(ui: &mut Ui, shown: &Shown<'_>, actions: &mut Vec<Action>) {
+pub(super) fn show(ui: &mut Ui, shown: &PanelInput<'_>, actions: &mut Vec<Action>) {
     ui.horizontal(|ui| {
         scenes(ui, shown, actions);
         ui.separator();
-        let has_world = shown.world.is_some();
+        let has_scene = shown.current.is_some();
         let mut button = |ui: &mut Ui, name: &str, text: RichText, tip: &str, action: Action| {
-            let response = ui.add_enabled(has_world, Button::new(text)).on_hover_text(tip);
+            let response = ui.add_enabled(has_scene, Button::new(text)).on_hover_text(tip);
             mark(&response, name);
             if response.clicked() {
                 actions.push(action);
@@ -50,8 +50,8 @@ pub(super) fn show(ui: &mut Ui, shown: &Shown<'_>, actions: &mut Vec<Action>) {
     });
 }
 
-fn scenes(ui: &mut Ui, shown: &Shown<'_>, actions: &mut Vec<Action>) {
-    let open = shown.world.map_or("scene", |world| world.scene.name.as_str());
+fn scenes(ui: &mut Ui, shown: &PanelInput<'_>, actions: &mut Vec<Action>) {
+    let open = shown.current.map_or("scene", |current| current.scene.name.as_str());
     let list = ComboBox::from_id_salt("scenes").selected_text(open).width(132.0).show_ui(ui, |ui| {
         for (name, summary) in shipped_scenes() {
             let response = ui.selectable_label(name == open, name).on_hover_text(summary);
@@ -65,8 +65,8 @@ fn scenes(ui: &mut Ui, shown: &Shown<'_>, actions: &mut Vec<Action>) {
     mark(&list.response, "scenes");
 }
 
-fn status(ui: &mut Ui, shown: &Shown<'_>) {
-    let Some(world) = shown.world else { return };
+fn status(ui: &mut Ui, shown: &PanelInput<'_>) {
+    let Some(current) = shown.current else { return };
     let speed = match (shown.paused, shown.times.speed.quantiles()) {
         (true, _) => "paused".to_owned(),
         (false, Some(speed)) => format!("{:.2} × real time", speed.p50),
@@ -77,6 +77,6 @@ fn status(ui: &mut Ui, shown: &Shown<'_>) {
         let rate = 1000.0 / frame.p50;
         if rate < 9.95 { format!("{rate:.1} frames/s") } else { format!("{rate:.0} frames/s") }
     });
-    let text = format!("{:.2} s   {speed}   {frames}", world.session.simulated_s());
+    let text = format!("{:.2} s   {speed}   {frames}", current.session.simulated_s());
     ui.label(RichText::new(text).color(style::QUIET));
 }

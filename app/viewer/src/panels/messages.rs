@@ -2,12 +2,12 @@
 
 use egui::{Align2, Area, Color32, Context, Frame, Id, Order, RichText, vec2};
 
-use super::Shown;
+use super::PanelInput;
 use crate::marks::mark;
 use crate::messages::Kind;
 use crate::style;
 
-pub(super) fn show(context: &Context, shown: &Shown<'_>) {
+pub(super) fn show(context: &Context, shown: &PanelInput<'_>) {
     if shown.messages.latest().is_empty() {
         return;
     }

@@ -22,14 +22,14 @@ use crate::messages::Messages;
 use crate::pointer::{Pointing, Strokes};
 use crate::style;
 use crate::times::Times;
-use crate::world::World;
+use crate::viewer_scene::ViewerScene;
 
 /// What the panels show.
-pub struct Shown<'a> {
+pub struct PanelInput<'a> {
     /// The device.
     pub gpu: &'a Gpu,
-    /// The running world.
-    pub world: Option<&'a World>,
+    /// The running scene.
+    pub current: Option<&'a ViewerScene>,
     /// What is being loaded, and how far it is.
     pub loading: Option<(&'a str, &'a Progress)>,
     /// The picture, and its size in pixels.
@@ -77,7 +77,7 @@ impl Default for Panels {
 
 /// What a frame of the panels asks for.
 #[derive(Default)]
-pub struct Asked {
+pub struct PanelOutput {
     /// Buttons and fields.
     pub actions: Vec<Action>,
     /// The pointer on the picture.
@@ -88,11 +88,11 @@ pub struct Asked {
 
 impl Panels {
     /// One frame.
-    pub fn show(&mut self, ui: &mut egui::Ui, shown: &Shown<'_>) -> Asked {
-        let mut asked = Asked::default();
+    pub fn show(&mut self, ui: &mut egui::Ui, shown: &PanelInput<'_>) -> PanelOutput {
+        let mut panel_output = PanelOutput::default();
         let context: Context = ui.ctx().clone();
         if self.shown {
-            Panel::top("bar").frame(style::bar()).show(ui, |ui| bar::show(ui, shown, &mut asked.actions));
+            Panel::top("bar").frame(style::bar()).show(ui, |ui| bar::show(ui, shown, &mut panel_output.actions));
             if self.overlay {
                 Panel::left("times")
                     .frame(style::panel())
@@ -104,13 +104,13 @@ impl Panels {
                 .frame(style::panel())
                 .resizable(false)
                 .exact_size(322.0)
-                .show(ui, |ui| side::show(ui, shown, &mut self.draft, &mut asked.actions));
+                .show(ui, |ui| side::show(ui, shown, &mut self.draft, &mut panel_output.actions));
         }
-        picture::show(ui, shown, &mut self.strokes, &mut asked);
+        picture::show(ui, shown, &mut self.strokes, &mut panel_output);
         messages::show(&context, shown);
         if self.help {
             help::show(&context, &mut self.help);
         }
-        asked
+        panel_output
     }
 }

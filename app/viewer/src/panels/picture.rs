@@ -2,22 +2,23 @@
 
 use egui::{CentralPanel, Color32, Frame, ProgressBar, Rect, RichText, Sense, Ui, pos2, vec2};
 
-use super::{Asked, Shown};
+use super::{PanelInput, PanelOutput};
 use crate::marks::mark;
 use crate::pointer::{Pointing, Strokes};
 use crate::style;
 
-pub(super) fn show(ui: &mut Ui, shown: &Shown<'_>, strokes: &mut Strokes, asked: &mut Asked) {
+pub(super) fn show(ui: &mut Ui, shown: &PanelInput<'_>, strokes: &mut Strokes, panel_output: &mut PanelOutput) {
     CentralPanel::default().frame(Frame::new().fill(Color32::from_rgb(10, 12, 15))).show(ui, |ui| {
         let room = ui.max_rect();
         let pixels_per_point = ui.ctx().pixels_per_point();
-        asked.room_px = [room.width(), room.height()].map(|side| (side * pixels_per_point).round().max(1.0) as u32);
+        panel_output.room_px =
+            [room.width(), room.height()].map(|side| (side * pixels_per_point).round().max(1.0) as u32);
         if let Some((texture, size_px)) = shown.picture {
             ui.painter().with_clip_rect(room).image(texture, covering(room, size_px), whole(), Color32::WHITE);
         }
         let response = ui.interact(room, ui.scope_id().with("picture"), Sense::click_and_drag());
         mark(&response, "picture");
-        asked.pointing = Pointing::on(&response, strokes);
+        panel_output.pointing = Pointing::on(&response, strokes);
         if let Some((what, progress)) = shown.loading {
             loading(ui, room, what, progress, shown.picture.is_none());
         }

@@ -3,13 +3,13 @@
 use brooklet_gpu::{TIERS, tier_name};
 use egui::{RichText, Slider, Ui};
 
-use super::Shown;
+use super::PanelInput;
 use crate::action::Action;
 use crate::ladder::RUNGS;
 use crate::marks::mark;
 use crate::style;
 
-pub(super) fn show(ui: &mut Ui, shown: &Shown<'_>, actions: &mut Vec<Action>) {
+pub(super) fn show(ui: &mut Ui, shown: &PanelInput<'_>, actions: &mut Vec<Action>) {
     let mut auto = shown.auto;
     let response = ui.checkbox(&mut auto, "Hold the budget by itself");
     mark(&response, "auto quality");
@@ -37,7 +37,7 @@ pub(super) fn show(ui: &mut Ui, shown: &Shown<'_>, actions: &mut Vec<Action>) {
 }
 
 /// As what the device is used. One that does not reach a tier says so when it is asked.
-fn tiers(ui: &mut Ui, shown: &Shown<'_>, actions: &mut Vec<Action>) {
+fn tiers(ui: &mut Ui, shown: &PanelInput<'_>, actions: &mut Vec<Action>) {
     let used = shown.gpu.tier();
     ui.horizontal(|ui| {
         ui.label("tier");

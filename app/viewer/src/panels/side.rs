@@ -3,17 +3,17 @@
 use egui::{CollapsingHeader, RichText, ScrollArea, Ui};
 
 use super::settings::Draft;
-use super::{Shown, quality};
+use super::{PanelInput, quality};
 use crate::action::Action;
 use crate::marks::mark;
 use crate::style;
 
-pub(super) fn show(ui: &mut Ui, shown: &Shown<'_>, draft: &mut Option<Draft>, actions: &mut Vec<Action>) {
+pub(super) fn show(ui: &mut Ui, shown: &PanelInput<'_>, draft: &mut Option<Draft>, actions: &mut Vec<Action>) {
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
         // Whatever is too wide is cut, and nothing moves aside for it.
         ui.set_max_width(ui.available_width());
-        if let Some(world) = shown.world {
-            ui.label(RichText::new(&world.scene.summary).color(style::QUIET));
+        if let Some(current) = shown.current {
+            ui.label(RichText::new(&current.scene.summary).color(style::QUIET));
         }
         if !shown.waiting.is_empty() {
             ui.horizontal_wrapped(|ui| {

@@ -3,13 +3,13 @@
 use egui::{Color32, Grid, Rect, RichText, ScrollArea, Sense, Stroke, StrokeKind, Ui, vec2};
 use egui_plot::{HLine, Line, Plot, PlotPoints};
 
-use super::Shown;
+use super::PanelInput;
 use crate::history::History;
 use crate::marks::mark;
 use crate::style;
 use crate::times::PassTimes;
 
-pub(super) fn show(ui: &mut Ui, shown: &Shown<'_>) {
+pub(super) fn show(ui: &mut Ui, shown: &PanelInput<'_>) {
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
         let times = shown.times;
         heading(ui, "GPU", times.gpu_ms.quantiles().map(|ms| format!("{:.1} ms, p95 {:.1}", ms.p50, ms.p95)));
@@ -83,15 +83,15 @@ fn bars(ui: &mut Ui, passes: &[PassTimes]) {
     }
 }
 
-fn facts(ui: &mut Ui, shown: &Shown<'_>) {
-    let Some(world) = shown.world else { return };
+fn facts(ui: &mut Ui, shown: &PanelInput<'_>) {
+    let Some(current) = shown.current else { return };
     let megabytes = |bytes: u64| format!("{:.1} MB", bytes as f64 * 1e-6);
-    let [width_px, height_px] = world.view().size_px;
+    let [width_px, height_px] = current.view().size_px;
     let rows = [
-        ("particles", world.session.particle_count().to_string()),
-        ("spacing", format!("{:.4} m", world.session.scene().fitted_spacing_m())),
-        ("steps", world.session.steps().to_string()),
-        ("GPU memory", megabytes(world.session.engine().allocated_bytes())),
+        ("particles", current.session.particle_count().to_string()),
+        ("spacing", format!("{:.4} m", current.session.scene().fitted_spacing_m())),
+        ("steps", current.session.steps().to_string()),
+        ("GPU memory", megabytes(current.session.engine().allocated_bytes())),
         ("picture", format!("{width_px} × {height_px}")),
         ("tier", brooklet_gpu::tier_name(shown.gpu.tier()).to_owned()),
         ("device", shown.gpu.info().name.clone()),
@@ -105,7 +105,7 @@ fn facts(ui: &mut Ui, shown: &Shown<'_>) {
     });
 }
 
-fn left_out(ui: &mut Ui, shown: &Shown<'_>) {
+fn left_out(ui: &mut Ui, shown: &PanelInput<'_>) {
     let bytes: u64 = shown.left_out.iter().map(|absent| absent.bytes).sum();
     let title = format!("Left out: {} things, {:.1} MB", shown.left_out.len(), bytes as f64 * 1e-6);
     let header = egui::CollapsingHeader::new(title).id_salt("left out").show(ui, |ui| {

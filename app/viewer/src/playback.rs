@@ -9,18 +9,18 @@ use brooklet_fluid::{SessionReport, Stats};
 use brooklet_gpu::FrameReport;
 use brooklet_render::png;
 
-use crate::WorldError;
+use crate::ViewerError;
 use crate::clock::{Clock, steps_within};
-use crate::flight::{Flight, Flying};
-use crate::hand::Pull;
+use crate::drag::PendingDrag;
+use crate::in_flight::{InFlightFrame, InFlightFrames};
 use crate::jobs::Jobs;
 use crate::messages::{Kind, Messages};
 use crate::recorder::Recorder;
 use crate::times::Times;
-use crate::world::{Doing, World};
+use crate::viewer_scene::{ViewerFrame, ViewerScene};
 
-/// A world's course.
-pub struct Running {
+/// A scene's course.
+pub struct Playback {
     /// Whether it stands.
     pub paused: bool,
     /// Its time.
@@ -36,10 +36,10 @@ pub struct Running {
     /// What is being written beside the frames.
     pub jobs: Jobs,
     /// How the fluid is pushed in the next frame.
-    pub pull: Option<Pull>,
-    flight: Flight,
+    pub drag: Option<PendingDrag>,
+    in_flight: InFlightFrames,
     /// Came back, and wait for the times of what was painted over them.
-    returned: VecDeque<(SessionReport, Flying)>,
+    returned: VecDeque<(SessionReport, InFlightFrame)>,
     painted: VecDeque<FrameReport>,
     started: Instant,
     last_advance: Instant,
@@ -52,7 +52,7 @@ pub struct Running {
 /// Reports that wait for another one no longer than this many frames.
 const MOST_WAITING: usize = 4;
 
-impl Running {
+impl Playback {
     pub(crate) fn new() -> Self {
         Self {
             paused: false,
@@ -62,8 +62,8 @@ impl Running {
             screenshot: None,
             recorder: None,
             jobs: Jobs::default(),
-            pull: None,
-            flight: Flight::default(),
+            drag: None,
+            in_flight: InFlightFrames::default(),
             returned: VecDeque::new(),
             painted: VecDeque::new(),
             started: Instant::now(),
@@ -75,22 +75,22 @@ impl Running {
         }
     }
 
-    /// Another world from now on; `carries` says whether it goes on with the state of the one before.
-    pub fn begin(&mut self, world: &World, carries: bool, messages: &mut Messages) {
-        self.flight.clear();
+    /// Another scene from now on; `carries` says whether it goes on with the state of the one before.
+    pub fn begin(&mut self, current: &ViewerScene, carries: bool, messages: &mut Messages) {
+        self.in_flight.clear();
         self.returned.clear();
         self.is_stale = true;
         let density_error = std::mem::take(&mut self.times.density_error);
-        let passes = world.session.engine().plan().passes();
-        self.times.restart(world.frame_recordings().into_iter().flat_map(|recording| {
+        let passes = current.session.engine().plan().passes();
+        self.times.restart(current.frame_recordings().into_iter().flat_map(|recording| {
             passes.iter().filter(move |pass| pass.recording == recording).map(|pass| pass.stage)
         }));
         if carries {
             self.times.density_error = density_error;
         }
-        self.measured_step = world.session.steps();
+        self.measured_step = current.session.steps();
         self.last_advance = Instant::now();
-        self.record(messages, |recorder| recorder.world(world));
+        self.record(messages, |recorder| recorder.scene(current));
     }
 
     /// One step more, and then stand.
@@ -111,18 +111,22 @@ impl Running {
     }
 
     /// Notes in the capture what capturing costs.
-    pub fn tell_cost(&mut self, cost: &brooklet_capture::CaptureCost, messages: &mut Messages) {
+    pub fn record_cost(&mut self, cost: &brooklet_capture::CaptureCost, messages: &mut Messages) {
         self.record(messages, |recorder| recorder.cost(cost));
     }
 
     /// Whether frames come without anybody asking.
     pub fn is_moving(&self) -> bool {
-        !self.paused || self.single_steps > 0 || self.is_stale || !self.flight.is_empty() || self.screenshot.is_some()
+        !self.paused
+            || self.single_steps > 0
+            || self.is_stale
+            || !self.in_flight.is_empty()
+            || self.screenshot.is_some()
     }
 
     /// Whether another frame may be handed to the GPU.
     pub fn has_room(&self) -> bool {
-        self.flight.has_room()
+        self.in_flight.has_room()
     }
 
     /// Does something with the capture, if there is one. Its first failure is said, and ends it: what was
@@ -136,7 +140,7 @@ impl Running {
             && let Err(error) = job(recorder)
         {
             self.recorder = None;
-            messages.say(Kind::Error, error.to_string());
+            messages.notify(Kind::Error, error.to_string());
         }
     }
 
@@ -146,23 +150,23 @@ impl Running {
     /// If the device is lost.
     pub fn take_reports(
         &mut self,
-        world: &mut World,
+        current: &mut ViewerScene,
         painted: Vec<FrameReport>,
         messages: &mut Messages,
-    ) -> Result<(), WorldError> {
+    ) -> Result<(), ViewerError> {
         self.painted.extend(painted);
-        for frame in world.session.reports() {
-            if let Some(flying) = self.flight.end(frame.report.frame) {
-                self.returned.push_back((frame, flying));
+        for frame in current.session.reports() {
+            if let Some(in_flight) = self.in_flight.end(frame.report.frame) {
+                self.returned.push_back((frame, in_flight));
             }
         }
-        while let Some((_, flying)) = self.returned.front() {
-            let wanted = flying.painted;
+        while let Some((_, in_flight)) = self.returned.front() {
+            let wanted = in_flight.painted;
             let is_there = wanted.is_none_or(|frame| self.painted.back().is_some_and(|report| report.frame >= frame));
             if !is_there && self.returned.len() <= MOST_WAITING {
                 break;
             }
-            let Some((mut frame, flying)) = self.returned.pop_front() else { break };
+            let Some((mut frame, in_flight)) = self.returned.pop_front() else { break };
             while let Some(painted) =
                 self.painted.pop_front_if(|painted| wanted.is_some_and(|frame| painted.frame <= frame))
             {
@@ -170,7 +174,7 @@ impl Running {
                     frame.report.append(painted);
                 }
             }
-            self.take(frame, &flying, world, messages);
+            self.take(frame, &in_flight, current, messages);
         }
         while self.painted.len() > 8 * MOST_WAITING {
             self.painted.pop_front();
@@ -179,40 +183,46 @@ impl Running {
             self.record(messages, |recorder| recorder.log(kind, &text));
         }
         self.record(messages, Recorder::now_and_then);
-        match world.session.engine().gpu().is_lost() {
-            Some(reason) => Err(WorldError::Gpu(brooklet_gpu::GpuError::DeviceLost { reason })),
+        match current.session.engine().gpu().is_lost() {
+            Some(reason) => Err(ViewerError::Gpu(brooklet_gpu::GpuError::DeviceLost { reason })),
             None => Ok(()),
         }
     }
 
-    fn take(&mut self, frame: SessionReport, flying: &Flying, world: &World, messages: &mut Messages) {
+    fn take(
+        &mut self,
+        frame: SessionReport,
+        in_flight: &InFlightFrame,
+        current: &ViewerScene,
+        messages: &mut Messages,
+    ) {
         let SessionReport { report, stats, .. } = &frame;
-        let time_s = (flying.handed - self.started).as_secs_f64();
-        self.times.take(report, (world.session.step_id(), flying.doing.steps), time_s);
+        let time_s = (in_flight.handed - self.started).as_secs_f64();
+        self.times.take(report, (current.session.step_id(), in_flight.request.steps), time_s);
         self.fresh_times = true;
         if let Some(stats) = stats.filter(|stats| stats.has_density) {
             self.times.density_error.push(time_s, 100.0 * stats.density_error.mean);
         }
         for (id, bytes) in &report.readbacks {
-            if *id == world.picture_id() {
-                self.keep_picture(bytes, flying, world, messages);
-            } else if Some(*id) == world.session.samples_id() {
-                let points = points(bytes, world);
-                self.record(messages, |recorder| recorder.particles(&points, flying.handed));
+            if *id == current.picture_id() {
+                self.keep_picture(bytes, in_flight, current, messages);
+            } else if Some(*id) == current.session.samples_id() {
+                let points = points(bytes, current);
+                self.record(messages, |recorder| recorder.particles(&points, in_flight.handed));
             }
         }
         self.stats = stats.or(self.stats);
-        self.record(messages, |recorder| recorder.frame(frame, flying.handed));
+        self.record(messages, |recorder| recorder.frame(frame, in_flight.handed));
     }
 
-    fn keep_picture(&mut self, rgba: &[u8], flying: &Flying, world: &World, messages: &mut Messages) {
-        let size_px = world.view().size_px;
-        if flying.doing.records
+    fn keep_picture(&mut self, rgba: &[u8], in_flight: &InFlightFrame, current: &ViewerScene, messages: &mut Messages) {
+        let size_px = current.view().size_px;
+        if in_flight.request.records
             && let Some(recorder) = &mut self.recorder
         {
-            recorder.picture(size_px, rgba, flying.handed);
+            recorder.picture(size_px, rgba, in_flight.handed);
         }
-        if flying.doing.screenshot
+        if in_flight.request.screenshot
             && let Some(path) = self.screenshot.take()
         {
             let rgba = rgba.to_vec();
@@ -227,12 +237,12 @@ impl Running {
 
     /// What a frame would have to take for the simulation to keep real time at the budget's rate, ms;
     /// once for each frame that came back.
-    pub fn take_needed_ms(&mut self, world: Option<&World>, budget_ms: f64) -> Option<f64> {
+    pub fn take_needed_ms(&mut self, current: Option<&ViewerScene>, budget_ms: f64) -> Option<f64> {
         if !std::mem::take(&mut self.fresh_times) {
             return None;
         }
         let (step_ms, draw_ms) = (self.times.step_ms.last()?, self.times.draw_ms.last()?);
-        let dt_s = world?.session.scene().solver.dt_s;
+        let dt_s = current?.session.scene().solver.dt_s;
         Some(draw_ms + step_ms * self.clock.speed * 1e-3 * budget_ms / dt_s)
     }
 
@@ -240,15 +250,15 @@ impl Running {
     ///
     /// # Errors
     /// If the device is lost.
-    pub fn advance(&mut self, world: &mut World, budget_ms: f64) -> Result<bool, WorldError> {
-        if !self.flight.has_room() {
+    pub fn advance(&mut self, current: &mut ViewerScene, budget_ms: f64) -> Result<bool, ViewerError> {
+        if !self.in_flight.has_room() {
             return Ok(false);
         }
         let elapsed_s = self.last_advance.elapsed().as_secs_f64();
         self.last_advance = Instant::now();
         let most = self.times.cost_ms().map_or(1, |(step_ms, draw_ms)| steps_within(budget_ms, draw_ms, step_ms));
         let (dt_s, every) = {
-            let scene = world.session.scene();
+            let scene = current.session.scene();
             (scene.solver.dt_s, u64::from(scene.outputs.measure_every_steps))
         };
         let steps = match (std::mem::take(&mut self.single_steps), self.paused) {
@@ -260,13 +270,13 @@ impl Running {
         if steps == 0 && !self.is_stale && !screenshot {
             return Ok(false);
         }
-        let done = world.session.steps() + u64::from(steps);
+        let done = current.session.steps() + u64::from(steps);
         let measures = every > 0 && steps > 0 && done >= self.measured_step + every;
         let records = self.recorder.as_mut().is_some_and(Recorder::wants_picture);
         let advance_s = f64::from(steps) * dt_s;
-        let pull = if steps > 0 { self.pull.take() } else { None };
-        let doing = Doing { steps, measures, screenshot, records };
-        let frame = world.run(&doing, pull.map(|pull| pull.over(advance_s)).as_ref())?;
+        let drag = if steps > 0 { self.drag.take() } else { None };
+        let request = ViewerFrame { steps, measures, screenshot, records };
+        let frame = current.run(&request, drag.map(|drag| drag.over(advance_s)).as_ref())?;
         if measures {
             self.measured_step = done;
         }
@@ -277,20 +287,20 @@ impl Running {
         if elapsed_s > 0.0 && !self.paused {
             self.times.speed.push(time_s, advance_s / elapsed_s);
         }
-        self.flight.begin(Flying { frame, doing, handed: now, painted: None });
+        self.in_flight.begin(InFlightFrame { frame, request, handed: now, painted: None });
         Ok(true)
     }
 
     /// Which frame of the painter shows the one that was just handed over.
     pub fn painted_as(&mut self, frame: u64) {
-        self.flight.painted_as(frame);
+        self.in_flight.painted_as(frame);
     }
 }
 
-/// Points in the world's coordinates; what is quarantined has none.
-fn points(bytes: &[u8], world: &World) -> Vec<[f32; 4]> {
+/// Points in the scene's coordinates; what is quarantined has none.
+fn points(bytes: &[u8], current: &ViewerScene) -> Vec<[f32; 4]> {
     let samples: Vec<[f32; 4]> = bytemuck::pod_collect_to_vec(bytes);
-    let min_m = world.view().domain_min_m.as_vec3();
+    let min_m = current.view().domain_min_m.as_vec3();
     let is_whole = |sample: &[f32; 4]| sample.iter().all(|value| value.is_finite());
     samples
         .into_iter()

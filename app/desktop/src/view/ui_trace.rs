@@ -12,12 +12,12 @@ use serde_json::{Value, json};
 use crate::failure::Failure;
 
 /// Writes a line whenever what it tells of has changed.
-pub struct Tell {
+pub struct UiTrace {
     file: BufWriter<File>,
     last: Value,
 }
 
-impl Tell {
+impl UiTrace {
     /// Begins the file.
     pub fn create(path: &Path) -> Result<Self, Failure> {
         let file = File::create(path)

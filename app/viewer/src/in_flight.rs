@@ -3,15 +3,15 @@
 use std::collections::VecDeque;
 use std::time::Instant;
 
-use crate::world::Doing;
+use crate::viewer_scene::ViewerFrame;
 
 /// A frame under way.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Flying {
+pub struct InFlightFrame {
     /// The engine's number of it.
     pub frame: u64,
     /// What it does.
-    pub doing: Doing,
+    pub request: ViewerFrame,
     /// When it was handed over.
     pub handed: Instant,
     /// The painter's number of the frame in which it is shown.
@@ -20,29 +20,29 @@ pub struct Flying {
 
 /// Frames under way, the oldest first.
 #[derive(Debug, Default)]
-pub struct Flight {
-    frames: VecDeque<Flying>,
+pub struct InFlightFrames {
+    frames: VecDeque<InFlightFrame>,
 }
 
 /// More of them would only make the picture older than the hand that moves it.
-pub const MOST_FLYING: usize = 2;
+pub const MAX_IN_FLIGHT: usize = 2;
 
-impl Flight {
+impl InFlightFrames {
     /// Whether another one may begin.
     pub fn has_room(&self) -> bool {
-        self.frames.len() < MOST_FLYING
+        self.frames.len() < MAX_IN_FLIGHT
     }
 
     /// One begins.
-    pub fn begin(&mut self, flying: Flying) {
-        self.frames.push_back(flying);
+    pub fn begin(&mut self, in_flight: InFlightFrame) {
+        self.frames.push_back(in_flight);
     }
 
     /// The one that came back; those before it never will.
-    pub fn end(&mut self, frame: u64) -> Option<Flying> {
-        while let Some(flying) = self.frames.pop_front() {
-            if flying.frame >= frame {
-                return (flying.frame == frame).then_some(flying);
+    pub fn end(&mut self, frame: u64) -> Option<InFlightFrame> {
+        while let Some(in_flight) = self.frames.pop_front() {
+            if in_flight.frame >= frame {
+                return (in_flight.frame == frame).then_some(in_flight);
             }
         }
         None

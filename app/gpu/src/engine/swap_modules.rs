@@ -15,7 +15,7 @@ impl Engine {
     /// If the plan needs other memory than there is, naming the first resource; if a module is above
     /// the device's tier, or the driver cannot compile it. The engine then runs what it ran before,
     /// unless the driver gave up the device over it ([`crate::Gpu::is_lost`]).
-    pub fn exchange(&mut self, plan: Plan) -> Result<(), GpuError> {
+    pub fn swap_modules(&mut self, plan: Plan) -> Result<(), GpuError> {
         self.gpu.check()?;
         if let Some(label) = other_resource(&self.plan, &plan) {
             return Err(GpuError::OtherMemory { label, reason: "the two plans declare it differently" });

@@ -1,6 +1,6 @@
 //! A scene on the GPU, as the window shows it: simulated, measured and drawn.
 
-use brooklet_fluid::interact::Drag;
+use brooklet_fluid::drag::Drag;
 use brooklet_fluid::particles::{ParticleSet, resample};
 use brooklet_fluid::state::State;
 use brooklet_fluid::{FrameRequest, ParticleSource, Scene, Session, SessionRecorder};
@@ -9,13 +9,13 @@ use brooklet_render::frame::FrameValues;
 use brooklet_render::left_out::{self, Absent};
 use brooklet_render::{Camera, FrameOptions, FramePasses, ScenePlan, View};
 
-use crate::WorldError;
+use crate::ViewerError;
 use crate::ladder::Rung;
 use crate::reload::NewModules;
 
-/// What a world is made from.
+/// What a scene is made from.
 #[derive(Clone, Debug)]
-pub struct Order {
+pub struct SceneDesc {
     /// The scene as it was chosen, before the ladder.
     pub scene: Scene,
     /// What the ladder gives up.
@@ -32,12 +32,12 @@ pub struct Order {
     pub why: String,
 }
 
-/// Where a world's particles come from.
+/// Where a scene's particles come from.
 #[derive(Clone, Debug)]
 pub enum Start {
     /// The scene's fluids.
     Scene,
-    /// The world before it, which has so many: [`World::adopt`] brings them.
+    /// The scene before it, which has so many: [`ViewerScene::adopt`] brings them.
     Carry(u32),
     /// Those of a scene of another spacing: the same fluid, on another lattice.
     Resampled {
@@ -63,7 +63,7 @@ pub enum Start {
 
 /// What one drawn frame does.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Doing {
+pub struct ViewerFrame {
     /// Steps.
     pub steps: u32,
     /// Whether the state is measured after them.
@@ -78,7 +78,7 @@ pub struct Doing {
 const MOST_POINTS: u32 = 1000;
 
 /// A running scene.
-pub struct World {
+pub struct ViewerScene {
     /// The scene as it was chosen.
     pub scene: Scene,
     /// What steps it, as it is after the ladder.
@@ -90,15 +90,19 @@ pub struct World {
     passes: FramePasses,
 }
 
-impl World {
-    /// Plans the order and builds it; `progress` is told of each part that is done.
+impl ViewerScene {
+    /// Plans the desc and builds it; `progress` is told of each part that is done.
     ///
     /// # Errors
     /// If the scene has no plan, or the device no room for it.
-    pub fn build(gpu: &Gpu, order: Order, progress: &mut dyn FnMut(usize, usize, &str)) -> Result<World, WorldError> {
-        let simulated = order.rung.scene(&order.scene);
+    pub fn build(
+        gpu: &Gpu,
+        desc: SceneDesc,
+        progress: &mut dyn FnMut(usize, usize, &str),
+    ) -> Result<ViewerScene, ViewerError> {
+        let simulated = desc.rung.scene(&desc.scene);
         progress(0, 0, "filling the scene with particles");
-        let (source, steps, simulated_s) = match order.start {
+        let (source, steps, simulated_s) = match desc.start {
             Start::Scene => (ParticleSource::Scene, 0, 0.0),
             Start::Carry(count) => (ParticleSource::Count(count), 0, 0.0),
             Start::Resampled { from, particles, steps, simulated_s } => {
@@ -108,28 +112,25 @@ impl World {
                 (ParticleSource::Given(particles), steps, simulated_s)
             }
         };
-        let view = View {
-            camera: order.camera,
-            size_px: order.rung.picture_px(order.window_px),
-            ..View::of_scene(&simulated)
-        };
-        let options = order.rung.options(FrameOptions::for_scene(&simulated, gpu.tier()));
+        let view =
+            View { camera: desc.camera, size_px: desc.rung.picture_px(desc.window_px), ..View::of_scene(&simulated) };
+        let options = desc.rung.options(FrameOptions::for_scene(&simulated, gpu.tier()));
         let planned = plan(&simulated, source, view, options)?;
         let left_out =
             left_out::list(&simulated, gpu.tier(), &planned, &left_out::Recorded::default()).unwrap_or_default();
         let ScenePlan { session: mut planned, passes } = planned;
-        let passes = passes.ok_or(WorldError::NoPicture)?;
-        planned.plan = order.modules.put_into(planned.plan).map_err(WorldError::Shader)?;
+        let passes = passes.ok_or(ViewerError::NoPicture)?;
+        planned.plan = desc.modules.put_into(planned.plan).map_err(ViewerError::Shader)?;
         let mut session = Session::start_with_progress(gpu, planned, progress)?;
         session.set_time(steps, simulated_s);
-        Ok(World { scene: order.scene, session, left_out, view, options, passes })
+        Ok(ViewerScene { scene: desc.scene, session, left_out, view, options, passes })
     }
 
     /// Takes over the state of `old`, the same particles in another plan, without a way over the host.
     ///
     /// # Errors
     /// If the device is lost.
-    pub fn adopt(&mut self, old: &World) -> Result<(), WorldError> {
+    pub fn adopt(&mut self, old: &ViewerScene) -> Result<(), ViewerError> {
         Ok(self.session.adopt(&old.session)?)
     }
 
@@ -138,7 +139,7 @@ impl World {
     ///
     /// # Errors
     /// If the scene has no plan.
-    pub fn apply_live(&mut self, scene: &Scene, rung: &Rung) -> Result<bool, WorldError> {
+    pub fn apply_live(&mut self, scene: &Scene, rung: &Rung) -> Result<bool, ViewerError> {
         let simulated = rung.scene(scene);
         if needs_reset(self.session.scene(), &simulated) {
             return Ok(false);
@@ -157,8 +158,8 @@ impl World {
     ///
     /// # Errors
     /// If the driver refuses one; what ran before then goes on.
-    pub fn exchange(&mut self, modules: &NewModules) -> Result<(), WorldError> {
-        let plan = modules.put_into(self.session.engine().plan().clone()).map_err(WorldError::Shader)?;
+    pub fn swap_modules(&mut self, modules: &NewModules) -> Result<(), ViewerError> {
+        let plan = modules.put_into(self.session.engine().plan().clone()).map_err(ViewerError::Shader)?;
         Ok(self.session.swap_modules(plan)?)
     }
 
@@ -166,7 +167,7 @@ impl World {
     ///
     /// # Errors
     /// If nothing could be seen from there.
-    pub fn look_from(&mut self, camera: Camera) -> Result<(), WorldError> {
+    pub fn look_from(&mut self, camera: Camera) -> Result<(), ViewerError> {
         self.view.camera = camera;
         let values = FrameValues::new(&self.view, &self.options)?;
         let (engine, uniforms) = (self.session.engine_mut(), &self.passes.uniforms);
@@ -184,15 +185,15 @@ impl World {
     ///
     /// # Errors
     /// If the device is lost.
-    pub fn run(&mut self, doing: &Doing, drag: Option<&Drag>) -> Result<u64, WorldError> {
+    pub fn run(&mut self, request: &ViewerFrame, drag: Option<&Drag>) -> Result<u64, ViewerError> {
         let (draw, color) = ([self.passes.draw.id()], [self.passes.color.id]);
         let request = FrameRequest {
             drag,
-            steps: doing.steps,
-            measure: doing.measures,
+            steps: request.steps,
+            measure: request.measures,
             then: &draw,
-            sample: doing.records,
-            readbacks: if doing.records || doing.screenshot { &color } else { &[] },
+            sample: request.records,
+            readbacks: if request.records || request.screenshot { &color } else { &[] },
         };
         Ok(self.session.submit(&request)?)
     }
@@ -217,7 +218,7 @@ impl World {
     ///
     /// # Errors
     /// If the device is lost.
-    pub fn read_state(&mut self) -> Result<State, WorldError> {
+    pub fn read_state(&mut self) -> Result<State, ViewerError> {
         Ok(State {
             scene: self.session.scene().clone(),
             time_s: self.session.simulated_s(),
@@ -227,7 +228,7 @@ impl World {
     }
 }
 
-fn plan(scene: &Scene, source: ParticleSource, view: View, options: FrameOptions) -> Result<ScenePlan, WorldError> {
+fn plan(scene: &Scene, source: ParticleSource, view: View, options: FrameOptions) -> Result<ScenePlan, ViewerError> {
     let recorder = SessionRecorder::new(scene, source).with_drag().with_samples(MOST_POINTS);
     Ok(ScenePlan::sweep(scene, recorder, Some((view, options)))?)
 }

@@ -13,24 +13,24 @@ use crate::ladder::{Governor, RUNGS};
 use crate::messages::Kind;
 use crate::recorder::Recorder;
 use crate::viewer::Viewer;
-use crate::world::{Start, needs_reset};
+use crate::viewer_scene::{Start, needs_reset};
 
 impl Viewer {
     /// Does what is asked for; gives back what only the window can do.
-    pub fn act(&mut self, action: Action) -> Option<Action> {
+    pub fn handle_action(&mut self, action: Action) -> Option<Action> {
         match action {
             Action::Fullscreen | Action::Quit | Action::Tier(_) => return Some(action),
             Action::Pause => {
-                self.running.paused = !self.running.paused;
-                self.note(if self.running.paused { "paused" } else { "goes on" });
+                self.playback.paused = !self.playback.paused;
+                self.note(if self.playback.paused { "paused" } else { "goes on" });
             }
-            Action::Step => self.running.step_once(),
+            Action::Step => self.playback.step_once(),
             Action::Reset => self.reset(),
             Action::Open(name) => self.open(&name),
             Action::Apply(scene) => self.apply(*scene),
-            Action::Speed(speed) => self.running.clock.speed = speed,
+            Action::Speed(speed) => self.playback.clock.speed = speed,
             Action::Screenshot => {
-                self.running.screenshot = Some(free_name(&self.settings.folder, &self.name(), "png"));
+                self.playback.screenshot = Some(free_name(&self.settings.folder, &self.name(), "png"));
             }
             Action::Capture => self.toggle_capture(),
             Action::SaveState => self.save_state(),
@@ -65,12 +65,12 @@ impl Viewer {
     }
 
     fn refuse(&mut self, error: &SceneError) {
-        self.messages.say(Kind::Error, error.to_string());
+        self.messages.notify(Kind::Error, error.to_string());
     }
 
     fn reset(&mut self) {
         let draft = self.panels.draft.as_ref().map(|draft| draft.scene.clone());
-        if let Some(scene) = draft.or_else(|| self.world.as_ref().map(|world| world.scene.clone())) {
+        if let Some(scene) = draft.or_else(|| self.current.as_ref().map(|current| current.scene.clone())) {
             self.load(scene, Start::Scene, "reset");
         }
     }
@@ -78,9 +78,9 @@ impl Viewer {
     /// Takes other settings: at once where only numbers change, with another plan and the same
     /// particles where more does, and where the particles themselves would be others, at the next reset.
     pub fn apply(&mut self, scene: Scene) {
-        let Some(world) = &mut self.world else { return };
-        if needs_reset(&world.scene, &scene) {
-            let (running, wanted) = (&world.scene, &scene);
+        let Some(current) = &mut self.current else { return };
+        if needs_reset(&current.scene, &scene) {
+            let (running, wanted) = (&current.scene, &scene);
             let parts = [
                 ("spacing", running.spacing_m != wanted.spacing_m),
                 ("domain", running.domain != wanted.domain),
@@ -90,13 +90,13 @@ impl Viewer {
             return;
         }
         self.waiting.clear();
-        match world.apply_live(&scene, &RUNGS[self.rung]) {
+        match current.apply_live(&scene, &RUNGS[self.rung]) {
             Ok(true) => self.note("settings"),
             Ok(false) => {
-                let start = Start::Carry(world.session.particle_count());
+                let start = Start::Carry(current.session.particle_count());
                 self.load(scene, start, "settings");
             }
-            Err(error) => self.messages.say(Kind::Error, error.to_string()),
+            Err(error) => self.messages.notify(Kind::Error, error.to_string()),
         }
     }
 
@@ -107,76 +107,76 @@ impl Viewer {
         }
         self.rung = rung;
         self.governor.settle();
-        let Some(world) = &mut self.world else { return };
-        let simulated = RUNGS[rung].scene(&world.scene);
-        let scene = world.scene.clone();
-        let start = if needs_reset(world.session.scene(), &simulated) {
-            match world.read_state() {
+        let Some(current) = &mut self.current else { return };
+        let simulated = RUNGS[rung].scene(&current.scene);
+        let scene = current.scene.clone();
+        let start = if needs_reset(current.session.scene(), &simulated) {
+            match current.read_state() {
                 Ok(State { scene, time_s, steps, particles }) => {
                     Start::Resampled { from: Box::new(scene), particles, steps, simulated_s: time_s }
                 }
-                Err(error) => return self.messages.say(Kind::Error, error.to_string()),
+                Err(error) => return self.messages.notify(Kind::Error, error.to_string()),
             }
         } else {
-            Start::Carry(world.session.particle_count())
+            Start::Carry(current.session.particle_count())
         };
         self.load(scene, start, &format!("quality: {}", RUNGS[rung].name));
     }
 
     /// Tells the capture what is computed and drawn from now on, and what changed.
     pub(crate) fn note(&mut self, event: &str) {
-        let Some(world) = &self.world else { return };
-        let scene = world.session.scene();
+        let Some(current) = &self.current else { return };
+        let scene = current.session.scene();
         let solver = &scene.solver;
         let name = |value: &dyn std::fmt::Debug| format!("{value:?}").to_lowercase();
         let state = StateRow {
             event: event.to_owned(),
-            scene: Some(world.scene.name.clone()),
+            scene: Some(current.scene.name.clone()),
             tier: tier_name(self.gpu.tier()).to_owned(),
             precision: name(&solver.precision),
             surface: name(&scene.surface.method),
             rung: self.rung as i32,
             rung_name: RUNGS[self.rung].name.to_owned(),
-            paused: self.running.paused,
-            particles: Some(u64::from(world.session.particle_count())),
+            paused: self.playback.paused,
+            particles: Some(u64::from(current.session.particle_count())),
             substeps: Some(solver.substeps),
             iterations: solver.iterations(),
             ..StateRow::default()
         };
-        self.running.note(&state, &mut self.messages);
+        self.playback.note(&state, &mut self.messages);
     }
 
     /// A name for files of the running scene.
     fn name(&self) -> String {
-        self.world.as_ref().map_or_else(|| "brooklet".to_owned(), |world| world.scene.name.clone())
+        self.current.as_ref().map_or_else(|| "brooklet".to_owned(), |current| current.scene.name.clone())
     }
 
     fn toggle_capture(&mut self) {
-        if self.running.recorder.is_some() {
+        if self.playback.recorder.is_some() {
             self.end_capture();
             return;
         }
-        let Some(world) = &self.world else { return };
+        let Some(current) = &self.current else { return };
         let path = free_name(&self.settings.folder, &self.name(), "mcap");
         let begun = std::fs::create_dir_all(&self.settings.folder)
             .map_err(|error| format!("{}: {error}", self.settings.folder.display()))
-            .and_then(|()| Recorder::begin(path, &self.gpu, world).map_err(|error| error.to_string()));
+            .and_then(|()| Recorder::begin(path, &self.gpu, current).map_err(|error| error.to_string()));
         match begun {
             Ok(recorder) => {
-                self.running.recorder = Some(recorder);
+                self.playback.recorder = Some(recorder);
                 self.note("the capture begins");
             }
-            Err(reason) => self.messages.say(Kind::Error, reason),
+            Err(reason) => self.messages.notify(Kind::Error, reason),
         }
     }
 
     /// Writes the capture's end, if there is one.
     pub fn end_capture(&mut self) {
-        let Some(recorder) = self.running.recorder.take() else { return };
+        let Some(recorder) = self.playback.recorder.take() else { return };
         let path = recorder.path().display().to_string();
         match recorder.finish() {
-            Ok(totals) => self.messages.say(Kind::Done, format!("capture {path}: {} frames", totals.frames)),
-            Err(error) => self.messages.say(Kind::Error, error.to_string()),
+            Ok(totals) => self.messages.notify(Kind::Done, format!("capture {path}: {} frames", totals.frames)),
+            Err(error) => self.messages.notify(Kind::Error, error.to_string()),
         }
     }
 
@@ -186,12 +186,12 @@ impl Viewer {
 
     fn save_state(&mut self) {
         let path = self.state_file();
-        let Some(world) = &mut self.world else { return };
-        let state = match world.read_state() {
+        let Some(current) = &mut self.current else { return };
+        let state = match current.read_state() {
             Ok(state) => state,
-            Err(error) => return self.messages.say(Kind::Error, error.to_string()),
+            Err(error) => return self.messages.notify(Kind::Error, error.to_string()),
         };
-        self.running.jobs.begin(&mut self.messages, move || {
+        self.playback.jobs.begin(&mut self.messages, move || {
             let folder = path.parent().unwrap_or(&path);
             std::fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
             state.save(&path).map_err(|error| error.to_string())?;
@@ -201,8 +201,8 @@ impl Viewer {
 
     /// The running scene with its particles, to go on on another device; none before there is one.
     pub fn take_state(&mut self) -> Option<State> {
-        let world = self.world.as_mut()?;
-        Some(State { scene: world.scene.clone(), ..world.read_state().ok()? })
+        let current = self.current.as_mut()?;
+        Some(State { scene: current.scene.clone(), ..current.read_state().ok()? })
     }
 
     fn restore_state(&mut self, path: &Path) {
@@ -213,7 +213,7 @@ impl Viewer {
                 (self.orbit, self.steered) = (None, false);
                 self.load(scene, Start::Particles { particles, steps, simulated_s: time_s }, "state restored");
             }
-            Err(error) => self.messages.say(Kind::Error, error.to_string()),
+            Err(error) => self.messages.notify(Kind::Error, error.to_string()),
         }
     }
 }

@@ -28,7 +28,7 @@ pub struct Drag {
 }
 
 /// What pushes.
-pub struct Push {
+pub struct DragPass {
     /// One push; to be run before the steps of a frame in which somebody drags.
     pub recording: Recording,
     params: Buffer<PushParams>,
@@ -37,9 +37,9 @@ pub struct Push {
 
 /// Records a push beside a scene's other recordings: v += w(r) (1 − exp(−dt/τ)) (v_drag − v) with
 /// w(r) = (1 − r²)² and r the distance from the ray over the radius, so that no edge shows. Until
-/// [`Push::write`] it moves nothing. A scene that nobody drags does without it, and then has neither its
+/// [`DragPass::write`] it moves nothing. A scene that nobody drags does without it, and then has neither its
 /// pass nor its buffer.
-pub fn record_push(resources: &mut Resources, recorded: &mut Recorded) -> Push {
+pub fn record_drag(resources: &mut Resources, recorded: &mut Recorded) -> DragPass {
     let mut params = resources.persistent("push_params", 1);
     let particle_count = recorded.particle_count;
     let idle = PushParams { particle_count, ..PushParams::default() };
@@ -53,10 +53,10 @@ pub fn record_push(resources: &mut Resources, recorded: &mut Recorded) -> Push {
         },
         particle_count,
     );
-    Push { recording, params, particle_count }
+    DragPass { recording, params, particle_count }
 }
 
-impl Push {
+impl DragPass {
     /// Sets what the next run of the recording does.
     pub fn write(&self, engine: &mut Engine, scene: &Scene, drag: &Drag) {
         engine.write(&self.params, &[self.params(scene, drag)]);

@@ -1,6 +1,6 @@
-//! The hand in the fluid: what was dragged since the simulation last went on.
+//! Dragging the fluid: what was dragged since the simulation last went on.
 
-use brooklet_fluid::interact::Drag;
+use brooklet_fluid::drag::Drag;
 use brooklet_render::View;
 use glam::{DVec2, DVec3};
 
@@ -9,14 +9,14 @@ use crate::pointer::Pointing;
 
 /// What was dragged.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Hand {
+pub struct DragInput {
     at: DVec2,
     moved: DVec2,
 }
 
 /// A drag that waits for the simulation to go on.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Pull {
+pub struct PendingDrag {
     origin_m: DVec3,
     direction: DVec3,
     radius_m: f64,
@@ -30,11 +30,11 @@ const TAU_S: f64 = 0.02;
 /// What is dragged across the picture in one slow frame would be a shot otherwise.
 const MOST_M_S: f64 = 4.0;
 
-impl Hand {
+impl DragInput {
     /// What the pointer dragged in a view since the last restart, though it may be let go by now; nothing while
     /// it is still.
-    pub fn pull(&mut self, pointing: &Pointing, view: &View) -> Option<Pull> {
-        if let Some((at, moved)) = pointing.push {
+    pub fn pending(&mut self, pointing: &Pointing, view: &View) -> Option<PendingDrag> {
+        if let Some((at, moved)) = pointing.drag {
             self.at = at;
             self.moved += moved;
         }
@@ -44,7 +44,7 @@ impl Hand {
         let ray = ray(view, self.at);
         let axes = view.camera.axes();
         let height_m = 2.0 * (view.camera.eye_m - view.camera.target_m).length() * view.tan_half().y;
-        Some(Pull {
+        Some(PendingDrag {
             origin_m: ray.origin_m - view.domain_min_m,
             direction: ray.direction,
             radius_m: REACH_RATIO * view.diagonal_m(),
@@ -58,7 +58,7 @@ impl Hand {
     }
 }
 
-impl Pull {
+impl PendingDrag {
     /// The drag in a frame that advances by so much. The hand's speed is that in simulated time: what is
     /// seen to move with the hand moves with it, in slow motion, too.
     pub fn over(&self, advance_s: f64) -> Drag {
@@ -91,23 +91,23 @@ mod tests {
 
     #[test]
     fn the_fluid_goes_where_the_hand_goes() {
-        let mut hand = Hand::default();
-        let push =
-            |x: f64, y: f64| Pointing { push: Some((DVec2::splat(0.5), DVec2::new(x, y))), ..Pointing::default() };
-        assert_eq!(hand.pull(&Pointing::default(), &view()), None);
-        assert_eq!(hand.pull(&push(0.0, 0.0), &view()), None);
+        let mut input = DragInput::default();
+        let dragged =
+            |x: f64, y: f64| Pointing { drag: Some((DVec2::splat(0.5), DVec2::new(x, y))), ..Pointing::default() };
+        assert_eq!(input.pending(&Pointing::default(), &view()), None);
+        assert_eq!(input.pending(&dragged(0.0, 0.0), &view()), None);
         // What is dragged while the simulation has no time adds up.
-        hand.pull(&push(0.01, 0.0), &view());
-        hand.pull(&push(0.01, -0.005), &view());
+        input.pending(&dragged(0.01, 0.0), &view());
+        input.pending(&dragged(0.01, -0.005), &view());
         // Let go before that: the drag waits.
-        let pull = hand.pull(&Pointing::default(), &view()).unwrap();
+        let pending = input.pending(&Pointing::default(), &view()).unwrap();
         let height_m = 2.0 * 3.5 * 20f64.to_radians().tan();
-        assert!(pull.moved_m.abs_diff_eq(height_m * DVec3::new(0.02, 0.005, 0.0), 1e-12), "{pull:?}");
-        let drag = pull.over(0.1);
+        assert!(pending.moved_m.abs_diff_eq(height_m * DVec3::new(0.02, 0.005, 0.0), 1e-12), "{pending:?}");
+        let drag = pending.over(0.1);
         assert!(drag.direction[2] < -0.99 && drag.origin_m == [0.0, 0.5, 4.0], "relative to the domain: {drag:?}");
         assert!((drag.velocity_m_s[0] - 0.2 * height_m).abs() < 1e-12);
-        assert!((DVec3::from(pull.over(1e-6).velocity_m_s).length() - MOST_M_S).abs() < 1e-9);
-        hand.restart();
-        assert_eq!(hand.pull(&push(0.0, 0.0), &view()), None);
+        assert!((DVec3::from(pending.over(1e-6).velocity_m_s).length() - MOST_M_S).abs() < 1e-9);
+        input.restart();
+        assert_eq!(input.pending(&dragged(0.0, 0.0), &view()), None);
     }
 }
