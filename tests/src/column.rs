@@ -138,8 +138,7 @@ impl Setup {
     }
 
     fn layers_of(&self, scene: &Scene, state: &State) -> Vec<f64> {
-        let walls =
-            walls_of(&brooklet_fluid::smoothing_kernel::params(scene), DVec3::from_array(scene.domain.size_m()));
+        let walls = walls_of(&brooklet_fluid::smoothing_kernel_params(scene), DVec3::from_array(scene.domain.size_m()));
         let smoothing = Smoothing::new(scene.support_m(), lattice::weight(3, scene.solver.support_ratio));
         let at_m = state.at_m();
         let lists = list_neighbours(&at_m, |_| false, smoothing.support_m);

@@ -1,10 +1,6 @@
 //! The smoothing kernel's constants: Wendland C2 in q = r/h with W(0) = 1, scaled so that the
 //! initial lattice has density ratio 1. (Shader: `shared/wendland.hlsli`.)
 
-use brooklet_kernels::SmoothingKernelParams;
-
-use crate::boundary::{WallScales, wall_kernel_fraction};
-
 /// W(q) = (1-q)⁴ (4q+1) for q < 1 (Wendland 1995).
 pub fn wendland(q: f64) -> f64 {
     let t = (1.0 - q).max(0.0);
@@ -50,22 +46,5 @@ pub(crate) fn for_lattice(dimensions: u32, support_ratio: f64, mut visit: impl F
                 }
             }
         }
-    }
-}
-
-/// What the shaders are given.
-pub fn params(scene: &crate::scene::Scene) -> SmoothingKernelParams {
-    let (dimensions, support_ratio) = (scene.domain.dimensions, scene.solver.support_ratio);
-    let walls = WallScales::new(dimensions, support_ratio);
-    SmoothingKernelParams {
-        support_m: scene.support_m() as f32,
-        inverse_support_per_m: (1.0 / scene.support_m()) as f32,
-        weight: lattice(dimensions, support_ratio).weight as f32,
-        wall_plane: walls.plane as f32,
-        wall_edge: walls.edge as f32,
-        wall_corner: walls.corner as f32,
-        along_z: if scene.domain.is_flat() { 0.0 } else { 1.0 },
-        reserved: 0.0,
-        wall_kernel_fraction: wall_kernel_fraction(dimensions).map(|c| c as f32),
     }
 }

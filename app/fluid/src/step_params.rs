@@ -8,15 +8,16 @@ use crate::scene::Scene;
 /// What the shaders are given.
 pub fn step_params(scene: &Scene, particle_count: u32) -> StepParams {
     let (size_m, period_m) = (scene.domain.size_m(), scene.period_m());
-    let has_walls = |axis| scene.domain.has_walls_along(axis);
+    let [wall_min_m, wall_max_m] =
+        scene.domain.wall_bounds_m().map(|corner_m| corner_m.map(|m| m.clamp(-FAR_M, FAR_M) as f32));
     StepParams {
         gravity_m_s2: scene.gravity_m_s2.map(|g| g as f32),
         dt_s: scene.substep_s() as f32,
         domain_size_m: size_m.map(|size_m| size_m as f32),
         wall_offset_m: (WALL_OFFSET_RATIO * scene.fitted_spacing_m()) as f32,
-        wall_min_m: std::array::from_fn(|axis| if has_walls(axis) { 0.0 } else { -FAR_M }),
+        wall_min_m,
         max_speed_m_s: scene.max_speed_m_s() as f32,
-        wall_max_m: std::array::from_fn(|axis| if has_walls(axis) { size_m[axis] as f32 } else { FAR_M }),
+        wall_max_m,
         particle_count,
         period_m: period_m.map(|period_m| period_m as f32),
         list_chunks: grid::list_chunks(scene),
@@ -26,7 +27,7 @@ pub fn step_params(scene: &Scene, particle_count: u32) -> StepParams {
 }
 
 /// Where the walls of an axis without walls stand: finite in f32 even over the smallest support.
-const FAR_M: f32 = 1.0e30;
+const FAR_M: f64 = 1.0e30;
 
 /// How near a wall a particle's middle may come, over the spacing. The lattice starts at a half. Nearer, the layer
 /// there would make room for more fluid than there is; what comes nearer the walls' density alone did not hold back.

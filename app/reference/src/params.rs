@@ -22,12 +22,6 @@ pub struct Step {
 }
 
 impl Step {
-    /// Moves a position inside the walls, where there are any.
-    pub fn inside(&self, position_m: DVec3) -> DVec3 {
-        let low = DVec3::splat(self.wall_offset_m);
-        DVec3::select(self.walls, position_m.clamp(low, self.domain_size_m - low), position_m)
-    }
-
     /// The position's image inside the domain.
     pub fn wrapped(&self, position_m: DVec3) -> DVec3 {
         let periodic = self.period_m.cmpgt(DVec3::ZERO);

@@ -23,13 +23,14 @@ struct BoundarySample
 BoundarySample SampleBoundary(float3 position_m, StepParams step, SmoothingKernelParams kernel)
 {
     WallKernelFractions walls = WallKernelFractionsAt(position_m, step, kernel);
-    BoundarySample sample;
-    sample.density = WallDensity(walls, kernel);
-    sample.gradient = WallGradient(walls, kernel);
-    sample.correction_scale = AlongWalls(walls, kernel);
-    return sample;
+    BoundarySample boundary;
+    boundary.density = WallDensity(walls, kernel);
+    boundary.gradient = WallGradient(walls, kernel);
+    boundary.correction_scale = AlongWalls(walls, kernel);
+    return boundary;
 }
 
+// The position, moved to where the boundary lets a particle be.
 float3 ConfinePosition(float3 position_m, StepParams step)
 {
     return InsideWalls(position_m, step);
@@ -39,7 +40,7 @@ float3 ConfinePosition(float3 position_m, StepParams step)
 // contact. A particle put far outside would come back at any speed, even one that is not finite.
 void ConfinePath(inout float3 position_m, inout float3 velocity_m_s, StepParams step)
 {
-    float3 inside_m = InsideWalls(position_m, step);
+    float3 inside_m = ConfinePosition(position_m, step);
     velocity_m_s = clamp(velocity_m_s + (inside_m - position_m) / step.dt_s, -step.max_speed_m_s, step.max_speed_m_s);
     position_m = inside_m;
 }
@@ -47,9 +48,9 @@ void ConfinePath(inout float3 position_m, inout float3 velocity_m_s, StepParams 
 // The end of a free path, mirrored where it is beyond the boundary, and as much shorter as the particle is slower.
 void BouncePath(inout float3 position_m, inout float3 velocity_m_s, float restitution, StepParams step)
 {
-    float3 inside_m = InsideWalls(position_m, step);
+    float3 inside_m = ConfinePosition(position_m, step);
     float3 beyond_m = position_m - inside_m;
-    position_m = InsideWalls(inside_m - restitution * beyond_m, step);
+    position_m = ConfinePosition(inside_m - restitution * beyond_m, step);
     velocity_m_s *= beyond_m * velocity_m_s > 0.0 ? -restitution : 1.0;
 }
 
@@ -57,11 +58,11 @@ void BouncePath(inout float3 position_m, inout float3 velocity_m_s, float restit
 
 BoundarySample SampleBoundary(float3 position_m, StepParams step, SmoothingKernelParams kernel)
 {
-    BoundarySample sample;
-    sample.density = 0.0;
-    sample.gradient = 0.0;
-    sample.correction_scale = 1.0;
-    return sample;
+    BoundarySample boundary;
+    boundary.density = 0.0;
+    boundary.gradient = 0.0;
+    boundary.correction_scale = 1.0;
+    return boundary;
 }
 
 float3 ConfinePosition(float3 position_m, StepParams step)
@@ -79,8 +80,9 @@ void BouncePath(inout float3 position_m, inout float3 velocity_m_s, float restit
 
 #endif
 
-// What the boundary feels of the push that it gave particle i, in h: walls stand still whatever comes.
-void ReactToPush(uint i, BoundarySample sample, float3 push_h)
+// What the boundary feels of an iteration: it gave particle i the displacement `push` (in h, relaxed, before what
+// shortens a correction that is too long), and takes the opposite, weighted by mass. Walls stand still.
+void ReactToPush(uint i, BoundarySample boundary, float3 push)
 {
 }
 

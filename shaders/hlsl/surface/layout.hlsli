@@ -15,17 +15,13 @@ static const float MOST_STRETCH = 4.0;
 // Variances of neighbours count as at least this, over h^2: those of particles in one point.
 static const float LEAST_VARIANCE = 1.0e-4;
 
-// What the ellipsoids are made from: the neighbours within `support_m`, and the glass they end at.
+// What the ellipsoids are made from: the neighbours within `support_m`.
 struct AnisotropyParams
 {
-    float3 wall_min_m;
     float support_m;
-    float3 wall_max_m;
     uint particle_count;
     uint list_chunks;       // room for neighbours a particle, in LIST_CHUNKs
-    uint reserved0;
-    uint reserved1;
-    uint reserved2;
+    uint reserved;
 };
 
 // A particle's ellipsoid (surface/ellipsoid.hlsli).
@@ -40,7 +36,7 @@ struct Ellipsoid
 // A fluid's surface in screen space.
 struct SurfaceParams
 {
-    float3 wall_min_m;           // the fluid is cut off outside this box: at a tank's glass
+    float3 wall_min_m;          // a tank's glass: the fluid is cut off outside this box
     float radius_m;             // of a particle's sphere
     float3 wall_max_m;
     float thickness_radius_m;             // radius of the disc on which a particle's volume counts as thickness

@@ -3,6 +3,7 @@
 
 use brooklet_kernels::{
     Anisotropy, AnisotropyParams, Ellipsoid, Kernel, LEAST_VARIANCE, ListHead, Position, QUARANTINED, SPRAY_RADIUS,
+    SurfaceParams,
 };
 use brooklet_reference::grid::list_neighbours::list_neighbours;
 use brooklet_reference::shared::list;
@@ -23,18 +24,18 @@ const STRETCH_TOLERANCE: f64 = 2.02 * HALF_ROUNDING;
 /// 60 adds a few roundings.
 const CENTER_TOLERANCE: f64 = 4e-6;
 
+/// What the kernel is told: how far neighbours count, and where they end.
+type Params = (AnisotropyParams, SurfaceParams);
+
 /// No glass near.
-fn open() -> AnisotropyParams {
-    AnisotropyParams {
-        wall_min_m: [-1e18; 3],
-        support_m: SUPPORT_M as f32,
-        wall_max_m: [1e18; 3],
-        list_chunks: LIST_CHUNKS,
-        ..AnisotropyParams::default()
-    }
+fn open() -> Params {
+    (
+        AnisotropyParams { support_m: SUPPORT_M as f32, list_chunks: LIST_CHUNKS, ..AnisotropyParams::default() },
+        SurfaceParams { wall_min_m: [-1e18; 3], wall_max_m: [1e18; 3], ..SurfaceParams::default() },
+    )
 }
 
-fn run(case: &Case, params: AnisotropyParams) -> Vec<Ellipsoid> {
+fn run(case: &Case, params: Params) -> Vec<Ellipsoid> {
     run_with(case, params, UNLISTED)
 }
 
@@ -43,7 +44,7 @@ const NOBODY: ListHead = ListHead { entries: 0, first: u32::MAX };
 const UNLISTED: Option<usize> = None;
 
 /// `unlisted` has no list yet, as before the first step.
-fn run_with(case: &Case, params: AnisotropyParams, unlisted: Option<usize>) -> Vec<Ellipsoid> {
+fn run_with(case: &Case, (params, surface): Params, unlisted: Option<usize>) -> Vec<Ellipsoid> {
     let mut bench = Bench::new();
     let positions = bench.input("positions", &case.positions);
     let (lists, mut heads) = list::encoded(&case.neighbours, LIST_CHUNKS);
@@ -53,6 +54,7 @@ fn run_with(case: &Case, params: AnisotropyParams, unlisted: Option<usize>) -> V
     let (neighbours, list_heads) = (bench.input("neighbours", &lists), bench.input("list_heads", &heads));
     let mut ellipsoids = bench.output("ellipsoids", case.count());
     let params = bench.uniform("anisotropy", AnisotropyParams { particle_count: case.count() as u32, ..params });
+    let surface = bench.uniform("surface", surface);
     bench.dispatch(
         &Anisotropy {
             positions: positions.read(),
@@ -60,6 +62,7 @@ fn run_with(case: &Case, params: AnisotropyParams, unlisted: Option<usize>) -> V
             list_heads: list_heads.read(),
             ellipsoids: ellipsoids.write(),
             anisotropy: params.uniform(),
+            surface: surface.uniform(),
         },
         case.count(),
     );
@@ -106,14 +109,14 @@ impl Check {
     }
 
     /// Every ellipsoid of a fluid. Its own size widens what f32 positions can tell apart.
-    fn all(&mut self, case: &Case, params: &AnisotropyParams, got: &[Ellipsoid]) -> Result<(), String> {
+    fn all(&mut self, case: &Case, (params, surface): &Params, got: &[Ellipsoid]) -> Result<(), String> {
         let positions_m = case.positions_m();
         let farthest_m = positions_m.iter().map(|at| at.abs().max_element()).fold(0.0, f64::max);
         for (i, got) in got.iter().enumerate() {
             if got.tag != case.positions[i].tag {
                 return Err(format!("particle {i}: tag {:x}", got.tag));
             }
-            let twin = anisotropy(i, &positions_m, &case.neighbours[i], params);
+            let twin = anisotropy(i, &positions_m, &case.neighbours[i], params, surface);
             self.one(got, &twin, SUPPORT_M.max(farthest_m / 4.0)).map_err(|error| format!("particle {i}: {error}"))?;
         }
         Ok(())
@@ -137,15 +140,18 @@ fn ellipsoids_are_their_twins() {
     let mut rng = rng(61);
     for size in sizes(GROUP) {
         let case = fluid(&mut rng, size);
-        for params in [open(), AnisotropyParams { wall_min_m: [0.0; 3], wall_max_m: [0.1, 0.2, 0.35], ..open() }] {
+        let (kernel, no_glass) = open();
+        let glass = SurfaceParams { wall_min_m: [0.0; 3], wall_max_m: [0.1, 0.2, 0.35], ..no_glass };
+        for params in [(kernel, no_glass), (kernel, glass)] {
             let got = run(&case, params);
             assert_eq!(got.len(), size);
             check.all(&case, &params, &got).expect("the twin's");
         }
         // A support a hundredth wider is another ellipsoid.
         if size > GROUP {
-            let wrong = AnisotropyParams { support_m: 1.01 * open().support_m, ..open() };
-            Check::new().all(&case, &open(), &run(&case, wrong)).expect_err("another support must differ");
+            let wrong = AnisotropyParams { support_m: 1.01 * kernel.support_m, ..kernel };
+            Check::new().all(&case, &open(), &run(&case, (wrong, no_glass))).expect_err("another support must differ");
+            Check::new().all(&case, &open(), &run(&case, (kernel, glass))).expect_err("glass must differ");
         }
     }
     check.stretch.report();
@@ -172,7 +178,8 @@ fn bodies_without_thickness_have_finite_ellipsoids() {
     }
     let thinness = |case: &Case| {
         let at = case.count() / 2;
-        let twin = anisotropy(at, &case.positions_m(), &case.neighbours[at], &open());
+        let (params, surface) = open();
+        let twin = anisotropy(at, &case.positions_m(), &case.neighbours[at], &params, &surface);
         let (axes, _) = brooklet_reference::surface::anisotropy::eigen(twin.stretch);
         axes.max_element() / axes.min_element()
     };

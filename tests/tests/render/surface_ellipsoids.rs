@@ -93,9 +93,9 @@ fn draw(view: &View, positions: &[Position]) -> Drawn {
     let mut engine = Engine::new(&gpu(), plan).expect("an engine");
     engine.run(&ids, &[]).expect("it draws");
     let inverse_depth = bytemuck::pod_collect_to_vec(&engine.read_texture(&drawn.raw).expect("a texture"));
-    let params = screen_space::anisotropy::params(&surface, count, LIST_CHUNKS);
+    let (params, walls) = (screen_space::anisotropy::params(&surface, count, LIST_CHUNKS), surface.params());
     let seen = (0..positions.len()).filter(|&i| !quarantined(i));
-    let ellipsoids = seen.map(|i| anisotropy(i, &at_m, &neighbours[i], &params)).collect();
+    let ellipsoids = seen.map(|i| anisotropy(i, &at_m, &neighbours[i], &params, &walls)).collect();
     Drawn { inverse_depth, view: values.view, ellipsoids }
 }
 

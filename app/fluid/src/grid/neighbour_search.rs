@@ -5,7 +5,7 @@ use brooklet_kernels::{Buffer, SmoothingKernelParams};
 
 use super::{Grid, Neighbours, Sorted, params};
 use crate::scene::Scene;
-use crate::smoothing_kernel;
+use crate::smoothing_kernel_params::smoothing_kernel_params;
 use crate::step_context::{Particles, StepContext};
 
 /// The grid, the particles in its order, their lists, and the kernel that weighs neighbours.
@@ -35,7 +35,7 @@ impl NeighbourSearch {
     /// Uploads the settings; lists begin empty.
     pub fn record_init(&mut self, init: &mut Recording, scene: &Scene, particle_count: u32) {
         init.upload(&mut self.grid.params, &[params(scene, particle_count)]);
-        init.upload(&mut self.smoothing_kernel, &[smoothing_kernel::params(scene)]);
+        init.upload(&mut self.smoothing_kernel, &[smoothing_kernel_params(scene)]);
         init.clear(&mut self.neighbours.heads);
     }
 

@@ -144,7 +144,7 @@ static DRAW_FLOOR_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "d8decf759a9bcca0d6b321f7239003e56e26892da61318076d3c9f92cc663228",
+    hash: "35b935976646ff549ca085dd37fbfb7b40bdbfa0d03600981782547375b8e5be",
 };
 
 static DRAW_FLOOR_FRAGMENT: Module = Module {
@@ -157,7 +157,7 @@ static DRAW_FLOOR_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "9b71e0b3c938d02d513fe20a40beece2090f8d48046b93fa793949fb657a7214",
+    hash: "3b69eabc57237c7a8ba124d38fb8a8be7f0e07e161695d69ebf5a3b6ecf614ef",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW: Module = Module {
@@ -170,7 +170,7 @@ static DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "d8cc43bdc3836d60ad4217d7ee2fbfe77f9d08ead5de4f1b623557a91c2a8cbc",
+    hash: "cae87e39db5298f0024c68f0cecdebdb4e557b27d4e28e358d6e16c2e4b2741d",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW: Module = Module {
@@ -183,7 +183,7 @@ static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "911548d68bae8b715462906db8398b3e026a7cf154070ce675b6f1eeb41ca90c",
+    hash: "dcf5e33d19d3f0960cafc02f19023402b0bfa427e7586f17b0def33d14afbe6c",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW: Module = Module {
@@ -196,7 +196,7 @@ static DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "8a5816d62f3bd19b48e6208051f5c3f6601e5988c04f015f6ba01ba3bf496b68",
+    hash: "44a23be3624d002a3837f38a4183bff5200df0814ce203fd6abc68c6dddc0793",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW: Module = Module {
@@ -209,7 +209,7 @@ static DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "b141d2997cbd799dcc5c7a1487ab819ad88214a61ad19ee84f37fb072cc6cbc6",
+    hash: "67c7d79580ded2233a460538af1c4887ca977852e5b08dfe9f3af790208a1caf",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW: Module = Module {
@@ -222,5 +222,5 @@ static DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "47aa1a7b1063c137850451c9375053771bacd405c4d240ac277a0bcdcc4657b3",
+    hash: "0bc35726e98c03e65ebb14ca60d31dd7ede0ebe0f3f1b8b550041ca56b2f0618",
 };

@@ -93,7 +93,7 @@ static DENSITY_RATIOS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "5099096ad9e6e8d75cce3acfa5e504369adee68a320dbb2c87dce3fba9d73e02",
+    hash: "490b60bab067c72fcee08e2fb6cbe5d76e330b93cbd40f3ee0e19bcec9ebdf4a",
 };
 
 static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
@@ -106,7 +106,7 @@ static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "3b0efabf2e7933abe51f51b80a515f9514a0d4be6cdfd7bbca6c55ebd6a46e54",
+    hash: "ca0fc164a373f3eff4286d0f0dc362071b897b9b5c6b1d22ec4bb7a347d3e4ee",
 };
 
 static DENSITY_RATIOS_WITH_WALLS: Module = Module {
@@ -119,7 +119,7 @@ static DENSITY_RATIOS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "bb32c355ac03e46e8dee63f15dbf6e101afe7f528765dd140172eeae404806ff",
+    hash: "a05b6bf4625a6905cb711b47790dac21ec89cb59f02b9f29ec6e2559c0e7fd5f",
 };
 
 static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -132,5 +132,5 @@ static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "be80c4adaddea341ba05633d44b64b9414af9f13801966b5f11043b634c5ce2b",
+    hash: "4525e7364fa3c09908da4492f1c1f0d4fb4b051a74508b70a3b0e2b9babc3948",
 };

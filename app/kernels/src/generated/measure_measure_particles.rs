@@ -127,7 +127,7 @@ static MEASURE_PARTICLES: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "ea3dc290496675294784172af0ed7c3f4784a7e648b2cc95f267436dab6cf172",
+    hash: "520d3c9e36ac62a2441d4ebd0015a9d3b234d0e186e8f0e7c312123f08bd7ee4",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
@@ -140,7 +140,7 @@ static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "6078a8f2456f1d54f3e57a8d682c3f38740e63dbe710fe55ebb18b8f2c05e88f",
+    hash: "9d07bc2c6d1351c8b767c0865ec702950ab6dbc27acca9429ea8dc8d2356b1ea",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
@@ -153,7 +153,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "53cc36d651b2735fb6a5f71677569da3156ab251d8de1fa0ee529664946aaa30",
+    hash: "d14979b80b11ff06b3983ca032201ae889a3cede522b32f0a7cc5569cf32f726",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
@@ -166,7 +166,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "76d4b2c07b817d75994a81fb503548e867c2518859dbffc93a213005f0a7057e",
+    hash: "9489d86c6ae743837b4c9b5f72708751bc412a99e1d5c058215593c8f2ddb438",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -179,5 +179,5 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module 
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "a19d6e2dabdfbd687b76b55818f22fa51b5d93c7e9ce572be3f8a1d8bfd591ee",
+    hash: "9d8527ac42777f3bb5de8dd920d53ef3e207ae7a8337a6b34de1ed640a4a95a7",
 };

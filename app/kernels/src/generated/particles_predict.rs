@@ -90,7 +90,7 @@ static PREDICT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "19ce70ac42e4e631b6d3664f040cc16aa7bb4c03fd14d161ac30d235443adfaa",
+    hash: "efe36d48b273402121023452d399456f881f4de59c01c61d1b3cce54151762b0",
 };
 
 static PREDICT_WITH_PERIODIC: Module = Module {
@@ -103,7 +103,7 @@ static PREDICT_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "cc05114b038deb6863cf1444089c91e6b3fd2a8bd1d49b1cb252d85f0e507449",
+    hash: "24ffdd851a07c8d0cc5a6e4a1c1c3874fca29880e12ef27285240daf388e9c6e",
 };
 
 static PREDICT_WITH_WALLS: Module = Module {
@@ -116,7 +116,7 @@ static PREDICT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "ff68438139c1d6bc7c619151ed291d0de2a6613f852584dce2fec26b35fe097d",
+    hash: "de14dcbb55e86238ca157099bb4d9a9815f43e1c70174546888f0654feabc353",
 };
 
 static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -129,5 +129,5 @@ static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "ce6925d79fa98654264928bf36a92d8bb12df62be563a81118de984f1af4feef",
+    hash: "cdc4ee5a202267a6c938ca8698382494b60a837ae54f3ab76014d4adceb95932",
 };

@@ -98,7 +98,7 @@ static INTEGRATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "85d1537fd5cf35f7ef17197a966c9ad7c330e06c9fab93f371a910495ac6d1c9",
+    hash: "be27fe2cf3ccbd7f19c7231963c9eaef6cb99801d5e2ef9e743088122decd610",
 };
 
 static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
@@ -111,7 +111,7 @@ static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "4d8b3a23d73ac45c64bf1fef762dfd9cace78090ce54509c246617670f09bffd",
+    hash: "882f60d589dea4facd5ecbdd408c97f9affab9d39783c2ac728438ef0bb148f8",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
@@ -124,7 +124,7 @@ static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "e40f807fd697cdd7c0d01982b7ce7e571474d13bb0c7294f10b4d8305a536ca5",
+    hash: "b8a537387e10d8a700c5200f5254d4bf7d32471ce273ac976993f7d54df9f108",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -137,5 +137,5 @@ static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "6be44091122d35a63dd75d8a477673e9d92f1293431bd03e000d1f8c633b9a73",
+    hash: "4092e16faa32a9e3db4ef3e61a1b9469120ff803e4694712637fdab44b1aba88",
 };

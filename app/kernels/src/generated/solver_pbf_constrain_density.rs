@@ -193,7 +193,7 @@ static CONSTRAIN_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "39a9db101a2f67d036e6cba15faaf4596fd94081622e54353f0163a295c7e9c1",
+    hash: "952fbcfa2fa5d252eec9fe63645d03da93be40dbfb02af58724060404eb4bf60",
 };
 
 static CONSTRAIN_DENSITY_WITH_PACKED: Module = Module {
@@ -206,7 +206,7 @@ static CONSTRAIN_DENSITY_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "2f37a99846b594c2b613a71032220d6854310c074785f2023daf21bcf8060977",
+    hash: "ef4c141e802636679e23e30e7ae894a88ce3e45000d3ff62e46c6983deb0a6cb",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -219,7 +219,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "1842d6f49cf72d6f6472549f0ce4c7f031d818d3a5417e4def9feaad32ed4413",
+    hash: "99b4973d86e4473f292a6996be3c5e54e374f2ca732cc63f82a578232d099ac2",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -232,7 +232,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "add510414cc39d6451f6dd50bf0f4fe94286c5a556c3cd39ecd5c4b34e80fbcb",
+    hash: "0e9a300b73ee2b0f28000f536f103653af8139673f20980ca0551388dcd0d919",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -245,7 +245,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "aae373edf0e981993a5c0a7e4f651912207e83664f6888981897d6cebf7889f7",
+    hash: "5b4620d7929fbf532d21490c8b8443ce18e1e87b3ed33c1488e46d55d707162e",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -258,7 +258,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "9e775eb1ca63f581599fa2047f1951c81ba096091097331025a1de794d586cf9",
+    hash: "7861df26aaf57910f38a0bf582040a8ea884246ffaa0e378532e1dfa5065ad21",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
@@ -271,7 +271,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "8c469d55cda5cdcca419132009e8390fc980f0020c1fd6c9d88b29b98956ca91",
+    hash: "c9e8fe5003015ff6970c6c0f25c2e23a1395c7534bc74e2a0097eb7fd95e0a80",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_PACKED: Module = Module {
@@ -284,7 +284,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "583be71b710397f5c1a853ff84ff82e7fae5d788490610dc6bf8da92ba16d063",
+    hash: "10ea63b03ddb255c2003ca043df11eb3b01ee32ed5c7c5017706fc6b43fa5478",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -297,7 +297,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "78b0a6fdb26a36999a07a3a9cc0930818ddd5c4b2fe4fc5f432d2a3e439e4752",
+    hash: "6d91017b74598c4aaf8e520a170b4395adbb245cd865320a367cd38edb0abb3d",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -310,7 +310,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "774fb1c28e875f6bbc3b16351a78d9d9164f694ee0d3b9ffc2bb92bedb9b3296",
+    hash: "cd8526b9636c7629c632945ab61bbfb98e43c9e98ebfbd63b0c7d95f7f43d9ec",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -323,7 +323,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "fc00082cddcdafd6faf54a31f9d1024bbc7a197bab5a8bfb91e917a008f0e59f",
+    hash: "ffb20128c59901ef25b465b39af052cd9b8216521907006b05f79dd814b1fee4",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -336,5 +336,5 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "d220d05f4e600a4724e1bb20ac2b647c1afe27c9c7cba728a2f075a7f558982a",
+    hash: "083413f586a6d52957f0cfb038448504369a21d8b4e734732811c130df5b65b8",
 };

@@ -218,7 +218,7 @@ static CORRECT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "bc87828ba60e997d95a8fa64d1616876ac3efa4431104abcf707b0c45b183511",
+    hash: "f49d175085d636c1595ac3eea182dd3857e8c1d99cbec12e0eb6122c1bd69fb1",
 };
 
 static CORRECT_POSITIONS_WITH_PACKED: Module = Module {
@@ -231,7 +231,7 @@ static CORRECT_POSITIONS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "53a2c29bb8fc1b899629dd74147f297273dba4a5ec4a5e93b5bc66bfb7947f01",
+    hash: "b2c2dac1d19b6bcb2301845f4193c524532da817320e3b4943aff09b672eec3b",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
@@ -244,7 +244,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "b1cdcbb3856809fa2939151727f957d12c55bd339a7611f78eb910c179900905",
+    hash: "b2d277f1f19885cceceab0935ccb0bdbf23879148c08155759295f96d554f4ca",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -257,7 +257,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "63750417892dc9f95cf22f75305005cdcfe38acfc3bd7e2dfc40052ca9e0aa16",
+    hash: "cc84daca9018307e7892d6a3f523800d92ceac398f793581d113a56b685450b9",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
@@ -270,7 +270,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "eda5b0e5b171964035488328433cfb3ee64a3d7f1d656b2f4e7840b7bc08ae8d",
+    hash: "3b55d18546af4c852ff5a651bce66c6bed827c3585268ebcfdab686e9ca015c6",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -283,7 +283,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "050338d0b238036fc5298aa16596de23e2f5f800bf92032da3928fbe693deaa1",
+    hash: "492bc9f7a22c058f421e573de41084f514053dae47a0cef05936a4ea2a0d8d36",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
@@ -296,7 +296,7 @@ static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "bd36b6e4c29c3043f9d96f3ee71b2105465fb8d967f57454f4823267d91ea06b",
+    hash: "5843ce16825d92817892f149fcbb4d1b699f4b1b88a19694c37b5e9aeb125b7f",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_PACKED: Module = Module {
@@ -309,7 +309,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "fb876587ff24fbbd192b01515860aaab029650f01ef68f747110c8421f8efcc5",
+    hash: "c0a0b37dad7657ecf729108dd22e5defc03c5c1e2fa2e49352d3b004da21464e",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -322,7 +322,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "b7186dea52f86295c7490de27ae62bd1609dc21a1c07ffab452daf6d006e404c",
+    hash: "c12ed3a9b9b01cd14bf7b94138cfbf1cfa01a75a2345cf29239f2bad2e8f0d99",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -335,7 +335,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "e39362432ac835651fed67319e9cfbd30faa04f78f4c8b2ac9b400ef261ca91b",
+    hash: "5bd9c50baa827b7287327d0cad389de73852ff1e8ece9b458b99c9b916dafa34",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -348,7 +348,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "e205cb220d9cad331e7ce8218a6148260a471dbcf7a81338d97ec34ef3d7f1c2",
+    hash: "4a3e3844a6b79e15e473bcf4ad063775b01497419eef18ee549afad1969328ae",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -361,7 +361,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = M
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "1995f5b7aad55eca0ab3425d8cf28732560c415d59c4fed1e6403bc331d6316b",
+    hash: "e8632eb6b1ace87e483732d32617d1ea67252f021c843cd1ef1287955633dbbb",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
@@ -374,7 +374,7 @@ static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "23bcb38f12d9490e420b35b2e07a01eed827379757510ca0493a2d8c29dd02da",
+    hash: "46814aa880b6c94a14a7167bd9c450d2ace1a5183a3373ec9fb9251f636d7941",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_PACKED: Module = Module {
@@ -387,7 +387,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "a9447f85ddc3092bc2473414e454603bf965fe59f857ca2ec9ab9376e91c81bf",
+    hash: "7e311741e0b3980b6fb0fd23f53b8e3f3dd97b884da852d22012cf7bc23f36ff",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -400,7 +400,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "b1e75a0e45ea2e57a28ff691e4ee9ed21e2b8f153d62d0c73e21ecef822830ad",
+    hash: "510bb94e583723d8638b7cd3796425db11c8a30e6b8ddbeb6324b3fa208b43fe",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -413,7 +413,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "a41d03181fa39b5358425c83c1d25d0209a7f018c90897a777a52dfeb3d62ac2",
+    hash: "f2eee0c2d746b9bf902c60919a2c0753d0cb3dd1f812ec1abae64675ab664c96",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -426,7 +426,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "5d62adc368e2d601df2369319453b249d359c2923b2b964cd6a240c66d62269b",
+    hash: "ab23e4fe697d2edf3c5d56e95d35e36d8e79c14dcdfb3c967831b0be1b956bc7",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -439,7 +439,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "fc5ef86267c4b566bfa35c5d979cf654f65fc16e044a62819cf98966f8497803",
+    hash: "e2983555cf678ee7b87ac8c6c498fd5501ec77bb1f4d63eb2f2776ac2f813637",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
@@ -452,7 +452,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "983e68b153e8d4a0b5f6bdd75f12e448542048bfb441997410019561ebb4aafd",
+    hash: "69c2c5c443338af3f84714ea8573fa1d9a2530026c0c8059eb95668b863e90bc",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_PACKED: Module = Module {
@@ -465,7 +465,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "f65085f97b05afa6a19de8d085971edf076dee2c2ed8481db2bf202172662201",
+    hash: "6ddf8b0e80ae88280c3db3702f86beff05f15cc14e7f87512f0a3ad7454824bf",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -478,7 +478,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "7bdc70b1eeb281edeef043048bf4e1a7865199456943c226d8aee976351e9f52",
+    hash: "b9bb17e1f628b71ab2e191889385da41ee39b9a3e6b4643ab524d0895d15853c",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -491,7 +491,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACK
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "0d8f30ce2e4b88273177e89bd5d33e2752e0798da7fcf227a4533e94adc72d1b",
+    hash: "ff93f4cc569eec7e9492b9c2e7b1af5c9261d66f7e886e7197a2789bcb665198",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -504,7 +504,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "87933e29446e1e215d0df960d01a0d493130569ed6f7c630ebee39b03fa9b51c",
+    hash: "787f6d2514b84128352ffa80869b12e69098dbd2d9edf00c2e4a9927200d12f1",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -517,5 +517,5 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED:
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "dcb6de604ec0111c0b5b969a083fa5f76be8099288f3547af10dacd402ad4870",
+    hash: "f329e257cca68371af9b31c9f6c0f5c2f4347398d0f836812923ce6240e604fe",
 };

@@ -2,7 +2,7 @@
 // makes it anew from surface/anisotropy.compute.
 //! Kernels of `surface/anisotropy.compute`.
 
-use super::{AnisotropyParams, Ellipsoid, ListHead, Position};
+use super::{AnisotropyParams, Ellipsoid, ListHead, Position, SurfaceParams};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
@@ -21,6 +21,8 @@ pub struct Anisotropy<'a> {
     pub ellipsoids: BufMut<'a, Ellipsoid>,
     /// `ConstantBuffer<AnisotropyParams> anisotropy`.
     pub anisotropy: Uniform<'a, AnisotropyParams>,
+    /// `ConstantBuffer<SurfaceParams> surface`.
+    pub surface: Uniform<'a, SurfaceParams>,
 }
 
 impl Kernel for Anisotropy<'_> {
@@ -39,6 +41,7 @@ impl Kernel for Anisotropy<'_> {
                 ("list_heads", Some(self.list_heads.id)),
                 ("ellipsoids", Some(self.ellipsoids.id)),
                 ("anisotropy", Some(self.anisotropy.id)),
+                ("surface", Some(self.surface.id)),
             ],
         )
     }
@@ -56,7 +59,8 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 3,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 32 },
     },
-    BindingInfo { name: "anisotropy", slot: 4, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "anisotropy", slot: 4, kind: BindingKind::Uniform { bytes: 16 } },
+    BindingInfo { name: "surface", slot: 5, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
 static ANISOTROPY: Module = Module {
@@ -69,5 +73,5 @@ static ANISOTROPY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/anisotropy.compute",
-    hash: "64b9638cd4e7a9090fbd1410d59f9d1801f8f7370e8b10e305fa80520a75e916",
+    hash: "02f4404b69bffb1a3677d42036dcebed2c02c74e7143fd094b293d4b8d1ee77e",
 };

@@ -63,7 +63,7 @@ static DRAW_CAUSTICS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/caustics.hlsl",
-    hash: "f5bc75734d8276200f500e8d4adefe9ed5cdb9c2f11159c5685bb9e9202fbc85",
+    hash: "692e9bb4f6dda183636dc4119bb1f65360ae9cc8e9cc0a519fa739cd1d83ab7a",
 };
 
 static DRAW_CAUSTICS_FRAGMENT: Module = Module {
@@ -76,5 +76,5 @@ static DRAW_CAUSTICS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/caustics.hlsl",
-    hash: "08d5c5ee0a6293e944d6166171d2b3e5e43b5636d51c2640702b75a1ff8a0882",
+    hash: "60b9dc01108909007249e9ee4d332a3d81efe16b7495c2619e1a06f1eb03d81b",
 };

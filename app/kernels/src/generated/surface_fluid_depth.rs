@@ -112,7 +112,7 @@ static DRAW_FLUID_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "1e864d48b9dd1ea36b1e330dc72f7432e725df4d7bda0fff5a06a167840d6f95",
+    hash: "63861bbc71bb675e07754c06b861ab3a87eb6cd5b08d66c7d066ee2f34f48a8a",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
@@ -125,7 +125,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "f77014a5025ecf25bf9215c35c4328b88fcee418200869133c31e59a34341060",
+    hash: "c7dd726f83f13426583da4b624426281c4e6cbebe825e24512aafa10de03479d",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -138,7 +138,7 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "c5a29f935b8086d2dd485560f566b21476652a5b40c5b88e3ed70a15b84e1ee2",
+    hash: "37c064e06e666a8e766e54270393413656a04a3679dc197a150bf459e96ac631",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -151,7 +151,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "eb92ee5154ed45dc3fca4b4f40854bbaa85190f230055240bbd20e51e0eaa3df",
+    hash: "128d1479fd02fb0c3cbad34c350dd03462021d60c95fc56fb4f1c4b276a04fad",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -164,5 +164,5 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "ecaf432c4f2eeea252d6f48d832547ba7bfc55a0c9316c5471c7eedff15cd4cb",
+    hash: "cacfa07a30920c58121400fd783b50e5efa1eaf05ead7d11ce953bd1c3922c64",
 };

@@ -22,37 +22,25 @@ pub const MOST_STRETCH: f32 = 4.0;
 /// Variances of neighbours count as at least this, over h^2: those of particles in one point.
 pub const LEAST_VARIANCE: f32 = 1.0e-4;
 
-/// What the ellipsoids are made from: the neighbours within `support_m`, and the glass they end at.
+/// What the ellipsoids are made from: the neighbours within `support_m`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct AnisotropyParams {
-    /// `float3`.
-    pub wall_min_m: [f32; 3],
     /// `float`.
     pub support_m: f32,
-    /// `float3`.
-    pub wall_max_m: [f32; 3],
     /// `uint`.
     pub particle_count: u32,
     /// room for neighbours a particle, in LIST\_CHUNKs
     pub list_chunks: u32,
     /// `uint`.
-    pub reserved0: u32,
-    /// `uint`.
-    pub reserved1: u32,
-    /// `uint`.
-    pub reserved2: u32,
+    pub reserved: u32,
 }
 const _: () = {
-    assert!(offset_of!(AnisotropyParams, wall_min_m) == 0);
-    assert!(offset_of!(AnisotropyParams, support_m) == 12);
-    assert!(offset_of!(AnisotropyParams, wall_max_m) == 16);
-    assert!(offset_of!(AnisotropyParams, particle_count) == 28);
-    assert!(offset_of!(AnisotropyParams, list_chunks) == 32);
-    assert!(offset_of!(AnisotropyParams, reserved0) == 36);
-    assert!(offset_of!(AnisotropyParams, reserved1) == 40);
-    assert!(offset_of!(AnisotropyParams, reserved2) == 44);
-    assert!(size_of::<AnisotropyParams>() == 48);
+    assert!(offset_of!(AnisotropyParams, support_m) == 0);
+    assert!(offset_of!(AnisotropyParams, particle_count) == 4);
+    assert!(offset_of!(AnisotropyParams, list_chunks) == 8);
+    assert!(offset_of!(AnisotropyParams, reserved) == 12);
+    assert!(size_of::<AnisotropyParams>() == 16);
 };
 
 /// A particle's ellipsoid (surface/ellipsoid.hlsli).
@@ -80,7 +68,7 @@ const _: () = {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct SurfaceParams {
-    /// the fluid is cut off outside this box: at a tank's glass
+    /// a tank's glass: the fluid is cut off outside this box
     pub wall_min_m: [f32; 3],
     /// of a particle's sphere
     pub radius_m: f32,

@@ -70,5 +70,5 @@ static REFRACT_PHOTONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refract_photons.compute",
-    hash: "6c992620b1b9fe17132338ced137b6658a647b01c19c627a81ec1f7331bc82f1",
+    hash: "e8514803d6a5f27849c2aa5688b7ea80b4c7822cbdef52765fadd46811045566",
 };

@@ -77,7 +77,7 @@ static DRAW_SMOOTH_BILATERAL_VERTEX_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "4d9851d8b75ccd0023199104c98308d1f371cde212debbe913e0773b5c7bc8a4",
+    hash: "24289fd7fe7692785b4db8597d3207e0e94232a7a07552add03a1aae111107b5",
 };
 
 static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_X: Module = Module {
@@ -90,7 +90,7 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "f3f9b411e838145708cb0fd817d82adc35d82588f2d1167f341aaf0182b9042a",
+    hash: "491d896fb2ea891713eab268118e5c4308f399f330576e34fcadf08c4e5b3554",
 };
 
 static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_Y: Module = Module {
@@ -103,7 +103,7 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "6157a8e7de372271141ca79694d4d6ad4f857246902dbb3778c5695ee87c0e70",
+    hash: "c37ec841b2afec85febb7772bca35e7dbbf58525c3159baadbd60469da313550",
 };
 
 static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
@@ -116,5 +116,5 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "b3f3c65cd5a732cf3b3259c896c74eade3578db601dfd33c2d943d10c8a081f2",
+    hash: "356417b4e316eb4a17acae20b296e1bbbf33645510384b8d7bbadfa90e7fadc4",
 };

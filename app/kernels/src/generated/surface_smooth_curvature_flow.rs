@@ -61,7 +61,7 @@ static DRAW_SMOOTH_CURVATURE_FLOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_curvature_flow.hlsl",
-    hash: "3c5bb0ba8703e1a7f083260b384323e3e9fcd33dc0ed780f21e58e8e54970a6a",
+    hash: "4a65be095ad1f9a752944365983e23f2b27f5f47f3abf7a1d4e9fdc79bfae4b6",
 };
 
 static DRAW_SMOOTH_CURVATURE_FLOW_FRAGMENT: Module = Module {
@@ -74,5 +74,5 @@ static DRAW_SMOOTH_CURVATURE_FLOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_curvature_flow.hlsl",
-    hash: "b18eb2394821bc24fd49ec01c62c06475697918bf748d87a80e0b2d6c2837499",
+    hash: "dc3119cacb481a45cebedafdc3eac4726ac787bbb6d1658011aa9164fe597f33",
 };

@@ -74,7 +74,7 @@ static DRAW_SMOOTH_GAUSSIAN_VERTEX_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_gaussian.hlsl",
-    hash: "db045cff6d307985cb2ed831c52fcf45a3b296d5a2899526e947b88bd5cf5f1d",
+    hash: "12ecdc6b33f9e154f1427ce017cde274a4729fcb8c23de0625ff19bb1afcaf75",
 };
 
 static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_X: Module = Module {
@@ -87,7 +87,7 @@ static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_gaussian.hlsl",
-    hash: "411f57efbe78b332b07a637f6de802dbac1dc07284a51025b4056489972393ef",
+    hash: "e5b129c04fd4dee621c5a646d8e98b32e7216e08001050066467745750a7aff8",
 };
 
 static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_Y: Module = Module {
@@ -100,5 +100,5 @@ static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_gaussian.hlsl",
-    hash: "4844720d51a52803fe8604250b09f4778c6d4189b9ea45adc3b9e38a0431c1c9",
+    hash: "e88fd02277212165c6af2b904d47618de9113f474eb161a4b132cbc5701429cd",
 };

@@ -78,7 +78,7 @@ static DRAW_SMOOTH_NARROW_RANGE_VERTEX_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "c3407fef43181af5b930cb2943b3403ac3e4449ebc4a273d657587485d893470",
+    hash: "a640e62e386b9ca007af8e6bb3f0ba7420ae80609d450844696763391e2358e0",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_X: Module = Module {
@@ -91,7 +91,7 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "c41e2bd719e643de63b945626451fe2c88e8ca29cfa85700180ffcb01031e750",
+    hash: "7604c41d846654cbd0fe98ecdd44c72272b497b7dc6f8a1b969aa8e889040df1",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_Y: Module = Module {
@@ -104,7 +104,7 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "c7a73f80cf282fc78d884d8c7f3fc0da2db44a03e50e78c80f6a1bab45d36b33",
+    hash: "eac647ad13946f3b839c9f308d91136170ca28d55d7f3c0fb9a34c2e7295e19b",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
@@ -117,5 +117,5 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "d9c8ad1466eece68d3186afdb4463577c522dcffd2ca841fa3892ce8cecc60b5",
+    hash: "5b057189fb328f5958f7934b098fbefd480fa3c1496ad10007068ebfae6426f0",
 };

@@ -75,7 +75,7 @@ static DRAW_SMOOTH_SUN_DEPTH_VERTEX_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_sun_depth.hlsl",
-    hash: "4c51b3b325b22487c18c24ad9978a1e1f36ea21f06328917eb83047bc3ac17d0",
+    hash: "7a936d49f8f3eb8805ffd761e305d6a647eb66021d0bb0e53a24cd0b6985f234",
 };
 
 static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_X: Module = Module {
@@ -88,7 +88,7 @@ static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_sun_depth.hlsl",
-    hash: "adc0cee4e7c62b00889d74be9ceb01b338916278684f7ce52ed3bd92d57d8737",
+    hash: "d2eea6066a9cd95b91c0b3cabaf55f9121a0c8dd79f4bfdfd2009c86541beed0",
 };
 
 static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_Y: Module = Module {
@@ -101,5 +101,5 @@ static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_sun_depth.hlsl",
-    hash: "56f10e3b97dd44c812094bf881e4dfecd648b05f05249d6e231290a88148d354",
+    hash: "b9bb4c09772dfd31a1edc7c675785c8179810af4fb4c263e15d0748766815463",
 };

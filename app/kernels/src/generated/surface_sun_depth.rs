@@ -114,7 +114,7 @@ static DRAW_SUN_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "00a21890a4b5f66fa0f0af6abfb5e9d16572dbbe762e1a426fbf8deb1798f722",
+    hash: "2da0adba6c9823a4dcbef6ab14bf2a4d88b5fd37a3d6be6c18dfb1c22d2efbab",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
@@ -127,7 +127,7 @@ static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "484f7e2b718949f3e9b946fd64cefc268e892484841b82cc71c88a867631eff3",
+    hash: "5121b7a0a44b70185fafd62d7f38152620c7893cb9206f354ebbe39db7ea12d7",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -140,7 +140,7 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "88d1fcef8eae7ed4c0ac385ec21f568444bd662d7dbad432d758df6554ebcfdc",
+    hash: "1feb037800e056067eab0e740238578d8c3c67b40b256bfd78b7c6a1163c8a8a",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -153,7 +153,7 @@ static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "4c43ead5d91d7c660ba48fffc47d79c3baab822ba388cecb9a1bd70bdc196bcc",
+    hash: "adaef39c0119d074bad4c3d2ac1b888b51bdbf8a28d33aec17d044a9b081553a",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -166,5 +166,5 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "7b2f7668c721d7cb45fb5033f85c8ba720b66180616e1699a16c05f607b5dc8c",
+    hash: "5979b490532c11a654ff9d39871bee2f211a704134c1810493e7eecb218f177b",
 };

@@ -85,7 +85,7 @@ static DRAW_SUN_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "ef07623663ddb5453afb19b4eaadb8a3da90c2eb08c234fe2d7c4c2d6a81271f",
+    hash: "f6b401b3e9e5f183b7bdc7ae9c3d83bce27eb2a937213538ba3541f6dbbf7454",
 };
 
 static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
@@ -98,7 +98,7 @@ static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "d89fe3f4e4203a25a0bf7bce63452b91b3f3189838ef03da65eaaee79003a7f5",
+    hash: "3fcef1d878348986e4fb9db43e007094075d0064e405a4234f8b04e8e98b2113",
 };
 
 static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -111,5 +111,5 @@ static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "9294f71930d97a8474b9318958e196175e0c52edf7de865057530428b7e6376e",
+    hash: "eaa44197d6a9cc749f923d19cf14a2e7d04d602da93e67577ad5629241d655d0",
 };

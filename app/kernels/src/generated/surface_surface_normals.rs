@@ -58,7 +58,7 @@ static DRAW_SURFACE_NORMALS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/surface_normals.hlsl",
-    hash: "ba26817feb8998d2598c765afe3153a0c9dc6d21c89db73693a5a07348938be6",
+    hash: "6784cfccdb6e81fe60deff984cd5a79e3436f82dee7cc7674e7e718f67b283c2",
 };
 
 static DRAW_SURFACE_NORMALS_FRAGMENT: Module = Module {
@@ -71,5 +71,5 @@ static DRAW_SURFACE_NORMALS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/surface_normals.hlsl",
-    hash: "d0405525ce1998092e1e84836e7e45cef0edd61e30d4c56a3b685f3c1b50d036",
+    hash: "4a42fb91a0be8f6ef40346c1089bba06cf44081a40363674d336974fba37bd0c",
 };

@@ -86,7 +86,7 @@ static DRAW_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "2f60b2cf8e12dd9a3bfcdd48894ba0f9b1899dbd89a563488ff82f0f0bf32102",
+    hash: "ea9e24a99ad5c875cc38b9d4de1b7f14f4fb42edd760b1daca14469d74396568",
 };
 
 static DRAW_THICKNESS_FRAGMENT: Module = Module {
@@ -99,7 +99,7 @@ static DRAW_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "040b1ddc63cbddd66231d77640ec90b05d3b994c85cfd979d96b72ec497cf020",
+    hash: "d738b2da7ca45805196c56702107db5ac2cbd5bce3a0cd65280c5f829ba2ffd1",
 };
 
 static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -112,5 +112,5 @@ static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "fff68572f5afb42afc9c64b1b20a7b5b43849d089c1c7f7470f7757a4edd7a6f",
+    hash: "01e602ab35dac686d1fcf6b9ce11b2d0c3db914d1dd6d0f75e7bffc3f3e45d0d",
 };

@@ -85,7 +85,7 @@ static DRAW_WATER_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "3ddb95cdffb1724b58bcdf61e9432162fbfc00d1b307b6c069a397beb2f41e0c",
+    hash: "dc44f2a5c8c2dc5ab1f5b173af7145b0f3627008a9376f1285ec4ad7596bf125",
 };
 
 static DRAW_WATER_FRAGMENT: Module = Module {
@@ -98,5 +98,5 @@ static DRAW_WATER_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "36adba2e4e5d77873593b877656c72b0b4a63c8b483e4bafac44069088736fd4",
+    hash: "1c0dbaa3f324f7265f4f5ddb71e07f8a6e1389a0c210b50e68bfaea672a7a549",
 };

@@ -1,11 +1,12 @@
 //! Density over its rest value. (Shader: `measure/density.hlsli`.)
 
+use crate::boundary::sample_boundary;
 use crate::boundary::walls::DomainWalls;
 use crate::params::Smoothing;
 use crate::shared::wendland;
 use glam::DVec3;
 
-/// Density ratio of particle `i`: itself, its neighbours, the walls.
+/// Density ratio of particle `i`: itself, its neighbours, the boundary.
 pub fn density_ratio(
     i: usize,
     positions_m: &[DVec3],
@@ -15,6 +16,5 @@ pub fn density_ratio(
 ) -> f64 {
     let near: f64 =
         neighbours.iter().map(|&j| wendland::kernel(smoothing.apart(positions_m[i], positions_m[j]).length())).sum();
-    let beyond = walls.map_or(0.0, |walls| walls.sample(positions_m[i]).density);
-    smoothing.weight * (wendland::kernel(0.0) + near) + beyond
+    smoothing.weight * (wendland::kernel(0.0) + near) + sample_boundary(positions_m[i], walls).density
 }

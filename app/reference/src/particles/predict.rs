@@ -1,6 +1,7 @@
 //! Where each particle would go without its neighbours (Macklin & Muller 2013, algorithm 1, lines
 //! 1-4): symplectic Euler, then the walls, whose contact is inelastic.
 
+use crate::boundary::confine_path;
 use crate::params::Step;
 use glam::DVec3;
 
@@ -46,12 +47,8 @@ pub fn predict(before: Particle, step: &Step) -> Predicted {
     }
     let (velocity_m_s, slowed) = step.slowed(before.velocity_m_s + step.gravity_m_s2 * step.dt_s);
     let free_m = before.position_m + velocity_m_s * step.dt_s;
-    let position_m = step.inside(free_m);
-    let mut after_m_s = velocity_m_s + (position_m - free_m) / step.dt_s;
-    if step.walls.any() {
-        after_m_s = after_m_s.clamp(DVec3::splat(-step.max_speed_m_s), DVec3::splat(step.max_speed_m_s));
-    }
-    let particle = Particle { position_m: step.wrapped(position_m), velocity_m_s: after_m_s, ..before };
+    let (position_m, velocity_m_s) = confine_path(free_m, velocity_m_s, step);
+    let particle = Particle { position_m: step.wrapped(position_m), velocity_m_s, ..before };
     Predicted { particle, slowed }
 }
 

@@ -1,6 +1,8 @@
 //! Ellipsoids of particles (Yu & Turk 2013).
 
-use brooklet_kernels::{AnisotropyParams, FLAT_MEAN, LEAST_VARIANCE, MOST_STRETCH, SMOOTHED_CENTER, SPRAY_RADIUS};
+use brooklet_kernels::{
+    AnisotropyParams, FLAT_MEAN, LEAST_VARIANCE, MOST_STRETCH, SMOOTHED_CENTER, SPRAY_RADIUS, SurfaceParams,
+};
 use glam::{DMat3, DVec3};
 
 /// Weight of neighbours from which a particle is no more a drop of spray.
@@ -15,13 +17,19 @@ pub struct Ellipsoid {
     pub stretch: DMat3,
 }
 
-/// The ellipsoid of particle `i`. (Shader: `surface/anisotropy.compute`.)
-pub fn anisotropy(i: usize, positions_m: &[DVec3], neighbours: &[usize], params: &AnisotropyParams) -> Ellipsoid {
+/// The ellipsoid of particle `i` between the walls of `surface`. (Shader: `surface/anisotropy.compute`.)
+pub fn anisotropy(
+    i: usize,
+    positions_m: &[DVec3],
+    neighbours: &[usize],
+    params: &AnisotropyParams,
+    surface: &SurfaceParams,
+) -> Ellipsoid {
     let (here_m, support_m) = (positions_m[i], f64::from(params.support_m));
     let images = |at_m: DVec3| -> Vec<DVec3> {
         let mut images = vec![at_m];
         for axis in 0..3 {
-            let (low_m, high_m) = (f64::from(params.wall_min_m[axis]), f64::from(params.wall_max_m[axis]));
+            let (low_m, high_m) = (f64::from(surface.wall_min_m[axis]), f64::from(surface.wall_max_m[axis]));
             let (below_m, above_m) = (here_m[axis] - low_m, high_m - here_m[axis]);
             if below_m.min(above_m) < support_m {
                 let glass_m = if below_m < above_m { low_m } else { high_m };
@@ -90,15 +98,8 @@ pub fn eigen(mut matrix: DMat3) -> (DVec3, DMat3) {
 mod tests {
     use super::*;
 
-    fn open(support_m: f32) -> AnisotropyParams {
-        AnisotropyParams {
-            wall_min_m: [-1e18; 3],
-            wall_max_m: [1e18; 3],
-            support_m,
-            particle_count: 0,
-            list_chunks: 0,
-            ..AnisotropyParams::default()
-        }
+    fn open() -> SurfaceParams {
+        SurfaceParams { wall_min_m: [-1e18; 3], wall_max_m: [1e18; 3], ..SurfaceParams::default() }
     }
 
     /// A lattice of spacing 1 around the origin, where it is inside.
@@ -107,15 +108,16 @@ mod tests {
         std::iter::once(DVec3::ZERO).chain(all.filter(|&at| at != DVec3::ZERO && inside(at))).collect()
     }
 
-    fn at_origin(points: &[DVec3], params: &AnisotropyParams) -> Ellipsoid {
-        anisotropy(0, points, &(1..points.len()).collect::<Vec<_>>(), params)
+    fn at_origin(points: &[DVec3], surface: &SurfaceParams) -> Ellipsoid {
+        let params = AnisotropyParams { support_m: 2.0, ..AnisotropyParams::default() };
+        anisotropy(0, points, &(1..points.len()).collect::<Vec<_>>(), &params, surface)
     }
 
     #[test]
     fn inside_a_lattice_it_is_the_sphere_and_at_its_face_flat() {
-        let inside = at_origin(&lattice(|_| true), &open(2.0));
+        let inside = at_origin(&lattice(|_| true), &open());
         assert!(inside.center_m.length() < 1e-12 && (inside.stretch - DMat3::IDENTITY).abs_diff_eq(DMat3::ZERO, 1e-9));
-        let face = at_origin(&lattice(|at| at.y <= 0.0), &open(2.0));
+        let face = at_origin(&lattice(|at| at.y <= 0.0), &open());
         let axes = DVec3::new(face.stretch.x_axis.x, face.stretch.y_axis.y, face.stretch.z_axis.z);
         assert!(axes.y < 0.6 && axes.x > 1.2 && (axes.x - axes.z).abs() < 1e-9, "{axes}");
         assert!((face.stretch.determinant() - 1.0).abs() < 1e-9 && face.center_m.length() < 0.02, "{}", face.center_m);
@@ -123,7 +125,7 @@ mod tests {
 
     #[test]
     fn at_the_glass_the_fluid_goes_on_in_its_mirror() {
-        let glass = AnisotropyParams { wall_max_m: [1e18, 0.5, 1e18], ..open(2.0) };
+        let glass = SurfaceParams { wall_max_m: [1e18, 0.5, 1e18], ..open() };
         let face = at_origin(&lattice(|at| at.y <= 0.0), &glass);
         assert!(face.center_m.length() < 1e-12, "{}", face.center_m);
         assert!(face.stretch.abs_diff_eq(DMat3::IDENTITY, 1e-9));
@@ -131,7 +133,7 @@ mod tests {
 
     #[test]
     fn a_particle_alone_is_a_small_sphere() {
-        let alone = at_origin(&[DVec3::ZERO], &open(2.0));
+        let alone = at_origin(&[DVec3::ZERO], &open());
         assert!(alone.stretch.abs_diff_eq(DMat3::IDENTITY * f64::from(SPRAY_RADIUS), 1e-12));
     }
 

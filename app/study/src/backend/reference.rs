@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use brooklet_fluid::particles::fluid_of;
 use brooklet_fluid::scene::{Method, Scene};
-use brooklet_fluid::{smoothing_kernel, solver::pbf};
+use brooklet_fluid::{smoothing_kernel_params, solver::pbf};
 use brooklet_kernels::{INACTIVE_FLUID, QUARANTINED};
 use brooklet_reference::boundary::walls::{DomainWalls, WallScales};
 use brooklet_reference::params::{self, Forces, NonInteracting, Smoothing, Step};
@@ -26,7 +26,7 @@ const VERSION: u32 = 1;
 /// The f64 twin of a setup.
 pub fn reference_fluid(setup: &Setup) -> Fluid {
     let scene = &setup.scene;
-    let kernel = smoothing_kernel::params(scene);
+    let kernel = smoothing_kernel_params(scene);
     let domain = &scene.domain;
     let (size_m, period_m) = (DVec3::from_array(domain.size_m()), DVec3::from_array(scene.period_m()));
     let axes = BVec3::from_array(std::array::from_fn(|axis| domain.has_walls_along(axis)));
@@ -70,7 +70,7 @@ pub fn reference_fluid(setup: &Setup) -> Fluid {
 fn solver_of(scene: &Scene) -> Solver {
     match scene.solver.method {
         Method::Pbf => {
-            let (kernel, pbf) = (smoothing_kernel::params(scene), pbf::params(scene));
+            let (kernel, pbf) = (smoothing_kernel_params(scene), pbf::params(scene));
             Solver::Pbf(Pbf {
                 smoothing: Smoothing {
                     period_m: DVec3::from_array(scene.period_m()),

@@ -3,7 +3,7 @@
 use brooklet_fluid::{
     Scene,
     grid::{Grid, Neighbours, Scan, Sorted, list_length, listed, params},
-    smoothing_kernel,
+    smoothing_kernel_params,
     solver::pbf,
     step_params,
 };
@@ -73,7 +73,7 @@ pub fn locality(
     let mut by_index = Way::declare(&mut resources, scene, &params);
     let Ways { mut init, mut baseline, mut alternative } = Ways::declare(&mut resources);
     init.upload(&mut settings.step, &[step_params(scene, count)]);
-    init.upload(&mut settings.kernel, &[smoothing_kernel::params(scene)]);
+    init.upload(&mut settings.kernel, &[smoothing_kernel_params(scene)]);
     init.upload(&mut settings.pbf, &[pbf::params(scene)]);
     product.upload(&mut init, &params, in_order);
     by_index.upload(&mut init, &params, lie);

@@ -1,8 +1,8 @@
 //! Particles that age, fall, are dragged and bounce. (Shader: `solver/none/integrate_particles.compute`.)
 
+use crate::boundary::bounce_path;
 use crate::params::{NonInteracting, Step};
 use crate::particles::predict::{Particle, Predicted};
-use glam::DVec3;
 
 /// The particle with this id after a substep.
 pub fn integrate_particles(id: u32, before: Particle, step: &Step, settings: &NonInteracting) -> Predicted {
@@ -18,23 +18,17 @@ pub fn integrate_particles(id: u32, before: Particle, step: &Step, settings: &No
         return unslowed(Particle { inactive: true, position_m: before.position_m, ..Particle::default() });
     }
     let free_m_s = (before.velocity_m_s + step.gravity_m_s2 * step.dt_s) * (-settings.drag_per_s * step.dt_s).exp();
-    let (mut velocity_m_s, slowed) = step.slowed(free_m_s);
+    let (velocity_m_s, slowed) = step.slowed(free_m_s);
     let free_m = before.position_m + velocity_m_s * step.dt_s;
-    let inside_m = step.inside(free_m);
-    let beyond_m = free_m - inside_m;
-    for axis in 0..3 {
-        if beyond_m[axis] * velocity_m_s[axis] > 0.0 {
-            velocity_m_s[axis] *= -settings.restitution;
-        }
-    }
-    let position_m: DVec3 = step.wrapped(step.inside(inside_m - settings.restitution * beyond_m));
-    Predicted { particle: Particle { position_m, velocity_m_s, age_s, ..before }, slowed }
+    let (position_m, velocity_m_s) = bounce_path(free_m, velocity_m_s, settings.restitution, step);
+    let particle = Particle { position_m: step.wrapped(position_m), velocity_m_s, age_s, ..before };
+    Predicted { particle, slowed }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use glam::BVec3;
+    use glam::{BVec3, DVec3};
 
     fn step(dt_s: f64) -> Step {
         Step {

@@ -1,6 +1,7 @@
 //! Lambda of the density constraint (Macklin & Muller 2013, eq. 1, 8-11), unilateral: only
 //! compression is a violation.
 
+use crate::boundary::sample_boundary;
 use crate::boundary::walls::DomainWalls;
 use crate::measure::density::density_ratio;
 use crate::params::{Pbf, Smoothing};
@@ -34,7 +35,7 @@ pub fn constrain_density(
     let ratio = density_ratio(i, positions_m, neighbours, smoothing, walls);
     let constraint = (ratio - 1.0).max(0.0);
     // Moving a neighbour changes C by the negative of what moving i past it does.
-    let mut own = walls.map_or(DVec3::ZERO, |walls| walls.sample(positions_m[i]).gradient);
+    let mut own = sample_boundary(positions_m[i], walls).gradient;
     let mut denominator = pbf.cfm;
     for &j in neighbours {
         let offset = smoothing.apart(positions_m[i], positions_m[j]);

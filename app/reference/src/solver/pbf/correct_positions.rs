@@ -1,6 +1,7 @@
 //! One under-relaxed Jacobi correction (Macklin & Muller 2013, eq. 12-14).
 
 use crate::boundary::walls::DomainWalls;
+use crate::boundary::{confine_position, sample_boundary};
 use crate::params::{Pbf, Smoothing, Step};
 use crate::shared::wendland;
 use glam::DVec3;
@@ -64,22 +65,18 @@ pub fn correct_positions(
             terms += slope.abs();
         }
     }
-    if let Some(walls) = walls {
-        let boundary = walls.sample(here_m);
-        correction *= boundary.correction_scale;
-        terms *= boundary.correction_scale.max_element();
-        // The fluid mirrored in a wall has the particle's own lambda.
-        let term = boundary.gradient * (lambdas[i] + lambdas[i]);
-        correction += term;
-        terms += term.length();
-    }
+    let boundary = sample_boundary(here_m, walls);
+    // A boundary answers with the particle's own lambda, as the fluid mirrored in a wall would.
+    let push = boundary.gradient * (lambdas[i] + lambdas[i]);
+    correction = correction * boundary.correction_scale + push;
+    terms = terms * boundary.correction_scale.max_element() + push.length();
     let correction_m = correction * (pbf.relaxation * smoothing.support_m);
     let asked_m = correction_m.length();
     let displacement_m = here_m + correction_m.clamp_length_max(pbf.max_correction_m) - predicted_m;
     let displacement = displacement_m.length() / smoothing.support_m;
     let held_m = displacement_m.clamp_length_max(MAX_DISPLACEMENT * smoothing.support_m);
     Corrected {
-        position_m: step.inside(predicted_m + held_m),
+        position_m: confine_position(predicted_m + held_m, step),
         clamped: asked_m > pbf.max_correction_m,
         held: displacement > MAX_DISPLACEMENT,
         displacement,

@@ -6,30 +6,24 @@
 
 use brooklet_fluid::grid::Neighbours;
 use brooklet_gpu::{Recording, Resources};
-use brooklet_kernels::{Anisotropy, AnisotropyParams, Buffer, Ellipsoid, LIST_SLICE};
+use brooklet_kernels::{Anisotropy, AnisotropyParams, Buffer, Ellipsoid, LIST_SLICE, SurfaceParams};
 
 use super::ScreenSpaceOptions;
 use crate::surface::Particles;
 
 /// What the shader is given for `particles` with lists of `list_chunks` runs.
 pub fn params(options: &ScreenSpaceOptions, particle_count: u32, list_chunks: u32) -> AnisotropyParams {
-    let surface = options.params();
-    AnisotropyParams {
-        wall_min_m: surface.wall_min_m,
-        support_m: options.support_m as f32,
-        wall_max_m: surface.wall_max_m,
-        particle_count,
-        list_chunks,
-        ..AnisotropyParams::default()
-    }
+    AnisotropyParams { support_m: options.support_m as f32, particle_count, list_chunks, reserved: 0 }
 }
 
-/// Records the ellipsoids of `particles` from their `neighbours`. `init` uploads the settings.
+/// Records the ellipsoids of `particles` from their `neighbours`, which end at the walls of `surface`. `init` uploads
+/// the settings.
 pub(super) fn record(
     resources: &mut Resources,
     (init, recording): (&mut Recording, &mut Recording),
     particles: &Particles<'_>,
     neighbours: &Neighbours,
+    surface: &Buffer<SurfaceParams>,
     options: &ScreenSpaceOptions,
 ) -> Buffer<Ellipsoid> {
     let count = particles.count;
@@ -45,6 +39,7 @@ pub(super) fn record(
             list_heads: neighbours.heads.read(),
             ellipsoids: ellipsoids.write(),
             anisotropy: settings.uniform(),
+            surface: surface.uniform(),
         },
         count,
     );

@@ -78,7 +78,7 @@ pub fn record(
     let ellipsoids = particles
         .neighbours
         .filter(|_| options.anisotropic && particles.count > 0)
-        .map(|neighbours| anisotropy::record(resources, (init, recording), particles, neighbours, options));
+        .map(|neighbours| anisotropy::record(resources, (init, recording), particles, neighbours, &params, options));
     let shapes = Shapes::new(particles, ellipsoids.as_ref());
     recording.draw(
         &DrawFluidDepth {

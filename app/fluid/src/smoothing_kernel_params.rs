@@ -1,0 +1,24 @@
+//! What the shaders are told of the smoothing kernel, and of what it counts beyond walls.
+
+use brooklet_kernels::SmoothingKernelParams;
+
+use crate::boundary::{WallScales, wall_kernel_fraction};
+use crate::scene::Scene;
+use crate::smoothing_kernel::lattice;
+
+/// What the shaders are given.
+pub fn smoothing_kernel_params(scene: &Scene) -> SmoothingKernelParams {
+    let (dimensions, support_ratio) = (scene.domain.dimensions, scene.solver.support_ratio);
+    let walls = WallScales::new(dimensions, support_ratio);
+    SmoothingKernelParams {
+        support_m: scene.support_m() as f32,
+        inverse_support_per_m: (1.0 / scene.support_m()) as f32,
+        weight: lattice(dimensions, support_ratio).weight as f32,
+        wall_plane: walls.plane as f32,
+        wall_edge: walls.edge as f32,
+        wall_corner: walls.corner as f32,
+        along_z: if scene.domain.is_flat() { 0.0 } else { 1.0 },
+        reserved: 0.0,
+        wall_kernel_fraction: wall_kernel_fraction(dimensions).map(|c| c as f32),
+    }
+}
