@@ -4,7 +4,7 @@
 use std::collections::BTreeSet;
 
 use brooklet_fluid::particles::ParticleSet;
-use brooklet_fluid::scene::{Applied, Kind, Setting};
+use brooklet_fluid::scene::{Kind, Setting, Update};
 use brooklet_fluid::{FrameRequest, ParticleSource, Scene, Session, SessionPlan, SessionRecorder, shipped_scenes};
 use brooklet_gpu::RecordingId;
 use brooklet_kernels::Buffer;
@@ -120,9 +120,9 @@ fn bits(particles: &ParticleSet) -> (&[u8], &[u8]) {
     (bytemuck::cast_slice(&particles.positions), bytemuck::cast_slice(&particles.velocities))
 }
 
-fn with(scene: &Scene, applied: Applied) -> Vec<(Setting, Scene)> {
+fn with(scene: &Scene, update: Update) -> Vec<(Setting, Scene)> {
     let of =
-        scene.settings().into_iter().filter(|setting| setting.applied == applied && setting.path != "solver.method");
+        scene.settings().into_iter().filter(|setting| setting.update == update && setting.path != "solver.method");
     of.map(|setting| (changed(scene, &setting), setting)).map(|(other, setting)| (setting, other)).collect()
 }
 
@@ -132,10 +132,10 @@ fn writing_a_live_field_is_what_a_new_engine_would_have() {
     let mut running = run(&scene, None);
     let before = running.uniforms();
     let mut moved = BTreeSet::new();
-    for (setting, other) in with(&scene, Applied::Live) {
+    for (setting, other) in with(&scene, Update::Live) {
         let change = scene.change_to(&other);
-        assert_eq!(change.applied, Applied::Live, "{change:?}");
-        assert_eq!(change.fields, [(setting.path.clone(), Applied::Live)]);
+        assert_eq!(change.update, Update::Live, "{change:?}");
+        assert_eq!(change.fields, [(setting.path.clone(), Update::Live)]);
         assert!(running.takes(&other), "{}", setting.path);
         assert!(window_takes(&scene, &other), "{}", setting.path);
         let mut fresh = run(&other, None);
@@ -173,10 +173,10 @@ fn a_rebuild_carries_the_particles_over_bit_for_bit() {
     let mut running = run(&scene, None);
     running.step(3);
     let particles = running.particles();
-    let rebuilds = with(&scene, Applied::Rebuild);
+    let rebuilds = with(&scene, Update::Rebuild);
     assert!(rebuilds.len() > 10);
     for (setting, other) in rebuilds {
-        assert_eq!(scene.change_to(&other).applied, Applied::Rebuild, "{}", setting.path);
+        assert_eq!(scene.change_to(&other).update, Update::Rebuild, "{}", setting.path);
         // Some of a surface's fields are numbers in this picture and more than that in others.
         let may_be_live = setting.path.starts_with("surface.");
         assert!(may_be_live || !window_takes(&scene, &other), "{}", setting.path);
@@ -194,7 +194,7 @@ fn a_term_that_comes_or_goes_is_a_rebuild() {
         let off = on.with_setting(&format!("{setting}=0")).unwrap();
         for (from, to) in [(&on, &off), (&off, &on)] {
             let change = from.change_to(to);
-            assert_eq!(change.fields, [(setting.to_owned(), Applied::Rebuild)]);
+            assert_eq!(change.fields, [(setting.to_owned(), Update::Rebuild)]);
         }
         assert_ne!(run(&on, None).plan(), run(&off, None).plan(), "{setting}");
     }
@@ -204,19 +204,19 @@ fn a_term_that_comes_or_goes_is_a_rebuild() {
 fn the_worst_field_decides_and_all_are_named() {
     let scene = scene(&[]);
     assert!(scene.change_to(&scene).is_nothing());
-    assert_eq!(scene.change_to(&scene).applied, Applied::Live);
+    assert_eq!(scene.change_to(&scene).update, Update::Live);
     let other = scene.with_setting("solver.dt_s=0.002").unwrap().with_setting("solver.pbf.iterations=3").unwrap();
     let change = scene.change_to(&other);
-    let expected = [("solver.dt_s", Applied::Live), ("solver.pbf.iterations", Applied::Rebuild)];
-    assert_eq!(change.fields, expected.map(|(path, applied)| (path.to_owned(), applied)));
-    assert_eq!(change.applied, Applied::Rebuild);
+    let expected = [("solver.dt_s", Update::Live), ("solver.pbf.iterations", Update::Rebuild)];
+    assert_eq!(change.fields, expected.map(|(path, update)| (path.to_owned(), update)));
+    assert_eq!(change.update, Update::Rebuild);
     for reset in ["spacing_m=0.09", "domain.dimensions=2", "fluid.0.velocity_m_s=[1,0,0]"] {
-        assert_eq!(scene.change_to(&scene.with_setting(reset).unwrap()).applied, Applied::Reset, "{reset}");
+        assert_eq!(scene.change_to(&scene.with_setting(reset).unwrap()).update, Update::Reset, "{reset}");
     }
     let mut more = scene.clone();
     more.fluids.push(more.fluids[0].clone());
     let change = scene.change_to(&more);
-    assert!(change.applied == Applied::Reset && change.fields.iter().all(|(path, _)| path.starts_with("fluid.1.")));
+    assert!(change.update == Update::Reset && change.fields.iter().all(|(path, _)| path.starts_with("fluid.1.")));
 }
 
 #[test]
@@ -238,7 +238,7 @@ fn a_panel_can_show_and_set_every_field_of_every_scene() {
     let of = |path: &str| scene(&[]).settings().into_iter().find(|setting| setting.path == path).unwrap();
     assert_eq!(of("solver.dt_s").doc, "Time a step advances, s.");
     assert!(matches!(of("solver.dt_s").kind, Kind::Number(limits) if limits.unit == "s" && limits.least > 0.0));
-    assert_eq!((of("forces.xsph").applied, of("forces.xsph").at_zero), (Applied::Live, Applied::Rebuild));
+    assert_eq!((of("forces.xsph").update, of("forces.xsph").at_zero), (Update::Live, Update::Rebuild));
     assert_eq!(of("solver.max_speed_m_s").value, None);
 }
 

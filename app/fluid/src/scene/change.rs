@@ -5,17 +5,17 @@ use std::collections::{BTreeMap, BTreeSet};
 use toml::Value;
 
 use super::Scene;
-use super::applied::Applied;
 use super::field::Kind;
 use super::fields::field_of;
+use super::update::Update;
 
 /// What differs between two scenes, and what that asks for.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Change {
-    /// The worst of all changed fields; [`Applied::Live`] if nothing changed.
-    pub applied: Applied,
+    /// The worst of all changed fields; [`Update::Live`] if nothing changed.
+    pub update: Update,
     /// Path of each changed field (`fluid.0.velocity_m_s`), with what it alone asks for.
-    pub fields: Vec<(String, Applied)>,
+    pub fields: Vec<(String, Update)>,
 }
 
 impl Change {
@@ -35,11 +35,11 @@ impl Scene {
         let changed = paths.into_iter().filter(|path| before.get(*path) != after.get(*path)).filter_map(|path| {
             let field = field_of(path);
             let of_both = field.is_none_or(|field| methods.iter().all(|method| field.is_of(method)));
-            let applied = field.map_or(Applied::Reset, |field| field.applied(before.get(path), after.get(path)));
-            of_both.then(|| (path.clone(), applied))
+            let update = field.map_or(Update::Reset, |field| field.update(before.get(path), after.get(path)));
+            of_both.then(|| (path.clone(), update))
         });
-        let fields: Vec<(String, Applied)> = changed.collect();
-        Change { applied: fields.iter().map(|(_, applied)| *applied).max().unwrap_or(Applied::Live), fields }
+        let fields: Vec<(String, Update)> = changed.collect();
+        Change { update: fields.iter().map(|(_, update)| *update).max().unwrap_or(Update::Live), fields }
     }
 
     /// Each field of its method that has a value, those of defaults too, by its path.

@@ -2,7 +2,9 @@
 
 use std::fmt::{Display, Formatter, Result};
 
-use super::applied::Applies;
+use toml::Value;
+
+use super::update::{Update, UpdateRule};
 
 /// A field of scene files: a setting, or a table of settings.
 #[derive(Clone, Copy, Debug)]
@@ -12,7 +14,7 @@ pub struct Field {
     /// What it takes.
     pub kind: Kind,
     /// What a running scene needs to take another value (of a table nothing: its fields say it).
-    pub(super) applies: Applies,
+    pub(super) update_rule: UpdateRule,
     /// The methods (`solver.method`) that have it; none named: all of them.
     pub methods: &'static [&'static str],
     /// How far a slider goes; see [`Field::slider_at`] for fields that do not say.
@@ -69,8 +71,8 @@ pub enum Values {
 }
 
 impl Field {
-    pub(super) const fn new(path: &'static str, kind: Kind, applies: Applies) -> Self {
-        Self { path, kind, applies, methods: &[], slider: None, term: None, knob: None }
+    pub(super) const fn new(path: &'static str, kind: Kind, update_rule: UpdateRule) -> Self {
+        Self { path, kind, update_rule, methods: &[], slider: None, term: None, knob: None }
     }
 
     /// Only these methods have it.
@@ -134,6 +136,16 @@ impl Field {
     ) -> Self {
         self.knob = Some(Knob { name, values: Values::Times(factors), quick });
         self
+    }
+
+    /// What a running scene needs that has `before` to have `after`.
+    pub(super) fn update(&self, before: Option<&Value>, after: Option<&Value>) -> Update {
+        let is_off = |value: Option<&Value>| value.is_some_and(|value| self.is_off(value));
+        match self.update_rule {
+            UpdateRule::Always(update) => update,
+            UpdateRule::Term if is_off(before) == is_off(after) => Update::Live,
+            UpdateRule::Term => Update::Rebuild,
+        }
     }
 
     /// Whether scenes of a method have it.

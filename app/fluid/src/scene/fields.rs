@@ -3,9 +3,9 @@
 //! out, and what a study turns it through. The checks and their messages, the editors' schema, the window's sliders, the
 //! reasons of `brooklet plan` and the study's knobs are made from it.
 
-use super::applied::{Applied, Applies};
 use super::field::{Field, Kind, Limits};
 use super::solver::Method;
+use super::update::{Update, UpdateRule};
 
 const fn within(least: f64, most: f64, unit: &'static str) -> Limits {
     Limits { least, most, unit }
@@ -23,10 +23,10 @@ const fn whole(least: f64, most: f64, unit: &'static str) -> Kind {
 const PLACE: Kind = Kind::Vector(within(-1.0e6, 1.0e6, "m"));
 const SPEED: Kind = Kind::Vector(within(-1.0e6, 1.0e6, "m/s"));
 
-const LIVE: Applies = Applies::Always(Applied::Live);
-const TERM: Applies = Applies::Term;
-const REBUILD: Applies = Applies::Always(Applied::Rebuild);
-const RESET: Applies = Applies::Always(Applied::Reset);
+const LIVE: UpdateRule = UpdateRule::Always(Update::Live);
+const TERM: UpdateRule = UpdateRule::Term;
+const REBUILD: UpdateRule = UpdateRule::Always(Update::Rebuild);
+const RESET: UpdateRule = UpdateRule::Always(Update::Reset);
 
 const PBF: &[&str] = &["pbf"];
 const NONE: &[&str] = &["none"];

@@ -56,11 +56,11 @@ pub(super) fn prune(table: &mut Table, method: &str, fields: &[Field]) {
 #[cfg(test)]
 pub(super) mod tests {
     use super::*;
-    use crate::scene::Applied;
-    use crate::scene::applied::Applies;
+    use crate::scene::Update;
     use crate::scene::fields::FIELDS;
+    use crate::scene::update::UpdateRule;
 
-    const LIVE: Applies = Applies::Always(Applied::Live);
+    const LIVE: UpdateRule = UpdateRule::Always(Update::Live);
     /// A table of settings with two methods more than there are.
     pub(in super::super) const MORE: &[Field] = &[
         Field::new("solver", Kind::Table, LIVE),

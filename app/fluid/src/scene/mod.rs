@@ -1,7 +1,6 @@
 //! The scene: what a TOML file says, with defaults for everything optional. SI units throughout,
 //! y up. Camera and picture settings live here too and are read by whoever needs them.
 
-mod applied;
 mod change;
 mod check;
 mod domain;
@@ -29,8 +28,8 @@ mod surface;
 mod terms;
 #[cfg(test)]
 mod tests;
+mod update;
 
-pub use applied::Applied;
 pub use change::Change;
 pub use domain::Domain;
 pub use error::SceneError;
@@ -49,6 +48,7 @@ pub use schema::schema;
 pub use shipped::shipped_scenes;
 pub use solver::{Method, Precision, Solver};
 pub use surface::{PointColor, Smoothing, Surface, SurfaceMethod};
+pub use update::Update;
 
 use std::f64::consts::PI;
 

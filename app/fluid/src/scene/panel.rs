@@ -4,9 +4,9 @@ use std::sync::OnceLock;
 
 use toml::{Table, Value};
 
-use super::applied::{Applied, Applies};
 use super::field::{Kind, Slider};
 use super::fields::FIELDS;
+use super::update::{Update, UpdateRule};
 use super::{Scene, SceneError, explain, methods, moved, paths, settings};
 
 /// One field of a scene.
@@ -17,9 +17,9 @@ pub struct Setting {
     /// What it takes, with limits and unit.
     pub kind: Kind,
     /// What a running scene needs to take another value, unless it is a term (see `at_zero`).
-    pub applied: Applied,
-    /// What it needs from or to 0, where the field's term is left out: worse than `applied` for a term.
-    pub at_zero: Applied,
+    pub update: Update,
+    /// What it needs from or to 0, where the field's term is left out: worse than `update` for a term.
+    pub at_zero: Update,
     /// What it is, in a sentence: the first of its documentation.
     pub doc: &'static str,
     /// How far a slider goes; none of what is no number.
@@ -39,9 +39,9 @@ impl Scene {
             if matches!(field.kind, Kind::Table | Kind::Tables) {
                 continue;
             }
-            let [applied, at_zero] = match field.applies {
-                Applies::Always(applied) => [applied; 2],
-                Applies::Term => [Applied::Live, Applied::Rebuild],
+            let [update, at_zero] = match field.update_rule {
+                UpdateRule::Always(update) => [update; 2],
+                UpdateRule::Term => [Update::Live, Update::Rebuild],
             };
             let paths = match field.path.split_once(".*.") {
                 None => vec![field.path.to_owned()],
@@ -54,7 +54,7 @@ impl Scene {
                     let number =
                         value.as_ref().and_then(|value| value.as_float().or(value.as_integer().map(|w| w as f64)));
                     let slider = field.slider_at(number.unwrap_or(0.0));
-                    all.push(Setting { path, kind: field.kind, applied, at_zero, doc, slider, value });
+                    all.push(Setting { path, kind: field.kind, update, at_zero, doc, slider, value });
                 }
             }
         }

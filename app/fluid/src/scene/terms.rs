@@ -61,9 +61,9 @@ fn is_same(a: &Value, b: &Value) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::super::applied::Applies;
     use super::super::field::{Kind, Values};
     use super::super::fields::field_of;
+    use super::super::update::UpdateRule;
     use super::*;
 
     #[test]
@@ -72,7 +72,7 @@ mod tests {
         let mut count = 0;
         for field in FIELDS {
             let Some(term) = field.term else {
-                assert!(!matches!(field.applies, Applies::Term), "{} has no term", field.path);
+                assert!(!matches!(field.update_rule, UpdateRule::Term), "{} has no term", field.path);
                 continue;
             };
             count += 1;

@@ -13,7 +13,7 @@ use thiserror::Error;
 use crate::drag::{Drag, DragPass};
 use crate::measure::{Sample, Stats};
 use crate::particles::ParticleSet;
-use crate::scene::{Applied, Scene};
+use crate::scene::{Scene, Update};
 use crate::step::Recorded;
 
 /// Why a session cannot start.
@@ -254,7 +254,7 @@ impl Session {
     /// # Errors
     /// If the device is lost.
     pub fn apply(&mut self, planned: &SessionPlan) -> Result<bool, GpuError> {
-        let resets = self.scene.change_to(&planned.scene).applied == Applied::Reset;
+        let resets = self.scene.change_to(&planned.scene).update == Update::Reset;
         if resets || !self.engine.take_uploads(&planned.plan, &self.init)? {
             return Ok(false);
         }

@@ -1,7 +1,7 @@
 //! The scene's settings: every field of its file that means something in a window.
 
 use brooklet_fluid::Scene;
-use brooklet_fluid::scene::{Applied, Kind, Limits, Setting, Slider as Ends};
+use brooklet_fluid::scene::{Kind, Limits, Setting, Slider as Ends, Update};
 use egui::{CollapsingHeader, ComboBox, DragValue, Grid, Response, RichText, Slider, SliderClamping, Ui};
 use toml::Value;
 
@@ -87,13 +87,13 @@ fn row(ui: &mut Ui, setting: &Setting, wished: &mut Option<Wish>) {
             Some(("solver" | "forces" | "surface", below)) => below.rsplit('.').next().unwrap_or(below),
             _ => &setting.path,
         };
-        let when = match (setting.applied, setting.at_zero) {
-            (Applied::Reset, _) => "from the next reset on",
-            (Applied::Rebuild, _) => "at once, with another plan",
-            (Applied::Live, Applied::Live) => "at once",
-            (Applied::Live, _) => "at once; from and to 0 with another plan",
+        let when = match (setting.update, setting.at_zero) {
+            (Update::Reset, _) => "from the next reset on",
+            (Update::Rebuild, _) => "at once, with another plan",
+            (Update::Live, Update::Live) => "at once",
+            (Update::Live, _) => "at once; from and to 0 with another plan",
         };
-        let sign = if setting.applied == Applied::Reset { " ⟲" } else { "" };
+        let sign = if setting.update == Update::Reset { " ⟲" } else { "" };
         let (place, label) = ui.allocate_exact_size(egui::vec2(NAME_WIDTH, 18.0), egui::Sense::hover());
         let font = egui::TextStyle::Small.resolve(ui.style());
         let text = ui.painter().with_clip_rect(place);
@@ -107,7 +107,7 @@ fn row(ui: &mut Ui, setting: &Setting, wished: &mut Option<Wish>) {
         label.on_hover_text(format!("{}: {}\nTaken {when}.", setting.path, setting.doc));
         let Some((response, value)) = edit(ui, setting) else { return };
         let Some(value) = value else { return };
-        let is_final = setting.applied == Applied::Live || !response.dragged();
+        let is_final = setting.update == Update::Live || !response.dragged();
         *wished = Some(Wish { setting: format!("{}={value}", setting.path), is_final });
     });
 }
