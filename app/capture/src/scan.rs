@@ -168,7 +168,8 @@ impl<R: Read + Seek> Scan<R> {
                 return Ok(None);
             }
             for offset in 0..=read - CHUNK_HEAD {
-                if looks_like_chunk(&window[offset..offset + CHUNK_HEAD], self.length - from - offset as u64)
+                let left = self.length.saturating_sub(from + offset as u64);
+                if looks_like_chunk(&window[offset..offset + CHUNK_HEAD], left)
                     && self.is_chunk(from + offset as u64)?
                 {
                     return Ok(Some(from + offset as u64));
@@ -208,4 +209,20 @@ fn looks_like_chunk(start: &[u8], rest: u64) -> bool {
         && length.checked_sub(40).is_some_and(|records| records == number(HEAD + 32))
         && start[HEAD + 28..HEAD + 32] == [0; 4]
         && length <= rest.min(MOST_BYTES)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::io::Cursor;
+
+    #[test]
+    fn a_file_that_grows_behind_damage_is_read_to_the_end_that_it_had() {
+        let mut bytes = MAGIC.to_vec();
+        bytes.extend((0..3 * WINDOW as u32 / 4).flat_map(u32::to_be_bytes));
+        let length = (MAGIC.len() + WINDOW / 2) as u64;
+        let mut scan = Scan::new(Cursor::new(bytes), length);
+        while scan.next().unwrap().is_some() {}
+        assert!(!scan.ended && scan.damaged_bytes > 0);
+    }
 }

@@ -6,6 +6,7 @@
 #[macro_use]
 mod stdout;
 
+mod allocate;
 #[cfg(feature = "bench")]
 mod bench;
 #[cfg(feature = "bench")]
@@ -16,7 +17,6 @@ mod cli;
 mod commit;
 mod doctor;
 mod failure;
-mod fit;
 mod interrupt;
 mod job;
 #[cfg(not(all(feature = "window", feature = "bench", feature = "study", feature = "captures")))]

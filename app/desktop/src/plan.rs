@@ -8,9 +8,10 @@ use serde::Serialize;
 use serde_json::json;
 
 use crate::{
+    allocate,
     cli::{OutputOptions, PlanOptions},
     failure::Failure,
-    fit, job,
+    job,
     table::{bytes, table},
 };
 
@@ -92,7 +93,7 @@ fn timestamps(plan: &Plan, no_timing: bool) -> Vec<(String, serde_json::Value)> 
 
 fn print_tables(scene: &Scene, planned: &ScenePlan, absent: &[Absent], no_timing: bool) {
     say!("{}: {} particles", scene.name, planned.session.particle_count());
-    if let Some(other) = fit::other_spacing(scene) {
+    if let Some(other) = allocate::other_spacing(scene) {
         say!("{other}");
     }
     say!();

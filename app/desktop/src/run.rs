@@ -13,10 +13,10 @@ use brooklet_render::ScenePlan;
 use brooklet_render::left_out::{self, Recorded};
 
 use crate::{
+    allocate,
     cli::RunOptions,
     commit::{COMMIT, VERSION},
     failure::Failure,
-    fit,
     interrupt::Interrupt,
     job,
     out_dir::{self, OutDir},
@@ -45,7 +45,7 @@ pub fn run(options: &RunOptions) -> Result<(), Failure> {
     let (simulation, measures) = (planned.recorded.ids(), planned.recorded.measure.is_some());
     let plan_bytes = plan.bytes();
     let start = SystemTime::now();
-    let session = fit::session(&gpu, planned)?;
+    let session = allocate::session(&gpu, planned)?;
     let interrupt = Interrupt::listen()?;
 
     let default_out = Path::new("out").join(&scene.name);

@@ -7,8 +7,8 @@ use serde::Serialize;
 use serde_json::{Map, Value};
 
 use crate::{
+    allocate,
     commit::{COMMIT, VERSION},
-    fit,
     measured::{Counted, Measured, Worst},
     plan::simulation_bytes_per_particle,
     table::{bytes, ms, table},
@@ -174,7 +174,7 @@ impl Summary {
             scene: scene.name.clone(),
             particles: facts.particles,
             spacing_m: scene.fitted_spacing_m(),
-            other_spacing: fit::other_spacing(scene),
+            other_spacing: allocate::other_spacing(scene),
             steps: facts.steps,
             simulated_s: facts.steps as f64 * scene.solver.dt_s,
             wall_s: facts.wall_s,

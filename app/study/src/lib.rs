@@ -33,7 +33,7 @@ pub use figure::{Figure, Verdict};
 pub use runner::Runner;
 pub use sample::Sample;
 pub use session::{Event, Fault, Session, StudyError};
-pub use setup::{Made, Setup};
+pub use setup::{Setup, SetupResult};
 pub use store::{RESULTS, Store, StoreError};
 pub use study::{Study, shard};
 pub use task::{Cost, Outcome, Series, State, Task};

@@ -8,7 +8,7 @@ use glam::DVec3;
 use crate::Sample;
 
 /// A setup, or why its scene does not allow it. (Boxed: the error is large, and rare.)
-pub type Made = Result<Setup, Box<SceneError>>;
+pub type SetupResult = Result<Setup, Box<SceneError>>;
 
 /// What runs, and when it is looked at.
 #[derive(Clone, Debug)]
@@ -27,7 +27,7 @@ impl Setup {
     ///
     /// # Errors
     /// If the scene does not allow a setting.
-    pub fn new(name: &str, text: &str, settings: &[String], end_s: f64, samples: u32) -> Made {
+    pub fn new(name: &str, text: &str, settings: &[String], end_s: f64, samples: u32) -> SetupResult {
         let scene = Scene::from_toml(text, name, settings).map_err(Box::new)?;
         let particles = sample_lattice(&scene);
         let sample_times_s = (1..=samples).map(|k| end_s * f64::from(k) / f64::from(samples)).collect();

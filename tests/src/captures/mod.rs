@@ -1,4 +1,4 @@
-//! Made-up frame reports, and a reading of MCAP's framing that shares no code with the crate.
+//! SetupResult-up frame reports, and a reading of MCAP's framing that shares no code with the crate.
 
 pub mod events;
 pub mod python;

@@ -77,5 +77,10 @@ fn without_it_another_order_of_the_input_shows() {
     let scene = scene(false);
     // Late enough that cells, which begin with one particle each, hold several.
     let steps = if small() { 60 } else { 240 };
-    assert_ne!(hash_of(&particles_after(&scene, steps, None)), hash_of(&particles_after(&scene, steps, Some(82))));
+    // One other order may round alike by chance, as about one in six does on a CPU driver.
+    let first = hash_of(&particles_after(&scene, steps, None));
+    assert!(
+        (82..90).any(|seed| hash_of(&particles_after(&scene, steps, Some(seed))) != first),
+        "eight orders, one end"
+    );
 }

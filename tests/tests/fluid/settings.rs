@@ -121,8 +121,7 @@ fn bits(particles: &ParticleSet) -> (&[u8], &[u8]) {
 }
 
 fn with(scene: &Scene, update: Update) -> Vec<(Setting, Scene)> {
-    let of =
-        scene.settings().into_iter().filter(|setting| setting.update == update && setting.path != "solver.method");
+    let of = scene.settings().into_iter().filter(|setting| setting.update == update && setting.path != "solver.method");
     of.map(|setting| (changed(scene, &setting), setting)).map(|(other, setting)| (setting, other)).collect()
 }
 

@@ -14,10 +14,10 @@ use super::{
     workload::{self, EDGES, LOADS, Load},
 };
 use crate::{
+    allocate,
     bench_options::BenchOptions,
     commit::COMMIT,
     failure::Failure,
-    fit,
     interrupt::Interrupt,
     out_dir, plan,
     progress::bar,
@@ -118,7 +118,7 @@ impl Bencher<'_> {
         let begun = Instant::now();
         let scene = load.scene(edge, &self.options.settings)?;
         let planned = workload::plan(&scene)?;
-        let mut session = fit::session(self.gpu, planned)?;
+        let mut session = allocate::session(self.gpu, planned)?;
         session.finish().map_err(Failure::stopped)?;
         let mut timings = Timings::new(2 * WARM_UP);
         let request = FrameRequest { steps: 1, measure: true, ..FrameRequest::default() };

@@ -10,10 +10,10 @@ use super::{
     stepping::Stepping,
 };
 use crate::{
+    allocate,
     bench_options::BenchOptions,
     commit::COMMIT,
     failure::Failure,
-    fit,
     interrupt::Interrupt,
     job, plan, progress,
     summary::{stages, timing_name},
@@ -31,7 +31,7 @@ pub fn bench(name: &str, options: &BenchOptions) -> Result<(), Failure> {
     let per_particle = plan::bytes_per_particle(&planned);
     let (total_bytes, stages) = (planned.plan().bytes(), stages(planned.plan()));
     let particles = planned.session.particle_count();
-    let mut session = fit::session(&gpu, planned.session)?;
+    let mut session = allocate::session(&gpu, planned.session)?;
     let interrupt = Interrupt::listen()?;
     let mut timings = Timings::new(options.warm_up);
     session.finish().map_err(Failure::stopped)?;

@@ -24,7 +24,7 @@ const BUDGET_MS: f64 = 0.001;
 const WARM_UP: u64 = 12;
 
 /// A viewer that paints on a texture.
-struct Shown<'a> {
+struct OffscreenWindow<'a> {
     viewer: Viewer,
     gpu: &'a Gpu,
     view: wgpu::TextureView,
@@ -59,11 +59,11 @@ pub fn bench(options: &WindowOptions) -> Result<(), Failure> {
     let interrupt = Interrupt::listen()?;
     let folder = tempfile::tempdir().map_err(Failure::stopped)?;
     let size_px = [options.width, options.height];
-    let mut panels = Shown::open(&gpu, &scene, size_px, folder.path())?;
+    let mut panels = OffscreenWindow::open(&gpu, &scene, size_px, folder.path())?;
     panels.warm_up(&interrupt)?;
     let picture_px = panels.picture_px();
-    let alone = || -> Result<Shown<'_>, Failure> {
-        let mut shown = Shown::open(&gpu, &scene, picture_px, folder.path())?;
+    let alone = || -> Result<OffscreenWindow<'_>, Failure> {
+        let mut shown = OffscreenWindow::open(&gpu, &scene, picture_px, folder.path())?;
         shown.viewer.handle_action(Action::Panels);
         shown.warm_up(&interrupt)?;
         Ok(shown)
@@ -114,7 +114,7 @@ pub fn bench(options: &WindowOptions) -> Result<(), Failure> {
 }
 
 /// Ends the capture, and moves it to where it is wanted.
-fn keep(captured: Shown<'_>, from: Option<PathBuf>, to: Option<&Path>) -> Result<Option<PathBuf>, Failure> {
+fn keep(captured: OffscreenWindow<'_>, from: Option<PathBuf>, to: Option<&Path>) -> Result<Option<PathBuf>, Failure> {
     drop(captured);
     let (Some(from), Some(to)) = (from, to) else { return Ok(None) };
     let failed = |error| Failure::Stopped(format!("--capture {}: {error}", to.display()));
@@ -125,7 +125,7 @@ fn keep(captured: Shown<'_>, from: Option<PathBuf>, to: Option<&Path>) -> Result
     Ok(Some(to.to_owned()))
 }
 
-impl<'a> Shown<'a> {
+impl<'a> OffscreenWindow<'a> {
     fn open(gpu: &'a Gpu, scene: &Scene, size_px: [u32; 2], folder: &Path) -> Result<Self, Failure> {
         let settings = Settings { folder: folder.to_owned(), budget_ms: BUDGET_MS, auto: false, rung: 0 };
         let texture = gpu.device().create_texture(&wgpu::TextureDescriptor {

@@ -3,7 +3,7 @@
 use brooklet_reference::dam_break::{Sample as Point, interpolate};
 
 use super::{Case, Converge, FLAT_SUPPORT_RATIO, Reference, setting};
-use crate::{Figure, Made, Sample, Setup};
+use crate::{Figure, Sample, Setup, SetupResult};
 
 /// A column of .5 × 1 m in a tank, in 2-D, until its front has run one base: before anything meets
 /// anything, so that runs of different spacings still show the same flow.
@@ -24,7 +24,7 @@ impl ColumnCollapse {
     ///
     /// # Errors
     /// None that its own scene does not have.
-    pub fn fine() -> Made {
+    pub fn fine() -> SetupResult {
         let settings = [
             format!("spacing_m={FINE_SPACING_M}"),
             format!("solver.substeps={FINE_SUBSTEPS}"),
@@ -51,7 +51,7 @@ impl Case for ColumnCollapse {
         SPACING_M
     }
 
-    fn setup(&self, settings: &[String]) -> Made {
+    fn setup(&self, settings: &[String]) -> SetupResult {
         let spacing_m = setting(settings, "spacing_m", SPACING_M);
         let dt_s = DT_S * spacing_m / SPACING_M;
         let text = format!(

@@ -3,7 +3,7 @@
 use brooklet_reference::dam_break::{Sample as Point, best_shift, interpolate, mean_slope, parse_series, rmse};
 
 use super::{Case, Converge, FLAT_SUPPORT_RATIO, Reference, setting};
-use crate::{Figure, Made, Sample, Series, Setup};
+use crate::{Figure, Sample, Series, Setup, SetupResult};
 
 /// A column of base a and a height of some bases. The front is the largest x of any particle and half a
 /// spacing, thin spray ahead included; the height that of the highest particle within two spacings of the
@@ -100,7 +100,7 @@ impl Case for DamBreak {
         self.base_m / SPACINGS_A_BASE
     }
 
-    fn setup(&self, settings: &[String]) -> Made {
+    fn setup(&self, settings: &[String]) -> SetupResult {
         let spacing_m = setting(settings, "spacing_m", self.spacing_m());
         let dt_s = DT_RATIO * (self.spacing_m() / G_M_S2).sqrt() * spacing_m / self.spacing_m();
         let end_s = self.slope_span.1 / self.per_t_s();

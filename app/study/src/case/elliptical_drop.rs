@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::{Case, Converge, FLAT_SUPPORT_RATIO, Reference, setting};
-use crate::{Figure, Made, Sample, Series, Setup};
+use crate::{Figure, Sample, Series, Setup, SetupResult};
 
 /// A disc with velocity (−A x, A y) becomes an ellipse of axes a and 1/a (Monaghan 1994):
 /// ȧ = −a A, Ȧ = A² (a⁴ − 1) / (a⁴ + 1), with R = 1 and A₀ = 1.
@@ -33,7 +33,7 @@ impl Case for EllipticalDrop {
         SPACING_M
     }
 
-    fn setup(&self, settings: &[String]) -> Made {
+    fn setup(&self, settings: &[String]) -> SetupResult {
         let spacing_m = setting(settings, "spacing_m", SPACING_M);
         let text = format!(
             "spacing_m = {spacing_m}

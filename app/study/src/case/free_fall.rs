@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::{Case, Converge, Reference, with_own};
-use crate::{Figure, Made, Sample, Setup};
+use crate::{Figure, Sample, Setup, SetupResult};
 
 /// Symplectic Euler gives x = x0 + n v0 dt + g dt² n (n + 1) / 2 after n substeps, exactly.
 pub struct FreeFall;
@@ -27,7 +27,7 @@ impl Case for FreeFall {
         0.05
     }
 
-    fn setup(&self, settings: &[String]) -> Made {
+    fn setup(&self, settings: &[String]) -> SetupResult {
         let text = "
             spacing_m = 0.05
             [domain]

@@ -3,7 +3,7 @@
 use brooklet_reference::dam_break::{Sample as Point, interpolate};
 
 use super::{Case, Converge, Reference, setting};
-use crate::{Figure, Made, Sample, Series, Setup};
+use crate::{Figure, Sample, Series, Setup, SetupResult};
 
 /// Kleefsman's dam break (SPHERIC test 2): tank 3.22 × 1 × 1 m, water .55 m deep in x 1.992 to 3.22 m.
 /// The box that stands in the tank cannot be expressed yet; the flow reaches it after .4 s, and what it
@@ -51,7 +51,7 @@ impl Case for ReservoirGauge {
         SPACING_M
     }
 
-    fn setup(&self, settings: &[String]) -> Made {
+    fn setup(&self, settings: &[String]) -> SetupResult {
         let spacing_m = setting(settings, "spacing_m", SPACING_M);
         let dt_s = DT_S * spacing_m / SPACING_M;
         let text = format!(

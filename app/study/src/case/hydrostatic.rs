@@ -3,7 +3,7 @@
 use brooklet_reference::column::Column;
 
 use super::{Case, Converge, Reference, setting};
-use crate::{Figure, Made, Sample, Series, Setup};
+use crate::{Figure, Sample, Series, Setup, SetupResult};
 
 /// A column between a floor and air, periodic along x and z. Water keeps its height; what Jacobi
 /// iterations leave of its compression is the column law's (`brooklet_reference::column`).
@@ -39,7 +39,7 @@ impl Case for Hydrostatic {
         SPACING_M
     }
 
-    fn setup(&self, settings: &[String]) -> Made {
+    fn setup(&self, settings: &[String]) -> SetupResult {
         let spacing_m = setting(settings, "spacing_m", SPACING_M);
         let side_m = periodic_side_m(spacing_m, setting(settings, "solver.support_ratio", 2.0), 8.0 * spacing_m);
         let dt_s = DT_S * spacing_m / SPACING_M;

@@ -26,7 +26,7 @@ pub use waiting::{WAITING, Waiting};
 
 use serde::{Deserialize, Serialize};
 
-use crate::{Figure, Made, Sample, Series, Setup};
+use crate::{Figure, Sample, Series, Setup, SetupResult};
 
 /// What a case is held against. Figures of different kinds are never merged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
@@ -75,7 +75,7 @@ pub trait Case: Sync {
     ///
     /// # Errors
     /// If its scene does not allow one.
-    fn setup(&self, settings: &[String]) -> Made;
+    fn setup(&self, settings: &[String]) -> SetupResult;
 
     /// What `samples` of a run of `setup` are judged by; none if its reference was stopped.
     fn figures(&self, setup: &Setup, samples: &[Sample], converge: Converge<'_>) -> Option<Vec<Figure>>;

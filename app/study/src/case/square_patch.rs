@@ -4,7 +4,7 @@ use brooklet_reference::norms::cloud_distance;
 use glam::DVec3;
 
 use super::{Case, Converge, FLAT_SUPPORT_RATIO, Reference, setting};
-use crate::{Figure, Made, Sample, Setup};
+use crate::{Figure, Sample, Setup, SetupResult};
 
 /// v = ω (y, −x) on a square (Colagrossi 2005): angular momentum stays, and so does the fourfold
 /// symmetry. The closed form has negative pressure in the middle, which a solver that only pushes cannot
@@ -35,7 +35,7 @@ impl Case for SquarePatch {
         SPACING_M
     }
 
-    fn setup(&self, settings: &[String]) -> Made {
+    fn setup(&self, settings: &[String]) -> SetupResult {
         let spacing_m = setting(settings, "spacing_m", SPACING_M);
         let text = format!(
             "spacing_m = {spacing_m}

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use super::{Case, Converge, FLAT_SUPPORT_RATIO, Reference, setting};
-use crate::{Figure, Made, Sample, Series, Setup};
+use crate::{Figure, Sample, Series, Setup, SetupResult};
 
 /// η = a cos(kx) cos(ωt) between walls, k = π/L, ω² = g k tanh(k depth) (Airy), in 2-D: L = 1 m,
 /// depth = .5 m, so T = 1.1818 s.
@@ -47,7 +47,7 @@ impl Case for StandingWave {
         SPACING_M
     }
 
-    fn setup(&self, settings: &[String]) -> Made {
+    fn setup(&self, settings: &[String]) -> SetupResult {
         let spacing_m = setting(settings, "spacing_m", SPACING_M);
         let dt_s = DT_S * spacing_m / SPACING_M;
         let text = format!(

@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use super::hydrostatic::periodic_side_m;
 use super::{Case, Converge, FLAT_SUPPORT_RATIO, Reference, setting};
-use crate::{Figure, Made, Sample, Setup};
+use crate::{Figure, Sample, Setup, SetupResult};
 
 /// u = −cos(2πx/L) sin(2πy/L), v = sin(2πx/L) cos(2πy/L) (Taylor & Green 1937). Without viscosity it
 /// stays as it is; with it it decays by exp(−8π² t/Re). PBF has no term of a known viscosity, so it is
@@ -37,7 +37,7 @@ impl Case for TaylorGreen {
         SPACING_M
     }
 
-    fn setup(&self, settings: &[String]) -> Made {
+    fn setup(&self, settings: &[String]) -> SetupResult {
         let spacing_m = setting(settings, "spacing_m", SPACING_M);
         let side_m = periodic_side_m(spacing_m, setting(settings, "solver.support_ratio", FLAT_SUPPORT_RATIO), 1.0);
         let text = format!(

@@ -7,7 +7,7 @@ use brooklet_fluid::particles::{ParticleSet, sample_lattice};
 use super::{EQUAL_WORK_PART, common};
 use crate::backend::GpuRun;
 use crate::session::{Session, StudyError, state_of};
-use crate::{Figure, Made, Outcome, Setup, State, Task};
+use crate::{Figure, Outcome, Setup, SetupResult, State, Task};
 
 /// Iterations a step of every run.
 const ITERATIONS: u32 = 8;
@@ -31,7 +31,7 @@ pub fn equal_work_tasks() -> Vec<Task> {
     SPACINGS_M.iter().flat_map(|&spacing_m| [1, 2, 4, 8].map(|substeps| one(spacing_m, substeps))).collect()
 }
 
-fn setup(task: &Task) -> Made {
+fn setup(task: &Task) -> SetupResult {
     let scene = Scene::load(&task.case, &task.settings).map_err(Box::new)?;
     let particles = sample_lattice(&scene);
     Ok(Setup { scene, particles, sample_times_s: (1..=5).map(|k| END_S * f64::from(k) / 5.0).collect() })

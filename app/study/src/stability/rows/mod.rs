@@ -17,7 +17,7 @@ use super::{ROWS_PART, covering};
 use crate::backend::{GpuRun, run_reference};
 use crate::error::common;
 use crate::session::{Session, StudyError, state_of};
-use crate::{Figure, Made, Outcome, Sample, Setup, State, Task, Verdict};
+use crate::{Figure, Outcome, Sample, Setup, SetupResult, State, Task, Verdict};
 
 /// One extreme case.
 #[derive(Clone, Copy)]
@@ -29,7 +29,7 @@ pub struct Row {
     /// What is expected.
     pub expected: &'static str,
     /// What runs; none where the row waits for something.
-    pub setup: Option<fn(&[String]) -> Made>,
+    pub setup: Option<fn(&[String]) -> SetupResult>,
     /// What else it must do.
     pub also: Also,
     /// Particles that are not finite from the start.
@@ -45,7 +45,7 @@ pub enum Also {
     Figures(fn(&Setup, &GpuRun) -> Vec<Figure>),
     /// Particles where another run has them, in spacings, within a limit. The other's setup, and how many
     /// of its lengths one of this is.
-    Equals(fn(&[String]) -> Made, f64, f64),
+    Equals(fn(&[String]) -> SetupResult, f64, f64),
     /// Particles where the f64 twin has them, in spacings, within a limit.
     EqualsTwin(f64),
     /// Refused with a reason.

@@ -5,7 +5,7 @@ use glam::DVec3;
 
 use crate::backend::GpuRun;
 use crate::case::{Case, FreeFall};
-use crate::{Figure, Made, Setup};
+use crate::{Figure, Setup, SetupResult};
 
 /// A box of `size_m` at the origin with a block in it, and `more` lines.
 fn pool(size_m: [f64; 3], block_m: [f64; 3], more: &str) -> String {
@@ -21,17 +21,17 @@ fn pool(size_m: [f64; 3], block_m: [f64; 3], more: &str) -> String {
     )
 }
 
-pub(super) fn two_particles(settings: &[String]) -> Made {
+pub(super) fn two_particles(settings: &[String]) -> SetupResult {
     FreeFall.setup(settings)
 }
 
-pub(super) fn one_point(settings: &[String]) -> Made {
+pub(super) fn one_point(settings: &[String]) -> SetupResult {
     let mut setup = Setup::new("one-point", &pool([0.3; 3], [0.08; 3], ""), settings, 2.0, 8)?;
     setup.place(|at, _| *at = DVec3::new(0.15, 0.1, 0.15));
     Ok(setup)
 }
 
-pub(super) fn one_cell(settings: &[String]) -> Made {
+pub(super) fn one_cell(settings: &[String]) -> SetupResult {
     let mut setup = Setup::new("one-cell", &pool([0.4; 3], [0.2; 3], ""), settings, 4.0, 8)?;
     let middle = DVec3::new(0.2, 0.1, 0.2);
     // A cell is 2 cm: the block shrinks to 1.5 cm.
@@ -39,7 +39,7 @@ pub(super) fn one_cell(settings: &[String]) -> Made {
     Ok(setup)
 }
 
-pub(super) fn list_overflow(settings: &[String]) -> Made {
+pub(super) fn list_overflow(settings: &[String]) -> SetupResult {
     let more = "[solver]\nneighbour_slots = 16";
     Setup::new("list-overflow", &pool([0.3, 0.3, 0.2], [0.2; 3], more), settings, 0.5, 4)
 }
@@ -55,13 +55,13 @@ pub(super) fn overflow_counted(_: &Setup, run: &GpuRun) -> Vec<Figure> {
     )]
 }
 
-pub(super) fn capacity(settings: &[String]) -> Made {
+pub(super) fn capacity(settings: &[String]) -> SetupResult {
     // 257 x 256 x 256 particles: ids have 24 bits.
     Setup::new("capacity", &pool([5.14, 5.12, 5.12], [5.14, 5.12, 5.12], ""), settings, 0.1, 2)
 }
 
 /// A small dam break with its domain's corner anywhere, a number of times as large; ten steps.
-fn moved(name: &str, corner_m: f64, scale: f64, settings: &[String]) -> Made {
+fn moved(name: &str, corner_m: f64, scale: f64, settings: &[String]) -> SetupResult {
     let at = |x: f64| corner_m + scale * x;
     let text = format!(
         "spacing_m = {}
@@ -82,24 +82,24 @@ fn moved(name: &str, corner_m: f64, scale: f64, settings: &[String]) -> Made {
     Setup::new(name, &text, settings, scale.sqrt() * 12.0 / 256.0, 3)
 }
 
-pub(super) fn at_origin(settings: &[String]) -> Made {
+pub(super) fn at_origin(settings: &[String]) -> SetupResult {
     moved("at-origin", 0.0, 1.0, settings)
 }
 
-pub(super) fn far_origin(settings: &[String]) -> Made {
+pub(super) fn far_origin(settings: &[String]) -> SetupResult {
     moved("far-origin", 1.0e4, 1.0, settings)
 }
 
-pub(super) fn large(settings: &[String]) -> Made {
+pub(super) fn large(settings: &[String]) -> SetupResult {
     moved("large", 0.0, 1024.0, settings)
 }
 
-pub(super) fn long_steps(settings: &[String]) -> Made {
+pub(super) fn long_steps(settings: &[String]) -> SetupResult {
     let more = "[solver]\ndt_s = 0.04166667";
     Setup::new("dt-times-10", &pool([0.4, 0.5, 0.16], [0.16, 0.32, 0.16], more), settings, 5.0, 10)
 }
 
-pub(super) fn viscous(settings: &[String]) -> Made {
+pub(super) fn viscous(settings: &[String]) -> SetupResult {
     let more = "[forces]\nxsph = 1.0";
     Setup::new("viscosity-times-1000", &pool([0.4, 0.5, 0.16], [0.16, 0.32, 0.16], more), settings, 4.0, 8)
 }
@@ -133,7 +133,7 @@ fn column(dt_s: f64) -> Column {
     }
 }
 
-pub(super) fn tall_column(settings: &[String]) -> Made {
+pub(super) fn tall_column(settings: &[String]) -> SetupResult {
     let dt_s = column(1.0).dt_s_for(0.15);
     let text = format!(
         "spacing_m = 0.02
@@ -164,7 +164,7 @@ pub(super) fn law_holds(setup: &Setup, run: &GpuRun) -> Vec<Figure> {
     )]
 }
 
-pub(super) fn sheet(settings: &[String]) -> Made {
+pub(super) fn sheet(settings: &[String]) -> SetupResult {
     let text = "
         spacing_m = 0.02
         [domain]
@@ -203,7 +203,7 @@ pub(super) fn no_clumps(setup: &Setup, run: &GpuRun) -> Vec<Figure> {
 /// Of the jet: 6 x 6 x 20; the plug before it is 6 x 6 x 10.
 const JET: usize = 720;
 
-pub(super) fn jet(settings: &[String]) -> Made {
+pub(super) fn jet(settings: &[String]) -> SetupResult {
     let text = "
         spacing_m = 0.02
         gravity_m_s2 = [0, 0, 0]
@@ -235,7 +235,7 @@ pub(super) fn nothing_passes(_: &Setup, run: &GpuRun) -> Vec<Figure> {
 /// Two drops in an open domain so large that its cells are wrapped, one ten wrapped grids of 64 cells from
 /// the other. Spacing and places are powers of two and their multiples: both drops begin alike. For 24 steps:
 /// later the coarser rounding of the far one has grown to what a wrong neighbour would do.
-pub(super) fn two_drops(settings: &[String]) -> Made {
+pub(super) fn two_drops(settings: &[String]) -> SetupResult {
     let text = "
         spacing_m = 0.015625
         gravity_m_s2 = [0, 0, 0]
@@ -269,11 +269,11 @@ pub(super) fn drops_alike(setup: &Setup, run: &GpuRun) -> Vec<Figure> {
     )]
 }
 
-pub(super) fn thin(settings: &[String]) -> Made {
+pub(super) fn thin(settings: &[String]) -> SetupResult {
     Setup::new("thin-domain", &pool([0.4, 0.3, 0.02], [0.2, 0.2, 0.02], ""), settings, 10.0 / 240.0, 2)
 }
 
-pub(super) fn not_finite(settings: &[String]) -> Made {
+pub(super) fn not_finite(settings: &[String]) -> SetupResult {
     let mut setup = Setup::new("not-finite", &pool([0.3, 0.3, 0.2], [0.2; 3], ""), settings, 2.0, 8)?;
     setup.particles.positions[500].position_m[1] = f32::NAN;
     setup.particles.positions[77].position_m[0] = f32::NEG_INFINITY;
@@ -281,7 +281,7 @@ pub(super) fn not_finite(settings: &[String]) -> Made {
     Ok(setup)
 }
 
-pub(super) fn fast(settings: &[String]) -> Made {
+pub(super) fn fast(settings: &[String]) -> SetupResult {
     let text = "
         spacing_m = 1
         gravity_m_s2 = [0, 0, 0]
@@ -311,7 +311,7 @@ pub(super) fn momentum_kept(_: &Setup, run: &GpuRun) -> Vec<Figure> {
     )]
 }
 
-pub(super) fn at_rest(settings: &[String]) -> Made {
+pub(super) fn at_rest(settings: &[String]) -> SetupResult {
     Setup::new("lattice-at-rest", &pool([0.2, 0.3, 0.2], [0.2; 3], ""), settings, 10_000.0 / 240.0, 10)
 }
 
@@ -324,7 +324,7 @@ pub(super) fn stays(setup: &Setup, run: &GpuRun) -> Vec<Figure> {
     ]
 }
 
-pub(super) fn corner(settings: &[String]) -> Made {
+pub(super) fn corner(settings: &[String]) -> SetupResult {
     let mut setup = Setup::new("corner", &pool([0.4, 0.4, 0.4], [0.16; 3], ""), settings, 4.0, 8)?;
     setup.place(|at, v| {
         *at += DVec3::splat(0.12);

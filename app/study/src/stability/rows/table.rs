@@ -6,7 +6,7 @@ const fn runs(
     number: u32,
     name: &'static str,
     expected: &'static str,
-    setup: fn(&[String]) -> crate::Made,
+    setup: fn(&[String]) -> crate::SetupResult,
     also: Also,
 ) -> Row {
     Row { number, name, expected, setup: Some(setup), also, injected: 0 }
