@@ -134,7 +134,8 @@ pub fn read(
     stream.end()
 }
 
-/// Where the file's end says that its summary begins.
+/// Where the file's end says that its summary begins; none of a summary that its checksum shows to be damaged: names
+/// in it may be wrong.
 fn summary_start(from: &mut (impl Read + Seek), length: u64) -> std::io::Result<Option<u64>> {
     const FOOTER: u64 = HEAD as u64 + 20;
     let Some(at) = length.checked_sub(FOOTER + MAGIC.len() as u64).filter(|at| *at > 0) else { return Ok(None) };
@@ -143,7 +144,23 @@ fn summary_start(from: &mut (impl Read + Seek), length: u64) -> std::io::Result<
     from.read_exact(&mut footer)?;
     let number = |place: usize| footer[place..place + 8].try_into().map_or(0, u64::from_le_bytes);
     let start = number(HEAD);
-    Ok((footer[0] == op::FOOTER && number(1) == 20 && start > 0 && start < at).then_some(start))
+    if footer[0] != op::FOOTER || number(1) != 20 || start == 0 || start >= at {
+        return Ok(None);
+    }
+    const CHECKSUM: usize = HEAD + 16;
+    let stated = footer[CHECKSUM..].try_into().map_or(0, u32::from_le_bytes);
+    let mut hasher = crc32fast::Hasher::new();
+    let mut left = at - start;
+    let mut piece = vec![0; 1 << 16];
+    from.seek(SeekFrom::Start(start))?;
+    while stated != 0 && left > 0 {
+        let size = piece.len().min(usize::try_from(left).unwrap_or(usize::MAX));
+        from.read_exact(&mut piece[..size])?;
+        hasher.update(&piece[..size]);
+        left -= size as u64;
+    }
+    hasher.update(&footer[..CHECKSUM]);
+    Ok((stated == 0 || hasher.finalize() == stated).then_some(start))
 }
 
 struct Stream<'a> {
