@@ -3,7 +3,9 @@
 // push. Walls are the first answer. Other boundaries enter here as data that SampleBoundary reads, not as keywords,
 // which would double the modules.
 //
-// The one keyword is WALLS: an open scene has no boundary, and none of this is in its shaders.
+// The one keyword is WALLS: an open scene has no boundary, and none of this is in its shaders. Walls too far away to
+// matter gave it the same bits, but took 5 to 9 % more of constrain_density and 1 to 5 % of correct_positions
+// (colliding-drops at 2,828 and 23,016 particles, lavapipe; list_neighbours, the same in both, was within 1 %).
 #ifndef BROOKLET_BOUNDARY
 #define BROOKLET_BOUNDARY
 

@@ -93,7 +93,7 @@ static DENSITY_RATIOS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "490b60bab067c72fcee08e2fb6cbe5d76e330b93cbd40f3ee0e19bcec9ebdf4a",
+    hash: "80ba80a406cbf1e495ed33857d55f8aa4022bf3865d352132dc288d1ad228b88",
 };
 
 static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
@@ -106,7 +106,7 @@ static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "ca0fc164a373f3eff4286d0f0dc362071b897b9b5c6b1d22ec4bb7a347d3e4ee",
+    hash: "3177e8075d0d329aeac1e77691a429e21e5e023577da066c84c7eaab7f3537a5",
 };
 
 static DENSITY_RATIOS_WITH_WALLS: Module = Module {
@@ -119,7 +119,7 @@ static DENSITY_RATIOS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "a05b6bf4625a6905cb711b47790dac21ec89cb59f02b9f29ec6e2559c0e7fd5f",
+    hash: "7bf86de4ca5cf524c717404b7d5927d86630839ca31741adf7d652170212b521",
 };
 
 static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -132,5 +132,5 @@ static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "4525e7364fa3c09908da4492f1c1f0d4fb4b051a74508b70a3b0e2b9babc3948",
+    hash: "cc1b9327b8f60f158b40bfda675bff58442eb02f2e934c5b584ffda004410577",
 };

@@ -127,7 +127,7 @@ static MEASURE_PARTICLES: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "520d3c9e36ac62a2441d4ebd0015a9d3b234d0e186e8f0e7c312123f08bd7ee4",
+    hash: "c6a0ceb60dcf22752747b98e400081a4d75b7b227374a0356975e22ff4123696",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
@@ -140,7 +140,7 @@ static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "9d07bc2c6d1351c8b767c0865ec702950ab6dbc27acca9429ea8dc8d2356b1ea",
+    hash: "55fa4b7255966d029538dff90c380f6caf741588d2346a754579b4443aa6d257",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
@@ -153,7 +153,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "d14979b80b11ff06b3983ca032201ae889a3cede522b32f0a7cc5569cf32f726",
+    hash: "bacff77daaa35a86195c23f8b56460a245ddd68ab692edac9e6f834616e14347",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
@@ -166,7 +166,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "9489d86c6ae743837b4c9b5f72708751bc412a99e1d5c058215593c8f2ddb438",
+    hash: "3ebc98e8a7678ee50aad37ac3c670590fa526755bc44a1aef85d4b93ee4acefd",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -179,5 +179,5 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module 
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "9d8527ac42777f3bb5de8dd920d53ef3e207ae7a8337a6b34de1ed640a4a95a7",
+    hash: "9288ba4c530b193d633586f2382b2c312728d30fcbc892c0b0d7cf7d0716225f",
 };

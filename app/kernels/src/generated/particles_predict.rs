@@ -90,7 +90,7 @@ static PREDICT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "efe36d48b273402121023452d399456f881f4de59c01c61d1b3cce54151762b0",
+    hash: "5446eb5c2489b8c586fd4c27b2142aa3b25cbd4ed08e5bd6b2829346da7a7e77",
 };
 
 static PREDICT_WITH_PERIODIC: Module = Module {
@@ -103,7 +103,7 @@ static PREDICT_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "24ffdd851a07c8d0cc5a6e4a1c1c3874fca29880e12ef27285240daf388e9c6e",
+    hash: "4265d0fb9d7b5db04df6e91bd839d40cf5452f115a2f6c41b8be443c250bcf4c",
 };
 
 static PREDICT_WITH_WALLS: Module = Module {
@@ -116,7 +116,7 @@ static PREDICT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "de14dcbb55e86238ca157099bb4d9a9815f43e1c70174546888f0654feabc353",
+    hash: "f8049b1cb987d6e29fa6be86544426436dad5a7d729e36dbe44a3a310e65f2e1",
 };
 
 static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -129,5 +129,5 @@ static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "cdc4ee5a202267a6c938ca8698382494b60a837ae54f3ab76014d4adceb95932",
+    hash: "8729264e3940b6a7fe17504546b07d0ea2743f2e5c88e1bbb3407d4604e9c8f2",
 };

@@ -98,7 +98,7 @@ static INTEGRATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "be27fe2cf3ccbd7f19c7231963c9eaef6cb99801d5e2ef9e743088122decd610",
+    hash: "4fc9097ec24925cbf14b699eee9d167d978eb4767cae6909746027f21a031a59",
 };
 
 static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
@@ -111,7 +111,7 @@ static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "882f60d589dea4facd5ecbdd408c97f9affab9d39783c2ac728438ef0bb148f8",
+    hash: "1b499182f46b7c793104907bd397518e94e682dfe3ad69e1f2ce4e48d4e9ea1c",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
@@ -124,7 +124,7 @@ static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "b8a537387e10d8a700c5200f5254d4bf7d32471ce273ac976993f7d54df9f108",
+    hash: "33cd87fc1c87c23909134071d213ee5868a9e9554fd3e8140599b041c474a38b",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -137,5 +137,5 @@ static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "4092e16faa32a9e3db4ef3e61a1b9469120ff803e4694712637fdab44b1aba88",
+    hash: "7573b32add0f486eeab344b77f2682f501ff26005cedb3fd010f16754e2b9f1f",
 };

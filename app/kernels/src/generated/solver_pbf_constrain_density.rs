@@ -193,7 +193,7 @@ static CONSTRAIN_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "952fbcfa2fa5d252eec9fe63645d03da93be40dbfb02af58724060404eb4bf60",
+    hash: "8c71c385e192ec7653a4b3820209db48b17088d376fe7b5783ba80703e9b1c70",
 };
 
 static CONSTRAIN_DENSITY_WITH_PACKED: Module = Module {
@@ -206,7 +206,7 @@ static CONSTRAIN_DENSITY_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "ef4c141e802636679e23e30e7ae894a88ce3e45000d3ff62e46c6983deb0a6cb",
+    hash: "858f0ff3bb3160316275fe76928859c4d3b468ad20855c20fc774cabfc00bd73",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -219,7 +219,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "99b4973d86e4473f292a6996be3c5e54e374f2ca732cc63f82a578232d099ac2",
+    hash: "fd0c4fa9e588f92a0579a9ed816b8735bc1fd18836cd3b1ce610e8086365f4cb",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -232,7 +232,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "0e9a300b73ee2b0f28000f536f103653af8139673f20980ca0551388dcd0d919",
+    hash: "c156f2b51a9436e3bdeff8225cf12b394e9e0e74590ac3f5b08eb0cf92ec4893",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -245,7 +245,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "5b4620d7929fbf532d21490c8b8443ce18e1e87b3ed33c1488e46d55d707162e",
+    hash: "e2fd090ce235b21c6fe25714a2ea4a27ced19f1156f21fab8ed3984813045828",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -258,7 +258,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "7861df26aaf57910f38a0bf582040a8ea884246ffaa0e378532e1dfa5065ad21",
+    hash: "0c5e656482a422795950e606ecb24378f698e5f80c81f2c7544bb6f68137c239",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
@@ -271,7 +271,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "c9e8fe5003015ff6970c6c0f25c2e23a1395c7534bc74e2a0097eb7fd95e0a80",
+    hash: "22f5839773db173f64fdb4a91caeab54929dca1857d1736f83b3d4fe9ca12102",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_PACKED: Module = Module {
@@ -284,7 +284,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "10ea63b03ddb255c2003ca043df11eb3b01ee32ed5c7c5017706fc6b43fa5478",
+    hash: "24a73032d14c1a029339308abea8c66754efbb12157d58a249658bb34117aa06",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -297,7 +297,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "6d91017b74598c4aaf8e520a170b4395adbb245cd865320a367cd38edb0abb3d",
+    hash: "a5fd2b3445b4bb4de5443deaca017490321f2a0b9fea04360968e8e2fa20647b",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -310,7 +310,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "cd8526b9636c7629c632945ab61bbfb98e43c9e98ebfbd63b0c7d95f7f43d9ec",
+    hash: "0d1994abc87adf410e5d7c9af032324dcdaa91d800f28776aee8cca151e75124",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -323,7 +323,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "ffb20128c59901ef25b465b39af052cd9b8216521907006b05f79dd814b1fee4",
+    hash: "7e2c5b8f136a7fc68ccce59730a3aafe35bf4860a5e78097913d2bb1501f3c17",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -336,5 +336,5 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "083413f586a6d52957f0cfb038448504369a21d8b4e734732811c130df5b65b8",
+    hash: "a9cb0b4fcdad42c226a39c400efea1e1f7c65af33327500ab8f2b11ee0e35d0d",
 };

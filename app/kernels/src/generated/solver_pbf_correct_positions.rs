@@ -218,7 +218,7 @@ static CORRECT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "f49d175085d636c1595ac3eea182dd3857e8c1d99cbec12e0eb6122c1bd69fb1",
+    hash: "743acc36bd7b06c962b1932873b63aa312d1f5669e70366eaf36b7d25c4958f4",
 };
 
 static CORRECT_POSITIONS_WITH_PACKED: Module = Module {
@@ -231,7 +231,7 @@ static CORRECT_POSITIONS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "b2c2dac1d19b6bcb2301845f4193c524532da817320e3b4943aff09b672eec3b",
+    hash: "ce966f1d66afcf3d4e273116c379530ed4ba76564f979a4a1a054f20962483e9",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
@@ -244,7 +244,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "b2d277f1f19885cceceab0935ccb0bdbf23879148c08155759295f96d554f4ca",
+    hash: "3fee89af76701e539e6faae9bc54fc9b95fea591ea292ee8031567fe140c62ab",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -257,7 +257,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "cc84daca9018307e7892d6a3f523800d92ceac398f793581d113a56b685450b9",
+    hash: "f5a8156584fb97822d28443dd868e45cf48fe11a5a7a4900061160aa2931a5b0",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
@@ -270,7 +270,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "3b55d18546af4c852ff5a651bce66c6bed827c3585268ebcfdab686e9ca015c6",
+    hash: "cd1df6cee25c45816af4138c60c35c625431b5f3d60512ead64123a5a0f3a191",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -283,7 +283,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "492bc9f7a22c058f421e573de41084f514053dae47a0cef05936a4ea2a0d8d36",
+    hash: "d2a40ad61c104c62b609159465fee01134852989ebf03d6a70c994f1f709c256",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
@@ -296,7 +296,7 @@ static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "5843ce16825d92817892f149fcbb4d1b699f4b1b88a19694c37b5e9aeb125b7f",
+    hash: "1721d9fe0054d6102520f383fbc919759ea7a0c09038bafb6415752eb8306180",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_PACKED: Module = Module {
@@ -309,7 +309,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "c0a0b37dad7657ecf729108dd22e5defc03c5c1e2fa2e49352d3b004da21464e",
+    hash: "9ddfb160baed235a03bc8e3e82af5c7fbc18051b5e55b6cb489302ae1f59ce80",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -322,7 +322,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "c12ed3a9b9b01cd14bf7b94138cfbf1cfa01a75a2345cf29239f2bad2e8f0d99",
+    hash: "224aa1050da4c7052a678650b1e8537e68b937a6d644e4aa4e116cbb38ec1688",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -335,7 +335,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "5bd9c50baa827b7287327d0cad389de73852ff1e8ece9b458b99c9b916dafa34",
+    hash: "c2e51f1c5aab3316a7f81df590386a93eae515b9c440a6c968ce845f86f9b341",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -348,7 +348,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "4a3e3844a6b79e15e473bcf4ad063775b01497419eef18ee549afad1969328ae",
+    hash: "f4fef325109bac5b82431eb9b2860854c52487f38c5ba1553ee0616a567efc9f",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -361,7 +361,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = M
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "e8632eb6b1ace87e483732d32617d1ea67252f021c843cd1ef1287955633dbbb",
+    hash: "b9f2510eeedadf39fad7dab2f6ece2b6ab96a3354411a0a35a4685b5a91d968f",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
@@ -374,7 +374,7 @@ static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "46814aa880b6c94a14a7167bd9c450d2ace1a5183a3373ec9fb9251f636d7941",
+    hash: "1f6450d2458db2ebf754fccbfc4ce457cd1b2456ad9ad3ad59aeb46422d022ef",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_PACKED: Module = Module {
@@ -387,7 +387,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "7e311741e0b3980b6fb0fd23f53b8e3f3dd97b884da852d22012cf7bc23f36ff",
+    hash: "8e8bbd65d4a77dae68cac4571daef3dfa1ae3e6f732eb2e5b548ae2826bdfcbb",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -400,7 +400,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "510bb94e583723d8638b7cd3796425db11c8a30e6b8ddbeb6324b3fa208b43fe",
+    hash: "cd9483c304f86235a3d83820a55c416e513dbf112180c351d643ed5aec5b5432",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -413,7 +413,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "f2eee0c2d746b9bf902c60919a2c0753d0cb3dd1f812ec1abae64675ab664c96",
+    hash: "615ec7fc0cb0db07ccc530bd9d4813b91685dbc135874a062decad0aef5f8907",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -426,7 +426,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "ab23e4fe697d2edf3c5d56e95d35e36d8e79c14dcdfb3c967831b0be1b956bc7",
+    hash: "94813eb8123feadcdf0956679e77562a56aedaeadd32b63755fa9223115d3792",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -439,7 +439,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "e2983555cf678ee7b87ac8c6c498fd5501ec77bb1f4d63eb2f2776ac2f813637",
+    hash: "14270f9ead9e6753732c75de3a6384135623282e01a2429ff9dc79464ab704ca",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
@@ -452,7 +452,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "69c2c5c443338af3f84714ea8573fa1d9a2530026c0c8059eb95668b863e90bc",
+    hash: "ab2fd56a1fc36d8aad46cda656f955575e247011663944ab91b248238271c295",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_PACKED: Module = Module {
@@ -465,7 +465,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "6ddf8b0e80ae88280c3db3702f86beff05f15cc14e7f87512f0a3ad7454824bf",
+    hash: "3aaa4ab1a201ab4545c0330e3a6d60fc999d8d40236113da7d038b50404e50a8",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -478,7 +478,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "b9bb17e1f628b71ab2e191889385da41ee39b9a3e6b4643ab524d0895d15853c",
+    hash: "0dcf4741253155de2b13eb45c3a9c9b5cdb929fad8f941992ffa6721d0b2b780",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -491,7 +491,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACK
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "ff93f4cc569eec7e9492b9c2e7b1af5c9261d66f7e886e7197a2789bcb665198",
+    hash: "ae30e7f8d1cd4caae188506a25f5f7eed96616ea69f93dba2c3e954930403c39",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -504,7 +504,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "787f6d2514b84128352ffa80869b12e69098dbd2d9edf00c2e4a9927200d12f1",
+    hash: "15c520be7550fedd3fdaaf3fa103ed05a795243f2582c275530285017866a866",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -517,5 +517,5 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED:
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "f329e257cca68371af9b31c9f6c0f5c2f4347398d0f836812923ce6240e604fe",
+    hash: "141ebe7380a1bcade86f33cbd17ea75b2d43ed14b54f9090357f4098946b2ece",
 };
