@@ -30,6 +30,8 @@ pub(crate) struct Scan<R> {
     /// Whether the proper end was reached, and that of the data before it.
     pub ended: bool,
     data_ended: bool,
+    /// Whether a whole chunk was read.
+    has_chunks: bool,
     /// Whether the summary alone is read.
     is_summary: bool,
 }
@@ -48,6 +50,7 @@ impl<R: Read + Seek> Scan<R> {
             damaged_bytes: 0,
             ended: false,
             data_ended: false,
+            has_chunks: false,
             is_summary: false,
         }
     }
@@ -89,6 +92,9 @@ impl<R: Read + Seek> Scan<R> {
         (&mut self.from).take(length).read_to_end(&mut self.body)?;
         let is_whole = match opcode {
             op::CHUNK => chunk_is_sound(&self.body),
+            // One flipped bit makes a MessageIndex (7), which stands behind each chunk, a Message (5): files with
+            // chunks have their messages in them.
+            op::MESSAGE => !self.has_chunks && is_sound(opcode, &self.body),
             // Elsewhere, either is what damage made of another record's kind.
             op::DATA_END => length == 4,
             op::FOOTER => length == 20 && end + MAGIC.len() as u64 == self.length,
@@ -98,6 +104,7 @@ impl<R: Read + Seek> Scan<R> {
         if self.body.len() as u64 != length || !is_whole {
             return Ok(None);
         }
+        self.has_chunks |= opcode == op::CHUNK;
         if let Some(hasher) = self.hasher.as_mut().filter(|_| opcode != op::DATA_END) {
             hasher.update(&[opcode]);
             hasher.update(&length.to_le_bytes());

@@ -194,8 +194,7 @@ impl Stream<'_> {
                 self.ending.chunks += 1;
                 (self.each)(Item::ChunkEnd)
             }
-            // Files with chunks have their messages in them: out here it is a flipped bit of a chunk's index.
-            op::MESSAGE if self.ending.chunks == 0 => self.message(body),
+            op::MESSAGE => self.message(body),
             // Outside of chunks nothing has a checksum: what a chunk declares goes before.
             op::SCHEMA | op::CHANNEL => self.declare(opcode, body, true),
             op::METADATA | op::ATTACHMENT => match mcap::parse_record(opcode, body) {

@@ -52,6 +52,7 @@ const MAGIC: &[u8; 8] = b"BROOKLET";
 const FRONT_BYTES: usize = 16;
 const CHECKSUM_BYTES: usize = 4;
 const PARTICLE_BYTES: usize = 28;
+const AGE_BYTES: usize = 4;
 const PARTICLES: Name = *b"PART";
 const AGES: Name = *b"AGES";
 /// Every section that this program knows, with its version.
@@ -238,14 +239,19 @@ impl State {
             return Err(damaged("its content is damaged: its checksum is another".to_owned()));
         }
         known(&sections, &header.program).map_err(damaged)?;
-        let section = |name: Name| {
-            sections.iter().find(|section| section.name == name && is_known(section)).map(|section| section.content)
+        // The content of a section of so many bytes a particle, if it is there.
+        let section = |name: Name, bytes_a_particle: usize| {
+            let found = sections.iter().find(|section| section.name == name && is_known(section));
+            let Some(content) = found.map(|section| section.content) else { return Ok(None) };
+            let (has, needed) = (content.len(), bytes_a_particle * count);
+            if has == needed {
+                return Ok(Some(content));
+            }
+            let name = name.escape_ascii();
+            Err(damaged(format!("its section {name} has {has} bytes, and its {count} particles take {needed}")))
         };
-        let content = section(PARTICLES).ok_or_else(|| damaged("it has no section PART of version 1".to_owned()))?;
-        if content.len() != PARTICLE_BYTES * count {
-            let (has, needed) = (content.len(), PARTICLE_BYTES * count);
-            return Err(damaged(format!("its section PART has {has} bytes, and its {count} particles take {needed}")));
-        }
+        let content = section(PARTICLES, PARTICLE_BYTES)?
+            .ok_or_else(|| damaged("it has no section PART of version 1".to_owned()))?;
         if !(header.time_s.is_finite() && header.time_s >= 0.0) {
             return Err(damaged(format!("its time is {} s; it must be 0 or more", header.time_s)));
         }
@@ -259,14 +265,8 @@ impl State {
             positions: content[..16 * count].chunks_exact(16).map(position).collect(),
             velocities: content[16 * count..].chunks_exact(12).map(velocity).collect(),
         };
-        if let Some(ages) = section(AGES) {
-            if ages.len() != 4 * count {
-                let (has, needed) = (ages.len(), 4 * count);
-                return Err(damaged(format!(
-                    "its section AGES has {has} bytes, and its {count} particles take {needed}"
-                )));
-            }
-            for (velocity, age) in particles.velocities.iter_mut().zip(ages.chunks_exact(4)) {
+        if let Some(ages) = section(AGES, AGE_BYTES)? {
+            for (velocity, age) in particles.velocities.iter_mut().zip(ages.chunks_exact(AGE_BYTES)) {
                 velocity.age_s = f32::from_bits(number(age).unwrap_or_default());
             }
         }

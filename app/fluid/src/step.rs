@@ -74,10 +74,10 @@ pub fn record(resources: &mut Resources, scene: &Scene) -> Recorded {
 }
 
 /// As [`record`], with particles of the caller's instead of the scene's fluids.
-pub fn record_particles(resources: &mut Resources, scene: &Scene, emitted: ParticleSet) -> Recorded {
-    let mut recorded = record_count(resources, scene, emitted.positions.len() as u32);
-    recorded.init.upload(&mut recorded.positions, &emitted.positions);
-    recorded.init.upload(&mut recorded.velocities, &emitted.velocities);
+pub fn record_particles(resources: &mut Resources, scene: &Scene, particles: ParticleSet) -> Recorded {
+    let mut recorded = record_count(resources, scene, particles.positions.len() as u32);
+    recorded.init.upload(&mut recorded.positions, &particles.positions);
+    recorded.init.upload(&mut recorded.velocities, &particles.velocities);
     recorded
 }
 

@@ -1,15 +1,15 @@
 //! `solver/none/` against its twin.
 
-use brooklet_fluid::particles::{fluid_of, id_of};
+use brooklet_fluid::particles::id_of;
 use brooklet_kernels::{
-    Counters, INACTIVE_FLUID, IntegrateParticles, IntegrateParticlesVariant, Kernel, NoneParams, Position, QUARANTINED,
-    StepParams, Velocity,
+    Counters, IntegrateParticles, IntegrateParticlesVariant, Kernel, NoneParams, Position, QUARANTINED, StepParams,
+    Velocity,
 };
 use brooklet_reference::params::NonInteracting;
-use brooklet_reference::particles::predict::Particle;
 use brooklet_reference::solver::none::integrate_particles::integrate_particles;
-use brooklet_tests::cases::{Case, fluid, out_of_part, sizes, step_of};
-use brooklet_tests::compare::{ROUNDING, Worst, vector};
+use brooklet_study::backend::reference_particle;
+use brooklet_tests::cases::{Case, INACTIVE, fluid, out_of_part, sizes, step_of};
+use brooklet_tests::compare::{ROUNDING, Worst};
 use brooklet_tests::harness::Bench;
 use brooklet_tests::rng;
 use rand::{Rng, RngExt};
@@ -77,17 +77,11 @@ fn check(
     let (mut slowed, mut ended) = (0, 0);
     for i in 0..positions.len() {
         let tag = case.positions[i].tag;
-        let before = Particle {
-            position_m: vector(case.positions[i].position_m),
-            velocity_m_s: vector(case.velocities[i].velocity_m_s),
-            quarantined: tag & QUARANTINED != 0,
-            inactive: fluid_of(tag) == INACTIVE_FLUID,
-            age_s: f64::from(case.velocities[i].age_s),
-        };
+        let before = reference_particle(&case.positions[i], &case.velocities[i]);
         let expected = integrate_particles(id_of(tag), before, &step, &expected_of);
         slowed += u32::from(expected.slowed);
         let after = expected.particle;
-        let out = [(after.quarantined, QUARANTINED), (after.inactive, INACTIVE_FLUID << 24)];
+        let out = [(after.quarantined, QUARANTINED), (after.inactive, INACTIVE)];
         let expected_tag = out.into_iter().filter(|(is_out, _)| *is_out).fold(tag, |tag, (_, bits)| tag | bits);
         if positions[i].tag != expected_tag {
             return Err(format!("particle {i} has the tag {:#x}, expected {expected_tag:#x}", positions[i].tag));

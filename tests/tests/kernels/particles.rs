@@ -1,11 +1,10 @@
 //! `particles/` against its twin.
 
-use brooklet_fluid::particles::fluid_of;
-use brooklet_kernels::INACTIVE_FLUID;
 use brooklet_kernels::{Counters, Kernel, Position, Predict, PredictVariant, StepParams, Velocity};
-use brooklet_reference::particles::predict::{Particle, predict};
+use brooklet_reference::particles::predict::predict;
+use brooklet_study::backend::reference_particle;
 use brooklet_tests::cases::{INACTIVE, fluid, sizes, step_of};
-use brooklet_tests::compare::{ROUNDING, Worst, vector};
+use brooklet_tests::compare::{ROUNDING, Worst};
 use brooklet_tests::harness::{Bench, small};
 use brooklet_tests::rng;
 use rand::RngExt;
@@ -55,13 +54,7 @@ fn check(
     let step = step_of(&params, walls);
     let mut slowed = 0;
     for i in 0..positions.len() {
-        let before = Particle {
-            position_m: vector(positions[i].position_m),
-            velocity_m_s: vector(velocities[i].velocity_m_s),
-            quarantined: positions[i].tag & QUARANTINED != 0,
-            inactive: fluid_of(positions[i].tag) == INACTIVE_FLUID,
-            age_s: f64::from(velocities[i].age_s),
-        };
+        let before = reference_particle(&positions[i], &velocities[i]);
         let expected = predict(before, &step);
         slowed += u32::from(expected.slowed);
         let tag = output.positions[i].tag;

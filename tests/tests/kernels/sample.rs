@@ -1,12 +1,13 @@
 //! `measure/sample_particles` against its twin, and as a program records it.
 
 use brooklet_fluid::measure::record_sample;
-use brooklet_fluid::particles::{fluid_of, id_of};
+use brooklet_fluid::particles::id_of;
 use brooklet_fluid::{Scene, record};
 use brooklet_gpu::{Engine, Plan, Resources};
-use brooklet_kernels::{FLUID_SHIFT, INACTIVE_FLUID, Kernel, QUARANTINED, SampleParams, SampleParticles};
+use brooklet_kernels::{FLUID_SHIFT, Kernel, QUARANTINED, SampleParams, SampleParticles};
 use brooklet_reference::measure::sample_particles::sample_particles;
 use brooklet_reference::particles::predict::Particle;
+use brooklet_study::backend::reference_particle;
 use brooklet_tests::cases::{Case, fluid, sizes};
 use brooklet_tests::compare::{ROUNDING, Worst, vector};
 use brooklet_tests::harness::Bench;
@@ -36,18 +37,8 @@ fn run(case: &Case, stride: u32) -> Vec<[f32; 4]> {
 /// Positions exactly, and speeds: three products, two sums and a square root of 3 units in the last
 /// place, half of the first five's: 6 roundings.
 fn check(case: &Case, samples: &[[f32; 4]], stride: usize) -> Result<usize, String> {
-    let particles: Vec<Particle> = case
-        .positions
-        .iter()
-        .zip(&case.velocities)
-        .map(|(p, v)| Particle {
-            position_m: vector(p.position_m),
-            velocity_m_s: vector(v.velocity_m_s),
-            quarantined: p.tag & QUARANTINED != 0,
-            inactive: fluid_of(p.tag) == INACTIVE_FLUID,
-            ..Particle::default()
-        })
-        .collect();
+    let particles: Vec<Particle> =
+        case.positions.iter().zip(&case.velocities).map(|(p, v)| reference_particle(p, v)).collect();
     let ids: Vec<usize> = case.positions.iter().map(|p| id_of(p.tag) as usize).collect();
     let expected = sample_particles(&particles, &ids, stride);
     if samples.len() != expected.len() {
@@ -131,7 +122,7 @@ fn a_scene_is_sampled_only_if_somebody_wants_it_and_never_beyond_what_was_allowe
         let report = engine.finish().unwrap().remove(0);
         let samples: Vec<[f32; 4]> = bytemuck::pod_collect_to_vec(&report.readbacks[0].1);
         let mut positions = engine.read(&recorded.positions).unwrap();
-        positions.sort_by_key(|position| position.tag & ((1 << FLUID_SHIFT) - 1));
+        positions.sort_by_key(|position| id_of(position.tag));
         for (slot, sampled) in samples.iter().enumerate() {
             assert_eq!(sampled[..3], positions[slot * sample.stride as usize].position_m);
         }

@@ -8,4 +8,4 @@ mod tag;
 pub use predict::predict;
 pub use resample::resample;
 pub use sample_lattice::{ParticleSet, sample_lattice};
-pub use tag::{fluid_of, id_of, is_simulated};
+pub use tag::{fluid_of, id_of, is_inactive, is_quarantined, is_simulated};

@@ -68,7 +68,7 @@ pub fn resample(from: &Scene, particles: &ParticleSet, to: &Scene) -> ParticleSe
         });
     }
     let wanted = (count as f64 * cell_ratio).round().min(f64::from(MAX_PARTICLES)) as usize;
-    emitted(&points, field.densest(scale, wanted), to)
+    particle_set(&points, field.densest(scale, wanted), to)
 }
 
 /// The particle, and its images beyond walls and periodic faces that are near enough to be met. A wall
@@ -268,18 +268,18 @@ fn interleaved(point: [i32; 3]) -> u128 {
     code
 }
 
-fn emitted(points: &Points, found: Vec<([i32; 3], Sum)>, to: &Scene) -> ParticleSet {
-    let mut emitted = ParticleSet::default();
+fn particle_set(points: &Points, found: Vec<([i32; 3], Sum)>, to: &Scene) -> ParticleSet {
+    let mut particles = ParticleSet::default();
     for (id, (point, sum)) in found.into_iter().enumerate() {
         let mut velocity_m_s = sum.velocity_m_s.map(|v| v / sum.weight);
         if to.domain.is_flat() {
             velocity_m_s[2] = 0.0;
         }
-        emitted.positions.push(Position {
+        particles.positions.push(Position {
             position_m: points.place_m(point).map(|x| x as f32),
             tag: id as u32 | sum.fluid << FLUID_SHIFT,
         });
-        emitted.velocities.push(Velocity { velocity_m_s, age_s: 0.0 });
+        particles.velocities.push(Velocity { velocity_m_s, age_s: 0.0 });
     }
-    emitted
+    particles
 }

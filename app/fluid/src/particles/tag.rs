@@ -12,7 +12,17 @@ pub fn fluid_of(tag: u32) -> u32 {
     tag >> FLUID_SHIFT & INACTIVE_FLUID
 }
 
-/// Whether the slot holds a particle that takes part: neither quarantined nor inactive.
+/// Whether the particle's state was not finite.
+pub fn is_quarantined(tag: u32) -> bool {
+    tag & QUARANTINED != 0
+}
+
+/// Whether the slot holds no particle.
+pub fn is_inactive(tag: u32) -> bool {
+    fluid_of(tag) == INACTIVE_FLUID
+}
+
+/// Whether the slot holds a particle that takes part.
 pub fn is_simulated(tag: u32) -> bool {
-    tag & QUARANTINED == 0 && fluid_of(tag) != INACTIVE_FLUID
+    !is_quarantined(tag) && !is_inactive(tag)
 }

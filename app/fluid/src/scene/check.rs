@@ -8,6 +8,7 @@ use super::explain::written;
 use super::field::{Kind, Short};
 use super::fields::kind_of;
 use super::fill::{self, MAX_FLUIDS, MAX_PARTICLES};
+use super::paths::as_number;
 use super::{Fluid, Method, PointColor, Scene, SceneError};
 
 /// Spacings a side of the domain may have: f32 positions then still tell 1/256 of a spacing apart.
@@ -60,10 +61,6 @@ impl Checker<'_> {
         let allowed = format_args!("must be above min_m = {} along each axis", numbers(min));
         self.require(ok, &format!("{field}.max_m"), numbers(max), allowed)
     }
-}
-
-fn as_number(value: &Value) -> Option<f64> {
-    value.as_float().or(value.as_integer().map(|whole| whole as f64))
 }
 
 /// `[0, 0.5, 1]`

@@ -54,12 +54,24 @@ impl Scene {
         for setting in settings {
             settings::set(&mut table, setting)?;
         }
-        moved::refuse(&table, text, source_name)?;
-        methods::refuse_foreign(&table, text, source_name, FIELDS)?;
-        let mut scene: Scene = serde_path_to_error::deserialize(Value::Table(table.clone()))
-            .map_err(|error| explain::mismatch(&error, &table, text, source_name, settings.is_empty()))?;
+        let mut scene = Self::from_table(&table, text, source_name, settings.is_empty())?;
         scene.name =
             Path::new(source_name).file_stem().map_or_else(|| source_name.into(), |stem| stem.to_string_lossy().into());
+        Ok(scene)
+    }
+
+    /// The checked scene of a table, without a name. `text` is what the table was read from, and `from_text` says
+    /// that it is unchanged; errors find lines in it.
+    pub(super) fn from_table(
+        table: &Table,
+        text: &str,
+        source_name: &str,
+        from_text: bool,
+    ) -> Result<Scene, SceneError> {
+        moved::refuse(table, text, source_name)?;
+        methods::refuse_foreign(table, text, source_name, FIELDS)?;
+        let scene: Scene = serde_path_to_error::deserialize(Value::Table(table.clone()))
+            .map_err(|error| explain::mismatch(&error, table, text, source_name, from_text))?;
         scene.check(source_name)?;
         Ok(scene)
     }

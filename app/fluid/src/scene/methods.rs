@@ -131,6 +131,16 @@ pub(super) mod tests {
     }
 
     #[test]
+    fn methods_that_interact_are_those_with_neighbours() {
+        let all = [Method::Pbf, Method::None];
+        assert_eq!(all.map(Method::name), Method::NAMES);
+        let slots = FIELDS.iter().find(|field| field.path == "solver.neighbour_slots").unwrap();
+        for method in all {
+            assert_eq!(slots.is_of(method.name()), method.interacts(), "{}", method.name());
+        }
+    }
+
+    #[test]
     fn fields_name_methods_that_there_are() {
         for field in FIELDS {
             assert!(field.methods.iter().all(|name| Method::NAMES.contains(name)), "{}", field.path);

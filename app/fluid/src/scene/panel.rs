@@ -7,7 +7,7 @@ use toml::{Table, Value};
 use super::field::{Kind, Slider};
 use super::fields::FIELDS;
 use super::update::{Update, UpdateRule};
-use super::{Scene, SceneError, explain, methods, moved, paths, settings};
+use super::{Scene, SceneError, methods, paths, settings};
 
 /// One field of a scene.
 #[derive(Clone, Debug, PartialEq)]
@@ -51,8 +51,7 @@ impl Scene {
                 let value = values.get(&path).cloned();
                 if value.is_some() || !field.path.contains('*') {
                     let doc = doc_of(field.path);
-                    let number =
-                        value.as_ref().and_then(|value| value.as_float().or(value.as_integer().map(|w| w as f64)));
+                    let number = value.as_ref().and_then(paths::as_number);
                     let slider = field.slider_at(number.unwrap_or(0.0));
                     all.push(Setting { path, kind: field.kind, update, at_zero, doc, slider, value });
                 }
@@ -92,12 +91,8 @@ impl Scene {
             // The old method's settings go with it.
             methods::prune(&mut table, &method, FIELDS);
         }
-        moved::refuse(&table, "", &self.name)?;
-        methods::refuse_foreign(&table, "", &self.name, FIELDS)?;
-        let mut scene: Scene = serde_path_to_error::deserialize(Value::Table(table.clone()))
-            .map_err(|error| explain::mismatch(&error, &table, "", &self.name, false))?;
+        let mut scene = Self::from_table(&table, "", &self.name, false)?;
         scene.name.clone_from(&self.name);
-        scene.check(&self.name)?;
         Ok(scene)
     }
 }

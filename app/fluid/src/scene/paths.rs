@@ -1,4 +1,4 @@
-//! Values of a TOML table by their dotted paths.
+//! Values of a TOML table, by their dotted paths.
 
 use toml::{Table, Value};
 
@@ -11,6 +11,11 @@ pub(super) fn value_at<'a>(table: &'a Table, path: &str) -> Option<&'a Value> {
         Value::Array(items) => items.get(step.parse::<usize>().ok()?),
         _ => None,
     })
+}
+
+/// A number, with a fraction or without.
+pub(super) fn as_number(value: &Value) -> Option<f64> {
+    value.as_float().or(value.as_integer().map(|whole| whole as f64))
 }
 
 /// Takes the value at `path` out of the table; the tables above it stay.

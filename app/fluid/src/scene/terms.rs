@@ -52,8 +52,7 @@ impl Scene {
 
 /// Whether two values are one; 0 and 0.0 are.
 fn is_same(a: &Value, b: &Value) -> bool {
-    let number = |value: &Value| value.as_float().or(value.as_integer().map(|whole| whole as f64));
-    match (number(a), number(b)) {
+    match (paths::as_number(a), paths::as_number(b)) {
         (Some(a), Some(b)) => a == b,
         _ => a == b,
     }

@@ -27,9 +27,9 @@ fn every_shipped_scene_loads_and_says_what_it_is() {
         let scene = Scene::load(name, &[]).unwrap();
         assert_eq!(scene.summary, summary);
         assert!(!summary.is_empty(), "{name} has no summary");
-        let emitted = sample_lattice(&scene);
-        assert!(!emitted.positions.is_empty(), "{name} has no particles");
-        assert_eq!(fill::count(&scene), emitted.positions.len() as u64);
+        let particles = sample_lattice(&scene);
+        assert!(!particles.positions.is_empty(), "{name} has no particles");
+        assert_eq!(fill::count(&scene), particles.positions.len() as u64);
         assert_eq!(Scene::from_toml(&scene.to_toml(), name, &[]).unwrap(), scene, "{name} does not survive TOML");
     }
 }
@@ -233,10 +233,10 @@ fn what_a_message_suggests_is_enough() {
 fn overlapping_fluids_share_no_place() {
     let text = format!("{SMALL}[[fluid]]\nblock = {{ min_m = [0, 0, 0], max_m = [0.4, 0.2, 0.1] }}\n");
     let scene = load(&text, &[]).unwrap();
-    let emitted = sample_lattice(&scene);
-    assert_eq!(emitted.positions.len(), 8);
+    let particles = sample_lattice(&scene);
+    assert_eq!(particles.positions.len(), 8);
     assert_eq!(fill::count(&scene), 8);
-    let second = emitted.positions.iter().filter(|p| p.tag >> 24 == 1).count();
+    let second = particles.positions.iter().filter(|p| p.tag >> 24 == 1).count();
     assert_eq!(second, 2);
 }
 

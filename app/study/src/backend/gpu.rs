@@ -1,9 +1,10 @@
 //! A setup on the GPU: every step a frame of its own, so that what measures and what is read back is
 //! outside the times.
 
+use brooklet_fluid::particles::{id_of, is_quarantined};
 use brooklet_fluid::{ParticleSource, Session, SessionError, SessionRecorder, SessionReport, Stats};
 use brooklet_gpu::{Gpu, Plan, RecordingId};
-use brooklet_kernels::{Position, QUARANTINED, Velocity};
+use brooklet_kernels::{Position, Velocity};
 use glam::DVec3;
 
 use super::Counted;
@@ -143,7 +144,7 @@ fn sample(time_s: f64, positions: &[Position], velocities: &[Velocity], count: u
         unsound: positions.len().abs_diff(count),
     };
     for (position, velocity) in positions.iter().zip(velocities) {
-        let id = (position.tag & 0xff_ffff) as usize;
+        let id = id_of(position.tag) as usize;
         let twice = found.positions_m.get(id).is_none_or(|at| !at.is_nan());
         if twice {
             found.unsound += 1;
@@ -152,7 +153,7 @@ fn sample(time_s: f64, positions: &[Position], velocities: &[Velocity], count: u
         found.positions_m[id] = position_m(position);
         found.velocities_m_s[id] = velocity_m_s(velocity);
         let finite = found.positions_m[id].is_finite() && found.velocities_m_s[id].is_finite();
-        found.unsound += usize::from(!finite || position.tag & QUARANTINED != 0);
+        found.unsound += usize::from(!finite || is_quarantined(position.tag));
     }
     found
 }
@@ -160,6 +161,7 @@ fn sample(time_s: f64, positions: &[Position], velocities: &[Velocity], count: u
 #[cfg(test)]
 mod tests {
     use super::*;
+    use brooklet_kernels::QUARANTINED;
 
     #[test]
     fn samples_are_by_id_and_what_is_wrong_is_counted() {

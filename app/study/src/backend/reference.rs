@@ -3,10 +3,10 @@
 use std::fs;
 use std::path::PathBuf;
 
-use brooklet_fluid::particles::fluid_of;
+use brooklet_fluid::particles::{is_inactive, is_quarantined};
 use brooklet_fluid::scene::{Method, Scene};
 use brooklet_fluid::{smoothing_kernel_params, solver::pbf};
-use brooklet_kernels::{INACTIVE_FLUID, QUARANTINED};
+use brooklet_kernels::{Position, Velocity};
 use brooklet_reference::boundary::walls::{DomainWalls, WallScales};
 use brooklet_reference::params::{self, Forces, NonInteracting, Smoothing, Step};
 use brooklet_reference::particles::predict::Particle;
@@ -22,6 +22,17 @@ use crate::{Sample, Setup};
 
 /// Of what the twins compute: changes with them, so that nothing an older program kept is taken.
 const VERSION: u32 = 1;
+
+/// The f64 twin of a particle.
+pub fn reference_particle(position: &Position, velocity: &Velocity) -> Particle {
+    Particle {
+        position_m: position_m(position),
+        velocity_m_s: velocity_m_s(velocity),
+        quarantined: is_quarantined(position.tag),
+        inactive: is_inactive(position.tag),
+        age_s: f64::from(velocity.age_s),
+    }
+}
 
 /// The f64 twin of a setup.
 pub fn reference_fluid(setup: &Setup) -> Fluid {
@@ -44,15 +55,7 @@ pub fn reference_fluid(setup: &Setup) -> Fluid {
     };
     let particles = setup.particles.positions.iter().zip(&setup.particles.velocities);
     Fluid {
-        particles: particles
-            .map(|(position, velocity)| Particle {
-                position_m: position_m(position),
-                velocity_m_s: velocity_m_s(velocity),
-                quarantined: position.tag & QUARANTINED != 0,
-                inactive: fluid_of(position.tag) == INACTIVE_FLUID,
-                age_s: f64::from(velocity.age_s),
-            })
-            .collect(),
+        particles: particles.map(|(position, velocity)| reference_particle(position, velocity)).collect(),
         step: Step {
             gravity_m_s2: DVec3::from_array(scene.gravity_m_s2),
             dt_s: scene.substep_s(),
