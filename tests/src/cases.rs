@@ -5,10 +5,11 @@ use crate::compare::{HALF_ROUNDING, ROUNDING, vector};
 use crate::gpu;
 use crate::harness::{Bench, small};
 use brooklet_fluid::grid::NO_SEAM;
+use brooklet_fluid::visit_slots;
 use brooklet_gpu::Tier;
 use brooklet_kernels::{
     Buffer, FLUID_SHIFT, ForceParams, GridParams, INACTIVE_FLUID, LIST_CHUNK, ListHead, PbfParams, Position,
-    PrecisionKeyword, QUARANTINED, SmoothingKernelParams, StepParams, Velocity,
+    PrecisionKeyword, QUARANTINED, SmoothingKernelParams, StepParams, StepState, Velocity,
 };
 use brooklet_reference::boundary::walls::{DomainWalls, WallScales};
 use brooklet_reference::grid::list_neighbours::{Neighbours, list_neighbours};
@@ -126,6 +127,11 @@ impl Case {
         (bench.input("neighbours", &lists), bench.input("list_heads", &heads))
     }
 
+    /// The state of a substep that visits all particles.
+    pub fn step_state(&self) -> StepState {
+        step_state(self.count(), self.step_params().dt_s)
+    }
+
     /// Settings of a substep.
     pub fn step_params(&self) -> StepParams {
         StepParams {
@@ -135,7 +141,6 @@ impl Case {
             wall_offset_m: (SPACING_M / 4.0) as f32,
             wall_max_m: self.size_m.to_array().map(|x| x as f32),
             max_speed_m_s: 2.5,
-            particle_count: self.count() as u32,
             list_chunks: LIST_CHUNKS,
             ..StepParams::default()
         }
@@ -176,8 +181,13 @@ pub fn force_params() -> ForceParams {
     ForceParams { xsph: 0.1, vorticity_m_s: 0.02, ..ForceParams::default() }
 }
 
+/// The state of a substep of `dt_s` that visits `count` slots.
+pub fn step_state(count: usize, dt_s: f32) -> StepState {
+    StepState { dt_s, ..visit_slots(count as u32) }
+}
+
 /// Settings of a grid over `size_m` with cells of `cell_m`.
-pub fn grid_params(size_m: DVec3, cell_m: f64, count: usize) -> GridParams {
+pub fn grid_params(size_m: DVec3, cell_m: f64) -> GridParams {
     let cells = (size_m / cell_m).ceil().max(DVec3::ONE);
     let cells = cells.to_array().map(|n| n as u32);
     GridParams {
@@ -186,7 +196,6 @@ pub fn grid_params(size_m: DVec3, cell_m: f64, count: usize) -> GridParams {
         cell_size_m: cell_m as f32,
         inverse_cell_size_per_m: (1.0 / cell_m) as f32,
         support_m: SUPPORT_M as f32,
-        particle_count: count as u32,
         list_chunks: LIST_CHUNKS,
         inverse_support_per_m: (1.0 / SUPPORT_M) as f32,
         domain_cells: cells,

@@ -1,9 +1,9 @@
 //! Comparators of a kernel's output with its twin's, each fed a wrong input once in
 //! `tests/tests/fluid/comparators.rs`.
 
-use brooklet_fluid::particles::is_simulated;
+use brooklet_fluid::particles::{is_inactive, is_quarantined};
 use brooklet_kernels::{CellSlot, GridParams, Position};
-use brooklet_reference::grid::count_cells::{cell_of, check_ranks, count_cells};
+use brooklet_reference::grid::count_cells::{SlotState, cell_of, cell_of_slot, check_ranks, count_cells};
 use brooklet_reference::params::Grid;
 use glam::DVec3;
 
@@ -127,7 +127,7 @@ pub fn check_cell(cell: u32, place: DVec3, grid: &Grid, doubt: f64) -> Result<()
 }
 
 /// Whether `counts` and `slots` are those of `positions`: each in its cell (as [`check_cell`], with
-/// its `doubt`) or, quarantined, behind the last; each rank of a cell once.
+/// its `doubt`) or, quarantined or inactive, behind the last; each rank of a cell once.
 ///
 /// # Errors
 /// Names the first that is not.
@@ -147,15 +147,25 @@ pub fn check_counted(
         support_m: f64::from(grid.support_m),
     };
     for (position, &cell) in positions.iter().zip(&cells) {
-        if !is_simulated(position.tag) {
-            check_exact(&[cell], &[grid.cell_count])?;
-        } else {
-            let place = vector(position.position_m) * f64::from(grid.inverse_cell_size_per_m);
-            check_cell(cell, place, &geometry, doubt)?;
+        match slot_state(position.tag) {
+            SlotState::Simulated => {
+                let place = vector(position.position_m) * f64::from(grid.inverse_cell_size_per_m);
+                check_cell(cell, place, &geometry, doubt)?;
+            }
+            state => check_exact(&[cell], &[cell_of_slot(DVec3::ZERO, state, &geometry)])?,
         }
     }
     check_exact(counts, &count_cells(&cells, grid.cell_count))?;
     check_ranks(&cells, &ranks, grid.cell_count)
+}
+
+/// What the slot of a tag holds.
+pub fn slot_state(tag: u32) -> SlotState {
+    match (is_inactive(tag), is_quarantined(tag)) {
+        (true, _) => SlotState::Inactive,
+        (_, true) => SlotState::Quarantined,
+        _ => SlotState::Simulated,
+    }
 }
 
 /// A GPU vector in f64.

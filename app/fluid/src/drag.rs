@@ -32,7 +32,6 @@ pub struct DragPass {
     /// One push; to be run before the steps of a frame in which somebody drags.
     pub recording: Recording,
     params: Buffer<PushParams>,
-    particle_count: u32,
 }
 
 /// Records a push beside a scene's other recordings: v += w(r) (1 − exp(−dt/τ)) (v_drag − v) with
@@ -41,19 +40,18 @@ pub struct DragPass {
 /// pass nor its buffer.
 pub fn record_drag(resources: &mut Resources, recorded: &mut Recorded) -> DragPass {
     let mut params = resources.persistent("push_params", 1);
-    let particle_count = recorded.particle_count;
-    let idle = PushParams { particle_count, ..PushParams::default() };
-    recorded.init.upload(&mut params, &[idle]);
+    recorded.init.upload(&mut params, &[PushParams::default()]);
     let mut recording = resources.recording("push");
-    recording.dispatch(
+    recorded.slots.dispatch(
+        &mut recording,
         &brooklet_kernels::Push {
             positions: recorded.positions.read(),
             velocities: recorded.velocities.write(),
+            step_state: recorded.slots.state.uniform(),
             push: params.uniform(),
         },
-        particle_count,
     );
-    DragPass { recording, params, particle_count }
+    DragPass { recording, params }
 }
 
 impl DragPass {
@@ -64,7 +62,7 @@ impl DragPass {
 
     /// What the shader is given. A drag that is not finite, or has no direction or radius, moves nothing.
     pub fn params(&self, scene: &Scene, drag: &Drag) -> PushParams {
-        let idle = PushParams { particle_count: self.particle_count, ..PushParams::default() };
+        let idle = PushParams::default();
         let length = dot(drag.direction, drag.direction).sqrt();
         let direction = drag.direction.map(|x| x / length);
         let size_m = scene.domain.size_m();

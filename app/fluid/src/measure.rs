@@ -12,6 +12,7 @@ use brooklet_kernels::{
 
 use crate::grid::{NeighbourSearch, Neighbours};
 use crate::scene::Scene;
+use crate::slots::Slots;
 use crate::step_context::{Particles, StepContext};
 
 /// The measuring stages' buffers.
@@ -23,9 +24,9 @@ pub struct Measuring {
 }
 
 impl Measuring {
-    /// Declares the buffers for `particle_count` particles.
-    pub fn declare(resources: &mut Resources, particle_count: u32) -> Self {
-        let groups = particle_count.div_ceil(MeasureParticles::GROUP_SIZE[0]);
+    /// Declares the buffers for `capacity` slots.
+    pub fn declare(resources: &mut Resources, capacity: u32) -> Self {
+        let groups = capacity.div_ceil(MeasureParticles::GROUP_SIZE[0]);
         Self {
             measure: resources.buffer("measure", 1),
             group_measures: resources.buffer("group_measures", groups.max(1)),
@@ -45,7 +46,8 @@ impl Measuring {
         recording.clear(&mut self.group_measures);
         recording.clear(&mut self.histograms);
         let has_density = search.is_some();
-        recording.dispatch(
+        context.slots.dispatch(
+            recording,
             &MeasureParticles {
                 variant: MeasureParticlesVariant {
                     density: has_density,
@@ -58,10 +60,10 @@ impl Measuring {
                 list_heads: search.map(|search| search.neighbours.heads.read()),
                 group_measures: self.group_measures.write(),
                 histograms: has_density.then(|| self.histograms.write()),
+                step_state: context.slots.state.uniform(),
                 step_params: context.step.uniform(),
                 kernel: search.map(|search| search.smoothing_kernel.uniform()),
             },
-            particles.positions.len,
         );
         recording.dispatch_groups(
             &MeasureTotals {
@@ -69,7 +71,7 @@ impl Measuring {
                 histograms: self.histograms.read(),
                 counters: context.counters.read(),
                 measure: self.measure.write(),
-                step_params: context.step.uniform(),
+                step_state: context.slots.state.uniform(),
             },
             [1; 3],
         );
@@ -81,6 +83,7 @@ impl Measuring {
 /// What every particle's density ratio is computed from.
 pub struct Densities {
     step: Buffer<StepParams>,
+    slots: Slots,
     kernel: Buffer<SmoothingKernelParams>,
     walls: bool,
     periodic: bool,
@@ -91,6 +94,7 @@ impl Densities {
     pub fn of(context: &StepContext, search: &NeighbourSearch) -> Self {
         Self {
             step: context.step.alias(),
+            slots: context.slots.alias(),
             kernel: search.smoothing_kernel.alias(),
             walls: context.walls,
             periodic: context.periodic,
@@ -108,17 +112,18 @@ impl Densities {
         let mut density_ratios = resources.buffer("density_ratios", positions.len);
         // Without particles nothing else writes it.
         recording.clear(&mut density_ratios);
-        recording.dispatch(
+        self.slots.dispatch(
+            recording,
             &DensityRatios {
                 variant: DensityRatiosVariant { walls: self.walls, periodic: self.periodic },
                 positions: positions.read(),
                 neighbours: neighbours.deltas.read(),
                 list_heads: neighbours.heads.read(),
                 density_ratios: density_ratios.write(),
+                step_state: self.slots.state.uniform(),
                 step_params: self.step.uniform(),
                 kernel: self.kernel.uniform(),
             },
-            positions.len,
         );
         density_ratios
     }

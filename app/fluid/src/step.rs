@@ -7,14 +7,15 @@ use crate::grid::Neighbours;
 use crate::measure::{Densities, Measuring};
 use crate::particles::{ParticleSet, sample_lattice};
 use crate::scene::Scene;
+use crate::slots::{Slots, step_state};
 use crate::solver::Solver;
 use crate::step_context::{Particles, StepContext};
 use crate::step_params::step_params;
 
 /// A scene as recordings, and the buffers others read.
 pub struct Recorded {
-    /// Number of particles.
-    pub particle_count: u32,
+    /// The slots that its particles stand in.
+    pub slots: Slots,
     /// Uploads the scene; to be run once, first.
     pub init: Recording,
     /// One step.
@@ -74,44 +75,46 @@ pub fn record(resources: &mut Resources, scene: &Scene) -> Recorded {
 }
 
 /// As [`record`], with particles of the caller's instead of the scene's fluids.
-pub fn record_particles(resources: &mut Resources, scene: &Scene, particles: ParticleSet) -> Recorded {
+pub fn record_particles(resources: &mut Resources, scene: &Scene, mut particles: ParticleSet) -> Recorded {
+    particles.fill_slots(scene.capacity.unwrap_or_default());
     let mut recorded = record_count(resources, scene, particles.positions.len() as u32);
+    recorded.init.upload(&mut recorded.slots.state, &[step_state(&particles, 0.0)]);
     recorded.init.upload(&mut recorded.positions, &particles.positions);
     recorded.init.upload(&mut recorded.velocities, &particles.velocities);
     recorded
 }
 
-/// As [`record`], for so many particles that nobody uploads: what a plan is like, at a cost that
-/// does not grow with them. They are at rest at the domain's lowest corner until
-/// `Engine::write` puts them elsewhere.
-pub fn record_count(resources: &mut Resources, scene: &Scene, particle_count: u32) -> Recorded {
-    let mut context = StepContext::declare(resources, scene);
-    let mut particles = Particles::declare(resources, particle_count);
-    let mut solver = Solver::declare(resources, scene, particle_count);
+/// As [`record`], for so many slots that nobody uploads: what a plan is like, at a cost that does not grow with
+/// them. None is visited until `Engine::write` has given particles and a [`step_state`].
+pub fn record_count(resources: &mut Resources, scene: &Scene, capacity: u32) -> Recorded {
+    let mut context = StepContext::declare(resources, scene, capacity);
+    let mut particles = Particles::declare(resources, capacity);
+    let mut solver = Solver::declare(resources, scene, capacity);
 
     let mut init = resources.recording("init");
-    init.upload(&mut context.step, &[step_params(scene, particle_count)]);
+    init.upload(&mut context.step, &[step_params(scene)]);
     init.clear(&mut context.counters);
     solver.record_init(&mut init, scene);
 
     let mut step = resources.recording("step");
     for _ in 0..scene.solver.substeps {
+        context.slots.begin_substep(&mut step, &context.step);
         solver.record_substep(&mut step, &mut context, &mut particles);
     }
 
     let measure = (scene.outputs.measure_every_steps > 0).then(|| {
-        let mut measuring = Measuring::declare(resources, particle_count);
+        let mut measuring = Measuring::declare(resources, capacity);
         let mut recording = resources.recording("measure");
         measuring.record(&mut recording, &mut context, solver.search(), &particles);
         RecordedMeasure { recording, output: measuring.measure }
     });
     Recorded {
-        particle_count,
         init,
         step,
         measure,
         neighbours: solver.search().map(|search| search.neighbours.alias()),
         densities: solver.search().map(|search| Densities::of(&context, search)),
+        slots: context.slots,
         positions: particles.positions,
         velocities: particles.velocities,
     }

@@ -4,11 +4,14 @@ use brooklet_gpu::Resources;
 use brooklet_kernels::{Buffer, Counters, Position, PrecisionKeyword, StepParams, Velocity};
 
 use crate::scene::{Precision, Scene};
+use crate::slots::Slots;
 
 /// Settings, counters and variants that the stages of a substep share.
 pub struct StepContext {
-    /// Time, gravity, domain.
+    /// Gravity, domain, the step of time that is asked for.
     pub step: Buffer<StepParams>,
+    /// The slots that particles stand in, and what only the GPU knows of a substep.
+    pub slots: Slots,
     /// Events that are counted.
     pub counters: Buffer<Counters>,
     /// Whether the domain has walls.
@@ -20,10 +23,11 @@ pub struct StepContext {
 }
 
 impl StepContext {
-    /// Declares what `scene` needs.
-    pub fn declare(resources: &mut Resources, scene: &Scene) -> Self {
+    /// Declares what `capacity` slots of `scene` need.
+    pub fn declare(resources: &mut Resources, scene: &Scene, capacity: u32) -> Self {
         Self {
             step: resources.persistent("step_params", 1),
+            slots: Slots::declare(resources, capacity, scene.capacity.is_some()),
             counters: resources.persistent("counters", 1),
             walls: scene.domain.has_walls(),
             periodic: scene.domain.is_periodic(),

@@ -6,7 +6,7 @@ use crate::grid;
 use crate::scene::Scene;
 
 /// What the shaders are given.
-pub fn step_params(scene: &Scene, particle_count: u32) -> StepParams {
+pub fn step_params(scene: &Scene) -> StepParams {
     let (size_m, period_m) = (scene.domain.size_m(), scene.period_m());
     let [wall_min_m, wall_max_m] =
         scene.domain.wall_bounds_m().map(|corner_m| corner_m.map(|m| m.clamp(-FAR_M, FAR_M) as f32));
@@ -18,11 +18,10 @@ pub fn step_params(scene: &Scene, particle_count: u32) -> StepParams {
         wall_min_m,
         max_speed_m_s: scene.max_speed_m_s() as f32,
         wall_max_m,
-        particle_count,
         period_m: period_m.map(|period_m| period_m as f32),
         list_chunks: grid::list_chunks(scene),
         inverse_period_per_m: period_m.map(|period_m| if period_m > 0.0 { (1.0 / period_m) as f32 } else { 0.0 }),
-        reserved: 0.0,
+        ..StepParams::default()
     }
 }
 

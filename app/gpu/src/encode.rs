@@ -3,7 +3,7 @@
 use crate::device::Gpu;
 use crate::readback::Ticks;
 use crate::recording::RecordingId;
-use crate::steps::{DispatchStep, DrawsStep, Ready, Step, StepGroups};
+use crate::steps::{DispatchStep, DrawsStep, Ready, Step, StepGroups, StepInstances};
 use crate::timing::{SpanSlot, TimingStatus};
 use brooklet_kernels::Tier;
 
@@ -154,8 +154,12 @@ impl<'a> Encoder<'a> {
         for draw in &step.draws {
             pass.set_pipeline(&draw.pipeline);
             pass.set_bind_group(0, &draw.bind_group, &[]);
-            if draw.vertices > 0 && draw.instances > 0 {
-                pass.draw(0..draw.vertices, 0..draw.instances);
+            match &draw.instances {
+                StepInstances::Fixed(count) if draw.vertices > 0 && *count > 0 => {
+                    pass.draw(0..draw.vertices, 0..*count);
+                }
+                StepInstances::Fixed(_) => {}
+                StepInstances::Indirect { args, offset_bytes } => pass.draw_indirect(args, *offset_bytes),
             }
             self.dispatches += 1;
             let Some(begin) = before else { continue };
@@ -177,6 +181,6 @@ fn dispatch(pass: &mut wgpu::ComputePass<'_>, step: &DispatchStep) {
     pass.set_bind_group(0, &step.bind_group, &[]);
     match &step.groups {
         StepGroups::Fixed([x, y, z]) => pass.dispatch_workgroups(*x, *y, *z),
-        StepGroups::Indirect(args) => pass.dispatch_workgroups_indirect(args, 0),
+        StepGroups::Indirect { args, offset_bytes } => pass.dispatch_workgroups_indirect(args, *offset_bytes),
     }
 }

@@ -39,7 +39,7 @@ pub use pass_timer::PassTimer;
 pub use plan::{KeptBuffer, LeftOut, LeftOutKind, PassInfo, Plan, PlanError};
 pub use plan_difference::ChangedUpload;
 pub use readback::timestamp_bytes;
-pub use recording::{Command, Recording, RecordingId};
+pub use recording::{Command, Groups, IndirectArgs, Instances, RecordError, Recording, RecordingId};
 pub use resources::{ResourceInfo, Resources, Shape};
 pub use tier::{Shortfall, TIERS, highest_tier};
 pub use timing::{FrameReport, Span, SpanFlag, TimingStatus};

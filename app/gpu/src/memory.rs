@@ -6,7 +6,7 @@ use crate::error::{GpuError, describe};
 use crate::formats::check_formats;
 use crate::plan::Plan;
 use crate::pool::{BufferKind, TextureKind};
-use crate::recording::{Command, Groups};
+use crate::recording::{Command, Groups, Instances};
 use crate::resources::Shape;
 use brooklet_kernels::{BindingKind, Bound, Format, ResourceId};
 use std::collections::BTreeMap;
@@ -217,11 +217,14 @@ fn collect_uses(plan: &Plan) -> BTreeMap<ResourceId, Uses> {
             Command::Dispatch(dispatch) => {
                 add_bindings(&mut uses, &dispatch.bindings);
                 if let Groups::Indirect(args) = dispatch.groups {
-                    uses.entry(args).or_default().buffer |= BufferUsages::INDIRECT;
+                    uses.entry(args.buffer).or_default().buffer |= BufferUsages::INDIRECT;
                 }
             }
             Command::Draw(draw) => {
                 add_bindings(&mut uses, &draw.bindings);
+                if let Instances::Indirect(args) = draw.instances {
+                    uses.entry(args.buffer).or_default().buffer |= BufferUsages::INDIRECT;
+                }
                 let color = draw.targets.color.iter().map(|(id, _)| *id);
                 for id in color.chain(draw.targets.depth.map(|(id, _)| id)) {
                     uses.entry(id).or_default().texture |= TextureUsages::RENDER_ATTACHMENT;

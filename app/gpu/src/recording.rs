@@ -14,8 +14,28 @@ pub const GROUP_ROW: u32 = brooklet_kernels::GROUPS_PER_ROW;
 pub enum Groups {
     /// This many.
     Fixed([u32; 3]),
-    /// As the first three numbers of this buffer say.
-    Indirect(ResourceId),
+    /// As the GPU says: a `VkDispatchIndirectCommand`.
+    Indirect(IndirectArgs),
+}
+
+/// How many instances a draw has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Instances {
+    /// This many.
+    Fixed(u32),
+    /// As the GPU says, and how many vertices each has: a `VkDrawIndirectCommand`.
+    Indirect(IndirectArgs),
+}
+
+/// Where the arguments of an indirect command are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct IndirectArgs {
+    /// The buffer.
+    pub buffer: ResourceId,
+    /// Bytes before them; a multiple of 4.
+    pub offset_bytes: u32,
+    /// At most so many groups or instances, for estimates and lists: nothing holds the GPU to it.
+    pub most: u32,
 }
 
 /// A kernel's run.
@@ -46,10 +66,10 @@ pub struct DrawCall {
     pub targets: RecordedTargets,
     /// Fixed state of the pipeline.
     pub state: DrawState,
-    /// Vertices of an instance.
+    /// Vertices of an instance, where the GPU does not say.
     pub vertices: u32,
     /// Instances.
-    pub instances: u32,
+    pub instances: Instances,
 }
 
 /// One entry of a recording.
@@ -114,12 +134,15 @@ impl Command {
             Self::Dispatch(dispatch) => {
                 let mut touches = bound_touches(&dispatch.bindings);
                 if let Groups::Indirect(args) = dispatch.groups {
-                    touches.push((args, Touch::Read));
+                    touches.push((args.buffer, Touch::Read));
                 }
                 touches
             }
             Self::Draw(draw) => {
                 let mut touches = bound_touches(&draw.bindings);
+                if let Instances::Indirect(args) = draw.instances {
+                    touches.push((args.buffer, Touch::Read));
+                }
                 for (id, load) in &draw.targets.color {
                     touches.push((*id, target_touch(*load == Load::Keep)));
                 }
@@ -187,6 +210,21 @@ pub enum RecordError {
     NoTarget {
         /// The draw.
         stage: &'static str,
+    },
+    /// Arguments of an indirect command that are not in their buffer.
+    #[error(
+        "{stage} takes {bytes} bytes of arguments at byte {offset_bytes} of a buffer of {room} bytes; they must be \
+             in it, at a multiple of 4"
+    )]
+    Arguments {
+        /// The kernel or draw.
+        stage: &'static str,
+        /// Size of the arguments.
+        bytes: u32,
+        /// Where they were to be.
+        offset_bytes: u32,
+        /// Size of the buffer.
+        room: u64,
     },
     /// More groups than any device runs.
     #[error("{stage} runs {groups:?} groups; at most 65535 a dimension are allowed")]
@@ -314,9 +352,52 @@ impl Recording {
         self.push_dispatch(kernel, Groups::Fixed(groups));
     }
 
-    /// Runs `kernel` with as many groups as the GPU wrote to `args`.
-    pub fn dispatch_indirect<K: Kernel>(&mut self, kernel: &K, args: &Buffer<[u32; 3]>) {
-        self.push_dispatch(kernel, Groups::Indirect(args.id));
+    /// Runs `kernel` with as many groups as the GPU wrote to `args` behind `offset_bytes`: for at most `most_items`,
+    /// with one thread each. No items at most: nothing is recorded.
+    pub fn dispatch_indirect<K: Kernel, T: Pod>(
+        &mut self,
+        kernel: &K,
+        args: &Buffer<T>,
+        offset_bytes: u32,
+        most_items: u32,
+    ) {
+        let threads: u32 = K::GROUP_SIZE.iter().product();
+        let most = most_items.div_ceil(threads.max(1));
+        if self.holds_arguments(K::STAGE, args, offset_bytes, size_of::<[u32; 3]>()) && most > 0 {
+            self.push_dispatch(kernel, Groups::Indirect(IndirectArgs { buffer: args.id, offset_bytes, most }));
+        }
+    }
+
+    /// Draws as many instances as the GPU wrote to `args` behind `offset_bytes`, at most `most`.
+    pub fn draw_indirect<D: Draw, T: Pod>(
+        &mut self,
+        draw: &D,
+        targets: &Targets<'_>,
+        state: DrawState,
+        args: &Buffer<T>,
+        offset_bytes: u32,
+        most: u32,
+    ) {
+        if self.holds_arguments(D::STAGE, args, offset_bytes, size_of::<[u32; 4]>()) {
+            let args = IndirectArgs { buffer: args.id, offset_bytes, most };
+            self.push_draw(draw, targets, state, 0, Instances::Indirect(args));
+        }
+    }
+
+    /// Whether `args` has so many bytes behind `offset_bytes`.
+    fn holds_arguments<T: Pod>(
+        &mut self,
+        stage: &'static str,
+        args: &Buffer<T>,
+        offset_bytes: u32,
+        bytes: usize,
+    ) -> bool {
+        let room = u64::from(args.len) * size_of::<T>() as u64;
+        let holds = u64::from(offset_bytes) + bytes as u64 <= room && offset_bytes.is_multiple_of(4);
+        if !holds {
+            self.errors.push(RecordError::Arguments { stage, bytes: bytes as u32, offset_bytes, room });
+        }
+        holds
     }
 
     fn push_dispatch<K: Kernel>(&mut self, kernel: &K, groups: Groups) {
@@ -333,6 +414,17 @@ impl Recording {
 
     /// Draws; no vertices or no instances still clears the targets that are to be cleared.
     pub fn draw<D: Draw>(&mut self, draw: &D, targets: &Targets<'_>, state: DrawState, vertices: u32, instances: u32) {
+        self.push_draw(draw, targets, state, vertices, Instances::Fixed(instances));
+    }
+
+    fn push_draw<D: Draw>(
+        &mut self,
+        draw: &D,
+        targets: &Targets<'_>,
+        state: DrawState,
+        vertices: u32,
+        instances: Instances,
+    ) {
         if targets.color.is_empty() && targets.depth.is_none() {
             self.errors.push(RecordError::NoTarget { stage: D::STAGE });
             return;

@@ -8,7 +8,7 @@ use crate::memory::{Arena, Memory};
 use crate::order::encoding_order;
 use crate::pipelines::{DrawKey, Entries, check_module, identity};
 use crate::plan::{Plan, PlannedRecording};
-use crate::recording::{Command, Dispatch, DrawCall, Groups, RecordingId};
+use crate::recording::{Command, Dispatch, DrawCall, Groups, Instances, RecordingId};
 use crate::resources::{Resources, Shape};
 use brooklet_kernels::{BindingKind, Bound, Module, ResourceId};
 use std::collections::{HashMap, HashSet};
@@ -37,7 +37,7 @@ pub(crate) struct DispatchStep {
 
 pub(crate) enum StepGroups {
     Fixed([u32; 3]),
-    Indirect(wgpu::Buffer),
+    Indirect { args: wgpu::Buffer, offset_bytes: u64 },
 }
 
 /// Draws that share a render pass.
@@ -52,7 +52,12 @@ pub(crate) struct DrawStep {
     pub pipeline: wgpu::RenderPipeline,
     pub bind_group: wgpu::BindGroup,
     pub vertices: u32,
-    pub instances: u32,
+    pub instances: StepInstances,
+}
+
+pub(crate) enum StepInstances {
+    Fixed(u32),
+    Indirect { args: wgpu::Buffer, offset_bytes: u64 },
 }
 
 /// What preparing a plan allocated besides its resources.
@@ -217,7 +222,9 @@ impl Preparer<'_> {
             bind_group,
             groups: match dispatch.groups {
                 Groups::Fixed(groups) => StepGroups::Fixed(groups),
-                Groups::Indirect(args) => StepGroups::Indirect(self.buffer(args)?),
+                Groups::Indirect(args) => {
+                    StepGroups::Indirect { args: self.buffer(args.buffer)?, offset_bytes: args.offset_bytes.into() }
+                }
             },
         })
     }
@@ -249,7 +256,13 @@ impl Preparer<'_> {
         let pipeline = self.gpu.pipelines().draw(self.gpu.guard(), key, draw.vertex, draw.fragment)?;
         self.report((identity(draw.vertex), draw.fragment.map(identity)), draw.vertex.name);
         let bind_group = self.bind_group(draw.vertex, &entries, &draw.bindings)?;
-        Ok(DrawStep { stage: draw.stage, pipeline, bind_group, vertices: draw.vertices, instances: draw.instances })
+        let instances = match draw.instances {
+            Instances::Fixed(count) => StepInstances::Fixed(count),
+            Instances::Indirect(args) => {
+                StepInstances::Indirect { args: self.buffer(args.buffer)?, offset_bytes: args.offset_bytes.into() }
+            }
+        };
+        Ok(DrawStep { stage: draw.stage, pipeline, bind_group, vertices: draw.vertices, instances })
     }
 
     fn bind_group(

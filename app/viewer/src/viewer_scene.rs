@@ -120,9 +120,9 @@ impl ViewerScene {
             left_out::list(&simulated, gpu.tier(), &planned, &left_out::Recorded::default()).unwrap_or_default();
         let ScenePlan { session: mut planned, passes } = planned;
         let passes = passes.ok_or(ViewerError::NoPicture)?;
+        planned.start_at(steps, simulated_s);
         planned.plan = desc.modules.put_into(planned.plan).map_err(ViewerError::Shader)?;
-        let mut session = Session::start_with_progress(gpu, planned, progress)?;
-        session.set_time(steps, simulated_s);
+        let session = Session::start_with_progress(gpu, planned, progress)?;
         Ok(ViewerScene { scene: desc.scene, session, left_out, view, options, passes })
     }
 

@@ -40,10 +40,10 @@ float3 ConfinePosition(float3 position_m, StepParams step)
 
 // The end of a free path, confined. What the boundary takes of the path it takes of the velocity: an inelastic
 // contact. A particle put far outside would come back at any speed, even one that is not finite.
-void ConfinePath(inout float3 position_m, inout float3 velocity_m_s, StepParams step)
+void ConfinePath(inout float3 position_m, inout float3 velocity_m_s, float dt_s, StepParams step)
 {
     float3 inside_m = ConfinePosition(position_m, step);
-    velocity_m_s = clamp(velocity_m_s + (inside_m - position_m) / step.dt_s, -step.max_speed_m_s, step.max_speed_m_s);
+    velocity_m_s = clamp(velocity_m_s + (inside_m - position_m) / dt_s, -step.max_speed_m_s, step.max_speed_m_s);
     position_m = inside_m;
 }
 
@@ -72,7 +72,7 @@ float3 ConfinePosition(float3 position_m, StepParams step)
     return position_m;
 }
 
-void ConfinePath(inout float3 position_m, inout float3 velocity_m_s, StepParams step)
+void ConfinePath(inout float3 position_m, inout float3 velocity_m_s, float dt_s, StepParams step)
 {
 }
 

@@ -3,6 +3,7 @@
 #define BROOKLET_CELL
 
 #include "../shared/layout.hlsli"
+#include "../shared/tag.hlsli"
 
 // Row-major, x fastest, so that a run of cells along x is one range of sorted particles. What is
 // outside gets the cell behind the last.
@@ -21,6 +22,14 @@ uint CellOf(float3 position_m, GridParams grid)
     cell &= grid.cells - 1;
 #endif
     return (cell.z * grid.cells.y + cell.y) * grid.cells.x + cell.x;
+}
+
+// The cell that a slot is sorted into: behind those of the domain what is quarantined, behind it inactive slots.
+uint CellOfSlot(Position position, GridParams grid)
+{
+    if (IsInactive(position.tag))
+        return grid.cell_count + 1;
+    return IsQuarantined(position.tag) ? grid.cell_count : CellOf(position.position_m, grid);
 }
 
 #endif

@@ -73,22 +73,38 @@ struct ListHead
 struct StepParams
 {
     float3 gravity_m_s2;
-    float dt_s;
+    float dt_s;             // that substeps are to take: StepState has the one they take
     float3 domain_size_m;
     float wall_offset_m;    // particles stay at least this far from a wall
     float3 wall_min_m;      // where walls stand; too far to matter along axes that have none
     float max_speed_m_s;
     float3 wall_max_m;
-    uint particle_count;
+    uint reserved0;
     float3 period_m;        // the domain's side along axes that are periodic, 0 along others
     uint list_chunks;       // room for neighbours a particle, in LIST_CHUNKs
     float3 inverse_period_per_m;    // 0 along axes that are not
-    float reserved;
+    uint reserved1;
+};
+
+// What only the GPU may know of a substep; the host uploads it with particles alone. What is visited in a
+// dispatch or a draw whose size the host does not know is said in the form of Vulkan's indirect commands.
+struct StepState
+{
+    uint slot_count;        // slots that the substep visits: no particle stands behind them
+    uint active_count;      // particles, quarantined ones too, as the last sort counted; inactive slots stand behind
+    float dt_s;             // of the substep
+    float time_s;           // simulated when the substep ends
+    uint3 slot_groups;      // groups of PARTICLE_GROUP that visit the slots: a VkDispatchIndirectCommand
+    float time_lost_s;      // what rounding has taken from time_s (Kahan 1965)
+    uint vertex_count;      // a triangle for each slot: a VkDrawIndirectCommand
+    uint instance_count;
+    uint first_vertex;
+    uint first_instance;
 };
 
 // The neighbour grid, x fastest: a cell for each of the domain's, or, in a domain far larger than its
 // fluid (WRAPPED), powers of two that the domain's cells are wrapped onto. Cell `cell_count` holds
-// what is outside or quarantined; it is nobody's neighbour.
+// what is outside or quarantined, which is nobody's neighbour; the one behind it holds inactive slots.
 struct GridParams
 {
     uint3 cells;
@@ -96,15 +112,11 @@ struct GridParams
     float cell_size_m;
     float inverse_cell_size_per_m;
     float support_m;        // h: the kernel is zero beyond it
-    uint particle_count;
-    uint list_chunks;       // room for neighbours a particle, in LIST_CHUNKs
     float inverse_support_per_m;
-    uint reserved0;
-    uint reserved1;
     uint3 domain_cells;
-    uint reserved2;
+    uint list_chunks;       // room for neighbours a particle, in LIST_CHUNKs
     uint3 seam_cells;       // the domain's cells along axes that are periodic, more than it has along others
-    uint reserved3;
+    uint reserved;
 };
 
 // The smoothing kernel, Wendland C2, scaled so that the initial lattice has density ratio 1, and
@@ -152,9 +164,9 @@ struct Counters
     uint correction_clamps;
     uint displacement_clamps;   // that iterations would have moved by a support radius or more
     uint crowded;               // particles around which not all candidates were looked at
+    uint capacity_overflow;     // particles that were to be activated when no slot was left
     uint reserved0;
     uint reserved1;
-    uint reserved2;
 };
 
 // Sums and extremes of one group of particles; the last stage reduces them to one of these.
@@ -196,15 +208,35 @@ struct PushParams
     float along_z;          // 1; 0 in two dimensions, where nothing moves along z
     float near_m;           // nothing before this distance along the ray is touched
     float far_m;            // nor behind this one
-    uint particle_count;
+    uint reserved0;
+    uint reserved1;
+};
+
+// A block of particles to activate, on a lattice.
+struct ActivateParams
+{
+    float3 first_m;         // the particle at the block's lowest corner
+    float spacing_m;
+    float3 velocity_m_s;
+    uint fluid;
+    uint3 counts;           // particles along each axis; any 0: none
     uint reserved;
+};
+
+// A box whose particles are deactivated.
+struct DeactivateParams
+{
+    float3 min_m;
+    uint reserved0;
+    float3 max_m;           // below min_m: none
+    uint reserved1;
 };
 
 // Which particles a capture keeps.
 struct SampleParams
 {
     uint stride;            // those whose id is a multiple of it
-    uint particle_count;
+    uint capacity;          // ids are below it
     uint reserved0;
     uint reserved1;
 };

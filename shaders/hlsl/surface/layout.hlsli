@@ -19,9 +19,9 @@ static const float LEAST_VARIANCE = 1.0e-4;
 struct AnisotropyParams
 {
     float support_m;
-    uint particle_count;
     uint list_chunks;       // room for neighbours a particle, in LIST_CHUNKs
-    uint reserved;
+    uint reserved0;
+    uint reserved1;
 };
 
 // A particle's ellipsoid (surface/ellipsoid.hlsli).

@@ -21,6 +21,7 @@ fn summed(case: &Case, precision: PrecisionKeyword) -> Vec<f64> {
     let step_params = bench.uniform("step_params", case.step_params());
     let kernel = bench.uniform("kernel", kernel_params());
     let pbf = bench.uniform("pbf", PbfParams { cfm: MIXING, ..pbf_params() });
+    let step_state = bench.uniform("step_state", case.step_state());
     bench.dispatch(
         &ConstrainDensity {
             variant: ConstrainDensityVariant { precision, ..ConstrainDensityVariant::default() },
@@ -30,6 +31,7 @@ fn summed(case: &Case, precision: PrecisionKeyword) -> Vec<f64> {
             list_heads: list_heads.read(),
             position_lambdas: Some(position_lambdas.write()),
             packed_position_lambdas: None,
+            step_state: step_state.uniform(),
             step_params: step_params.uniform(),
             kernel: kernel.uniform(),
             pbf: pbf.uniform(),

@@ -75,7 +75,7 @@ fn indirect_dispatches_run_what_the_gpu_says() {
     let mut values = resources.persistent::<u32>("values", 256);
     let mut run = resources.recording("run");
     run.dispatch(&Arguments { wanted: wanted.read(), args: args.write() }, 1);
-    run.dispatch_indirect(&Increment { values: values.write() }, &args);
+    run.dispatch_indirect(&Increment { values: values.write() }, &args, 0, 256);
     let run_id = run.id();
     let plan = Plan::sweep(resources, vec![run], &[]).expect("a plan");
     let mut engine = Engine::new(&gpu, plan).expect("an engine");

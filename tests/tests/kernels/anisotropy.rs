@@ -8,7 +8,7 @@ use brooklet_kernels::{
 use brooklet_reference::grid::list_neighbours::list_neighbours;
 use brooklet_reference::shared::list;
 use brooklet_reference::surface::anisotropy::{Ellipsoid as Twin, anisotropy};
-use brooklet_tests::cases::{Case, LIST_CHUNKS, SPACING_M, SUPPORT_M, fluid, sizes, vectors};
+use brooklet_tests::cases::{Case, LIST_CHUNKS, SPACING_M, SUPPORT_M, fluid, sizes, step_state, vectors};
 use brooklet_tests::compare::{HALF_ROUNDING, Worst};
 use brooklet_tests::harness::Bench;
 use brooklet_tests::rng;
@@ -53,14 +53,16 @@ fn run_with(case: &Case, (params, surface): Params, unlisted: Option<usize>) -> 
     }
     let (neighbours, list_heads) = (bench.input("neighbours", &lists), bench.input("list_heads", &heads));
     let mut ellipsoids = bench.output("ellipsoids", case.count());
-    let params = bench.uniform("anisotropy", AnisotropyParams { particle_count: case.count() as u32, ..params });
+    let params = bench.uniform("anisotropy", params);
     let surface = bench.uniform("surface", surface);
+    let step_state = bench.uniform("step_state", step_state(case.count(), 0.0));
     bench.dispatch(
         &Anisotropy {
             positions: positions.read(),
             neighbours: neighbours.read(),
             list_heads: list_heads.read(),
             ellipsoids: ellipsoids.write(),
+            step_state: step_state.uniform(),
             anisotropy: params.uniform(),
             surface: surface.uniform(),
         },

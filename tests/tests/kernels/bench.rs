@@ -16,7 +16,7 @@ use brooklet_reference::shared::quantized_position::Quantization;
 use brooklet_reference::solver::pbf::constrain_density::constrain_density;
 use brooklet_tests::cases::{
     LIST_CHUNKS, SUPPORT_M, fluid, grid_params, kernel_params, list_length, out_of_part, pbf_of, pbf_params, sizes,
-    smoothing_of, vectors,
+    smoothing_of, step_state, vectors,
 };
 use brooklet_tests::compare::{ROUNDING, Worst, check_counted, check_exact, report_exact, vector};
 use brooklet_tests::harness::Bench;
@@ -57,20 +57,22 @@ fn in_rows(rng: &mut impl Rng, count: usize, size_m: DVec3) -> Vec<Position> {
 fn check_count(positions: &[Position], grid: GridParams) -> Result<(), String> {
     let mut bench = Bench::new();
     let at = bench.input("positions", positions);
-    let mut counts = bench.output("cell_counts", grid.cell_count as usize + 1);
+    let mut counts = bench.output("cell_counts", grid.cell_count as usize + 2);
     let mut slots = bench.output("cell_slots", positions.len());
     let params = bench.uniform("grid", grid);
+    let step_state = bench.uniform("step_state", step_state(positions.len(), 0.0));
     bench.dispatch(
         &CountCellsAggregated {
             positions: at.read(),
             cell_counts: counts.write(),
             cell_slots: slots.write(),
+            step_state: step_state.uniform(),
             grid: params.uniform(),
         },
         positions.len(),
     );
     let mut done = bench.run();
-    let counts = done.read(&counts, grid.cell_count as usize + 1);
+    let counts = done.read(&counts, grid.cell_count as usize + 2);
     let slots: Vec<CellSlot> = done.read(&slots, positions.len());
     // Cells of a power of two: no rounding.
     check_counted(positions, &counts, &slots, &grid, 0.0)
@@ -83,7 +85,7 @@ fn count_cells_aggregated_matches_the_twin_of_count_cells() {
     for size in sizes(CountCellsAggregated::GROUP_SIZE[0] as usize) {
         // Runs of all lengths: across groups, whole groups, and single particles.
         for size_m in [DVec3::new(0.02, 0.02, 0.02), DVec3::new(0.3, 0.2, 0.1), DVec3::new(30.0, 0.02, 0.02)] {
-            check_count(&in_rows(&mut rng, size, size_m), grid_params(size_m, 1.0 / 64.0, size)).unwrap();
+            check_count(&in_rows(&mut rng, size, size_m), grid_params(size_m, 1.0 / 64.0)).unwrap();
             cases += size;
         }
     }
@@ -118,6 +120,7 @@ fn run_reorder_index(
     let mut sorted_indices = bench.output("sorted_indices", count);
     let mut quantized_positions = bench.output("quantized_positions", count);
     let params = bench.uniform("grid", grid);
+    let step_state = bench.uniform("step_state", step_state(count, 0.0));
     bench.dispatch(
         &ReorderIndex {
             positions: at.read(),
@@ -125,6 +128,7 @@ fn run_reorder_index(
             cell_starts: cell_starts.read(),
             sorted_indices: sorted_indices.write(),
             quantized_positions: quantized_positions.write(),
+            step_state: step_state.uniform(),
             grid: params.uniform(),
         },
         count,
@@ -139,7 +143,7 @@ fn reorder_index_matches_the_twin_of_reorder() {
     let mut cases = 0;
     for size in sizes(ReorderIndex::GROUP_SIZE[0] as usize) {
         let case = fluid(&mut rng, size);
-        let grid = grid_params(case.size_m, SUPPORT_M / 2.0, size);
+        let grid = grid_params(case.size_m, SUPPORT_M / 2.0);
         let cells: Vec<u32> = (0..size).map(|_| rng.random_range(0..=grid.cell_count)).collect();
         let (indices, quantized_positions, starts, slots) = run_reorder_index(&case.positions, &cells, grid);
         let ranks: Vec<u32> = slots.iter().map(|slot| slot.rank).collect();
@@ -154,7 +158,7 @@ fn reorder_index_matches_the_twin_of_reorder() {
 /// Lists by index and compares with brute force over the particles where they lie.
 fn check_list_by_index(positions: &[Position], size_m: DVec3) -> Result<usize, String> {
     let count = positions.len();
-    let grid = GridParams { list_chunks: 32, ..grid_params(size_m, SUPPORT_M / 2.0, count) };
+    let grid = GridParams { list_chunks: 32, ..grid_params(size_m, SUPPORT_M / 2.0) };
     let geometry =
         Grid { cells: grid.cells, domain_cells: grid.domain_cells, cell_size_m: SUPPORT_M / 2.0, support_m: SUPPORT_M };
     let cells: Vec<u32> = positions
@@ -174,6 +178,7 @@ fn check_list_by_index(positions: &[Position], size_m: DVec3) -> Result<usize, S
     let mut listed_indices = bench.output("listed_indices", length);
     let mut counts = bench.output("listed_counts", count);
     let params = bench.uniform("grid", grid);
+    let step_state = bench.uniform("step_state", step_state(count, 0.0));
     bench.dispatch(
         &ListNeighboursByIndex {
             positions: at.read(),
@@ -182,6 +187,7 @@ fn check_list_by_index(positions: &[Position], size_m: DVec3) -> Result<usize, S
             sorted_indices: sorted_indices.read(),
             listed_indices: listed_indices.write(),
             listed_counts: counts.write(),
+            step_state: step_state.uniform(),
             grid: params.uniform(),
         },
         count,
@@ -254,12 +260,14 @@ fn constrain_density_by_index_matches_the_twin_of_constrain_density() {
         let step_params = bench.uniform("step_params", case.step_params());
         let kernel = bench.uniform("kernel", kernel_params());
         let pbf_params = bench.uniform("pbf", pbf_params());
+        let step_state = bench.uniform("step_state", step_state(size, case.step_params().dt_s));
         bench.dispatch(
             &ConstrainDensityByIndex {
                 quantized_positions: quantized_positions.read(),
                 listed_indices: listed_indices.read(),
                 listed_counts: listed_counts.read(),
                 position_lambdas: position_lambdas.write(),
+                step_state: step_state.uniform(),
                 step_params: step_params.uniform(),
                 kernel: kernel.uniform(),
                 pbf: pbf_params.uniform(),

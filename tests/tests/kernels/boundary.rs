@@ -9,7 +9,7 @@ use brooklet_kernels::{
 use brooklet_reference::boundary::BoundarySample;
 use brooklet_reference::boundary::walls::{WallScales, beyond_wall};
 use brooklet_reference::shared::{lattice, quantized_position::Quantization};
-use brooklet_tests::cases::{SUPPORT_M, kernel_params, pbf_params, vectors, walls_of};
+use brooklet_tests::cases::{SUPPORT_M, kernel_params, pbf_params, step_state, vectors, walls_of};
 use brooklet_tests::compare::{ROUNDING, Worst, vector};
 use brooklet_tests::harness::Bench;
 use brooklet_tests::rng;
@@ -60,14 +60,15 @@ fn probes(size_m: DVec3) -> Vec<Position> {
     at.iter().enumerate().map(|(i, place)| Position { position_m: place.map(|x| x as f32), tag: i as u32 }).collect()
 }
 
-fn params(size_m: DVec3, count: usize) -> StepParams {
+const DT_S: f32 = 0.01;
+
+fn params(size_m: DVec3) -> StepParams {
     StepParams {
-        dt_s: 0.01,
+        dt_s: DT_S,
         domain_size_m: size_m.to_array().map(|x| x as f32),
         wall_offset_m: -1.0,
         wall_max_m: size_m.to_array().map(|x| x as f32),
         max_speed_m_s: 1.0,
-        particle_count: count as u32,
         ..StepParams::default()
     }
 }
@@ -77,7 +78,7 @@ fn densities(positions: &[Position], size_m: DVec3) -> Vec<f64> {
     let weight = f64::from(kernel_params().weight);
     let mut bench = Bench::new();
     let kernel = bench.uniform("kernel", kernel_params());
-    let step_params = bench.uniform("step_params", params(size_m, 1));
+    let step_params = bench.uniform("step_params", params(size_m));
     let velocities = bench.input("velocities", &[Velocity::default()]);
     let neighbours = bench.input("neighbours", &[[0_u32; 2]]);
     let list_heads = bench.input("list_heads", &[ListHead::default()]);
@@ -86,6 +87,7 @@ fn densities(positions: &[Position], size_m: DVec3) -> Vec<f64> {
         let positions = bench.input("positions", &[*position]);
         let mut group_measures = bench.output::<MeasureSums>("group_measures", 1);
         let mut histograms = bench.output("histograms", 1024);
+        let step_state = bench.uniform("step_state", step_state(1, DT_S));
         bench.dispatch(
             &MeasureParticles {
                 variant: MeasureParticlesVariant { density: true, walls: true, periodic: false },
@@ -95,6 +97,7 @@ fn densities(positions: &[Position], size_m: DVec3) -> Vec<f64> {
                 list_heads: Some(list_heads.read()),
                 group_measures: group_measures.write(),
                 histograms: Some(histograms.write()),
+                step_state: step_state.uniform(),
                 step_params: step_params.uniform(),
                 kernel: Some(kernel.uniform()),
             },
@@ -138,9 +141,10 @@ fn gradients(positions: &[Position], size_m: DVec3) -> Vec<DVec3> {
     let list_heads = bench.input("list_heads", &vec![ListHead::default(); count]);
     let mut after = bench.output::<[u32; 2]>("quantized_positions", count);
     let mut counters = bench.input("counters", &[Counters::default()]);
-    let step_params = bench.uniform("step_params", params(size_m, count));
+    let step_params = bench.uniform("step_params", params(size_m));
     let kernel = bench.uniform("kernel", kernel_params());
     let pbf = bench.uniform("pbf", pbf);
+    let step_state = bench.uniform("step_state", step_state(count, DT_S));
     bench.dispatch(
         &CorrectPositions {
             variant: CorrectPositionsVariant { walls: true, ..CorrectPositionsVariant::default() },
@@ -151,6 +155,7 @@ fn gradients(positions: &[Position], size_m: DVec3) -> Vec<DVec3> {
             list_heads: list_heads.read(),
             quantized_positions: after.write(),
             counters: counters.write(),
+            step_state: step_state.uniform(),
             step_params: step_params.uniform(),
             kernel: kernel.uniform(),
             pbf: pbf.uniform(),
@@ -168,7 +173,7 @@ fn check(size_m: DVec3, names: [&'static str; 2]) -> Vec<(BoundarySample, f64)> 
     let mut density = Worst::new(names[0], 64.0 * ROUNDING);
     let mut gradient = Worst::new(names[1], 128.0 * ROUNDING);
     let positions = probes(size_m);
-    let walls = walls_of(&kernel_params(), vector(params(size_m, 0).domain_size_m));
+    let walls = walls_of(&kernel_params(), vector(params(size_m).domain_size_m));
     let got_densities = densities(&positions, size_m);
     let got_gradients = gradients(&positions, size_m);
     let mut results = Vec::new();

@@ -1,6 +1,7 @@
 //! Sunlight through water onto the floor, stage by stage against its twins, and against what optics says of calm
 //! and of curved water. Each twin gets what the device made before it, bit for bit.
 
+use brooklet_fluid::Slots;
 use brooklet_fluid::particles::is_simulated;
 use brooklet_fluid::scene::Smoothing;
 use brooklet_gpu::{Engine, Plan, Resources};
@@ -116,7 +117,9 @@ fn draw(positions: &[Position], photons: u32) -> Drawn {
     let mut resources = Resources::new();
     let mut buffer = resources.persistent::<Position>("positions", count);
     let velocities = resources.persistent("velocities", count);
-    let particles = Particles { positions: &buffer, velocities: &velocities, count, neighbours: None, densities: None };
+    let slots = Slots::declare(&mut resources, count, false);
+    let particles =
+        Particles { positions: &buffer, velocities: &velocities, slots: &slots, neighbours: None, densities: None };
     let passes = frame::record(&mut resources, &view, &particles, &options).expect("a frame");
     let water = passes.water.expect("water");
     let caustics = water.caustics.expect("caustics");

@@ -1,6 +1,7 @@
 //! What is drawn of each particle before anything smooths: the nearest sphere, and how much fluid the eye looks
 //! through, against their twins.
 
+use brooklet_fluid::Slots;
 use brooklet_fluid::particles::is_simulated;
 use brooklet_fluid::scene::Smoothing;
 use brooklet_gpu::{Engine, Plan, Resources};
@@ -84,7 +85,9 @@ fn draw(size_px: [u32; 2], eye_m: DVec3, positions: &[Position]) -> Drawn {
     let mut resources = Resources::new();
     let mut buffer = resources.persistent::<Position>("positions", count);
     let velocities = resources.persistent("velocities", count);
-    let particles = Particles { positions: &buffer, velocities: &velocities, count, neighbours: None, densities: None };
+    let slots = Slots::declare(&mut resources, count, false);
+    let particles =
+        Particles { positions: &buffer, velocities: &velocities, slots: &slots, neighbours: None, densities: None };
     let passes = frame::record(&mut resources, &view, &particles, &options).expect("a frame");
     let water = passes.water.expect("water");
     let mut init = passes.init;

@@ -1,7 +1,7 @@
 //! `grid/` against its twins: the counting sort, the neighbour list.
 
 use brooklet_fluid::grid::listed;
-use brooklet_fluid::particles::{id_of, is_simulated};
+use brooklet_fluid::particles::id_of;
 use brooklet_kernels::{
     CellSlot, CountCells, CountCellsVariant, Counters, GROUPS_PER_ROW, GridParams, Kernel, LIST_CHUNK, LIST_ESCAPE,
     ListHead, ListNeighbours, ListNeighboursVariant, Position, RankById, Reorder, ReorderVariant, ScatterCellMembers,
@@ -14,9 +14,9 @@ use brooklet_reference::grid::scan;
 use brooklet_reference::shared::list;
 use brooklet_reference::shared::quantized_position::Quantization;
 use brooklet_tests::cases::{
-    SLOTS, SUPPORT_M, fluid, grid_params, is_wrapped, list_length, scattered, sizes, vectors, wrapped,
+    SLOTS, SUPPORT_M, fluid, grid_params, is_wrapped, list_length, scattered, sizes, step_state, vectors, wrapped,
 };
-use brooklet_tests::compare::{check_counted, check_exact, report_exact, vector};
+use brooklet_tests::compare::{check_counted, check_exact, report_exact, slot_state, vector};
 use brooklet_tests::harness::{Bench, few_cases, small};
 use brooklet_tests::rng;
 use brooklet_tests::scan::run_scan;
@@ -27,21 +27,23 @@ use rand::RngExt;
 fn run_count(positions: &[Position], grid: GridParams) -> (Vec<u32>, Vec<CellSlot>) {
     let mut bench = Bench::new();
     let at = bench.input("positions", positions);
-    let mut counts = bench.output("cell_counts", grid.cell_count as usize + 1);
+    let mut counts = bench.output("cell_counts", grid.cell_count as usize + 2);
     let mut slots = bench.output("cell_slots", positions.len());
     let params = bench.uniform("grid", grid);
+    let step_state = bench.uniform("step_state", step_state(positions.len(), 0.0));
     bench.dispatch(
         &CountCells {
             variant: CountCellsVariant { wrapped: is_wrapped(&grid), periodic: false },
             positions: at.read(),
             cell_counts: counts.write(),
             cell_slots: slots.write(),
+            step_state: step_state.uniform(),
             grid: params.uniform(),
         },
         positions.len(),
     );
     let mut done = bench.run();
-    (done.read(&counts, grid.cell_count as usize + 1), done.read(&slots, positions.len()))
+    (done.read(&counts, grid.cell_count as usize + 2), done.read(&slots, positions.len()))
 }
 
 fn check_count(positions: &[Position], grid: GridParams, doubt: f64) -> Result<(), String> {
@@ -59,13 +61,13 @@ fn count_cells_matches_its_twin() {
         for (cell_m, doubt) in [(1.0 / 64.0, 0.0), (0.02, 1e-5)] {
             let size_m = DVec3::new(0.31, 0.2, 0.17);
             let positions = scattered(&mut rng, size, size_m);
-            check_count(&positions, grid_params(size_m, cell_m, size), doubt).unwrap();
+            check_count(&positions, grid_params(size_m, cell_m), doubt).unwrap();
             cases += size;
         }
     }
     // All in one cell: every atomic meets every other.
     let positions = vec![Position { position_m: [0.1; 3], tag: 0 }; 1000];
-    check_count(&positions, grid_params(DVec3::splat(0.3), 0.02, 1000), 0.0).unwrap();
+    check_count(&positions, grid_params(DVec3::splat(0.3), 0.02), 0.0).unwrap();
     report_exact(CountCells::STAGE, cases + 1000);
 }
 
@@ -78,14 +80,14 @@ fn a_dispatch_longer_than_a_row_of_groups_reaches_all() {
     let mut rng = rng(27);
     let size_m = DVec3::new(0.31, 0.2, 0.17);
     let positions = scattered(&mut rng, count, size_m);
-    check_count(&positions, grid_params(size_m, 1.0 / 64.0, count), 0.0).unwrap();
+    check_count(&positions, grid_params(size_m, 1.0 / 64.0), 0.0).unwrap();
 }
 
 #[test]
 fn positions_far_outside_have_no_cell() {
     let far = [1e9, -1e9, 1e30, -1e30, f32::MAX, 3e9, -0.0];
     let positions: Vec<Position> = far.iter().map(|&x| Position { position_m: [x, 0.1, 0.1], tag: 0 }).collect();
-    let grid = grid_params(DVec3::splat(0.3), 1.0 / 64.0, positions.len());
+    let grid = grid_params(DVec3::splat(0.3), 1.0 / 64.0);
     check_count(&positions, grid, 0.0).unwrap();
 }
 
@@ -113,6 +115,7 @@ fn run_reorder(
     let mut sorted_velocities = bench.output("sorted_velocities", count);
     let mut quantized_positions = bench.output("quantized_positions", count);
     let params = bench.uniform("grid", grid);
+    let step_state = bench.uniform("step_state", step_state(count, 0.0));
     bench.dispatch(
         &Reorder {
             variant: ReorderVariant { packed },
@@ -123,6 +126,7 @@ fn run_reorder(
             sorted_positions: sorted_positions.write(),
             sorted_velocities: sorted_velocities.write(),
             quantized_positions: quantized_positions.write(),
+            step_state: step_state.uniform(),
             grid: params.uniform(),
         },
         count,
@@ -141,9 +145,9 @@ fn reorder_matches_its_twin() {
     let mut cases = 0;
     for size in sizes(Reorder::GROUP_SIZE[0] as usize) {
         let case = fluid(&mut rng, size);
-        let grid = grid_params(case.size_m, SUPPORT_M / 2.0, size);
-        let cells: Vec<u32> = (0..size).map(|_| rng.random_range(0..=grid.cell_count)).collect();
-        let mut filled = vec![0; grid.cell_count as usize + 1];
+        let grid = grid_params(case.size_m, SUPPORT_M / 2.0);
+        let cells: Vec<u32> = (0..size).map(|_| rng.random_range(0..=grid.cell_count + 1)).collect();
+        let mut filled = vec![0; grid.cell_count as usize + 2];
         // Ranks from the last particle to the first: any numbering is to be obeyed.
         let mut ranks = vec![0; size];
         for i in (0..size).rev() {
@@ -172,12 +176,13 @@ fn run_rank(positions: &[Position], slots: &[CellSlot], starts: &[u32], grid: Gr
     let starts = bench.input("cell_starts", starts);
     let mut members = bench.output("cell_members", positions.len());
     let params = bench.uniform("grid", grid);
+    let step_state = bench.uniform("step_state", step_state(positions.len(), 0.0));
     bench.dispatch(
         &ScatterCellMembers {
             cell_slots: slots.read(),
             cell_starts: starts.read(),
             cell_members: members.write(),
-            grid: params.uniform(),
+            step_state: step_state.uniform(),
         },
         positions.len(),
     );
@@ -187,6 +192,7 @@ fn run_rank(positions: &[Position], slots: &[CellSlot], starts: &[u32], grid: Gr
             cell_starts: starts.read(),
             cell_members: members.read(),
             cell_slots: slots.write(),
+            step_state: step_state.uniform(),
             grid: params.uniform(),
         },
         positions.len(),
@@ -209,7 +215,7 @@ fn rank_members_matches_its_twin() {
         }
         // Cells of a fifth of the domain hold many.
         for cell_m in [0.06, 1.0 / 64.0] {
-            let grid = grid_params(size_m, cell_m, size);
+            let grid = grid_params(size_m, cell_m);
             let (counts, slots) = run_count(&positions, grid);
             let ranked = run_rank(&positions, &slots, &run_scan(&counts), grid);
             let cells: Vec<u32> = slots.iter().map(|slot| slot.cell).collect();
@@ -243,7 +249,7 @@ fn sort_is_a_permutation_in_order_of_cells() {
             let positions = scattered(&mut rng, count, size_m);
             let velocities: Vec<Velocity> =
                 (0..count).map(|i| Velocity { velocity_m_s: [i as f32, 0.0, 0.0], age_s: 0.0 }).collect();
-            let grid = grid_params(size_m, 1.0 / 64.0, count);
+            let grid = grid_params(size_m, 1.0 / 64.0);
             let (sorted, _) = sort(&positions, &velocities, grid, false);
             let mut seen = vec![false; count];
             let mut last_cell = 0;
@@ -252,18 +258,16 @@ fn sort_is_a_permutation_in_order_of_cells() {
                 prop_assert!(!std::mem::replace(&mut seen[id], true), "particle {} twice", id);
                 prop_assert_eq!(*position, positions[id]);
                 prop_assert_eq!(*velocity, velocities[id]);
-                let cell = match is_simulated(position.tag) {
-                    true => brooklet_reference::grid::count_cells::cell_of(
-                        vector(position.position_m),
-                        &brooklet_reference::params::Grid {
-                            cells: grid.cells,
-                            domain_cells: grid.domain_cells,
-                            cell_size_m: 1.0 / 64.0,
-                            support_m: SUPPORT_M,
-                        },
-                    ),
-                    false => grid.cell_count,
-                };
+                let cell = brooklet_reference::grid::count_cells::cell_of_slot(
+                    vector(position.position_m),
+                    slot_state(position.tag),
+                    &brooklet_reference::params::Grid {
+                        cells: grid.cells,
+                        domain_cells: grid.domain_cells,
+                        cell_size_m: 1.0 / 64.0,
+                        support_m: SUPPORT_M,
+                    },
+                );
                 prop_assert!(cell >= last_cell, "cell {} after {}", cell, last_cell);
                 last_cell = cell;
             }
@@ -305,6 +309,7 @@ fn check_lists(
     let mut heads = bench.output("list_heads", count);
     let mut counters = bench.input("counters", &[Counters::default()]);
     let params = bench.uniform("grid", grid);
+    let step_state = bench.uniform("step_state", step_state(count, 0.0));
     bench.dispatch(
         &ListNeighbours {
             variant: ListNeighboursVariant { wrapped: is_wrapped(&grid), periodic: false, packed },
@@ -314,6 +319,7 @@ fn check_lists(
             neighbours: neighbours.write(),
             list_heads: heads.write(),
             counters: counters.write(),
+            step_state: step_state.uniform(),
             grid: params.uniform(),
         },
         count,
@@ -365,7 +371,7 @@ fn list_neighbours_matches_brute_force() {
     let mut listed = 0;
     for size in sizes(ListNeighbours::GROUP_SIZE[0] as usize) {
         let case = fluid(&mut rng, size);
-        let grid = grid_params(case.size_m, SUPPORT_M / 2.0, size);
+        let grid = grid_params(case.size_m, SUPPORT_M / 2.0);
         let (sorted, starts) = sort(&case.positions, &case.velocities, grid, false);
         listed += check_neighbours(&sorted, &starts, grid, false).unwrap().neighbours;
         let (sorted, starts) = sort(&case.positions, &case.velocities, grid, true);
@@ -374,7 +380,7 @@ fn list_neighbours_matches_brute_force() {
         // Sparse, with some outside and quarantined, in a domain of few cells along one axis.
         let size_m = DVec3::new(0.6, 0.05, 0.13);
         let positions = scattered(&mut rng, size, size_m);
-        let grid = grid_params(size_m, SUPPORT_M / 2.0, size);
+        let grid = grid_params(size_m, SUPPORT_M / 2.0);
         let (sorted, starts) = sort(&positions, &case.velocities, grid, false);
         listed +=
             check_neighbours(&sorted, &starts, GridParams { list_chunks: 512, ..grid }, false).unwrap().neighbours;
@@ -409,7 +415,7 @@ fn a_wrapped_grid_lists_what_a_dense_one_does() {
             .map(|(i, at)| Position { position_m: at.to_array().map(|x| x as f32), tag: i as u32 })
             .collect();
         let velocities = vec![Velocity::default(); positions.len()];
-        let grid = wrapped(grid_params(size_m, cell_m, positions.len()), cells);
+        let grid = wrapped(grid_params(size_m, cell_m), cells);
         check_count(&positions, grid, 1e-5).unwrap();
         for packed in [false, true] {
             let (sorted, starts) = sort(&positions, &velocities, grid, packed);
@@ -423,7 +429,7 @@ fn a_wrapped_grid_lists_what_a_dense_one_does() {
 #[test]
 fn neighbours_without_a_slot_are_counted() {
     let case = fluid(&mut rng(26), 300);
-    let grid = GridParams { list_chunks: 5, ..grid_params(case.size_m, SUPPORT_M / 2.0, 300) };
+    let grid = GridParams { list_chunks: 5, ..grid_params(case.size_m, SUPPORT_M / 2.0) };
     let (sorted, starts) = sort(&case.positions, &case.velocities, grid, false);
     let overflow = check_neighbours(&sorted, &starts, grid, false).unwrap().overflow;
     assert!(overflow > 0, "the case was meant to overflow");
@@ -431,7 +437,7 @@ fn neighbours_without_a_slot_are_counted() {
     // All at one point: each sees all others.
     let positions = vec![Position { position_m: [0.1; 3], tag: 0 }; 130];
     let velocities = vec![Velocity::default(); 130];
-    let grid = grid_params(DVec3::splat(0.2), SUPPORT_M / 2.0, 130);
+    let grid = grid_params(DVec3::splat(0.2), SUPPORT_M / 2.0);
     let (sorted, starts) = sort(&positions, &velocities, grid, false);
     let overflow = check_neighbours(&sorted, &starts, grid, false).unwrap().overflow;
     assert_eq!(overflow, 130 * (129 - SLOTS));
@@ -457,7 +463,7 @@ fn lists_reach_over_escapes() {
     let last = positions.len() - 1;
     positions.swap(0, last);
     let velocities = vec![Velocity::default(); positions.len()];
-    let grid = grid_params(size_m, SUPPORT_M / 2.0, positions.len());
+    let grid = grid_params(size_m, SUPPORT_M / 2.0);
     let (sorted, starts) = sort(&positions, &velocities, grid, false);
     // Only pairs with one of the few can be near.
     let at_m = vectors(&sorted.positions);
@@ -490,7 +496,7 @@ fn list_equals_brute_force_anywhere() {
             let size_m = DVec3::from_array(cells.map(f64::from)) * (SUPPORT_M / 2.0);
             let positions = scattered(&mut rng, count, size_m);
             let velocities = vec![Velocity::default(); count];
-            let grid = GridParams { list_chunks: 64, ..grid_params(size_m, SUPPORT_M / 2.0, count) };
+            let grid = GridParams { list_chunks: 64, ..grid_params(size_m, SUPPORT_M / 2.0) };
             let grid = if seed % 2 == 0 { grid } else { wrapped(grid, [8, 8, 8]) };
             let (sorted, starts) = sort(&positions, &velocities, grid, false);
             check_neighbours(&sorted, &starts, grid, false).map(drop).map_err(TestCaseError::fail)

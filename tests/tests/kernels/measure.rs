@@ -11,7 +11,7 @@ use brooklet_reference::measure::measure_particles::{Sample, Sums, measure_parti
 use brooklet_reference::measure::measure_totals::{measure_totals, percentile_99};
 use brooklet_reference::shared::list;
 use brooklet_tests::cases::{
-    Around, Case, LIST_CHUNKS, SUPPORT_M, fluid, kernel_params, sizes, smoothing_of, walls_of,
+    Around, Case, LIST_CHUNKS, SUPPORT_M, fluid, kernel_params, sizes, smoothing_of, step_state, walls_of,
 };
 use brooklet_tests::compare::{ROUNDING, Worst, check_exact, vector};
 use brooklet_tests::harness::Bench;
@@ -37,6 +37,7 @@ fn run_particles(case: &Case, params: StepParams, walls: Around) -> (Vec<Measure
     let mut histograms = bench.output("histograms", 2 * BINS);
     let step_params = bench.uniform("step_params", params);
     let kernel = bench.uniform("kernel", kernel_params());
+    let step_state = bench.uniform("step_state", step_state(case.count(), params.dt_s));
     bench.dispatch(
         &MeasureParticles {
             variant: MeasureParticlesVariant { density: true, walls: walls.has_walls(), periodic: false },
@@ -46,6 +47,7 @@ fn run_particles(case: &Case, params: StepParams, walls: Around) -> (Vec<Measure
             list_heads: Some(list_heads.read()),
             group_measures: group_measures.write(),
             histograms: Some(histograms.write()),
+            step_state: step_state.uniform(),
             step_params: step_params.uniform(),
             kernel: Some(kernel.uniform()),
         },
@@ -55,20 +57,20 @@ fn run_particles(case: &Case, params: StepParams, walls: Around) -> (Vec<Measure
     (done.read(&group_measures, groups), done.read(&histograms, 2 * BINS))
 }
 
-fn run_totals(groups: &[MeasureSums], histograms: &[u32], counters: Counters, params: StepParams) -> Measure {
+fn run_totals(groups: &[MeasureSums], histograms: &[u32], counters: Counters, particles: usize) -> Measure {
     let mut bench = Bench::new();
     let group_measures = bench.input("group_measures", groups);
     let histograms = bench.input("histograms", histograms);
     let counters = bench.input("counters", &[counters]);
     let mut measure = bench.output("measure", 1);
-    let step_params = bench.uniform("step_params", params);
+    let step_state = bench.uniform("step_state", step_state(particles, 0.0));
     bench.dispatch(
         &MeasureTotals {
             group_measures: group_measures.read(),
             histograms: histograms.read(),
             counters: counters.read(),
             measure: measure.write(),
-            step_params: step_params.uniform(),
+            step_state: step_state.uniform(),
         },
         1,
     );
@@ -144,6 +146,7 @@ fn density_ratios_are_their_twins() {
             let mut density_ratios = bench.output("density_ratios", size);
             let step_params = bench.uniform("step_params", case.step_params());
             let kernel = bench.uniform("kernel", kernel_params());
+            let step_state = bench.uniform("step_state", step_state(size, case.step_params().dt_s));
             bench.dispatch(
                 &DensityRatios {
                     variant: DensityRatiosVariant { walls: walls.has_walls(), periodic: false },
@@ -151,6 +154,7 @@ fn density_ratios_are_their_twins() {
                     neighbours: neighbours.read(),
                     list_heads: list_heads.read(),
                     density_ratios: density_ratios.write(),
+                    step_state: step_state.uniform(),
                     step_params: step_params.uniform(),
                     kernel: kernel.uniform(),
                 },
@@ -209,7 +213,7 @@ fn measures_match_their_twins() {
                 continue;
             }
             let counters = Counters { speed_clamps: 3, correction_clamps: 5, ..Counters::default() };
-            let measure = run_totals(&groups, &histograms, counters, params);
+            let measure = run_totals(&groups, &histograms, counters, case.count());
             check_sums(&mut totals, &measure.sums, &total, 3.0).unwrap();
             assert_eq!(measure.counters, counters);
             let errors: Vec<f64> = samples.iter().filter(|s| !s.quarantined).map(|s| s.density_ratio - 1.0).collect();
@@ -256,11 +260,10 @@ fn percentiles_are_those_of_a_walk_from_the_highest_bin_down() {
         histograms[BINS..].copy_from_slice(&reversed);
         let particles: u32 = histograms[..BINS].iter().sum();
         let group = MeasureSums { particles, ..MeasureSums::default() };
-        let params = StepParams { particle_count: particles, ..StepParams::default() };
         let groups = (particles as usize).div_ceil(MeasureParticles::GROUP_SIZE[0] as usize).max(1);
         let mut groups = vec![MeasureSums::default(); groups];
         groups[0] = group;
-        let measure = run_totals(&groups, &histograms, Counters::default(), params);
+        let measure = run_totals(&groups, &histograms, Counters::default(), particles as usize);
         for (got, histogram) in
             [(measure.density_error_p99, &histograms[..BINS]), (measure.compression_p99, &histograms[BINS..])]
         {
@@ -310,8 +313,7 @@ fn totals_add_up_any_number_of_groups() {
             })
             .collect();
         let parts: Vec<Sums> = groups.iter().map(sums_of).collect();
-        let params = StepParams { particle_count: (count * GROUP) as u32, ..StepParams::default() };
-        let measure = run_totals(&groups, &vec![0; 2 * BINS], Counters::default(), params);
+        let measure = run_totals(&groups, &vec![0; 2 * BINS], Counters::default(), count * GROUP);
         let mut expected = measure_totals(&parts);
         expected.speed_max_m_s = expected.speed_max_m_s.max(0.0);
         check_sums(&mut worst, &measure.sums, &expected, 2.0).unwrap();

@@ -8,7 +8,7 @@ use brooklet_kernels::{
 use brooklet_reference::params::NonInteracting;
 use brooklet_reference::solver::none::integrate_particles::integrate_particles;
 use brooklet_study::backend::reference_particle;
-use brooklet_tests::cases::{Case, INACTIVE, fluid, out_of_part, sizes, step_of};
+use brooklet_tests::cases::{Case, INACTIVE, fluid, out_of_part, sizes, step_of, step_state};
 use brooklet_tests::compare::{ROUNDING, Worst};
 use brooklet_tests::harness::Bench;
 use brooklet_tests::rng;
@@ -25,12 +25,14 @@ fn run(case: &Case, params: StepParams, settings: NoneParams, walls: bool) -> (V
     let mut counters = bench.input("counters", &[Counters::default()]);
     let step_params = bench.uniform("step_params", params);
     let none = bench.uniform("none", settings);
+    let step_state = bench.uniform("step_state", step_state(count, params.dt_s));
     bench.dispatch(
         &IntegrateParticles {
             variant: IntegrateParticlesVariant { walls, periodic: false },
             positions: positions.write(),
             velocities: velocities.write(),
             counters: counters.write(),
+            step_state: step_state.uniform(),
             step_params: step_params.uniform(),
             none: none.uniform(),
         },

@@ -3,7 +3,7 @@
 use brooklet_kernels::{Counters, Kernel, Position, Predict, PredictVariant, StepParams, Velocity};
 use brooklet_reference::particles::predict::predict;
 use brooklet_study::backend::reference_particle;
-use brooklet_tests::cases::{INACTIVE, fluid, sizes, step_of};
+use brooklet_tests::cases::{INACTIVE, fluid, sizes, step_of, step_state};
 use brooklet_tests::compare::{ROUNDING, Worst};
 use brooklet_tests::harness::{Bench, small};
 use brooklet_tests::rng;
@@ -24,12 +24,14 @@ fn run(positions: &[Position], velocities: &[Velocity], params: StepParams, wall
     let mut velocities = bench.input("velocities", velocities);
     let mut counters = bench.input("counters", &[Counters::default()]);
     let step_params = bench.uniform("step_params", params);
+    let step_state = bench.uniform("step_state", step_state(count, params.dt_s));
     bench.dispatch(
         &Predict {
             variant: PredictVariant { walls, periodic: params.period_m != [0.0; 3] },
             positions: positions.write(),
             velocities: velocities.write(),
             counters: counters.write(),
+            step_state: step_state.uniform(),
             step_params: step_params.uniform(),
         },
         count,
@@ -149,13 +151,7 @@ fn rows_of_groups_fold() {
     let positions = vec![Position { position_m: [0.5; 3], tag: 0 }; count];
     let velocities: Vec<Velocity> =
         (0..count).map(|_| Velocity { velocity_m_s: [rng.random(), 0.0, 0.0], age_s: 0.0 }).collect();
-    let params = StepParams {
-        dt_s: 0.25,
-        domain_size_m: [2.0; 3],
-        max_speed_m_s: 2.0,
-        particle_count: count as u32,
-        ..StepParams::default()
-    };
+    let params = StepParams { dt_s: 0.25, domain_size_m: [2.0; 3], max_speed_m_s: 2.0, ..StepParams::default() };
     let output = run(&positions, &velocities, params, false);
     let moved = |i: usize| output.positions[i].position_m[0] == 0.5 + 0.25 * velocities[i].velocity_m_s[0];
     assert_eq!((0..count).find(|&i| !moved(i)), None);

@@ -11,7 +11,7 @@ use brooklet_reference::params::{Smoothing, nearest_image};
 use brooklet_reference::particles::predict::{Particle, predict};
 use brooklet_reference::shared::quantized_position::Quantization;
 use brooklet_reference::solver::pbf::update_velocity::update_velocity;
-use brooklet_tests::cases::{Case, SUPPORT_M, fluid, kernel_params, sizes, smoothing_of, step_of};
+use brooklet_tests::cases::{Case, SUPPORT_M, fluid, kernel_params, sizes, smoothing_of, step_of, step_state};
 use brooklet_tests::compare::{ROUNDING, Worst, vector};
 use brooklet_tests::harness::Bench;
 use brooklet_tests::rng;
@@ -68,12 +68,14 @@ fn run_predict(case: &Case, params: StepParams, walls: bool) -> (Vec<Position>, 
     let mut velocities = bench.input("velocities", &case.velocities);
     let mut counters = bench.input("counters", &[Counters::default()]);
     let step_params = bench.uniform("step_params", params);
+    let step_state = bench.uniform("step_state", step_state(count, params.dt_s));
     bench.dispatch(
         &Predict {
             variant: PredictVariant { walls, periodic: true },
             positions: positions.write(),
             velocities: velocities.write(),
             counters: counters.write(),
+            step_state: step_state.uniform(),
             step_params: step_params.uniform(),
         },
         count,
@@ -138,10 +140,12 @@ fn update_velocity_matches_its_twin() {
                 let mut velocities = bench.output("velocities", size);
                 let mut counters = bench.input("counters", &[Counters::default()]);
                 let step_params = bench.uniform("step_params", params);
+                let step_state = bench.uniform("step_state", step_state(size, params.dt_s));
                 bench.dispatch(
                     &UpdateVelocity {
                         variant: UpdateVelocityVariant { packed: quantization == Quantization::Packed, periodic: true },
                         quantized_positions: at.read(),
+                        step_state: step_state.uniform(),
                         kernel: kernel.uniform(),
                         sorted_positions: sorted_positions.read(),
                         sorted_velocities: sorted_velocities.read(),
@@ -194,6 +198,7 @@ fn densities_match_their_twins() {
             let mut histograms = bench.output::<u32>("histograms", 1024);
             let step_params = bench.uniform("step_params", params);
             let kernel = bench.uniform("kernel", kernel_params());
+            let step_state = bench.uniform("step_state", step_state(size, params.dt_s));
             bench.dispatch(
                 &DensityRatios {
                     variant: DensityRatiosVariant { walls: false, periodic: true },
@@ -201,6 +206,7 @@ fn densities_match_their_twins() {
                     neighbours: neighbours.read(),
                     list_heads: list_heads.read(),
                     density_ratios: ratios.write(),
+                    step_state: step_state.uniform(),
                     step_params: step_params.uniform(),
                     kernel: kernel.uniform(),
                 },
@@ -215,6 +221,7 @@ fn densities_match_their_twins() {
                     list_heads: Some(list_heads.read()),
                     group_measures: group_measures.write(),
                     histograms: Some(histograms.write()),
+                    step_state: step_state.uniform(),
                     step_params: step_params.uniform(),
                     kernel: Some(kernel.uniform()),
                 },

@@ -6,7 +6,7 @@ use brooklet_fluid::{Scene, record};
 use brooklet_gpu::{Engine, Plan, Resources};
 use brooklet_kernels::{Kernel, Position, Push, PushParams, Velocity};
 use brooklet_reference::particles::push::{self, push};
-use brooklet_tests::cases::{fluid, out_of_part, sizes};
+use brooklet_tests::cases::{fluid, out_of_part, sizes, step_state};
 use brooklet_tests::compare::{ROUNDING, Worst, vector};
 use brooklet_tests::harness::Bench;
 use brooklet_tests::{gpu, rng};
@@ -18,7 +18,16 @@ fn run(positions: &[Position], velocities: &[Velocity], params: PushParams) -> V
     let (count, positions) = (positions.len(), bench.input("positions", positions));
     let mut velocities = bench.input("velocities", velocities);
     let push = bench.uniform("push_params", params);
-    bench.dispatch(&Push { positions: positions.read(), velocities: velocities.write(), push: push.uniform() }, count);
+    let step_state = bench.uniform("step_state", step_state(count, 0.0));
+    bench.dispatch(
+        &Push {
+            positions: positions.read(),
+            velocities: velocities.write(),
+            step_state: step_state.uniform(),
+            push: push.uniform(),
+        },
+        count,
+    );
     bench.run().read(&velocities, count)
 }
 
@@ -64,7 +73,7 @@ fn check(positions: &[Position], before: &[Velocity], after: &[Velocity], drag: 
     Ok(moved)
 }
 
-fn drag(rng: &mut impl Rng, size_m: DVec3, count: usize) -> PushParams {
+fn drag(rng: &mut impl Rng, size_m: DVec3) -> PushParams {
     let mut random = || DVec3::new(rng.random(), rng.random(), rng.random());
     let through_m = random() * size_m;
     let direction = (random() - 0.5).normalize();
@@ -77,8 +86,7 @@ fn drag(rng: &mut impl Rng, size_m: DVec3, count: usize) -> PushParams {
         along_z: 1.0,
         near_m: 1.15,
         far_m: 1.5,
-        particle_count: count as u32,
-        reserved: 0,
+        ..PushParams::default()
     }
 }
 
@@ -92,7 +100,7 @@ fn push_matches_its_twin() {
             for (i, position) in case.positions.iter_mut().enumerate() {
                 position.tag |= out_of_part(i);
             }
-            let params = PushParams { along_z, ..drag(&mut rng, case.size_m, size) };
+            let params = PushParams { along_z, ..drag(&mut rng, case.size_m) };
             let after = run(&case.positions, &case.velocities, params);
             moved += check(&case.positions, &case.velocities, &after, &twin_of(&params)).unwrap();
             let still = |i: usize| after[i].velocity_m_s[2] == case.velocities[i].velocity_m_s[2];
@@ -106,7 +114,7 @@ fn push_matches_its_twin() {
 fn a_drag_of_another_radius_or_velocity_fails() {
     let mut rng = rng(62);
     let case = fluid(&mut rng, 500);
-    let params = drag(&mut rng, case.size_m, 500);
+    let params = drag(&mut rng, case.size_m);
     let after = run(&case.positions, &case.velocities, params);
     let right = twin_of(&params);
     check(&case.positions, &case.velocities, &after, &right).unwrap();

@@ -20,7 +20,7 @@ fn run(case: &Case, stride: u32) -> Vec<[f32; 4]> {
     let positions = bench.input("positions", &case.positions);
     let velocities = bench.input("velocities", &case.velocities);
     let mut samples = bench.output("samples", slots);
-    let params = SampleParams { stride, particle_count: case.count() as u32, ..SampleParams::default() };
+    let params = SampleParams { stride, capacity: case.count() as u32, ..SampleParams::default() };
     let params = bench.uniform("sample_params", params);
     bench.dispatch(
         &SampleParticles {
@@ -105,7 +105,7 @@ fn a_scene_is_sampled_only_if_somebody_wants_it_and_never_beyond_what_was_allowe
         let mut resources = Resources::new();
         let recorded = record(&mut resources, &scene);
         let sample = record_sample(&mut resources, &recorded, most_points);
-        let count = recorded.particle_count;
+        let count = recorded.slots.capacity;
         assert_eq!(sample.samples.len, count.div_ceil(sample.stride));
         assert!(sample.samples.len <= most_points.max(1));
         assert!(sample.stride == 1 || count.div_ceil(sample.stride - 1) > most_points, "no more is left out than must");

@@ -12,7 +12,7 @@ use brooklet_reference::solver::pbf::correct_positions::{MAX_DISPLACEMENT, corre
 use brooklet_reference::solver::pbf::update_velocity::update_velocity;
 use brooklet_tests::cases::{
     Around, Case, SUPPORT_M, fluid, kernel_params, pbf_of, pbf_params, precisions, sizes, smoothing_of, step_of,
-    walls_of,
+    step_state, walls_of,
 };
 use brooklet_tests::compare::{HALF_ROUNDING, ROUNDING, Worst, tolerance_of_pairs, vector};
 use brooklet_tests::harness::Bench;
@@ -82,6 +82,7 @@ fn run_constrain(case: &Case, pbf: PbfParams, walls: Around, pairs: Pairs) -> Ve
     let step_params = bench.uniform("step_params", case.step_params());
     let kernel = bench.uniform("kernel", kernel_params());
     let pbf = bench.uniform("pbf", pbf);
+    let step_state = bench.uniform("step_state", case.step_state());
     bench.dispatch(
         &ConstrainDensity {
             variant: ConstrainDensityVariant {
@@ -95,6 +96,7 @@ fn run_constrain(case: &Case, pbf: PbfParams, walls: Around, pairs: Pairs) -> Ve
             list_heads: list_heads.read(),
             position_lambdas: (!pairs.packed()).then(|| position_lambdas.write()),
             packed_position_lambdas: pairs.packed().then(|| packed_position_lambdas.write()),
+            step_state: step_state.uniform(),
             step_params: step_params.uniform(),
             kernel: kernel.uniform(),
             pbf: pbf.uniform(),
@@ -200,6 +202,7 @@ fn run_correct_from(
     let step_params = bench.uniform("step_params", case.step_params());
     let kernel = bench.uniform("kernel", kernel_params());
     let pbf = bench.uniform("pbf", pbf);
+    let step_state = bench.uniform("step_state", case.step_state());
     bench.dispatch(
         &CorrectPositions {
             variant: CorrectPositionsVariant {
@@ -215,6 +218,7 @@ fn run_correct_from(
             list_heads: list_heads.read(),
             quantized_positions: quantized_positions.write(),
             counters: counters.write(),
+            step_state: step_state.uniform(),
             step_params: step_params.uniform(),
             kernel: kernel.uniform(),
             pbf: pbf.uniform(),
@@ -450,6 +454,7 @@ fn run_update(
     let mut velocities = bench.output("velocities", case.count());
     let mut counters = bench.input("counters", &[Counters::default()]);
     let step_params = bench.uniform("step_params", params);
+    let step_state = bench.uniform("step_state", step_state(case.count(), params.dt_s));
     bench.dispatch(
         &UpdateVelocity {
             variant: UpdateVelocityVariant {
@@ -457,6 +462,7 @@ fn run_update(
                 periodic: params.period_m != [0.0; 3],
             },
             quantized_positions: corrected.read(),
+            step_state: step_state.uniform(),
             kernel: kernel.uniform(),
             sorted_positions: sorted_positions.read(),
             sorted_velocities: sorted_velocities.read(),

@@ -1,6 +1,7 @@
 //! Smoothing filters and normals of the surface in screen space, against their twins: the twin
 //! gets the raw surface that the device drew, bit for bit.
 
+use brooklet_fluid::Slots;
 use brooklet_fluid::scene::Smoothing;
 use brooklet_gpu::{Engine, Plan, Resources};
 use brooklet_kernels::{FrameView, Position, QUARANTINED, SurfaceParams};
@@ -109,7 +110,9 @@ fn draw(view: &View, options: &ScreenSpaceOptions, positions: &[Position]) -> Dr
     let mut frame_view = resources.persistent("frame_view", 1);
     let (mut init, mut recording) = (resources.recording("init"), resources.recording("draw"));
     init.upload(&mut frame_view, &[values.view]);
-    let particles = Particles { positions: &buffer, velocities: &velocities, count, neighbours: None, densities: None };
+    let slots = Slots::declare(&mut resources, count, false);
+    let particles =
+        Particles { positions: &buffer, velocities: &velocities, slots: &slots, neighbours: None, densities: None };
     let into = (&mut init, &mut recording);
     let surface = screen_space::record(&mut resources, into, &frame_view, &particles, view.size_px, tier, options);
     let wanted = [surface.raw.id, surface.inverse_depth.id, surface.normals.id];

@@ -10,7 +10,9 @@ use brooklet_reference::forces::curl::curl;
 use brooklet_reference::forces::xsph::xsph;
 use brooklet_reference::shared::quantized_position::Quantization;
 use brooklet_reference::shared::wendland;
-use brooklet_tests::cases::{fluid, force_params, forces_of, kernel_params, precisions, sizes, smoothing_of, step_of};
+use brooklet_tests::cases::{
+    fluid, force_params, forces_of, kernel_params, precisions, sizes, smoothing_of, step_of, step_state,
+};
 use brooklet_tests::compare::{Worst, tolerance_of_pairs, vector};
 use brooklet_tests::harness::Bench;
 use brooklet_tests::rng;
@@ -51,6 +53,7 @@ fn xsph_matches_its_twin() {
             let step_params = bench.uniform("step_params", case.step_params());
             let kernel = bench.uniform("kernel", kernel_params());
             let force_buffer = bench.uniform("forces", force_params());
+            let step_state = bench.uniform("step_state", step_state(size, case.step_params().dt_s));
             bench.dispatch(
                 &Xsph {
                     variant: XsphVariant { precision, packed: quantization == Quantization::Packed },
@@ -59,6 +62,7 @@ fn xsph_matches_its_twin() {
                     neighbours: neighbours.read(),
                     list_heads: list_heads.read(),
                     smoothed_velocities: smoothed.write(),
+                    step_state: step_state.uniform(),
                     step_params: step_params.uniform(),
                     kernel: kernel.uniform(),
                     forces: force_buffer.uniform(),
@@ -92,6 +96,7 @@ fn curl_matches_its_twin() {
             let mut vorticities = bench.output("vorticities", size);
             let step_params = bench.uniform("step_params", case.step_params());
             let kernel = bench.uniform("kernel", kernel_params());
+            let step_state = bench.uniform("step_state", step_state(size, case.step_params().dt_s));
             bench.dispatch(
                 &Curl {
                     variant: CurlVariant { precision, packed: quantization == Quantization::Packed },
@@ -100,6 +105,7 @@ fn curl_matches_its_twin() {
                     neighbours: neighbours.read(),
                     list_heads: list_heads.read(),
                     vorticities: vorticities.write(),
+                    step_state: step_state.uniform(),
                     step_params: step_params.uniform(),
                     kernel: kernel.uniform(),
                 },
@@ -151,6 +157,7 @@ fn confine_vorticity_matches_its_twin() {
             let mut velocities = bench.input("velocities", &case.velocities);
             let step_params = bench.uniform("step_params", case.step_params());
             let force_buffer = bench.uniform("forces", force_params());
+            let step_state = bench.uniform("step_state", step_state(size, case.step_params().dt_s));
             bench.dispatch(
                 &ConfineVorticity {
                     variant: ConfineVorticityVariant { precision, packed: quantization == Quantization::Packed },
@@ -159,6 +166,7 @@ fn confine_vorticity_matches_its_twin() {
                     neighbours: neighbours.read(),
                     list_heads: list_heads.read(),
                     velocities: velocities.write(),
+                    step_state: step_state.uniform(),
                     step_params: step_params.uniform(),
                     forces: force_buffer.uniform(),
                 },

@@ -3,6 +3,7 @@
 use crate::support::{
     Picture, QUARANTINED, Sphere, compare_colors, compare_depth, draw, draw_moving, options, sphere, view,
 };
+use brooklet_fluid::Slots;
 use brooklet_gpu::{Resources, Tier};
 use brooklet_render::{Coloring, FrameOptions, Particles, View, frame};
 use glam::DVec3;
@@ -208,8 +209,9 @@ fn the_floor_tier_draws_the_same_picture() {
 fn densities_of_particles_without_neighbours_are_refused() {
     let mut resources = Resources::new();
     let (positions, velocities) = (resources.persistent("positions", 1), resources.persistent("velocities", 1));
+    let slots = Slots::declare(&mut resources, 1, false);
     let particles =
-        Particles { positions: &positions, velocities: &velocities, count: 1, neighbours: None, densities: None };
+        Particles { positions: &positions, velocities: &velocities, slots: &slots, neighbours: None, densities: None };
     let wanted = FrameOptions { coloring: Coloring::Density, ..options() };
     let error = frame::record(&mut resources, &view([16, 9]), &particles, &wanted).expect_err("no densities");
     assert!(error.to_string().contains("coloring"), "{error}");

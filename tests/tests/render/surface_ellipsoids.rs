@@ -3,7 +3,7 @@
 
 use brooklet_fluid::grid::Neighbours;
 use brooklet_fluid::scene::Smoothing;
-use brooklet_fluid::{Scene, record};
+use brooklet_fluid::{Scene, Slots, record, visit_slots};
 use brooklet_gpu::{Engine, Plan, Resources};
 use brooklet_kernels::{FrameView, ListHead, Position, QUARANTINED};
 use brooklet_reference::grid::list_neighbours::list_neighbours;
@@ -81,8 +81,15 @@ fn draw(view: &View, positions: &[Position]) -> Drawn {
     init.upload(&mut buffer, positions);
     init.upload(&mut listed.deltas, &lists);
     init.upload(&mut listed.heads, &heads);
-    let particles =
-        Particles { positions: &buffer, velocities: &velocities, count, neighbours: Some(&listed), densities: None };
+    let mut slots = Slots::declare(&mut resources, count, false);
+    init.upload(&mut slots.state, &[visit_slots(count)]);
+    let particles = Particles {
+        positions: &buffer,
+        velocities: &velocities,
+        slots: &slots,
+        neighbours: Some(&listed),
+        densities: None,
+    };
     let into = (&mut init, &mut recording);
     let drawn =
         screen_space::record(&mut resources, into, &frame_view, &particles, view.size_px, gpu().tier(), &surface);
@@ -93,7 +100,7 @@ fn draw(view: &View, positions: &[Position]) -> Drawn {
     let mut engine = Engine::new(&gpu(), plan).expect("an engine");
     engine.run(&ids, &[]).expect("it draws");
     let inverse_depth = bytemuck::pod_collect_to_vec(&engine.read_texture(&drawn.raw).expect("a texture"));
-    let (params, walls) = (screen_space::anisotropy::params(&surface, count, LIST_CHUNKS), surface.params());
+    let (params, walls) = (screen_space::anisotropy::params(&surface, LIST_CHUNKS), surface.params());
     let seen = (0..positions.len()).filter(|&i| !quarantined(i));
     let ellipsoids = seen.map(|i| anisotropy(i, &at_m, &neighbours[i], &params, &walls)).collect();
     Drawn { inverse_depth, view: values.view, ellipsoids }
@@ -198,7 +205,7 @@ fn before_first_step(anisotropic: bool, listed: bool, head: Option<ListHead>) ->
     let mut engine = Engine::new(&gpu(), plan).expect("an engine");
     engine.run(&init, &[]).expect("it starts");
     if let Some(head) = head {
-        engine.write(&recorded.neighbours.as_ref().unwrap().heads, &vec![head; recorded.particle_count as usize]);
+        engine.write(&recorded.neighbours.as_ref().unwrap().heads, &vec![head; recorded.slots.capacity as usize]);
     }
     engine.run(&[draw], &[]).expect("a picture");
     engine.read_texture(&passes.color).expect("a picture")

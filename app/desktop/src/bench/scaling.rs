@@ -151,7 +151,7 @@ impl Bencher<'_> {
         steps: u64,
     ) -> Result<Row, Failure> {
         let (scene, plan, recorded) = (session.scene(), session.engine().plan(), session.recorded());
-        let particles = recorded.particle_count;
+        let particles = recorded.slots.capacity;
         let measure = recorded.measure.as_ref().map(|measure| measure.recording.id());
         let step_ms = timings.step_ms();
         let step_ms = step_ms

@@ -31,12 +31,11 @@ pub fn params(scene: &Scene) -> ForceParams {
 
 impl Forces {
     /// Declares the buffers of the forces that `scene` has.
-    pub fn declare(resources: &mut Resources, scene: &Scene, particle_count: u32) -> Self {
+    pub fn declare(resources: &mut Resources, scene: &Scene, capacity: u32) -> Self {
         Self {
             params: resources.persistent("force_params", 1),
-            vorticity: (scene.forces.vorticity_m_s > 0.0)
-                .then(|| VorticityConfinement::declare(resources, particle_count)),
-            unsmoothed: (scene.forces.xsph > 0.0).then(|| resources.buffer("unsmoothed_velocities", particle_count)),
+            vorticity: (scene.forces.vorticity_m_s > 0.0).then(|| VorticityConfinement::declare(resources, capacity)),
+            unsmoothed: (scene.forces.xsph > 0.0).then(|| resources.buffer("unsmoothed_velocities", capacity)),
         }
     }
 

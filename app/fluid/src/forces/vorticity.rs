@@ -14,8 +14,8 @@ pub(super) struct VorticityConfinement {
 }
 
 impl VorticityConfinement {
-    pub(super) fn declare(resources: &mut Resources, particle_count: u32) -> Self {
-        Self { vorticities: resources.buffer("vorticities", particle_count) }
+    pub(super) fn declare(resources: &mut Resources, capacity: u32) -> Self {
+        Self { vorticities: resources.buffer("vorticities", capacity) }
     }
 
     pub(super) fn record(
@@ -27,7 +27,8 @@ impl VorticityConfinement {
         velocities: &mut Buffer<Velocity>,
     ) {
         let (sorted, neighbours) = (&search.sorted, &search.neighbours);
-        recording.dispatch(
+        context.slots.dispatch(
+            recording,
             &Curl {
                 variant: CurlVariant { precision: context.precision, packed: sorted.packed },
                 quantized_positions: sorted.quantized_positions.read(),
@@ -35,12 +36,13 @@ impl VorticityConfinement {
                 neighbours: neighbours.deltas.read(),
                 list_heads: neighbours.heads.read(),
                 vorticities: self.vorticities.write(),
+                step_state: context.slots.state.uniform(),
                 step_params: context.step.uniform(),
                 kernel: search.smoothing_kernel.uniform(),
             },
-            sorted.positions.len,
         );
-        recording.dispatch(
+        context.slots.dispatch(
+            recording,
             &ConfineVorticity {
                 variant: ConfineVorticityVariant { precision: context.precision, packed: sorted.packed },
                 quantized_positions: sorted.quantized_positions.read(),
@@ -48,10 +50,10 @@ impl VorticityConfinement {
                 neighbours: neighbours.deltas.read(),
                 list_heads: neighbours.heads.read(),
                 velocities: velocities.write(),
+                step_state: context.slots.state.uniform(),
                 step_params: context.step.uniform(),
                 forces: params.uniform(),
             },
-            sorted.positions.len,
         );
     }
 }

@@ -14,7 +14,8 @@ pub(super) fn xsph(
     velocities: &Buffer<Velocity>,
     smoothed: &mut Buffer<Velocity>,
 ) {
-    recording.dispatch(
+    context.slots.dispatch(
+        recording,
         &Xsph {
             variant: XsphVariant { precision: context.precision, packed: search.sorted.packed },
             quantized_positions: search.sorted.quantized_positions.read(),
@@ -22,10 +23,10 @@ pub(super) fn xsph(
             neighbours: search.neighbours.deltas.read(),
             list_heads: search.neighbours.heads.read(),
             smoothed_velocities: smoothed.write(),
+            step_state: context.slots.state.uniform(),
             step_params: context.step.uniform(),
             kernel: search.smoothing_kernel.uniform(),
             forces: params.uniform(),
         },
-        search.sorted.positions.len,
     );
 }

@@ -5,12 +5,12 @@
 
 use brooklet_gpu::{Recording, Resources};
 use brooklet_kernels::{
-    Buffer, Counters, GridParams, LIST_CHUNK, LIST_ESCAPE, LIST_MAX_DELTA, LIST_SLICE, ListHead, ListNeighbours,
-    ListNeighboursVariant,
+    Buffer, LIST_CHUNK, LIST_ESCAPE, LIST_MAX_DELTA, LIST_SLICE, ListHead, ListNeighbours, ListNeighboursVariant,
 };
 
 use super::{Grid, Sorted};
 use crate::scene::Scene;
+use crate::step_context::StepContext;
 
 /// Room for neighbours a particle, in runs of `LIST_CHUNK`.
 pub fn list_chunks(scene: &Scene) -> u32 {
@@ -44,12 +44,12 @@ pub struct Neighbours {
 }
 
 impl Neighbours {
-    /// Declares the lists of a grid with `params`. They persist from the step that made them to
+    /// Declares the lists of so many slots, with room for `list_chunks` runs each. They persist from the step that made them to
     /// the measurement that reads them.
-    pub fn declare(resources: &mut Resources, params: &GridParams) -> Self {
+    pub fn declare(resources: &mut Resources, capacity: u32, list_chunks: u32) -> Self {
         Self {
-            deltas: resources.persistent("neighbours", list_length(params.particle_count, params.list_chunks)),
-            heads: resources.persistent("list_heads", params.particle_count),
+            deltas: resources.persistent("neighbours", list_length(capacity, list_chunks)),
+            heads: resources.persistent("list_heads", capacity),
         }
     }
 
@@ -59,8 +59,9 @@ impl Neighbours {
     }
 
     /// Lists the neighbours of the sorted particles.
-    pub fn record(&mut self, recording: &mut Recording, grid: &Grid, sorted: &Sorted, counters: &mut Buffer<Counters>) {
-        recording.dispatch(
+    pub fn record(&mut self, recording: &mut Recording, context: &mut StepContext, grid: &Grid, sorted: &Sorted) {
+        context.slots.dispatch(
+            recording,
             &ListNeighbours {
                 variant: ListNeighboursVariant {
                     wrapped: grid.wrapped,
@@ -72,10 +73,10 @@ impl Neighbours {
                 cell_starts: grid.cell_starts.read(),
                 neighbours: self.deltas.write(),
                 list_heads: self.heads.write(),
-                counters: counters.write(),
+                counters: context.counters.write(),
+                step_state: context.slots.state.uniform(),
                 grid: grid.params.uniform(),
             },
-            sorted.positions.len,
         );
     }
 }

@@ -17,11 +17,13 @@ pub use scan::{SCAN_GROUP, Scan};
 
 use brooklet_gpu::{Recording, Resources};
 use brooklet_kernels::{
-    Buffer, CellSlot, CountCells, CountCellsVariant, GridParams, Position, RankById, Reorder, ReorderVariant,
-    ScatterCellMembers, Velocity,
+    Buffer, CellSlot, CountActive, CountCells, CountCellsVariant, GridParams, Position, RankById, Reorder,
+    ReorderVariant, ScatterCellMembers, Velocity,
 };
 
 use crate::scene::Scene;
+use crate::slots::Slots;
+use crate::step_context::Particles;
 
 /// Cells of the domain along each axis. Half the support wide: rows of cells then fit the support sphere so
 /// closely that about half as many candidates are looked at as with cells of h.
@@ -64,9 +66,9 @@ pub fn wrapped(domain_cells: [u64; 3], particle_count: u32) -> Option<[u32; 3]> 
 }
 
 /// What the shaders are given.
-pub fn params(scene: &Scene, particle_count: u32) -> GridParams {
+pub fn params(scene: &Scene, capacity: u32) -> GridParams {
     let domain_cells = cells(scene);
-    let cells = wrapped(domain_cells, particle_count).unwrap_or(domain_cells.map(|n| n as u32));
+    let cells = wrapped(domain_cells, capacity).unwrap_or(domain_cells.map(|n| n as u32));
     let cell_m = 0.5 * scene.support_m();
     GridParams {
         cells,
@@ -74,18 +76,14 @@ pub fn params(scene: &Scene, particle_count: u32) -> GridParams {
         cell_size_m: cell_m as f32,
         inverse_cell_size_per_m: (1.0 / cell_m) as f32,
         support_m: scene.support_m() as f32,
-        particle_count,
-        list_chunks: list_chunks(scene),
         inverse_support_per_m: (1.0 / scene.support_m()) as f32,
-        reserved0: 0,
-        reserved1: 0,
         domain_cells: domain_cells.map(|n| n as u32),
-        reserved2: 0,
+        list_chunks: list_chunks(scene),
         seam_cells: std::array::from_fn(|axis| match scene.domain.periodic[axis] {
             true => domain_cells[axis] as u32,
             false => NO_SEAM,
         }),
-        reserved3: 0,
+        reserved: 0,
     }
 }
 
@@ -96,7 +94,7 @@ pub const NO_SEAM: u32 = 1 << 24;
 pub struct Grid {
     /// Sizes and scales.
     pub params: Buffer<GridParams>,
-    /// Particles a cell; the last but one counts what lies outside, the last stays 0 so that
+    /// Particles a cell; the last but one counts what lies outside, the last inactive slots, so that
     /// `cell_starts` ends with the number of particles.
     pub cell_counts: Buffer<u32>,
     /// First sorted particle of each cell.
@@ -113,64 +111,75 @@ pub struct Grid {
 }
 
 impl Grid {
-    /// Declares the buffers of a grid with `params`.
-    pub fn declare(resources: &mut Resources, scene: &Scene, params: &GridParams) -> Self {
+    /// Declares the buffers of a grid with `params` for so many slots.
+    pub fn declare(resources: &mut Resources, scene: &Scene, params: &GridParams, capacity: u32) -> Self {
         let starts = params.cell_count + 2;
         Self {
             params: resources.persistent("grid_params", 1),
             cell_counts: resources.buffer("cell_counts", starts),
             cell_starts: resources.buffer("cell_starts", starts),
-            cell_slots: resources.buffer("cell_slots", params.particle_count),
-            members: scene.solver.deterministic.then(|| resources.buffer("cell_members", params.particle_count)),
+            cell_slots: resources.buffer("cell_slots", capacity),
+            members: scene.solver.deterministic.then(|| resources.buffer("cell_members", capacity)),
             scan: Scan::declare(resources, "cell_starts", starts),
             wrapped: params.cells != params.domain_cells,
             periodic: scene.domain.is_periodic(),
         }
     }
 
-    /// Sorts `positions` and `velocities` by cell into `sorted`.
+    /// Sorts `particles` by cell into `sorted`, inactive slots behind all of them.
     pub fn record_sort(
         &mut self,
         recording: &mut Recording,
-        positions: &Buffer<Position>,
-        velocities: &Buffer<Velocity>,
+        slots: &mut Slots,
+        particles: &Particles,
         sorted: &mut Sorted,
     ) {
+        let Particles { positions, velocities } = particles;
         recording.clear(&mut self.cell_counts);
-        recording.dispatch(
+        slots.dispatch(
+            recording,
             &CountCells {
                 variant: CountCellsVariant { wrapped: self.wrapped, periodic: self.periodic },
                 positions: positions.read(),
                 cell_counts: self.cell_counts.write(),
                 cell_slots: self.cell_slots.write(),
+                step_state: slots.state.uniform(),
                 grid: self.params.uniform(),
             },
-            positions.len,
         );
         self.scan.record(recording, &self.cell_counts, &mut self.cell_starts);
+        if slots.counts_vary {
+            let kernel = CountActive {
+                cell_starts: self.cell_starts.read(),
+                step_state: slots.state.write(),
+                grid: self.params.uniform(),
+            };
+            recording.dispatch_groups(&kernel, [1; 3]);
+        }
         if let Some(members) = &mut self.members {
-            let grid = self.params.uniform();
-            recording.dispatch(
+            slots.dispatch(
+                recording,
                 &ScatterCellMembers {
                     cell_slots: self.cell_slots.read(),
                     cell_starts: self.cell_starts.read(),
                     cell_members: members.write(),
-                    grid,
+                    step_state: slots.state.uniform(),
                 },
-                positions.len,
             );
-            recording.dispatch(
+            slots.dispatch(
+                recording,
                 &RankById {
                     positions: positions.read(),
                     cell_starts: self.cell_starts.read(),
                     cell_members: members.read(),
                     cell_slots: self.cell_slots.write(),
+                    step_state: slots.state.uniform(),
                     grid: self.params.uniform(),
                 },
-                positions.len,
             );
         }
-        recording.dispatch(
+        slots.dispatch(
+            recording,
             &Reorder {
                 variant: ReorderVariant { packed: sorted.packed },
                 positions: positions.read(),
@@ -180,9 +189,9 @@ impl Grid {
                 sorted_positions: sorted.positions.write(),
                 sorted_velocities: sorted.velocities.write(),
                 quantized_positions: sorted.quantized_positions.write(),
+                step_state: slots.state.uniform(),
                 grid: self.params.uniform(),
             },
-            positions.len,
         );
     }
 }

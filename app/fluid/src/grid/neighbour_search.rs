@@ -21,31 +21,31 @@ pub struct NeighbourSearch {
 }
 
 impl NeighbourSearch {
-    /// Declares the buffers of `particle_count` particles.
-    pub fn declare(resources: &mut Resources, scene: &Scene, particle_count: u32) -> Self {
-        let grid_params = params(scene, particle_count);
+    /// Declares the buffers of `capacity` slots.
+    pub fn declare(resources: &mut Resources, scene: &Scene, capacity: u32) -> Self {
+        let grid_params = params(scene, capacity);
         Self {
-            grid: Grid::declare(resources, scene, &grid_params),
-            neighbours: Neighbours::declare(resources, &grid_params),
-            sorted: Sorted::declare(resources, scene, particle_count),
+            grid: Grid::declare(resources, scene, &grid_params, capacity),
+            neighbours: Neighbours::declare(resources, capacity, grid_params.list_chunks),
+            sorted: Sorted::declare(resources, scene, capacity),
             smoothing_kernel: resources.persistent("smoothing_kernel_params", 1),
         }
     }
 
     /// Uploads the settings; lists begin empty.
-    pub fn record_init(&mut self, init: &mut Recording, scene: &Scene, particle_count: u32) {
-        init.upload(&mut self.grid.params, &[params(scene, particle_count)]);
+    pub fn record_init(&mut self, init: &mut Recording, scene: &Scene) {
+        init.upload(&mut self.grid.params, &[params(scene, self.sorted.positions.len)]);
         init.upload(&mut self.smoothing_kernel, &[smoothing_kernel_params(scene)]);
         init.clear(&mut self.neighbours.heads);
     }
 
     /// Sorts the particles by cell.
-    pub fn sort(&mut self, recording: &mut Recording, particles: &Particles) {
-        self.grid.record_sort(recording, &particles.positions, &particles.velocities, &mut self.sorted);
+    pub fn sort(&mut self, recording: &mut Recording, context: &mut StepContext, particles: &Particles) {
+        self.grid.record_sort(recording, &mut context.slots, particles, &mut self.sorted);
     }
 
     /// Lists the sorted particles' neighbours.
     pub fn list(&mut self, recording: &mut Recording, context: &mut StepContext) {
-        self.neighbours.record(recording, &self.grid, &self.sorted, &mut context.counters);
+        self.neighbours.record(recording, context, &self.grid, &self.sorted);
     }
 }

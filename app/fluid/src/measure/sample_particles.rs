@@ -21,12 +21,12 @@ pub struct Sample {
 /// id, as many as make `most_points` or fewer (at least one is taken), so that a point stays the same
 /// particle from frame to frame. Only a plan that wants `samples` has it.
 pub fn record_sample(resources: &mut Resources, recorded: &Recorded, most_points: u32) -> Sample {
-    let particle_count = recorded.particle_count;
-    let stride = particle_count.div_ceil(most_points.max(1)).max(1);
-    let mut samples = resources.buffer("samples", particle_count.div_ceil(stride));
+    let capacity = recorded.slots.capacity;
+    let stride = capacity.div_ceil(most_points.max(1)).max(1);
+    let mut samples = resources.buffer("samples", capacity.div_ceil(stride));
     let mut params = resources.buffer("sample_params", 1);
     let mut recording = resources.recording("sample");
-    recording.upload(&mut params, &[SampleParams { stride, particle_count, ..SampleParams::default() }]);
+    recording.upload(&mut params, &[SampleParams { stride, capacity, ..SampleParams::default() }]);
     // Without particles nothing else writes it.
     recording.clear(&mut samples);
     recording.dispatch(
@@ -36,7 +36,7 @@ pub fn record_sample(resources: &mut Resources, recorded: &Recorded, most_points
             samples: samples.write(),
             sample_params: params.uniform(),
         },
-        particle_count,
+        capacity,
     );
     Sample { recording, samples, stride }
 }

@@ -7,15 +7,15 @@ use crate::step_context::{Particles, StepContext};
 
 /// Records v += g dt, x += v dt, and what the domain's faces make of it.
 pub fn predict(recording: &mut Recording, context: &mut StepContext, particles: &mut Particles) {
-    let count = particles.positions.len;
-    recording.dispatch(
+    context.slots.dispatch(
+        recording,
         &Predict {
             variant: PredictVariant { walls: context.walls, periodic: context.periodic },
             positions: particles.positions.write(),
             velocities: particles.velocities.write(),
             counters: context.counters.write(),
+            step_state: context.slots.state.uniform(),
             step_params: context.step.uniform(),
         },
-        count,
     );
 }

@@ -1,6 +1,6 @@
 //! Fills the scene's fluids with lattices of particles.
 
-use brooklet_kernels::{FLUID_SHIFT, Position, Velocity};
+use brooklet_kernels::{FLUID_SHIFT, INACTIVE_FLUID, Position, Velocity};
 
 use crate::scene::{Fluid, Scene, for_each_point};
 
@@ -12,6 +12,16 @@ pub struct ParticleSet {
     pub positions: Vec<Position>,
     /// As long as `positions`.
     pub velocities: Vec<Velocity>,
+}
+
+impl ParticleSet {
+    /// Appends inactive slots until there are `capacity`. Ids so far are those below the number of slots so far.
+    pub fn fill_slots(&mut self, capacity: u32) {
+        let slots = self.positions.len() as u32..capacity;
+        let tag = |id| id | INACTIVE_FLUID << FLUID_SHIFT;
+        self.velocities.extend(slots.clone().map(|_| Velocity::default()));
+        self.positions.extend(slots.map(|id| Position { position_m: [0.0; 3], tag: tag(id) }));
+    }
 }
 
 /// Puts a cubic lattice of spacing d into each fluid. A block's lattice starts half a spacing inside it, so that fluid

@@ -212,6 +212,15 @@ impl Scene {
                 rounded_up(1.01 * self.spacing_m * (count / most).powf(1.0 / f64::from(self.domain.dimensions)))
             ),
         )?;
+        if let Some(capacity) = self.capacity {
+            check.require(
+                f64::from(capacity) >= count,
+                "capacity",
+                capacity,
+                format_args!("must be {count} or more, as many particles as the scene begins with"),
+            )?;
+        }
+        let count = count.max(self.capacity.map_or(0.0, f64::from));
         let slots = f64::from(self.neighbour_slots());
         check.require(
             count * slots <= f64::from(u32::MAX),

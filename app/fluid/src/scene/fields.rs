@@ -49,6 +49,7 @@ pub const FIELDS: &[Field] = &[
         &[0, 2],
     ),
     Field::new("gravity_m_s2", Kind::Vector(within(-1.0e6, 1.0e6, "m/s²")), LIVE),
+    Field::new("capacity", whole(1.0, 16_777_216.0, ""), RESET),
     Field::new("domain", Kind::Table, RESET),
     Field::new("domain.min_m", PLACE, RESET),
     Field::new("domain.max_m", PLACE, RESET),

@@ -71,6 +71,10 @@ pub struct Scene {
     /// Acceleration of gravity, m/s².
     #[serde(default = "default_gravity")]
     pub gravity_m_s2: [f64; 3],
+    /// Slots for particles, where their number changes while the scene runs; those that it does not begin with wait
+    /// for particles that are activated. Left out: as many as it begins with, and their number stays.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub capacity: Option<u32>,
     /// The box that holds the fluid, and what is at its faces.
     pub domain: Domain,
     /// The fluids at the start.

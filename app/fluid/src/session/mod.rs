@@ -14,6 +14,7 @@ use crate::drag::{Drag, DragPass};
 use crate::measure::{Sample, Stats};
 use crate::particles::ParticleSet;
 use crate::scene::{Scene, Update};
+use crate::slots::step_state;
 use crate::step::Recorded;
 
 /// Why a session cannot start.
@@ -120,7 +121,7 @@ impl Session {
         planned: SessionPlan,
         progress: &mut dyn FnMut(usize, usize, &str),
     ) -> Result<Self, GpuError> {
-        let SessionPlan { plan, recorded, scene, particles, drag, sample, init } = planned;
+        let SessionPlan { plan, recorded, scene, particles, drag, sample, init, start } = planned;
         let mut session = Self {
             engine: Engine::new_with_progress(gpu, plan, progress)?,
             scene,
@@ -128,8 +129,8 @@ impl Session {
             drag,
             sample,
             init,
-            steps: 0,
-            since: TimeBase::default(),
+            steps: start.steps,
+            since: start,
             stats: None,
             in_flight: VecDeque::new(),
             kept: VecDeque::new(),
@@ -243,6 +244,8 @@ impl Session {
 
     /// Replaces the particles by as many others, before the next frame. More are an error of the next frame.
     pub fn write_particles(&mut self, particles: &ParticleSet) {
+        let slots = &self.recorded.slots;
+        self.engine.write(&slots.state, &[step_state(particles, self.simulated_s())]);
         self.engine.write(&self.recorded.positions, &particles.positions);
         self.engine.write(&self.recorded.velocities, &particles.velocities);
     }
@@ -270,14 +273,9 @@ impl Session {
     /// If the device is lost.
     pub fn adopt(&mut self, old: &Session) -> Result<(), GpuError> {
         self.engine.adopt(&old.engine, &self.init)?;
-        self.set_time(old.steps, old.simulated_s());
+        self.steps = old.steps;
+        self.since = TimeBase { steps: old.steps, simulated_s: old.simulated_s() };
         Ok(())
-    }
-
-    /// Goes on as if `steps` steps had been done, in `simulated_s`: of a saved state.
-    pub fn set_time(&mut self, steps: u64, simulated_s: f64) {
-        self.steps = steps;
-        self.since = TimeBase { steps, simulated_s };
     }
 
     /// Runs with other modules from the next frame on: `plan` is this session's with some of them exchanged
@@ -306,7 +304,7 @@ impl Session {
 
     /// Number of particles.
     pub fn particle_count(&self) -> u32 {
-        self.recorded.particle_count
+        self.recorded.slots.capacity
     }
 
     /// The positions' buffer on the GPU, for drawing without a copy.

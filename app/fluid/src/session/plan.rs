@@ -2,6 +2,7 @@
 
 use brooklet_gpu::{Plan, PlanError, Recording, RecordingId, ResourceId, Resources};
 
+use super::TimeBase;
 use crate::drag::{DragPass, record_drag};
 use crate::measure::{Sample, record_sample};
 use crate::particles::{ParticleSet, sample_lattice};
@@ -41,8 +42,8 @@ impl SessionRecorder {
     /// Records `scene`: its start, a step, and a measurement if the scene measures.
     pub fn new(scene: &Scene, source: ParticleSource) -> Self {
         let (particles, count) = match source {
-            ParticleSource::Scene => with_count(sample_lattice(scene)),
-            ParticleSource::Given(particles) => with_count(particles),
+            ParticleSource::Scene => with_count(sample_lattice(scene), scene),
+            ParticleSource::Given(particles) => with_count(particles, scene),
             ParticleSource::Count(count) => (None, count),
         };
         let mut resources = Resources::new();
@@ -108,11 +109,13 @@ impl SessionRecorder {
             drag: self.drag,
             sample: self.sample,
             init: self.init,
+            start: TimeBase::default(),
         })
     }
 }
 
-fn with_count(particles: ParticleSet) -> (Option<ParticleSet>, u32) {
+fn with_count(mut particles: ParticleSet, scene: &Scene) -> (Option<ParticleSet>, u32) {
+    particles.fill_slots(scene.capacity.unwrap_or_default());
     let count = particles.positions.len() as u32;
     (Some(particles), count)
 }
@@ -130,11 +133,17 @@ pub struct SessionPlan {
     pub(super) drag: Option<DragPass>,
     pub(super) sample: Option<Sample>,
     pub(super) init: Vec<RecordingId>,
+    pub(super) start: TimeBase,
 }
 
 impl SessionPlan {
+    /// Begins as if `steps` steps had been done, in `simulated_s`: of a saved state.
+    pub fn start_at(&mut self, steps: u64, simulated_s: f64) {
+        self.start = TimeBase { steps, simulated_s };
+    }
+
     /// Number of particles.
     pub fn particle_count(&self) -> u32 {
-        self.recorded.particle_count
+        self.recorded.slots.capacity
     }
 }

@@ -22,9 +22,9 @@ pub enum Solver {
 
 impl Solver {
     /// Declares the buffers of the solver that `scene` chooses.
-    pub fn declare(resources: &mut Resources, scene: &Scene, particle_count: u32) -> Self {
+    pub fn declare(resources: &mut Resources, scene: &Scene, capacity: u32) -> Self {
         match scene.solver.method {
-            Method::Pbf => Self::Pbf(Pbf::declare(resources, scene, particle_count)),
+            Method::Pbf => Self::Pbf(Pbf::declare(resources, scene, capacity)),
             Method::None => Self::None(NonInteracting::declare(resources)),
         }
     }

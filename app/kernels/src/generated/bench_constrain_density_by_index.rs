@@ -2,7 +2,7 @@
 // makes it anew from bench/constrain_density_by_index.compute.
 //! Kernels of `bench/constrain_density_by_index.compute`.
 
-use super::{PbfParams, PositionLambda, SmoothingKernelParams, StepParams};
+use super::{PbfParams, PositionLambda, SmoothingKernelParams, StepParams, StepState};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
@@ -19,6 +19,8 @@ pub struct ConstrainDensityByIndex<'a> {
     pub listed_counts: Buf<'a, u32>,
     /// `RWStructuredBuffer<PositionLambda> position_lambdas`.
     pub position_lambdas: BufMut<'a, PositionLambda>,
+    /// `ConstantBuffer<StepState> step_state`.
+    pub step_state: Uniform<'a, StepState>,
     /// `ConstantBuffer<StepParams> step_params`.
     pub step_params: Uniform<'a, StepParams>,
     /// `ConstantBuffer<SmoothingKernelParams> kernel`.
@@ -42,6 +44,7 @@ impl Kernel for ConstrainDensityByIndex<'_> {
                 ("listed_indices", Some(self.listed_indices.id)),
                 ("listed_counts", Some(self.listed_counts.id)),
                 ("position_lambdas", Some(self.position_lambdas.id)),
+                ("step_state", Some(self.step_state.id)),
                 ("step_params", Some(self.step_params.id)),
                 ("kernel", Some(self.kernel.id)),
                 ("pbf", Some(self.pbf.id)),
@@ -74,9 +77,10 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 3,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
-    BindingInfo { name: "step_params", slot: 4, kind: BindingKind::Uniform { bytes: 96 } },
-    BindingInfo { name: "kernel", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "pbf", slot: 6, kind: BindingKind::Uniform { bytes: 32 } },
+    BindingInfo { name: "step_state", slot: 4, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 5, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "pbf", slot: 7, kind: BindingKind::Uniform { bytes: 32 } },
 ];
 
 static CONSTRAIN_DENSITY_BY_INDEX: Module = Module {
@@ -89,5 +93,5 @@ static CONSTRAIN_DENSITY_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/constrain_density_by_index.compute",
-    hash: "f042fb67cba3b4dfcd795e068ea97d4a6729686308e36534699e8773a949824a",
+    hash: "c135b8efe850e2f8b591e4e188605eff241df75f2e34033255559f4d7f9ace38",
 };

@@ -57,5 +57,5 @@ static COPY_ELEMENTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/copy.compute",
-    hash: "c86bc15f5f41c217e456211831637369d8ffe54751761126747b765ef52868d3",
+    hash: "9b62942dde41e09e6d7466b41558866d358fc86fd50ecb89ddc7c41fdb1d6757",
 };

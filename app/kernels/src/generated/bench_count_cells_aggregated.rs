@@ -2,7 +2,7 @@
 // makes it anew from bench/count_cells_aggregated.compute.
 //! Kernels of `bench/count_cells_aggregated.compute`.
 
-use super::{CellSlot, GridParams, Position};
+use super::{CellSlot, GridParams, Position, StepState};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
@@ -18,6 +18,8 @@ pub struct CountCellsAggregated<'a> {
     pub cell_counts: BufMut<'a, u32>,
     /// `RWStructuredBuffer<CellSlot> cell_slots`.
     pub cell_slots: BufMut<'a, CellSlot>,
+    /// `ConstantBuffer<StepState> step_state`.
+    pub step_state: Uniform<'a, StepState>,
     /// `ConstantBuffer<GridParams> grid`.
     pub grid: Uniform<'a, GridParams>,
 }
@@ -36,6 +38,7 @@ impl Kernel for CountCellsAggregated<'_> {
                 ("positions", Some(self.positions.id)),
                 ("cell_counts", Some(self.cell_counts.id)),
                 ("cell_slots", Some(self.cell_slots.id)),
+                ("step_state", Some(self.step_state.id)),
                 ("grid", Some(self.grid.id)),
             ],
         )
@@ -57,7 +60,8 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 2,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
     },
-    BindingInfo { name: "grid", slot: 3, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "step_state", slot: 3, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "grid", slot: 4, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
 static COUNT_CELLS_AGGREGATED: Module = Module {
@@ -70,5 +74,5 @@ static COUNT_CELLS_AGGREGATED: Module = Module {
     shared_bytes: 512,
     tier: Tier::Floor,
     source: "bench/count_cells_aggregated.compute",
-    hash: "ad1ade93b03e1619e9203b526fa93d8b4b96321661c195e99396ddbd8689c178",
+    hash: "49dd70f1a1a33e06b70fad9996326996ae4298a4484e8bc594ae5bb2df8ff1de",
 };

@@ -2,7 +2,7 @@
 // makes it anew from bench/list_neighbours_by_index.compute.
 //! Kernels of `bench/list_neighbours_by_index.compute`.
 
-use super::{GridParams, Position};
+use super::{GridParams, Position, StepState};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
@@ -24,6 +24,8 @@ pub struct ListNeighboursByIndex<'a> {
     pub listed_indices: BufMut<'a, [u32; 4]>,
     /// `RWStructuredBuffer<uint> listed_counts`.
     pub listed_counts: BufMut<'a, u32>,
+    /// `ConstantBuffer<StepState> step_state`.
+    pub step_state: Uniform<'a, StepState>,
     /// `ConstantBuffer<GridParams> grid`.
     pub grid: Uniform<'a, GridParams>,
 }
@@ -45,6 +47,7 @@ impl Kernel for ListNeighboursByIndex<'_> {
                 ("cell_starts", Some(self.cell_starts.id)),
                 ("listed_indices", Some(self.listed_indices.id)),
                 ("listed_counts", Some(self.listed_counts.id)),
+                ("step_state", Some(self.step_state.id)),
                 ("grid", Some(self.grid.id)),
             ],
         )
@@ -77,7 +80,8 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 5,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 },
     },
-    BindingInfo { name: "grid", slot: 6, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "step_state", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "grid", slot: 7, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
 static LIST_NEIGHBOURS_BY_INDEX: Module = Module {
@@ -90,5 +94,5 @@ static LIST_NEIGHBOURS_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/list_neighbours_by_index.compute",
-    hash: "1d888b81513af56409184686ea0cc3124d21cf0d0f587d80b44b3e7e06a0425f",
+    hash: "edca9a3b217d6f6d733ac9d87771f2ddb99290666f41673fa82b52ea4d894893",
 };

@@ -2,7 +2,7 @@
 // makes it anew from bench/reorder_index.compute.
 //! Kernels of `bench/reorder_index.compute`.
 
-use super::{CellSlot, GridParams, Position};
+use super::{CellSlot, GridParams, Position, StepState};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
@@ -22,6 +22,8 @@ pub struct ReorderIndex<'a> {
     pub sorted_indices: BufMut<'a, u32>,
     /// `RWStructuredBuffer<uint2> quantized_positions`.
     pub quantized_positions: BufMut<'a, [u32; 2]>,
+    /// `ConstantBuffer<StepState> step_state`.
+    pub step_state: Uniform<'a, StepState>,
     /// `ConstantBuffer<GridParams> grid`.
     pub grid: Uniform<'a, GridParams>,
 }
@@ -42,6 +44,7 @@ impl Kernel for ReorderIndex<'_> {
                 ("cell_starts", Some(self.cell_starts.id)),
                 ("sorted_indices", Some(self.sorted_indices.id)),
                 ("quantized_positions", Some(self.quantized_positions.id)),
+                ("step_state", Some(self.step_state.id)),
                 ("grid", Some(self.grid.id)),
             ],
         )
@@ -65,7 +68,8 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 4,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
     },
-    BindingInfo { name: "grid", slot: 5, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "step_state", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "grid", slot: 6, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
 static REORDER_INDEX: Module = Module {
@@ -78,5 +82,5 @@ static REORDER_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/reorder_index.compute",
-    hash: "98e266c1d9b6878184da1717844791c23ac8d366ae5ab5e687dc81d7abb41707",
+    hash: "ed886e94d0b876449411e13d79eee0c2d04626223abe5e2ce6fcdc772ecaea1d",
 };

@@ -88,7 +88,7 @@ static SCAN_GROUPS_TREE: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "b60b4181e62ccf1e4b38468c4a2626f29cffe78102e2d354ce7f198249bb863b",
+    hash: "84812e0cf7d7eba571c81b77370798517df5515abc4064b9feccf3207b51135d",
 };
 
 static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
@@ -101,7 +101,7 @@ static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "2c113fccf06f2a149b4989d6ceed69e8387ca3a048c7a9c830fc4d7a83e548ba",
+    hash: "9b33326fa178abc9b456bb8295996aaeaf1095bd4fd127e0af8b0e51667aacf0",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
@@ -114,7 +114,7 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "e425d391da06a10547bab189704b82bc15f07652437d6fccc7b7b354ac6fe1e9",
+    hash: "c07b4dcb0e56ff39e9750b7419eebaa0b6ecbeff8a0a93adcfadfe4027b0b7da",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
@@ -127,5 +127,5 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "239d2731650988f4ee0b51d17f5163affd7a9bb1e8ec7b033f6b5cb91a2bd68c",
+    hash: "c06965f493997646f59d23917674b3d0ab4ed41f86d4613ca816ef22f8a44dfc",
 };

@@ -54,5 +54,5 @@ static SCAN_STEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/scan_step.compute",
-    hash: "602d52978fc872f74dc8547dbe4f2b173fc805cea29964eeba2b7f7b2a7a4b87",
+    hash: "aed8155a3a5525388913099e206f7eccccb3611e66b58dee7ace6e6ece5e3319",
 };

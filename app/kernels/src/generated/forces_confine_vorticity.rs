@@ -2,7 +2,7 @@
 // makes it anew from forces/confine_vorticity.compute.
 //! Kernels of `forces/confine_vorticity.compute`.
 
-use super::{ForceParams, ListHead, PrecisionKeyword, StepParams, Velocity, Vorticity};
+use super::{ForceParams, ListHead, PrecisionKeyword, StepParams, StepState, Velocity, Vorticity};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
@@ -32,6 +32,8 @@ pub struct ConfineVorticity<'a> {
     pub list_heads: Buf<'a, ListHead>,
     /// `RWStructuredBuffer<Velocity> velocities`.
     pub velocities: BufMut<'a, Velocity>,
+    /// `ConstantBuffer<StepState> step_state`.
+    pub step_state: Uniform<'a, StepState>,
     /// `ConstantBuffer<StepParams> step_params`.
     pub step_params: Uniform<'a, StepParams>,
     /// `ConstantBuffer<ForceParams> forces`.
@@ -61,6 +63,7 @@ impl Kernel for ConfineVorticity<'_> {
                 ("neighbours", Some(self.neighbours.id)),
                 ("list_heads", Some(self.list_heads.id)),
                 ("velocities", Some(self.velocities.id)),
+                ("step_state", Some(self.step_state.id)),
                 ("step_params", Some(self.step_params.id)),
                 ("forces", Some(self.forces.id)),
             ],
@@ -92,8 +95,9 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 4,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
-    BindingInfo { name: "step_params", slot: 5, kind: BindingKind::Uniform { bytes: 96 } },
-    BindingInfo { name: "forces", slot: 6, kind: BindingKind::Uniform { bytes: 16 } },
+    BindingInfo { name: "step_state", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 6, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "forces", slot: 7, kind: BindingKind::Uniform { bytes: 16 } },
 ];
 
 static CONFINE_VORTICITY: Module = Module {
@@ -106,7 +110,7 @@ static CONFINE_VORTICITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/confine_vorticity.compute",
-    hash: "bdc96c8a17473d146b4d08d339109c0a8dd553f2be6a4676ae7698d6a6d98389",
+    hash: "7f8771e5624098f71e8e2e024ebe746f029122ddec294f94a3a1ec99af3db4de",
 };
 
 static CONFINE_VORTICITY_WITH_PACKED: Module = Module {
@@ -119,7 +123,7 @@ static CONFINE_VORTICITY_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/confine_vorticity.compute",
-    hash: "fb62dffc01b8bd40b2895f3da9d74e0a819b113b174d2aabae1eb190e369cdbb",
+    hash: "5e9db66f0da5156e7a4ddf8252c0cd5a2ac991afb2767af6b4c5f06a13a9d394",
 };
 
 static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -132,7 +136,7 @@ static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/confine_vorticity.compute",
-    hash: "f2a2825e413b6f8d8178691c35715b781fbe98dbf73c6e116fe5783e9aa609af",
+    hash: "c3699025ffc98be62da3254d5ebfc924c5ce076b85f13bc40defebd8cdb93590",
 };
 
 static CONFINE_VORTICITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -145,7 +149,7 @@ static CONFINE_VORTICITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/confine_vorticity.compute",
-    hash: "cd7f2107816b73a44204cad85460233cd86506be50003b7a3a09307233b6c5bb",
+    hash: "83fabfd2e9cdf5a19f43e205688889fdf75eb4fe1e0223676902494692a57ad7",
 };
 
 static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
@@ -158,7 +162,7 @@ static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/confine_vorticity.compute",
-    hash: "2b7aeec01ea9543cfcb92d9b202c7050be739fbcf229b86efbcff96073fd6542",
+    hash: "63789f1310cde2b4a3fd0dcde8740a67c57172a9833e2bb8cf38569c5870d93a",
 };
 
 static CONFINE_VORTICITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -171,5 +175,5 @@ static CONFINE_VORTICITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/confine_vorticity.compute",
-    hash: "6db20bfb165def1cdbccccf6bbce50b9263f2d9f1e74a6ff5007f6e82b9f553b",
+    hash: "7560552ccbe5f3801f4b933d9556ba345fe27125dde18f08c212c7776fdb7fa1",
 };

@@ -2,7 +2,7 @@
 // makes it anew from forces/curl.compute.
 //! Kernels of `forces/curl.compute`.
 
-use super::{ListHead, PrecisionKeyword, SmoothingKernelParams, StepParams, Velocity, Vorticity};
+use super::{ListHead, PrecisionKeyword, SmoothingKernelParams, StepParams, StepState, Velocity, Vorticity};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
@@ -31,6 +31,8 @@ pub struct Curl<'a> {
     pub list_heads: Buf<'a, ListHead>,
     /// `RWStructuredBuffer<Vorticity> vorticities`.
     pub vorticities: BufMut<'a, Vorticity>,
+    /// `ConstantBuffer<StepState> step_state`.
+    pub step_state: Uniform<'a, StepState>,
     /// `ConstantBuffer<StepParams> step_params`.
     pub step_params: Uniform<'a, StepParams>,
     /// `ConstantBuffer<SmoothingKernelParams> kernel`.
@@ -60,6 +62,7 @@ impl Kernel for Curl<'_> {
                 ("neighbours", Some(self.neighbours.id)),
                 ("list_heads", Some(self.list_heads.id)),
                 ("vorticities", Some(self.vorticities.id)),
+                ("step_state", Some(self.step_state.id)),
                 ("step_params", Some(self.step_params.id)),
                 ("kernel", Some(self.kernel.id)),
             ],
@@ -91,8 +94,9 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 4,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
-    BindingInfo { name: "step_params", slot: 5, kind: BindingKind::Uniform { bytes: 96 } },
-    BindingInfo { name: "kernel", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_state", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 6, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
 static CURL: Module = Module {
@@ -105,7 +109,7 @@ static CURL: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/curl.compute",
-    hash: "c1e58ea575af3d6ab158ef10454dc180ef5bf7ae9e33adbd51236f71a90473d5",
+    hash: "21274103f0c29283bed0e0d6ac15f259ac00a233ce50302a68533cb7de86497a",
 };
 
 static CURL_WITH_PACKED: Module = Module {
@@ -118,7 +122,7 @@ static CURL_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/curl.compute",
-    hash: "6e84d75d427dde54d1380f9fbefe3bcb47dfeee1728bb424b53b3af9d3586824",
+    hash: "5b7552d3dc23e9a494798dcc5d63d3436bd968707c52dbbb89f0d44bac128de6",
 };
 
 static CURL_WITH_RELAXED_PRECISION: Module = Module {
@@ -131,7 +135,7 @@ static CURL_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/curl.compute",
-    hash: "3c1a871c72b153565186226e42d3b6eb6a5d5565f12e7005ca67c69c53c260a5",
+    hash: "4b9cef2c45e24bfa2c9d81c93a3c4d40320a69914031183d95802960886687d6",
 };
 
 static CURL_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -144,7 +148,7 @@ static CURL_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/curl.compute",
-    hash: "89eb8daaadf8033c84e674e0dc8aeb29ca3305e7026b6bf167eb91e4dda12172",
+    hash: "8f8871a8bc24564103c5606e0f9281e9932773f0a22e6735437278c16e9fb81b",
 };
 
 static CURL_WITH_HALF_PRECISION: Module = Module {
@@ -157,7 +161,7 @@ static CURL_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/curl.compute",
-    hash: "9f21d5f21bd4c63ce629b546aa6cdbb0afd2319db00d393eef9c38b85aca876c",
+    hash: "67d41ee1d888a91257a33e656c7de6d448f8a44b9e1dac166dd4c712c3f0ff59",
 };
 
 static CURL_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -170,5 +174,5 @@ static CURL_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/curl.compute",
-    hash: "15356db18fe1c7274db7b5b649da710fa9d89d159f13f823a338a20329e2b007",
+    hash: "3a4d9baf93cdac3e729bb1aee0d75c94203767d1d02c4f5b8b1070280efebe79",
 };

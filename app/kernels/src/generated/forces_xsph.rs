@@ -2,7 +2,7 @@
 // makes it anew from forces/xsph.compute.
 //! Kernels of `forces/xsph.compute`.
 
-use super::{ForceParams, ListHead, PrecisionKeyword, SmoothingKernelParams, StepParams, Velocity};
+use super::{ForceParams, ListHead, PrecisionKeyword, SmoothingKernelParams, StepParams, StepState, Velocity};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
@@ -32,6 +32,8 @@ pub struct Xsph<'a> {
     pub list_heads: Buf<'a, ListHead>,
     /// `RWStructuredBuffer<Velocity> smoothed_velocities`.
     pub smoothed_velocities: BufMut<'a, Velocity>,
+    /// `ConstantBuffer<StepState> step_state`.
+    pub step_state: Uniform<'a, StepState>,
     /// `ConstantBuffer<StepParams> step_params`.
     pub step_params: Uniform<'a, StepParams>,
     /// `ConstantBuffer<SmoothingKernelParams> kernel`.
@@ -63,6 +65,7 @@ impl Kernel for Xsph<'_> {
                 ("neighbours", Some(self.neighbours.id)),
                 ("list_heads", Some(self.list_heads.id)),
                 ("smoothed_velocities", Some(self.smoothed_velocities.id)),
+                ("step_state", Some(self.step_state.id)),
                 ("step_params", Some(self.step_params.id)),
                 ("kernel", Some(self.kernel.id)),
                 ("forces", Some(self.forces.id)),
@@ -95,9 +98,10 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 4,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
-    BindingInfo { name: "step_params", slot: 5, kind: BindingKind::Uniform { bytes: 96 } },
-    BindingInfo { name: "kernel", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "forces", slot: 7, kind: BindingKind::Uniform { bytes: 16 } },
+    BindingInfo { name: "step_state", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 6, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "forces", slot: 8, kind: BindingKind::Uniform { bytes: 16 } },
 ];
 
 static XSPH: Module = Module {
@@ -110,7 +114,7 @@ static XSPH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/xsph.compute",
-    hash: "386ac3dd0323b71762a4cf804e2385b8041fd58a02d2aebc882840af2e3e290c",
+    hash: "a9b5ec026d0e29901ff2c24f71b4bc86d146bf005e146f3ee6f12e6b70d64bc4",
 };
 
 static XSPH_WITH_PACKED: Module = Module {
@@ -123,7 +127,7 @@ static XSPH_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/xsph.compute",
-    hash: "f61348fdf4b1d6793a444b75c3a029021de1a97c6071922fd79e6a45fe733375",
+    hash: "cdd302ca5dc46fd221590527a65592e4e5916206a0a5fb585f6ea857eb5d02ef",
 };
 
 static XSPH_WITH_RELAXED_PRECISION: Module = Module {
@@ -136,7 +140,7 @@ static XSPH_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/xsph.compute",
-    hash: "e9041d973c00260659b859854364b50fb8bddeafe4d53a4f2a0f1be9d6487427",
+    hash: "28bf6154c669909e79b7d2d70bd7392e777d93ccc0ee1cc229988662d5382575",
 };
 
 static XSPH_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -149,7 +153,7 @@ static XSPH_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/xsph.compute",
-    hash: "59e8b796b320a9b6b554d43c365660c4c5f9f171c7996a414e346dfd5b26fde6",
+    hash: "03749bfd57b84a5fed1c9a22d2dd752b1414181a13e88597a0519f5838b6bfeb",
 };
 
 static XSPH_WITH_HALF_PRECISION: Module = Module {
@@ -162,7 +166,7 @@ static XSPH_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/xsph.compute",
-    hash: "22c82ea59544121d222dee7fe6c1d04cfb6e898fa34b83467ae8fedf7ab59921",
+    hash: "32f4d6f23204f42531ebfcbdd1683f84ff7dd3a9c349315563cb28c2aafc89a9",
 };
 
 static XSPH_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -175,5 +179,5 @@ static XSPH_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/xsph.compute",
-    hash: "a4d3888f6feb13286fcf477165d9e094f174eb6281f364339d66f8b1a6a63809",
+    hash: "d50176ea99b284667d7c8c33281961bd1a61bb105612be32ffa0bf77575d9631",
 };

@@ -144,7 +144,7 @@ static DRAW_FLOOR_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "35b935976646ff549ca085dd37fbfb7b40bdbfa0d03600981782547375b8e5be",
+    hash: "c10d9ad0a48a4a993a8779e3ee8d2a8dcaa774d2c7e807667d9cc2d91abc7847",
 };
 
 static DRAW_FLOOR_FRAGMENT: Module = Module {
@@ -157,7 +157,7 @@ static DRAW_FLOOR_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "3b69eabc57237c7a8ba124d38fb8a8be7f0e07e161695d69ebf5a3b6ecf614ef",
+    hash: "65b51430a50b6e2ac04064185ff89d5e34f6157c5ae5126a11c1d304325309ea",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW: Module = Module {
@@ -170,7 +170,7 @@ static DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "cae87e39db5298f0024c68f0cecdebdb4e557b27d4e28e358d6e16c2e4b2741d",
+    hash: "554d6dd9beb496985a95c5907bbc432f2acf5283bde35e442c23ad2b154164a4",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW: Module = Module {
@@ -183,7 +183,7 @@ static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "dcf5e33d19d3f0960cafc02f19023402b0bfa427e7586f17b0def33d14afbe6c",
+    hash: "590a466dbb75ac7097cac053560f95a8c7b5f10e8bdfdc6ad4c2b66cd3bce86c",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW: Module = Module {
@@ -196,7 +196,7 @@ static DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "44a23be3624d002a3837f38a4183bff5200df0814ce203fd6abc68c6dddc0793",
+    hash: "c8bf433ebbab8df26d50be037c0e94ccf49475abb26dd19f8dcc58b18bf9e33d",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW: Module = Module {
@@ -209,7 +209,7 @@ static DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "67c7d79580ded2233a460538af1c4887ca977852e5b08dfe9f3af790208a1caf",
+    hash: "620753d59e56253031263e534f57ffeed6909b05c0826601c1f38845aa28cef0",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW: Module = Module {
@@ -222,5 +222,5 @@ static DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "0bc35726e98c03e65ebb14ca60d31dd7ede0ebe0f3f1b8b550041ca56b2f0618",
+    hash: "f235dae659b8c2e57368d11da86c064330e0fc0c5253091b50996863975e2b14",
 };

@@ -62,7 +62,7 @@ static DRAW_PARTICLES_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "2a51c6b32f4a69cc5cd5b9389a4bbce3d25bc0f30a44d14b9e7d6e39fbe5b946",
+    hash: "1f5500cd41c82f577964b08874523d2facd7797cf4f7da89e3547973c408c968",
 };
 
 static DRAW_PARTICLES_FRAGMENT: Module = Module {
@@ -75,5 +75,5 @@ static DRAW_PARTICLES_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "0993f453764c4d66f747e5b4d23372ba8794a8a4b85c1f0419cf80607e086a11",
+    hash: "15999b9e2b9ce376a51b99d330cc74539bee12d9f28be272a6193b6376421b11",
 };

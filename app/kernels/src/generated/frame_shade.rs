@@ -130,7 +130,7 @@ static DRAW_SHADE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "0558741d9c50122f4ecd82dd52227b1b5b3849b9a4acf9b7a25e19a54ec161a9",
+    hash: "cf022d7ad3cf10d279a2ac082fc26ad174030d8bcb0ab37268f7b9e4308ebee5",
 };
 
 static DRAW_SHADE_FRAGMENT: Module = Module {
@@ -143,7 +143,7 @@ static DRAW_SHADE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "c0aeed2e8e2951834decf5e4f6c6ef0f5a83b7a613f67c01c768bdf0554210a3",
+    hash: "ec993cd1016280e6225860f554b2bd580b8faff1780bc2c7179c973aa2b5cdb5",
 };
 
 static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
@@ -156,7 +156,7 @@ static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "fdc3c6c7787e429e5d86fcf428f8dbdb0539326f3c497c83ca9862ad1e98a69f",
+    hash: "55e06767ffaf2cc884848bcbfb33d9a616c5c54dddc74799d2632955df89b230",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
@@ -169,7 +169,7 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "c06505fed21a08ae480e74369d1f0fcd737bd6022d08c73a42ebc91f032ba310",
+    hash: "02aeba3f9d69fd3a6c21dc8cd427a9b832a4947bd7c8134e217db8b806accd4a",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
@@ -182,5 +182,5 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "e3c72ed6f6728e18c6c0e38f9217f79ca3119676c42daea386258f877c328459",
+    hash: "5ccdc1cf903c8b62b21cea0977b5ae5bf0fd06d81fcf6c3f143c7e26e0eda08e",
 };

@@ -55,7 +55,7 @@ static DRAW_SHADOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "1fed7cf048bcfadc33a40b26542bd6e833ebd919e09c21ff00e46b25d00fe07b",
+    hash: "561de14f6a20e0f9c3629900b0a1c5cbd6d440a2f921ed25f064a32d08d4e6c6",
 };
 
 static DRAW_SHADOW_FRAGMENT: Module = Module {
@@ -68,5 +68,5 @@ static DRAW_SHADOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "61e89ff60fe59a4bbfce30efc863f9c73a5649d464b061203135b9a8507a5542",
+    hash: "f85e1372630ab6e171d71f20bc67532bf52a35f96edfd23d700898d13b08c2d5",
 };

@@ -2,7 +2,7 @@
 // makes it anew from grid/count_cells.compute.
 //! Kernels of `grid/count_cells.compute`.
 
-use super::{CellSlot, GridParams, Position};
+use super::{CellSlot, GridParams, Position, StepState};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
@@ -28,6 +28,8 @@ pub struct CountCells<'a> {
     pub cell_counts: BufMut<'a, u32>,
     /// `RWStructuredBuffer<CellSlot> cell_slots`.
     pub cell_slots: BufMut<'a, CellSlot>,
+    /// `ConstantBuffer<StepState> step_state`.
+    pub step_state: Uniform<'a, StepState>,
     /// `ConstantBuffer<GridParams> grid`.
     pub grid: Uniform<'a, GridParams>,
 }
@@ -51,6 +53,7 @@ impl Kernel for CountCells<'_> {
                 ("positions", Some(self.positions.id)),
                 ("cell_counts", Some(self.cell_counts.id)),
                 ("cell_slots", Some(self.cell_slots.id)),
+                ("step_state", Some(self.step_state.id)),
                 ("grid", Some(self.grid.id)),
             ],
         )
@@ -73,7 +76,8 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 2,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
     },
-    BindingInfo { name: "grid", slot: 3, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "step_state", slot: 3, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "grid", slot: 4, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
 static COUNT_CELLS: Module = Module {
@@ -86,7 +90,7 @@ static COUNT_CELLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "b363f7b373085d46e684c1edf9a62e4f143728ffbbe9a599032a1189d4f94b00",
+    hash: "aeee9f3b3dc7486dc2bc0c3f7bb524e773df6ccb4b2d88151a5fc9c0e295dc0c",
 };
 
 static COUNT_CELLS_WITH_PERIODIC: Module = Module {
@@ -99,7 +103,7 @@ static COUNT_CELLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "980eed67657fd67ff361fafe59092111ddc325ed9d6bfb32bf22c055f5f0946d",
+    hash: "d5e457a218c2a390b1311c9c6b2d9a0da824d613bc99602ecfd14d3e6ba6a914",
 };
 
 static COUNT_CELLS_WITH_WRAPPED: Module = Module {
@@ -112,7 +116,7 @@ static COUNT_CELLS_WITH_WRAPPED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "bd0416f22af9320ba0004e4f5fff353a18d9553f66e4618fe4b5fefc25d4ec60",
+    hash: "17856a185ffbdfd7a5f6b7b19caa95005220fcca35b25a90bd9eaa8eb35b12c7",
 };
 
 static COUNT_CELLS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
@@ -125,5 +129,5 @@ static COUNT_CELLS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "19fa4f31c97e7badcfb497c37f75aec45be94addf1c1b3d4ef9e24eaad0a83c9",
+    hash: "2111afc4cd3040cfe5d1200637eb1b2017815a078a68ad25971b22315dc17ac5",
 };

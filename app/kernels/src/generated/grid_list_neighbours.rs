@@ -2,7 +2,7 @@
 // makes it anew from grid/list_neighbours.compute.
 //! Kernels of `grid/list_neighbours.compute`.
 
-use super::{Counters, GridParams, ListHead, Position};
+use super::{Counters, GridParams, ListHead, Position, StepState};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
@@ -35,6 +35,8 @@ pub struct ListNeighbours<'a> {
     pub list_heads: BufMut<'a, ListHead>,
     /// `RWStructuredBuffer<Counters> counters`.
     pub counters: BufMut<'a, Counters>,
+    /// `ConstantBuffer<StepState> step_state`.
+    pub step_state: Uniform<'a, StepState>,
     /// `ConstantBuffer<GridParams> grid`.
     pub grid: Uniform<'a, GridParams>,
 }
@@ -65,6 +67,7 @@ impl Kernel for ListNeighbours<'_> {
                 ("neighbours", Some(self.neighbours.id)),
                 ("list_heads", Some(self.list_heads.id)),
                 ("counters", Some(self.counters.id)),
+                ("step_state", Some(self.step_state.id)),
                 ("grid", Some(self.grid.id)),
             ],
         )
@@ -110,7 +113,8 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 5,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 32 },
     },
-    BindingInfo { name: "grid", slot: 6, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "step_state", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "grid", slot: 7, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
 static LIST_NEIGHBOURS: Module = Module {
@@ -123,7 +127,7 @@ static LIST_NEIGHBOURS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "de1569c6a58b3ec08939bb75d07a00694e1d802e67a98ab034444e708c4b9da3",
+    hash: "48396ad1a39df45662502263d21d569146ae342f4de5889766d6ee526307e6d3",
 };
 
 static LIST_NEIGHBOURS_WITH_PACKED: Module = Module {
@@ -136,7 +140,7 @@ static LIST_NEIGHBOURS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "7f8122169ad51c387699d1d41c2bb4777fa32f5d9cd98cced030a30a092070fb",
+    hash: "d2c325edd01b6537226ffade085e1ee473151826b134433ca28ee2dbd37d53e1",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
@@ -149,7 +153,7 @@ static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "91a595446afe783e627cc0f534e2f828f60c3c70c60dd5de0d0ba9d51c4c3d32",
+    hash: "5cffbabfd999623460918cb16f0e9d030acb5c88fa7a20ef19d09268a630e26a",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_PACKED: Module = Module {
@@ -162,7 +166,7 @@ static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "8a41c8e794be2fd2011bf05e12b3055f6a48d6d9f9ffdf58dc51b6e691730b7c",
+    hash: "9fe078c1edc9d30d3260ac998c35c5fe2896da29aabec905cdc76a25c489b4e6",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
@@ -175,7 +179,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "6e2f175df7617e9c64a4949fea5a4d688fa36322d14a1b5850e418c84343d62d",
+    hash: "523fbe6e75656c27cedf1d320d7c0965efc66691f2c8deef0325c0945f863a06",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PACKED: Module = Module {
@@ -188,7 +192,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "93fd9c3b8e5b6c4b629009f42a28e3d1217196a21da88b07d2a5c8d8dc9a24cc",
+    hash: "0765870c9fcf999f3fbe82bc7475d6e1e8f82949f48ffd9c62fa28ddd427721e",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
@@ -201,7 +205,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "15f785b1da423be87f6ec49395127f2194c9a5a92b85ba0b1247c52f877a9505",
+    hash: "f570e54e929ddf458c09a9babde3720df8c1b1fe26c0d1050c310664020cec6d",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_PACKED: Module = Module {
@@ -214,5 +218,5 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "73c0ff60bf12e7bff656bc06eee0529d75cf8a08fe5a08d97a1af809fd73f220",
+    hash: "19dce5ac0409b577c3240b75ce3a8e92c3c220b254fbe8b5529814e20ec3ae00",
 };

@@ -2,7 +2,7 @@
 // makes it anew from grid/rank_by_id.compute.
 //! Kernels of `grid/rank_by_id.compute`.
 
-use super::{CellSlot, GridParams, Position};
+use super::{CellSlot, GridParams, Position, StepState};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
@@ -11,7 +11,8 @@ use crate::{
 /// cell's particles with a lower id. Every sum over neighbours then runs in the same order in every
 /// run, and for every order of the input. Cells of h/2 hold a few particles, so each looks at few;
 /// the cell of what lies outside may hold many, is nobody's neighbour, and keeps its order. So does a cell
-/// of more than MAX\_CANDIDATES: a search does not look at all of it either, and counts that.
+/// of more than MAX\_CANDIDATES: a search does not look at all of it either, and counts that. Inactive slots are
+/// ranked as well: they are activated in their order.
 #[derive(Debug)]
 pub struct RankById<'a> {
     /// `StructuredBuffer<Position> positions`.
@@ -22,6 +23,8 @@ pub struct RankById<'a> {
     pub cell_members: Buf<'a, u32>,
     /// `RWStructuredBuffer<CellSlot> cell_slots`.
     pub cell_slots: BufMut<'a, CellSlot>,
+    /// `ConstantBuffer<StepState> step_state`.
+    pub step_state: Uniform<'a, StepState>,
     /// `ConstantBuffer<GridParams> grid`.
     pub grid: Uniform<'a, GridParams>,
 }
@@ -41,6 +44,7 @@ impl Kernel for RankById<'_> {
                 ("cell_starts", Some(self.cell_starts.id)),
                 ("cell_members", Some(self.cell_members.id)),
                 ("cell_slots", Some(self.cell_slots.id)),
+                ("step_state", Some(self.step_state.id)),
                 ("grid", Some(self.grid.id)),
             ],
         )
@@ -59,7 +63,8 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 3,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
     },
-    BindingInfo { name: "grid", slot: 4, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "step_state", slot: 4, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "grid", slot: 5, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
 static RANK_BY_ID: Module = Module {
@@ -72,5 +77,5 @@ static RANK_BY_ID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/rank_by_id.compute",
-    hash: "310a971755dfb91c725176f61deac2693ced1c8f9067015a2f76b057356dcb55",
+    hash: "854681d0eb29c49f8fd15f6f5adf338c3e2994ecdf46fe9f7d69e0c1c0cebdb6",
 };

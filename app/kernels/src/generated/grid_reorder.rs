@@ -2,7 +2,7 @@
 // makes it anew from grid/reorder.compute.
 //! Kernels of `grid/reorder.compute`.
 
-use super::{CellSlot, GridParams, Position, Velocity};
+use super::{CellSlot, GridParams, Position, StepState, Velocity};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
@@ -34,6 +34,8 @@ pub struct Reorder<'a> {
     pub sorted_velocities: BufMut<'a, Velocity>,
     /// `RWStructuredBuffer<uint2> quantized_positions`.
     pub quantized_positions: BufMut<'a, [u32; 2]>,
+    /// `ConstantBuffer<StepState> step_state`.
+    pub step_state: Uniform<'a, StepState>,
     /// `ConstantBuffer<GridParams> grid`.
     pub grid: Uniform<'a, GridParams>,
 }
@@ -56,6 +58,7 @@ impl Kernel for Reorder<'_> {
                 ("sorted_positions", Some(self.sorted_positions.id)),
                 ("sorted_velocities", Some(self.sorted_velocities.id)),
                 ("quantized_positions", Some(self.quantized_positions.id)),
+                ("step_state", Some(self.step_state.id)),
                 ("grid", Some(self.grid.id)),
             ],
         )
@@ -85,7 +88,8 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 6,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
     },
-    BindingInfo { name: "grid", slot: 7, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "step_state", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "grid", slot: 8, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
 static REORDER: Module = Module {
@@ -98,7 +102,7 @@ static REORDER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "649daa069b0922753dd8d77e833a767956197a7976b45133e9cf30ced0b3a734",
+    hash: "f43ed1d1d27672278d7cc1316c9eca552595b971a844e0920cb6042af1cabd27",
 };
 
 static REORDER_WITH_PACKED: Module = Module {
@@ -111,5 +115,5 @@ static REORDER_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "6b311a03d60bb8762ba76ab30fb2dab1abcc152b3300d6aa143cca81c9e57371",
+    hash: "585dd7f351d4988a1ede7a04aeee944b6ed9c90e6c3f838efd86a83358f1546d",
 };

@@ -109,7 +109,7 @@ static REDUCE_GROUPS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "c8266c6b49841efbb79f64a93b838f8c8c8247e1c24afcde2092357a6da7c013",
+    hash: "0a0bb35ac867db0edf6ed051584c852920740b32d8798e54835a6df977766f09",
 };
 
 static SCAN_GROUPS: Module = Module {
@@ -122,7 +122,7 @@ static SCAN_GROUPS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "ecfe53cdd47bdc81e613315652220d26fd0c1aae0073b37a77feb0f25a218ab5",
+    hash: "f512e54a3b6a13dd12953ef5fcd1948c80162f4f152522fd9a74c2b92ba16bd0",
 };
 
 static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
@@ -135,5 +135,5 @@ static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "c2f2bc3af1492b827ca47e1b853bab654e48814462cf6366e9f2cdfa61ee193e",
+    hash: "527a2619e552f2d532fb5f168026115ec371a30d65a7d97736bbc24a4dc2ca1c",
 };

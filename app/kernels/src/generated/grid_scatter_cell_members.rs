@@ -2,7 +2,7 @@
 // makes it anew from grid/scatter_cell_members.compute.
 //! Kernels of `grid/scatter_cell_members.compute`.
 
-use super::{CellSlot, GridParams};
+use super::{CellSlot, StepState};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
@@ -17,8 +17,8 @@ pub struct ScatterCellMembers<'a> {
     pub cell_starts: Buf<'a, u32>,
     /// `RWStructuredBuffer<uint> cell_members`.
     pub cell_members: BufMut<'a, u32>,
-    /// `ConstantBuffer<GridParams> grid`.
-    pub grid: Uniform<'a, GridParams>,
+    /// `ConstantBuffer<StepState> step_state`.
+    pub step_state: Uniform<'a, StepState>,
 }
 
 impl Kernel for ScatterCellMembers<'_> {
@@ -35,7 +35,7 @@ impl Kernel for ScatterCellMembers<'_> {
                 ("cell_slots", Some(self.cell_slots.id)),
                 ("cell_starts", Some(self.cell_starts.id)),
                 ("cell_members", Some(self.cell_members.id)),
-                ("grid", Some(self.grid.id)),
+                ("step_state", Some(self.step_state.id)),
             ],
         )
     }
@@ -52,7 +52,7 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 2,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 },
     },
-    BindingInfo { name: "grid", slot: 3, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "step_state", slot: 3, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
 static SCATTER_CELL_MEMBERS: Module = Module {
@@ -65,5 +65,5 @@ static SCATTER_CELL_MEMBERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/scatter_cell_members.compute",
-    hash: "5cb2b6b235ae56bd05d08c547e32172794d5b3e69ac401856b399547d3dbabc5",
+    hash: "58383c1d8d272d5245405476a8670a727d8df8b7b2f98b4e1bc1d4e304c7fca2",
 };

@@ -2,7 +2,7 @@
 // makes it anew from measure/density_ratios.compute.
 //! Kernels of `measure/density_ratios.compute`.
 
-use super::{ListHead, Position, SmoothingKernelParams, StepParams};
+use super::{ListHead, Position, SmoothingKernelParams, StepParams, StepState};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
@@ -29,6 +29,8 @@ pub struct DensityRatios<'a> {
     pub list_heads: Buf<'a, ListHead>,
     /// `RWStructuredBuffer<float> density_ratios`.
     pub density_ratios: BufMut<'a, f32>,
+    /// `ConstantBuffer<StepState> step_state`.
+    pub step_state: Uniform<'a, StepState>,
     /// `ConstantBuffer<StepParams> step_params`.
     pub step_params: Uniform<'a, StepParams>,
     /// `ConstantBuffer<SmoothingKernelParams> kernel`.
@@ -55,6 +57,7 @@ impl Kernel for DensityRatios<'_> {
                 ("neighbours", Some(self.neighbours.id)),
                 ("list_heads", Some(self.list_heads.id)),
                 ("density_ratios", Some(self.density_ratios.id)),
+                ("step_state", Some(self.step_state.id)),
                 ("step_params", Some(self.step_params.id)),
                 ("kernel", Some(self.kernel.id)),
             ],
@@ -79,8 +82,9 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 3,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 },
     },
-    BindingInfo { name: "step_params", slot: 4, kind: BindingKind::Uniform { bytes: 96 } },
-    BindingInfo { name: "kernel", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_state", slot: 4, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 5, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
 static DENSITY_RATIOS: Module = Module {
@@ -93,7 +97,7 @@ static DENSITY_RATIOS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "80ba80a406cbf1e495ed33857d55f8aa4022bf3865d352132dc288d1ad228b88",
+    hash: "65a170b9f9c8e10331b69ac6e0af9ec7a3dbd03018765e64da069901ea99afb3",
 };
 
 static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
@@ -106,7 +110,7 @@ static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "3177e8075d0d329aeac1e77691a429e21e5e023577da066c84c7eaab7f3537a5",
+    hash: "e86ccac853d75ffdd81834033a2cb2f4f2c5a230dd7fe52340766cfa6f91e1ce",
 };
 
 static DENSITY_RATIOS_WITH_WALLS: Module = Module {
@@ -119,7 +123,7 @@ static DENSITY_RATIOS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "7bf86de4ca5cf524c717404b7d5927d86630839ca31741adf7d652170212b521",
+    hash: "75d8cbde73ba15845c1fa6d38ebf031e02a8362e2c6d97398329110d2f550539",
 };
 
 static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -132,5 +136,5 @@ static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "cc1b9327b8f60f158b40bfda675bff58442eb02f2e934c5b584ffda004410577",
+    hash: "aa4d3d2253a454debb183256641304977e2c8f8ed92f06e0b827937799bc7fe5",
 };

@@ -2,7 +2,7 @@
 // makes it anew from measure/measure_particles.compute.
 //! Kernels of `measure/measure_particles.compute`.
 
-use super::{ListHead, MeasureSums, Position, SmoothingKernelParams, StepParams, Velocity};
+use super::{ListHead, MeasureSums, Position, SmoothingKernelParams, StepParams, StepState, Velocity};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
@@ -33,6 +33,8 @@ pub struct MeasureParticles<'a> {
     pub velocities: Buf<'a, Velocity>,
     /// `RWStructuredBuffer<MeasureSums> group_measures`.
     pub group_measures: BufMut<'a, MeasureSums>,
+    /// `ConstantBuffer<StepState> step_state`.
+    pub step_state: Uniform<'a, StepState>,
     /// `ConstantBuffer<StepParams> step_params`.
     pub step_params: Uniform<'a, StepParams>,
     /// `StructuredBuffer<uint2> neighbours`.
@@ -68,6 +70,7 @@ impl Kernel for MeasureParticles<'_> {
                 ("positions", Some(self.positions.id)),
                 ("velocities", Some(self.velocities.id)),
                 ("group_measures", Some(self.group_measures.id)),
+                ("step_state", Some(self.step_state.id)),
                 ("step_params", Some(self.step_params.id)),
                 ("neighbours", self.neighbours.as_ref().map(|bound| bound.id)),
                 ("list_heads", self.list_heads.as_ref().map(|bound| bound.id)),
@@ -95,7 +98,8 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 2,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 64 },
     },
-    BindingInfo { name: "step_params", slot: 3, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "step_state", slot: 3, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 4, kind: BindingKind::Uniform { bytes: 96 } },
 ];
 
 static BINDINGS_1: &[BindingInfo] = &[
@@ -113,8 +117,9 @@ static BINDINGS_1: &[BindingInfo] = &[
         slot: 5,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 },
     },
-    BindingInfo { name: "step_params", slot: 6, kind: BindingKind::Uniform { bytes: 96 } },
-    BindingInfo { name: "kernel", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_state", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 7, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 8, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
 static MEASURE_PARTICLES: Module = Module {
@@ -127,7 +132,7 @@ static MEASURE_PARTICLES: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "c6a0ceb60dcf22752747b98e400081a4d75b7b227374a0356975e22ff4123696",
+    hash: "bb667eb2a957d96a0694c94806072105515940fa9f81a43cbba919911918d534",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
@@ -140,7 +145,7 @@ static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "55fa4b7255966d029538dff90c380f6caf741588d2346a754579b4443aa6d257",
+    hash: "0d058119d2ee1571506aa51bc3e972c411061cd69eca25ede43b76d209959f7b",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
@@ -153,7 +158,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "bacff77daaa35a86195c23f8b56460a245ddd68ab692edac9e6f834616e14347",
+    hash: "ce288a28bc22f5f609e99bd7c301da2b7a02cd79f95d5bcf583c08152a624a42",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
@@ -166,7 +171,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "3ebc98e8a7678ee50aad37ac3c670590fa526755bc44a1aef85d4b93ee4acefd",
+    hash: "b95352c0466f46912490596c952a35f8306789b4e16b3cea399fc3029a28bfeb",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -179,5 +184,5 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module 
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "9288ba4c530b193d633586f2382b2c312728d30fcbc892c0b0d7cf7d0716225f",
+    hash: "eea96c304d59f5e74fbef3c6f2e36c5f9cfb3a1b97bdbbc0b5860d3864a3a940",
 };

@@ -2,7 +2,7 @@
 // makes it anew from measure/measure_totals.compute.
 //! Kernels of `measure/measure_totals.compute`.
 
-use super::{Counters, Measure, MeasureSums, StepParams};
+use super::{Counters, Measure, MeasureSums, StepState};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
@@ -19,8 +19,8 @@ pub struct MeasureTotals<'a> {
     pub counters: Buf<'a, Counters>,
     /// `RWStructuredBuffer<Measure> measure`.
     pub measure: BufMut<'a, Measure>,
-    /// `ConstantBuffer<StepParams> step_params`.
-    pub step_params: Uniform<'a, StepParams>,
+    /// `ConstantBuffer<StepState> step_state`.
+    pub step_state: Uniform<'a, StepState>,
 }
 
 impl Kernel for MeasureTotals<'_> {
@@ -38,7 +38,7 @@ impl Kernel for MeasureTotals<'_> {
                 ("histograms", Some(self.histograms.id)),
                 ("counters", Some(self.counters.id)),
                 ("measure", Some(self.measure.id)),
-                ("step_params", Some(self.step_params.id)),
+                ("step_state", Some(self.step_state.id)),
             ],
         )
     }
@@ -60,7 +60,7 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 3,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 112 },
     },
-    BindingInfo { name: "step_params", slot: 4, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "step_state", slot: 4, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
 static MEASURE_TOTALS: Module = Module {
@@ -73,5 +73,5 @@ static MEASURE_TOTALS: Module = Module {
     shared_bytes: 4616,
     tier: Tier::Floor,
     source: "measure/measure_totals.compute",
-    hash: "e8e63269793b4165a954c1e42e9d5df3a90fb2334b0d3563f87daa1c40bebb27",
+    hash: "4e9af10815e84f7a164eb3dd26292a4942ffc5738c1815809e366ffa58e287f5",
 };

@@ -67,5 +67,5 @@ static SAMPLE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/sample_particles.compute",
-    hash: "52f896d10402deb6ae1ad578b87b0076e9cbe8286ede8eb727237ec94032330c",
+    hash: "372dfdc49a14c73bfcae7b7fca04e7a18c71e57e02a31b96c7e9f9de28eebf5a",
 };

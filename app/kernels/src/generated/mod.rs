@@ -20,6 +20,7 @@ mod frame_resolve;
 mod frame_shade;
 mod frame_shadow;
 mod frame_sky;
+mod grid_count_active;
 mod grid_count_cells;
 mod grid_list_neighbours;
 mod grid_rank_by_id;
@@ -31,6 +32,9 @@ mod measure_density_ratios;
 mod measure_measure_particles;
 mod measure_measure_totals;
 mod measure_sample_particles;
+mod particles_activate;
+mod particles_begin_substep;
+mod particles_deactivate;
 mod particles_predict;
 mod particles_push;
 mod shared_layout;
@@ -73,6 +77,7 @@ pub use frame_resolve::*;
 pub use frame_shade::*;
 pub use frame_shadow::*;
 pub use frame_sky::*;
+pub use grid_count_active::*;
 pub use grid_count_cells::*;
 pub use grid_list_neighbours::*;
 pub use grid_rank_by_id::*;
@@ -84,6 +89,9 @@ pub use measure_density_ratios::*;
 pub use measure_measure_particles::*;
 pub use measure_measure_totals::*;
 pub use measure_sample_particles::*;
+pub use particles_activate::*;
+pub use particles_begin_substep::*;
+pub use particles_deactivate::*;
 pub use particles_predict::*;
 pub use particles_push::*;
 pub use shared_layout::*;
@@ -128,6 +136,7 @@ pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
         frame_shade::MODULES,
         frame_shadow::MODULES,
         frame_sky::MODULES,
+        grid_count_active::MODULES,
         grid_count_cells::MODULES,
         grid_list_neighbours::MODULES,
         grid_rank_by_id::MODULES,
@@ -138,6 +147,9 @@ pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
         measure_measure_particles::MODULES,
         measure_measure_totals::MODULES,
         measure_sample_particles::MODULES,
+        particles_activate::MODULES,
+        particles_begin_substep::MODULES,
+        particles_deactivate::MODULES,
         particles_predict::MODULES,
         particles_push::MODULES,
         solver_none_integrate_particles::MODULES,

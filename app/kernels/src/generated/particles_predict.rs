@@ -2,7 +2,7 @@
 // makes it anew from particles/predict.compute.
 //! Kernels of `particles/predict.compute`.
 
-use super::{Counters, Position, StepParams, Velocity};
+use super::{Counters, Position, StepParams, StepState, Velocity};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
@@ -28,6 +28,8 @@ pub struct Predict<'a> {
     pub velocities: BufMut<'a, Velocity>,
     /// `RWStructuredBuffer<Counters> counters`.
     pub counters: BufMut<'a, Counters>,
+    /// `ConstantBuffer<StepState> step_state`.
+    pub step_state: Uniform<'a, StepState>,
     /// `ConstantBuffer<StepParams> step_params`.
     pub step_params: Uniform<'a, StepParams>,
 }
@@ -51,6 +53,7 @@ impl Kernel for Predict<'_> {
                 ("positions", Some(self.positions.id)),
                 ("velocities", Some(self.velocities.id)),
                 ("counters", Some(self.counters.id)),
+                ("step_state", Some(self.step_state.id)),
                 ("step_params", Some(self.step_params.id)),
             ],
         )
@@ -77,7 +80,8 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 2,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 32 },
     },
-    BindingInfo { name: "step_params", slot: 3, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "step_state", slot: 3, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 4, kind: BindingKind::Uniform { bytes: 96 } },
 ];
 
 static PREDICT: Module = Module {
@@ -90,7 +94,7 @@ static PREDICT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "5446eb5c2489b8c586fd4c27b2142aa3b25cbd4ed08e5bd6b2829346da7a7e77",
+    hash: "d84c76aea78973858b9f5d58fe80a88b7edbb91be99fdbdeae7e02aea67dae51",
 };
 
 static PREDICT_WITH_PERIODIC: Module = Module {
@@ -103,7 +107,7 @@ static PREDICT_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "4265d0fb9d7b5db04df6e91bd839d40cf5452f115a2f6c41b8be443c250bcf4c",
+    hash: "8e6cbf639c29933e7e164058311f2025d473cb4d50dcf5788f194cf65db789cc",
 };
 
 static PREDICT_WITH_WALLS: Module = Module {
@@ -116,7 +120,7 @@ static PREDICT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "f8049b1cb987d6e29fa6be86544426436dad5a7d729e36dbe44a3a310e65f2e1",
+    hash: "3d34b7c15ae7741fa25b142b3b4e8c2a880f3fe396ceb0f61223c02bfa62d03e",
 };
 
 static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -129,5 +133,5 @@ static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "8729264e3940b6a7fe17504546b07d0ea2743f2e5c88e1bbb3407d4604e9c8f2",
+    hash: "89d981356e90310b18b7bc004878420e46cecc465c8fcfe8a72f58be969c869e",
 };

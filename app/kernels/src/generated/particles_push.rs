@@ -2,7 +2,7 @@
 // makes it anew from particles/push.compute.
 //! Kernels of `particles/push.compute`.
 
-use super::{Position, PushParams, Velocity};
+use super::{Position, PushParams, StepState, Velocity};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
@@ -16,6 +16,8 @@ pub struct Push<'a> {
     pub positions: Buf<'a, Position>,
     /// `RWStructuredBuffer<Velocity> velocities`.
     pub velocities: BufMut<'a, Velocity>,
+    /// `ConstantBuffer<StepState> step_state`.
+    pub step_state: Uniform<'a, StepState>,
     /// `ConstantBuffer<PushParams> push`.
     pub push: Uniform<'a, PushParams>,
 }
@@ -33,6 +35,7 @@ impl Kernel for Push<'_> {
             &[
                 ("positions", Some(self.positions.id)),
                 ("velocities", Some(self.velocities.id)),
+                ("step_state", Some(self.step_state.id)),
                 ("push", Some(self.push.id)),
             ],
         )
@@ -49,7 +52,8 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 1,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
-    BindingInfo { name: "push", slot: 2, kind: BindingKind::Uniform { bytes: 64 } },
+    BindingInfo { name: "step_state", slot: 2, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "push", slot: 3, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
 static PUSH: Module = Module {
@@ -62,5 +66,5 @@ static PUSH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/push.compute",
-    hash: "ca9e077bb0519d19b3cedaf7615cc5b86a0f27fba5bc4be1293508dc6393da32",
+    hash: "0808ff3b34c31269f8b3fdcf31a1b181a9320c5fe60c45b16a1cb520c03878c4",
 };

@@ -139,7 +139,7 @@ const _: () = {
 pub struct StepParams {
     /// `float3`.
     pub gravity_m_s2: [f32; 3],
-    /// `float`.
+    /// that substeps are to take: StepState has the one they take
     pub dt_s: f32,
     /// `float3`.
     pub domain_size_m: [f32; 3],
@@ -152,15 +152,15 @@ pub struct StepParams {
     /// `float3`.
     pub wall_max_m: [f32; 3],
     /// `uint`.
-    pub particle_count: u32,
+    pub reserved0: u32,
     /// the domain's side along axes that are periodic, 0 along others
     pub period_m: [f32; 3],
     /// room for neighbours a particle, in LIST\_CHUNKs
     pub list_chunks: u32,
     /// 0 along axes that are not
     pub inverse_period_per_m: [f32; 3],
-    /// `float`.
-    pub reserved: f32,
+    /// `uint`.
+    pub reserved1: u32,
 }
 const _: () = {
     assert!(offset_of!(StepParams, gravity_m_s2) == 0);
@@ -170,17 +170,57 @@ const _: () = {
     assert!(offset_of!(StepParams, wall_min_m) == 32);
     assert!(offset_of!(StepParams, max_speed_m_s) == 44);
     assert!(offset_of!(StepParams, wall_max_m) == 48);
-    assert!(offset_of!(StepParams, particle_count) == 60);
+    assert!(offset_of!(StepParams, reserved0) == 60);
     assert!(offset_of!(StepParams, period_m) == 64);
     assert!(offset_of!(StepParams, list_chunks) == 76);
     assert!(offset_of!(StepParams, inverse_period_per_m) == 80);
-    assert!(offset_of!(StepParams, reserved) == 92);
+    assert!(offset_of!(StepParams, reserved1) == 92);
     assert!(size_of::<StepParams>() == 96);
+};
+
+/// What only the GPU may know of a substep; the host uploads it with particles alone. What is visited in a
+/// dispatch or a draw whose size the host does not know is said in the form of Vulkan's indirect commands.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+pub struct StepState {
+    /// slots that the substep visits: no particle stands behind them
+    pub slot_count: u32,
+    /// particles, quarantined ones too, as the last sort counted; inactive slots stand behind
+    pub active_count: u32,
+    /// of the substep
+    pub dt_s: f32,
+    /// simulated when the substep ends
+    pub time_s: f32,
+    /// groups of PARTICLE\_GROUP that visit the slots: a VkDispatchIndirectCommand
+    pub slot_groups: [u32; 3],
+    /// what rounding has taken from time\_s (Kahan 1965)
+    pub time_lost_s: f32,
+    /// a triangle for each slot: a VkDrawIndirectCommand
+    pub vertex_count: u32,
+    /// `uint`.
+    pub instance_count: u32,
+    /// `uint`.
+    pub first_vertex: u32,
+    /// `uint`.
+    pub first_instance: u32,
+}
+const _: () = {
+    assert!(offset_of!(StepState, slot_count) == 0);
+    assert!(offset_of!(StepState, active_count) == 4);
+    assert!(offset_of!(StepState, dt_s) == 8);
+    assert!(offset_of!(StepState, time_s) == 12);
+    assert!(offset_of!(StepState, slot_groups) == 16);
+    assert!(offset_of!(StepState, time_lost_s) == 28);
+    assert!(offset_of!(StepState, vertex_count) == 32);
+    assert!(offset_of!(StepState, instance_count) == 36);
+    assert!(offset_of!(StepState, first_vertex) == 40);
+    assert!(offset_of!(StepState, first_instance) == 44);
+    assert!(size_of::<StepState>() == 48);
 };
 
 /// The neighbour grid, x fastest: a cell for each of the domain's, or, in a domain far larger than its
 /// fluid (WRAPPED), powers of two that the domain's cells are wrapped onto. Cell `cell_count` holds
-/// what is outside or quarantined; it is nobody's neighbour.
+/// what is outside or quarantined, which is nobody's neighbour; the one behind it holds inactive slots.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct GridParams {
@@ -194,24 +234,16 @@ pub struct GridParams {
     pub inverse_cell_size_per_m: f32,
     /// h: the kernel is zero beyond it
     pub support_m: f32,
-    /// `uint`.
-    pub particle_count: u32,
-    /// room for neighbours a particle, in LIST\_CHUNKs
-    pub list_chunks: u32,
     /// `float`.
     pub inverse_support_per_m: f32,
-    /// `uint`.
-    pub reserved0: u32,
-    /// `uint`.
-    pub reserved1: u32,
     /// `uint3`.
     pub domain_cells: [u32; 3],
-    /// `uint`.
-    pub reserved2: u32,
+    /// room for neighbours a particle, in LIST\_CHUNKs
+    pub list_chunks: u32,
     /// the domain's cells along axes that are periodic, more than it has along others
     pub seam_cells: [u32; 3],
     /// `uint`.
-    pub reserved3: u32,
+    pub reserved: u32,
 }
 const _: () = {
     assert!(offset_of!(GridParams, cells) == 0);
@@ -219,16 +251,12 @@ const _: () = {
     assert!(offset_of!(GridParams, cell_size_m) == 16);
     assert!(offset_of!(GridParams, inverse_cell_size_per_m) == 20);
     assert!(offset_of!(GridParams, support_m) == 24);
-    assert!(offset_of!(GridParams, particle_count) == 28);
-    assert!(offset_of!(GridParams, list_chunks) == 32);
-    assert!(offset_of!(GridParams, inverse_support_per_m) == 36);
-    assert!(offset_of!(GridParams, reserved0) == 40);
-    assert!(offset_of!(GridParams, reserved1) == 44);
-    assert!(offset_of!(GridParams, domain_cells) == 48);
-    assert!(offset_of!(GridParams, reserved2) == 60);
-    assert!(offset_of!(GridParams, seam_cells) == 64);
-    assert!(offset_of!(GridParams, reserved3) == 76);
-    assert!(size_of::<GridParams>() == 80);
+    assert!(offset_of!(GridParams, inverse_support_per_m) == 28);
+    assert!(offset_of!(GridParams, domain_cells) == 32);
+    assert!(offset_of!(GridParams, list_chunks) == 44);
+    assert!(offset_of!(GridParams, seam_cells) == 48);
+    assert!(offset_of!(GridParams, reserved) == 60);
+    assert!(size_of::<GridParams>() == 64);
 };
 
 /// The smoothing kernel, Wendland C2, scaled so that the initial lattice has density ratio 1, and
@@ -336,12 +364,12 @@ pub struct Counters {
     pub displacement_clamps: u32,
     /// particles around which not all candidates were looked at
     pub crowded: u32,
+    /// particles that were to be activated when no slot was left
+    pub capacity_overflow: u32,
     /// `uint`.
     pub reserved0: u32,
     /// `uint`.
     pub reserved1: u32,
-    /// `uint`.
-    pub reserved2: u32,
 }
 const _: () = {
     assert!(offset_of!(Counters, neighbour_overflow) == 0);
@@ -349,9 +377,9 @@ const _: () = {
     assert!(offset_of!(Counters, correction_clamps) == 8);
     assert!(offset_of!(Counters, displacement_clamps) == 12);
     assert!(offset_of!(Counters, crowded) == 16);
-    assert!(offset_of!(Counters, reserved0) == 20);
-    assert!(offset_of!(Counters, reserved1) == 24);
-    assert!(offset_of!(Counters, reserved2) == 28);
+    assert!(offset_of!(Counters, capacity_overflow) == 20);
+    assert!(offset_of!(Counters, reserved0) == 24);
+    assert!(offset_of!(Counters, reserved1) == 28);
     assert!(size_of::<Counters>() == 32);
 };
 
@@ -448,9 +476,9 @@ pub struct PushParams {
     /// nor behind this one
     pub far_m: f32,
     /// `uint`.
-    pub particle_count: u32,
+    pub reserved0: u32,
     /// `uint`.
-    pub reserved: u32,
+    pub reserved1: u32,
 }
 const _: () = {
     assert!(offset_of!(PushParams, origin_m) == 0);
@@ -461,9 +489,57 @@ const _: () = {
     assert!(offset_of!(PushParams, along_z) == 44);
     assert!(offset_of!(PushParams, near_m) == 48);
     assert!(offset_of!(PushParams, far_m) == 52);
-    assert!(offset_of!(PushParams, particle_count) == 56);
-    assert!(offset_of!(PushParams, reserved) == 60);
+    assert!(offset_of!(PushParams, reserved0) == 56);
+    assert!(offset_of!(PushParams, reserved1) == 60);
     assert!(size_of::<PushParams>() == 64);
+};
+
+/// A block of particles to activate, on a lattice.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+pub struct ActivateParams {
+    /// the particle at the block's lowest corner
+    pub first_m: [f32; 3],
+    /// `float`.
+    pub spacing_m: f32,
+    /// `float3`.
+    pub velocity_m_s: [f32; 3],
+    /// `uint`.
+    pub fluid: u32,
+    /// particles along each axis; any 0: none
+    pub counts: [u32; 3],
+    /// `uint`.
+    pub reserved: u32,
+}
+const _: () = {
+    assert!(offset_of!(ActivateParams, first_m) == 0);
+    assert!(offset_of!(ActivateParams, spacing_m) == 12);
+    assert!(offset_of!(ActivateParams, velocity_m_s) == 16);
+    assert!(offset_of!(ActivateParams, fluid) == 28);
+    assert!(offset_of!(ActivateParams, counts) == 32);
+    assert!(offset_of!(ActivateParams, reserved) == 44);
+    assert!(size_of::<ActivateParams>() == 48);
+};
+
+/// A box whose particles are deactivated.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+pub struct DeactivateParams {
+    /// `float3`.
+    pub min_m: [f32; 3],
+    /// `uint`.
+    pub reserved0: u32,
+    /// below min\_m: none
+    pub max_m: [f32; 3],
+    /// `uint`.
+    pub reserved1: u32,
+}
+const _: () = {
+    assert!(offset_of!(DeactivateParams, min_m) == 0);
+    assert!(offset_of!(DeactivateParams, reserved0) == 12);
+    assert!(offset_of!(DeactivateParams, max_m) == 16);
+    assert!(offset_of!(DeactivateParams, reserved1) == 28);
+    assert!(size_of::<DeactivateParams>() == 32);
 };
 
 /// Which particles a capture keeps.
@@ -472,8 +548,8 @@ const _: () = {
 pub struct SampleParams {
     /// those whose id is a multiple of it
     pub stride: u32,
-    /// `uint`.
-    pub particle_count: u32,
+    /// ids are below it
+    pub capacity: u32,
     /// `uint`.
     pub reserved0: u32,
     /// `uint`.
@@ -481,7 +557,7 @@ pub struct SampleParams {
 }
 const _: () = {
     assert!(offset_of!(SampleParams, stride) == 0);
-    assert!(offset_of!(SampleParams, particle_count) == 4);
+    assert!(offset_of!(SampleParams, capacity) == 4);
     assert!(offset_of!(SampleParams, reserved0) == 8);
     assert!(offset_of!(SampleParams, reserved1) == 12);
     assert!(size_of::<SampleParams>() == 16);

@@ -2,7 +2,7 @@
 // makes it anew from solver/none/integrate_particles.compute.
 //! Kernels of `solver/none/integrate_particles.compute`.
 
-use super::{Counters, NoneParams, Position, StepParams, Velocity};
+use super::{Counters, NoneParams, Position, StepParams, StepState, Velocity};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
@@ -28,6 +28,8 @@ pub struct IntegrateParticles<'a> {
     pub velocities: BufMut<'a, Velocity>,
     /// `RWStructuredBuffer<Counters> counters`.
     pub counters: BufMut<'a, Counters>,
+    /// `ConstantBuffer<StepState> step_state`.
+    pub step_state: Uniform<'a, StepState>,
     /// `ConstantBuffer<StepParams> step_params`.
     pub step_params: Uniform<'a, StepParams>,
     /// `ConstantBuffer<NoneParams> none`.
@@ -53,6 +55,7 @@ impl Kernel for IntegrateParticles<'_> {
                 ("positions", Some(self.positions.id)),
                 ("velocities", Some(self.velocities.id)),
                 ("counters", Some(self.counters.id)),
+                ("step_state", Some(self.step_state.id)),
                 ("step_params", Some(self.step_params.id)),
                 ("none", Some(self.none.id)),
             ],
@@ -84,8 +87,9 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 2,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 32 },
     },
-    BindingInfo { name: "step_params", slot: 3, kind: BindingKind::Uniform { bytes: 96 } },
-    BindingInfo { name: "none", slot: 4, kind: BindingKind::Uniform { bytes: 16 } },
+    BindingInfo { name: "step_state", slot: 3, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 4, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "none", slot: 5, kind: BindingKind::Uniform { bytes: 16 } },
 ];
 
 static INTEGRATE_PARTICLES: Module = Module {
@@ -98,7 +102,7 @@ static INTEGRATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "4fc9097ec24925cbf14b699eee9d167d978eb4767cae6909746027f21a031a59",
+    hash: "e2107923ab2f31dbc85119beed77885cc6d671d09bd27c2f283222caa72853df",
 };
 
 static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
@@ -111,7 +115,7 @@ static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "1b499182f46b7c793104907bd397518e94e682dfe3ad69e1f2ce4e48d4e9ea1c",
+    hash: "50060b5f3a2aaaa2b4f0ac9d6f1320b5128177bd9642380165b38f6a171bfa06",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
@@ -124,7 +128,7 @@ static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "33cd87fc1c87c23909134071d213ee5868a9e9554fd3e8140599b041c474a38b",
+    hash: "ccb04f4a8842190644707956e81e88ae8d6ab8abe41832884afb86af6771dcea",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -137,5 +141,5 @@ static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "7573b32add0f486eeab344b77f2682f501ff26005cedb3fd010f16754e2b9f1f",
+    hash: "f78b5ffe589cbb517f1b2c571a6e90e297f24fdade6fc6b7d63372856a0a5552",
 };

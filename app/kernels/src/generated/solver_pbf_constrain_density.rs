@@ -2,7 +2,9 @@
 // makes it anew from solver/pbf/constrain_density.compute.
 //! Kernels of `solver/pbf/constrain_density.compute`.
 
-use super::{ListHead, PbfParams, Position, PositionLambda, PrecisionKeyword, SmoothingKernelParams, StepParams};
+use super::{
+    ListHead, PbfParams, Position, PositionLambda, PrecisionKeyword, SmoothingKernelParams, StepParams, StepState,
+};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
@@ -31,6 +33,8 @@ pub struct ConstrainDensity<'a> {
     pub list_heads: Buf<'a, ListHead>,
     /// `RWStructuredBuffer<PositionLambda> position_lambdas`.
     pub position_lambdas: Option<BufMut<'a, PositionLambda>>,
+    /// `ConstantBuffer<StepState> step_state`.
+    pub step_state: Uniform<'a, StepState>,
     /// `ConstantBuffer<StepParams> step_params`.
     pub step_params: Uniform<'a, StepParams>,
     /// `ConstantBuffer<SmoothingKernelParams> kernel`.
@@ -75,6 +79,7 @@ impl Kernel for ConstrainDensity<'_> {
                 ("neighbours", Some(self.neighbours.id)),
                 ("list_heads", Some(self.list_heads.id)),
                 ("position_lambdas", self.position_lambdas.as_ref().map(|bound| bound.id)),
+                ("step_state", Some(self.step_state.id)),
                 ("step_params", Some(self.step_params.id)),
                 ("kernel", Some(self.kernel.id)),
                 ("pbf", Some(self.pbf.id)),
@@ -114,9 +119,10 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 3,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
-    BindingInfo { name: "step_params", slot: 4, kind: BindingKind::Uniform { bytes: 96 } },
-    BindingInfo { name: "kernel", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "pbf", slot: 6, kind: BindingKind::Uniform { bytes: 32 } },
+    BindingInfo { name: "step_state", slot: 4, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 5, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "pbf", slot: 7, kind: BindingKind::Uniform { bytes: 32 } },
 ];
 
 static BINDINGS_1: &[BindingInfo] = &[
@@ -132,9 +138,10 @@ static BINDINGS_1: &[BindingInfo] = &[
         slot: 3,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
     },
-    BindingInfo { name: "step_params", slot: 4, kind: BindingKind::Uniform { bytes: 96 } },
-    BindingInfo { name: "kernel", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "pbf", slot: 6, kind: BindingKind::Uniform { bytes: 32 } },
+    BindingInfo { name: "step_state", slot: 4, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 5, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "pbf", slot: 7, kind: BindingKind::Uniform { bytes: 32 } },
 ];
 
 static BINDINGS_2: &[BindingInfo] = &[
@@ -155,9 +162,10 @@ static BINDINGS_2: &[BindingInfo] = &[
         slot: 4,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
-    BindingInfo { name: "step_params", slot: 5, kind: BindingKind::Uniform { bytes: 96 } },
-    BindingInfo { name: "kernel", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "pbf", slot: 7, kind: BindingKind::Uniform { bytes: 32 } },
+    BindingInfo { name: "step_state", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 6, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "pbf", slot: 8, kind: BindingKind::Uniform { bytes: 32 } },
 ];
 
 static BINDINGS_3: &[BindingInfo] = &[
@@ -178,9 +186,10 @@ static BINDINGS_3: &[BindingInfo] = &[
         slot: 4,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
     },
-    BindingInfo { name: "step_params", slot: 5, kind: BindingKind::Uniform { bytes: 96 } },
-    BindingInfo { name: "kernel", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "pbf", slot: 7, kind: BindingKind::Uniform { bytes: 32 } },
+    BindingInfo { name: "step_state", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 6, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "pbf", slot: 8, kind: BindingKind::Uniform { bytes: 32 } },
 ];
 
 static CONSTRAIN_DENSITY: Module = Module {
@@ -193,7 +202,7 @@ static CONSTRAIN_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "8c71c385e192ec7653a4b3820209db48b17088d376fe7b5783ba80703e9b1c70",
+    hash: "956f5cbb3ff6e0f18802481155f26157c90b6a2039e5a351a429402185cc4e1a",
 };
 
 static CONSTRAIN_DENSITY_WITH_PACKED: Module = Module {
@@ -206,7 +215,7 @@ static CONSTRAIN_DENSITY_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "858f0ff3bb3160316275fe76928859c4d3b468ad20855c20fc774cabfc00bd73",
+    hash: "12dbe91b03275616d6a0f67b861924ec595cf3b7db2adf2cf0298ec3b16274aa",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -219,7 +228,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "fd0c4fa9e588f92a0579a9ed816b8735bc1fd18836cd3b1ce610e8086365f4cb",
+    hash: "bdab2bfb8b510fe0ff30398cf308382d4534ee2e5e0ca15e7b7075090887281d",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -232,7 +241,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "c156f2b51a9436e3bdeff8225cf12b394e9e0e74590ac3f5b08eb0cf92ec4893",
+    hash: "16c0dd68cf53feb700cc2b43e98223dcc08a0650ab31d48b34d261001259080b",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -245,7 +254,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "e2fd090ce235b21c6fe25714a2ea4a27ced19f1156f21fab8ed3984813045828",
+    hash: "4cba2848effcef10e2a4a3e4ed670ca3bcb38f03b4d3894acc2f34d535eabccb",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -258,7 +267,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "0c5e656482a422795950e606ecb24378f698e5f80c81f2c7544bb6f68137c239",
+    hash: "909147dd9853c491730dbcc1e4f478a3efeade0fe855c50c6baf2c2c9e773bc9",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
@@ -271,7 +280,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "22f5839773db173f64fdb4a91caeab54929dca1857d1736f83b3d4fe9ca12102",
+    hash: "c38f9d232757bcc37a3cd2090236339f406e245d274fbab5b1cb370f521e011f",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_PACKED: Module = Module {
@@ -284,7 +293,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "24a73032d14c1a029339308abea8c66754efbb12157d58a249658bb34117aa06",
+    hash: "8e89a973fe8d442dd0da3ef19c0ffb6caa296235a7aa6f7114507a4f580715fb",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -297,7 +306,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "a5fd2b3445b4bb4de5443deaca017490321f2a0b9fea04360968e8e2fa20647b",
+    hash: "f7f2e8a2f72d39e3713d5cbf353ca91be120181d68ab8a07a0792af10b3bc2cd",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -310,7 +319,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "0d1994abc87adf410e5d7c9af032324dcdaa91d800f28776aee8cca151e75124",
+    hash: "e6eb862b7fa43014f66eb63f28a509bc1cc5826f635ad7cf3cc957ed6b288794",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -323,7 +332,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "7e2c5b8f136a7fc68ccce59730a3aafe35bf4860a5e78097913d2bb1501f3c17",
+    hash: "93694b98de08f80e878fa46dc0074ed06a76ecc0af4255e2879a92e5e5302d81",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -336,5 +345,5 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "a9cb0b4fcdad42c226a39c400efea1e1f7c65af33327500ab8f2b11ee0e35d0d",
+    hash: "8d964f08a05868832dac915da2d9114ceb855f4c54daa04f005426583d4881c3",
 };

@@ -4,6 +4,7 @@
 
 use super::{
     Counters, ListHead, PbfParams, Position, PositionLambda, PrecisionKeyword, SmoothingKernelParams, StepParams,
+    StepState,
 };
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
@@ -41,6 +42,8 @@ pub struct CorrectPositions<'a> {
     pub quantized_positions: BufMut<'a, [u32; 2]>,
     /// `RWStructuredBuffer<Counters> counters`.
     pub counters: BufMut<'a, Counters>,
+    /// `ConstantBuffer<StepState> step_state`.
+    pub step_state: Uniform<'a, StepState>,
     /// `ConstantBuffer<StepParams> step_params`.
     pub step_params: Uniform<'a, StepParams>,
     /// `ConstantBuffer<SmoothingKernelParams> kernel`.
@@ -115,6 +118,7 @@ impl Kernel for CorrectPositions<'_> {
                 ("list_heads", Some(self.list_heads.id)),
                 ("quantized_positions", Some(self.quantized_positions.id)),
                 ("counters", Some(self.counters.id)),
+                ("step_state", Some(self.step_state.id)),
                 ("step_params", Some(self.step_params.id)),
                 ("kernel", Some(self.kernel.id)),
                 ("pbf", Some(self.pbf.id)),
@@ -175,9 +179,10 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 5,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 32 },
     },
-    BindingInfo { name: "step_params", slot: 6, kind: BindingKind::Uniform { bytes: 96 } },
-    BindingInfo { name: "kernel", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "pbf", slot: 8, kind: BindingKind::Uniform { bytes: 32 } },
+    BindingInfo { name: "step_state", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 7, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 8, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "pbf", slot: 9, kind: BindingKind::Uniform { bytes: 32 } },
 ];
 
 static BINDINGS_1: &[BindingInfo] = &[
@@ -203,9 +208,10 @@ static BINDINGS_1: &[BindingInfo] = &[
         slot: 5,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 32 },
     },
-    BindingInfo { name: "step_params", slot: 6, kind: BindingKind::Uniform { bytes: 96 } },
-    BindingInfo { name: "kernel", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "pbf", slot: 8, kind: BindingKind::Uniform { bytes: 32 } },
+    BindingInfo { name: "step_state", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 7, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 8, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "pbf", slot: 9, kind: BindingKind::Uniform { bytes: 32 } },
 ];
 
 static CORRECT_POSITIONS: Module = Module {
@@ -218,7 +224,7 @@ static CORRECT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "743acc36bd7b06c962b1932873b63aa312d1f5669e70366eaf36b7d25c4958f4",
+    hash: "84d65f66577766964e37f007f55109b12ace0ea79aa2f9de721d69082d1f229c",
 };
 
 static CORRECT_POSITIONS_WITH_PACKED: Module = Module {
@@ -231,7 +237,7 @@ static CORRECT_POSITIONS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "ce966f1d66afcf3d4e273116c379530ed4ba76564f979a4a1a054f20962483e9",
+    hash: "410ac5838171b8218c67396efff5eac26d3435f7b1280d3d15c0f5ea3a6bfe75",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
@@ -244,7 +250,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "3fee89af76701e539e6faae9bc54fc9b95fea591ea292ee8031567fe140c62ab",
+    hash: "9d06e61d7841b2c6715d89fb6232fbbeec564fe897d9b72600be755329ba2caa",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -257,7 +263,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "f5a8156584fb97822d28443dd868e45cf48fe11a5a7a4900061160aa2931a5b0",
+    hash: "c4710d88ee3adf80bc02f276f14eae45cb2208989c5ab41d5cbe6d8ab8a8cf82",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
@@ -270,7 +276,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "cd1df6cee25c45816af4138c60c35c625431b5f3d60512ead64123a5a0f3a191",
+    hash: "6356cad2409d29c2e43396bdb63a6103baf63f9a4c1bf840aee37ec019da9d94",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -283,7 +289,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "d2a40ad61c104c62b609159465fee01134852989ebf03d6a70c994f1f709c256",
+    hash: "0d19ccd199dfca040e243846cfa454dac9f15f44cb0fc2a6f39e22ff1e1083a6",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
@@ -296,7 +302,7 @@ static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "1721d9fe0054d6102520f383fbc919759ea7a0c09038bafb6415752eb8306180",
+    hash: "0bad0e7de3ddd4d4cc3ff72fae1d260ba2a2ccad67a63ddc7634f512fd0a6a50",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_PACKED: Module = Module {
@@ -309,7 +315,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "9ddfb160baed235a03bc8e3e82af5c7fbc18051b5e55b6cb489302ae1f59ce80",
+    hash: "b402786644a41f36457d46274a2c45166a247706c9ec81cb7363394e4c6060d4",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -322,7 +328,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "224aa1050da4c7052a678650b1e8537e68b937a6d644e4aa4e116cbb38ec1688",
+    hash: "0f47b7fc0e50b0329f40d9a7fd538fa14702bd15d1246322ca0db5d20ab989d0",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -335,7 +341,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "c2e51f1c5aab3316a7f81df590386a93eae515b9c440a6c968ce845f86f9b341",
+    hash: "a9542fd55fef19e3ec404ace830554c5e73403de3302bb4806de136d60f909e4",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -348,7 +354,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "f4fef325109bac5b82431eb9b2860854c52487f38c5ba1553ee0616a567efc9f",
+    hash: "e0b573efc8893ad74adcc4c9c12d5dcd57201906db3490757a45d48642d434cc",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -361,7 +367,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = M
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "b9f2510eeedadf39fad7dab2f6ece2b6ab96a3354411a0a35a4685b5a91d968f",
+    hash: "c6540311873fe47a7c0470767c4ff678fef5f0a519440667444a5632b3e5c4f4",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
@@ -374,7 +380,7 @@ static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "1f6450d2458db2ebf754fccbfc4ce457cd1b2456ad9ad3ad59aeb46422d022ef",
+    hash: "2b2e3da5062a8fdfb9ca291b2b7dffd708f01711ccdb913e17c07ca336b3d440",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_PACKED: Module = Module {
@@ -387,7 +393,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "8e8bbd65d4a77dae68cac4571daef3dfa1ae3e6f732eb2e5b548ae2826bdfcbb",
+    hash: "10a4dffdfcc694dbe95bb8c7781fe7d00982a26616587fda7850329dfe5342d6",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -400,7 +406,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "cd9483c304f86235a3d83820a55c416e513dbf112180c351d643ed5aec5b5432",
+    hash: "13354fdce6aa5a68a29d8c0d255fb79a0b310d5760508bb12ad4c9ae19e16706",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -413,7 +419,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "615ec7fc0cb0db07ccc530bd9d4813b91685dbc135874a062decad0aef5f8907",
+    hash: "81ef694605e6083480a50061391d88891143b84d93e3a7f9dd5df32fa0e3e0c7",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -426,7 +432,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "94813eb8123feadcdf0956679e77562a56aedaeadd32b63755fa9223115d3792",
+    hash: "56ea6db540d783db628b9ed236102f21fbe43ad8da6d016b75004661d00f8216",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -439,7 +445,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "14270f9ead9e6753732c75de3a6384135623282e01a2429ff9dc79464ab704ca",
+    hash: "d79b4fefd4ab6348ed2e92a3bf9842b45ccf52a2e87a46a6de1fd4bd456f825e",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
@@ -452,7 +458,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "ab2fd56a1fc36d8aad46cda656f955575e247011663944ab91b248238271c295",
+    hash: "0aec8b03ff3cf1d73269aba8312bae46be72b4e0d28af79042a0631c4d87ea7f",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_PACKED: Module = Module {
@@ -465,7 +471,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "3aaa4ab1a201ab4545c0330e3a6d60fc999d8d40236113da7d038b50404e50a8",
+    hash: "b3c706572104dc363bf51e60cc22810cd4329a2eafdb54e07fb2e20eff025fb2",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -478,7 +484,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "0dcf4741253155de2b13eb45c3a9c9b5cdb929fad8f941992ffa6721d0b2b780",
+    hash: "dfd0b15517083621cfe1626e6fd23e4f58286677474ed2b112c5d59851280b95",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -491,7 +497,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACK
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "ae30e7f8d1cd4caae188506a25f5f7eed96616ea69f93dba2c3e954930403c39",
+    hash: "68073dd4e421afa4af2a101f1faa198b0e1ba609cc8dc7057af81ddcd0a7274e",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -504,7 +510,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "15c520be7550fedd3fdaaf3fa103ed05a795243f2582c275530285017866a866",
+    hash: "0a47c22d827f10bd8e9c7bdab29853d613ce71979cec5b88c87235c98089133d",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -517,5 +523,5 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED:
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "141ebe7380a1bcade86f33cbd17ea75b2d43ed14b54f9090357f4098946b2ece",
+    hash: "637902eebeef5407f30d187db18068b269ab41331a2c1ef3d4ed6d943c14e9bf",
 };

@@ -2,7 +2,7 @@
 // makes it anew from solver/pbf/update_velocity.compute.
 //! Kernels of `solver/pbf/update_velocity.compute`.
 
-use super::{Counters, Position, SmoothingKernelParams, StepParams, Velocity};
+use super::{Counters, Position, SmoothingKernelParams, StepParams, StepState, Velocity};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
@@ -35,6 +35,8 @@ pub struct UpdateVelocity<'a> {
     pub velocities: BufMut<'a, Velocity>,
     /// `RWStructuredBuffer<Counters> counters`.
     pub counters: BufMut<'a, Counters>,
+    /// `ConstantBuffer<StepState> step_state`.
+    pub step_state: Uniform<'a, StepState>,
     /// `ConstantBuffer<StepParams> step_params`.
     pub step_params: Uniform<'a, StepParams>,
     /// `ConstantBuffer<SmoothingKernelParams> kernel`.
@@ -63,6 +65,7 @@ impl Kernel for UpdateVelocity<'_> {
                 ("positions", Some(self.positions.id)),
                 ("velocities", Some(self.velocities.id)),
                 ("counters", Some(self.counters.id)),
+                ("step_state", Some(self.step_state.id)),
                 ("step_params", Some(self.step_params.id)),
                 ("kernel", Some(self.kernel.id)),
             ],
@@ -109,8 +112,9 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 5,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 32 },
     },
-    BindingInfo { name: "step_params", slot: 6, kind: BindingKind::Uniform { bytes: 96 } },
-    BindingInfo { name: "kernel", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_state", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 7, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 8, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
 static UPDATE_VELOCITY: Module = Module {
@@ -123,7 +127,7 @@ static UPDATE_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "1a95f25b384fa9651aeb16b7413bd7a5fd63ce264e8b2051b021a0d006abda6b",
+    hash: "1c306b8fff6c6ce6bd58c993e31f9be861343a37679d3831734f22a8c9c60bc0",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
@@ -136,7 +140,7 @@ static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "5b989a505686254007209c80bb43da6980edfaeb08bd5eb28f1ca5845a987c90",
+    hash: "c44af8bd1666abffb07046dd3faa8d89e5780c94c98bcce6776e8f9e0741a96e",
 };
 
 static UPDATE_VELOCITY_WITH_PACKED: Module = Module {
@@ -149,7 +153,7 @@ static UPDATE_VELOCITY_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "f40b0dbb1de45c4c5b779d9aa346f56bbb9a1c1c1a13bfcf32f9a99b1ef883f7",
+    hash: "445ae33103f477c569583079af9cceb85df32eebb9cc03e14e4ab08716a91908",
 };
 
 static UPDATE_VELOCITY_WITH_PACKED_WITH_PERIODIC: Module = Module {
@@ -162,5 +166,5 @@ static UPDATE_VELOCITY_WITH_PACKED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "6349b42adaedf5aab9cdc11e27a134264bca20b952a7af898956f0c7d497d738",
+    hash: "18f1c504fe853ca37a435a9b24d43a8765967448a94ed7725b871a0b1d3433a9",
 };

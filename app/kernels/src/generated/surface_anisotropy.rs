@@ -2,7 +2,7 @@
 // makes it anew from surface/anisotropy.compute.
 //! Kernels of `surface/anisotropy.compute`.
 
-use super::{AnisotropyParams, Ellipsoid, ListHead, Position, SurfaceParams};
+use super::{AnisotropyParams, Ellipsoid, ListHead, Position, StepState, SurfaceParams};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
@@ -19,6 +19,8 @@ pub struct Anisotropy<'a> {
     pub list_heads: Buf<'a, ListHead>,
     /// `RWStructuredBuffer<Ellipsoid> ellipsoids`.
     pub ellipsoids: BufMut<'a, Ellipsoid>,
+    /// `ConstantBuffer<StepState> step_state`.
+    pub step_state: Uniform<'a, StepState>,
     /// `ConstantBuffer<AnisotropyParams> anisotropy`.
     pub anisotropy: Uniform<'a, AnisotropyParams>,
     /// `ConstantBuffer<SurfaceParams> surface`.
@@ -40,6 +42,7 @@ impl Kernel for Anisotropy<'_> {
                 ("neighbours", Some(self.neighbours.id)),
                 ("list_heads", Some(self.list_heads.id)),
                 ("ellipsoids", Some(self.ellipsoids.id)),
+                ("step_state", Some(self.step_state.id)),
                 ("anisotropy", Some(self.anisotropy.id)),
                 ("surface", Some(self.surface.id)),
             ],
@@ -59,8 +62,9 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 3,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 32 },
     },
-    BindingInfo { name: "anisotropy", slot: 4, kind: BindingKind::Uniform { bytes: 16 } },
-    BindingInfo { name: "surface", slot: 5, kind: BindingKind::Uniform { bytes: 64 } },
+    BindingInfo { name: "step_state", slot: 4, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "anisotropy", slot: 5, kind: BindingKind::Uniform { bytes: 16 } },
+    BindingInfo { name: "surface", slot: 6, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
 static ANISOTROPY: Module = Module {
@@ -73,5 +77,5 @@ static ANISOTROPY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/anisotropy.compute",
-    hash: "02f4404b69bffb1a3677d42036dcebed2c02c74e7143fd094b293d4b8d1ee77e",
+    hash: "9750ba01c17bdd4d7b859bf93ee0c4b265a6aeb3e50227f6cf9e8eb3743c380f",
 };

@@ -63,7 +63,7 @@ static DRAW_CAUSTICS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/caustics.hlsl",
-    hash: "692e9bb4f6dda183636dc4119bb1f65360ae9cc8e9cc0a519fa739cd1d83ab7a",
+    hash: "17e63cebc318e39b29368b65ac5e3ec37f12451754a39b792f1a8b064c7fcfb7",
 };
 
 static DRAW_CAUSTICS_FRAGMENT: Module = Module {
@@ -76,5 +76,5 @@ static DRAW_CAUSTICS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/caustics.hlsl",
-    hash: "60b9dc01108909007249e9ee4d332a3d81efe16b7495c2619e1a06f1eb03d81b",
+    hash: "6ae289bdeae4786d4a8b631d8c64710dc1de384af507698ca224b962b167fc00",
 };

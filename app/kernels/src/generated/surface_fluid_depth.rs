@@ -112,7 +112,7 @@ static DRAW_FLUID_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "63861bbc71bb675e07754c06b861ab3a87eb6cd5b08d66c7d066ee2f34f48a8a",
+    hash: "a862c66c1679b6c7ea6f36e2e5e085024fc0dfbb58c4f66b91d0595110ddb15b",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
@@ -125,7 +125,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "c7dd726f83f13426583da4b624426281c4e6cbebe825e24512aafa10de03479d",
+    hash: "8265ea26a935ef4ccdba2b5c96a5dbb387c82345c21f810d0d945a0c760d0707",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -138,7 +138,7 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "37c064e06e666a8e766e54270393413656a04a3679dc197a150bf459e96ac631",
+    hash: "2bc51ad86d178c8e461452830d298979b9be687947143c6c70166e50ee6e2308",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -151,7 +151,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "128d1479fd02fb0c3cbad34c350dd03462021d60c95fc56fb4f1c4b276a04fad",
+    hash: "2ae56fd49f625ff8d2c7f29c98499d79303700bb01c972f4595650174624cc33",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -164,5 +164,5 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "cacfa07a30920c58121400fd783b50e5efa1eaf05ead7d11ce953bd1c3922c64",
+    hash: "6f4f4764b7603495603b5ce91bed59617a66d23358d215c2a5b7134dcc1da2ad",
 };

@@ -28,18 +28,18 @@ pub const LEAST_VARIANCE: f32 = 1.0e-4;
 pub struct AnisotropyParams {
     /// `float`.
     pub support_m: f32,
-    /// `uint`.
-    pub particle_count: u32,
     /// room for neighbours a particle, in LIST\_CHUNKs
     pub list_chunks: u32,
     /// `uint`.
-    pub reserved: u32,
+    pub reserved0: u32,
+    /// `uint`.
+    pub reserved1: u32,
 }
 const _: () = {
     assert!(offset_of!(AnisotropyParams, support_m) == 0);
-    assert!(offset_of!(AnisotropyParams, particle_count) == 4);
-    assert!(offset_of!(AnisotropyParams, list_chunks) == 8);
-    assert!(offset_of!(AnisotropyParams, reserved) == 12);
+    assert!(offset_of!(AnisotropyParams, list_chunks) == 4);
+    assert!(offset_of!(AnisotropyParams, reserved0) == 8);
+    assert!(offset_of!(AnisotropyParams, reserved1) == 12);
     assert!(size_of::<AnisotropyParams>() == 16);
 };
 

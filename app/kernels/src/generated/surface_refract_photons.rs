@@ -70,5 +70,5 @@ static REFRACT_PHOTONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refract_photons.compute",
-    hash: "e8514803d6a5f27849c2aa5688b7ea80b4c7822cbdef52765fadd46811045566",
+    hash: "2fefb8b3e9cd3129cc12d6f7241d40a49d362dc0588536a1ada4d6bdf9b077b5",
 };

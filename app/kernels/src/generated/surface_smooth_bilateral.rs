@@ -77,7 +77,7 @@ static DRAW_SMOOTH_BILATERAL_VERTEX_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "24289fd7fe7692785b4db8597d3207e0e94232a7a07552add03a1aae111107b5",
+    hash: "603c890c1649416afd4b189f8c8a3f3e188c56c1395ba26073f9a55c76494a01",
 };
 
 static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_X: Module = Module {
@@ -90,7 +90,7 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "491d896fb2ea891713eab268118e5c4308f399f330576e34fcadf08c4e5b3554",
+    hash: "7056f7fc2cd2b637dee35dfed72d4a4d119701f3c66b2d9eac5089322ba068ec",
 };
 
 static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_Y: Module = Module {
@@ -103,7 +103,7 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "c37ec841b2afec85febb7772bca35e7dbbf58525c3159baadbd60469da313550",
+    hash: "7b05f629bb917b264bf6aa6aca9107e033c089a7ef5ff5b00472482ba753ddb2",
 };
 
 static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
@@ -116,5 +116,5 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "356417b4e316eb4a17acae20b296e1bbbf33645510384b8d7bbadfa90e7fadc4",
+    hash: "05c87120ebefc719c54e9c9b0e917ddc6a6f83b71ce095f1aa2fe3c05cc84f63",
 };

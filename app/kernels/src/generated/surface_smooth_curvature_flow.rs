@@ -61,7 +61,7 @@ static DRAW_SMOOTH_CURVATURE_FLOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_curvature_flow.hlsl",
-    hash: "4a65be095ad1f9a752944365983e23f2b27f5f47f3abf7a1d4e9fdc79bfae4b6",
+    hash: "c35dbc575861ca2a1070b19c7db2d3ece420229144b4468c1fd91303d53d402c",
 };
 
 static DRAW_SMOOTH_CURVATURE_FLOW_FRAGMENT: Module = Module {
@@ -74,5 +74,5 @@ static DRAW_SMOOTH_CURVATURE_FLOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_curvature_flow.hlsl",
-    hash: "dc3119cacb481a45cebedafdc3eac4726ac787bbb6d1658011aa9164fe597f33",
+    hash: "c5e21efc6cb288a5efe31afb0397dfd92b0d967666c21ba6c8326e99aa22c9ec",
 };

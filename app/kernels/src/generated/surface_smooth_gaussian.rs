@@ -74,7 +74,7 @@ static DRAW_SMOOTH_GAUSSIAN_VERTEX_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_gaussian.hlsl",
-    hash: "12ecdc6b33f9e154f1427ce017cde274a4729fcb8c23de0625ff19bb1afcaf75",
+    hash: "88293d2da33bd9111dd69a30ad8f9b38a324dd6d9dfa6b9cd3b41cd353ff20ee",
 };
 
 static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_X: Module = Module {
@@ -87,7 +87,7 @@ static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_gaussian.hlsl",
-    hash: "e5b129c04fd4dee621c5a646d8e98b32e7216e08001050066467745750a7aff8",
+    hash: "9ed7a5e9bf87c9d54e54e9ec143d8503ceb02faea307e42c569ed7da34f31092",
 };
 
 static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_Y: Module = Module {
@@ -100,5 +100,5 @@ static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_gaussian.hlsl",
-    hash: "e88fd02277212165c6af2b904d47618de9113f474eb161a4b132cbc5701429cd",
+    hash: "c5e257cb8a8ff6a9949b6bce223e5db8cd240b6ee90401e7371f9da40f9aa5e1",
 };

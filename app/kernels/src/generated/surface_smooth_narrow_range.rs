@@ -78,7 +78,7 @@ static DRAW_SMOOTH_NARROW_RANGE_VERTEX_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "a640e62e386b9ca007af8e6bb3f0ba7420ae80609d450844696763391e2358e0",
+    hash: "3ac1806707bc59853f8669579f0373f2a72017db025c476d840fdaa5272235df",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_X: Module = Module {
@@ -91,7 +91,7 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "7604c41d846654cbd0fe98ecdd44c72272b497b7dc6f8a1b969aa8e889040df1",
+    hash: "5076716a5fbc7f7f1c65849d4f8aac25fbb65486bf34eb8f17a5df3b37301ef5",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_Y: Module = Module {
@@ -104,7 +104,7 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "eac647ad13946f3b839c9f308d91136170ca28d55d7f3c0fb9a34c2e7295e19b",
+    hash: "3d99c98028ae90cad7a1ee07b9f773a8a416d7bd8f093ed0da10286cb1dfd394",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
@@ -117,5 +117,5 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "5b057189fb328f5958f7934b098fbefd480fa3c1496ad10007068ebfae6426f0",
+    hash: "06c7d4f7128db1173c30dc664dbd2e17c5fbd6984009f7ec11d0fefb11fc9b9b",
 };

@@ -75,7 +75,7 @@ static DRAW_SMOOTH_SUN_DEPTH_VERTEX_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_sun_depth.hlsl",
-    hash: "7a936d49f8f3eb8805ffd761e305d6a647eb66021d0bb0e53a24cd0b6985f234",
+    hash: "eadb8090a1abbde9b49a349cc6e3bf9ec933a90f544f5a2666d394d609508c53",
 };
 
 static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_X: Module = Module {
@@ -88,7 +88,7 @@ static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_sun_depth.hlsl",
-    hash: "d2eea6066a9cd95b91c0b3cabaf55f9121a0c8dd79f4bfdfd2009c86541beed0",
+    hash: "dd1b6b96f7a535db77c101dccaa99c4de940ce6863c7d039d6cec5e33d11c0e7",
 };
 
 static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_Y: Module = Module {
@@ -101,5 +101,5 @@ static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_sun_depth.hlsl",
-    hash: "b9bb4c09772dfd31a1edc7c675785c8179810af4fb4c263e15d0748766815463",
+    hash: "748d480dbf3535e9981f0be61a48ae68530095e7d0347c111d8524d11ff2f95b",
 };

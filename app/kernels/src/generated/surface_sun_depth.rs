@@ -114,7 +114,7 @@ static DRAW_SUN_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "2da0adba6c9823a4dcbef6ab14bf2a4d88b5fd37a3d6be6c18dfb1c22d2efbab",
+    hash: "27e3d11d2c8358cf196942308d4baf2bfb11bd171c30efe90600bb429344ce0a",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
@@ -127,7 +127,7 @@ static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "5121b7a0a44b70185fafd62d7f38152620c7893cb9206f354ebbe39db7ea12d7",
+    hash: "3d39d235f3b6dfbc5effad305e27a664a1b7684269e84302c7216afeeb6f7c9d",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -140,7 +140,7 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "1feb037800e056067eab0e740238578d8c3c67b40b256bfd78b7c6a1163c8a8a",
+    hash: "b15d3d721945c9b0a3838c0c51ec2d39ce7d4cf95982dc679d3bc43864d6cad7",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -153,7 +153,7 @@ static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "adaef39c0119d074bad4c3d2ac1b888b51bdbf8a28d33aec17d044a9b081553a",
+    hash: "45d84bfd1d6efa3b3ceae9cdd1864e4d43373270230314f24666fb38d3c5b938",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -166,5 +166,5 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "5979b490532c11a654ff9d39871bee2f211a704134c1810493e7eecb218f177b",
+    hash: "9267068830d2e9c2291badf38c8ab4e99ee1f789c8cbbc55fe5b36d43c62ee7e",
 };

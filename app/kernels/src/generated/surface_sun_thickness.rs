@@ -85,7 +85,7 @@ static DRAW_SUN_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "f6b401b3e9e5f183b7bdc7ae9c3d83bce27eb2a937213538ba3541f6dbbf7454",
+    hash: "d37b698646d480035e7ee244112cbd14203e8d41fd20b78101683f111e6ac26b",
 };
 
 static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
@@ -98,7 +98,7 @@ static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "3fcef1d878348986e4fb9db43e007094075d0064e405a4234f8b04e8e98b2113",
+    hash: "99a616d67a903eda2cd69dd3f1229e96e3c5a561307bd7aa53324536266385f6",
 };
 
 static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -111,5 +111,5 @@ static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "eaa44197d6a9cc749f923d19cf14a2e7d04d602da93e67577ad5629241d655d0",
+    hash: "cfa00ba533e9091ebd2c1815093521ad97654e3444bc9f292f1649820f942828",
 };

@@ -58,7 +58,7 @@ static DRAW_SURFACE_NORMALS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/surface_normals.hlsl",
-    hash: "6784cfccdb6e81fe60deff984cd5a79e3436f82dee7cc7674e7e718f67b283c2",
+    hash: "ab9590f46912ddc9e5c594f06c1fa7d7c0e94ee06cb018722916d704c5311ced",
 };
 
 static DRAW_SURFACE_NORMALS_FRAGMENT: Module = Module {
@@ -71,5 +71,5 @@ static DRAW_SURFACE_NORMALS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/surface_normals.hlsl",
-    hash: "4a42fb91a0be8f6ef40346c1089bba06cf44081a40363674d336974fba37bd0c",
+    hash: "c23e00790c3f498f23ff073fd6e03aed317828432bf5b03a2cbf8644eedb7f96",
 };

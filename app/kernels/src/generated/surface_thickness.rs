@@ -86,7 +86,7 @@ static DRAW_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "ea9e24a99ad5c875cc38b9d4de1b7f14f4fb42edd760b1daca14469d74396568",
+    hash: "b599d3f2b6e64ecc16a8d5514d2ab2521d4969cd769885a1ece5cf45fc9a08a4",
 };
 
 static DRAW_THICKNESS_FRAGMENT: Module = Module {
@@ -99,7 +99,7 @@ static DRAW_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "d738b2da7ca45805196c56702107db5ac2cbd5bce3a0cd65280c5f829ba2ffd1",
+    hash: "049dda9f1cfef29ffcf5a153c646e2d1c531c16d54b6ad62cb9c108349122e54",
 };
 
 static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -112,5 +112,5 @@ static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "01e602ab35dac686d1fcf6b9ce11b2d0c3db914d1dd6d0f75e7bffc3f3e45d0d",
+    hash: "0624543cfe1023494ac2a03e96783b410d083ec97f0096d35cfacfa4957ffd31",
 };

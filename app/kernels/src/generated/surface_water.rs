@@ -85,7 +85,7 @@ static DRAW_WATER_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "dc44f2a5c8c2dc5ab1f5b173af7145b0f3627008a9376f1285ec4ad7596bf125",
+    hash: "4a81724eb28b7c709ddacda67f5ffe4808e58a6756f11e5f468eb7af48753408",
 };
 
 static DRAW_WATER_FRAGMENT: Module = Module {
@@ -98,5 +98,5 @@ static DRAW_WATER_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "1c0dbaa3f324f7265f4f5ddb71e07f8a6e1389a0c210b50e68bfaea672a7a549",
+    hash: "23ddda06f6bcb5641733c9cf8391b6eddadfefc78f67b27c4b758da4dfee4d4d",
 };

@@ -16,9 +16,29 @@ pub fn cell_of(position_m: DVec3, grid: &Grid) -> u32 {
     index
 }
 
-/// How many of `cells` name each of the `cell_count + 1` cells, the last being outside.
+/// The cell that a slot is sorted into: `cell_count` for what is quarantined, one more for an inactive slot.
+pub fn cell_of_slot(position_m: DVec3, state: SlotState, grid: &Grid) -> u32 {
+    match state {
+        SlotState::Simulated => cell_of(position_m, grid),
+        SlotState::Quarantined => grid.cell_count(),
+        SlotState::Inactive => grid.cell_count() + 1,
+    }
+}
+
+/// What a slot holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SlotState {
+    /// A particle that takes part.
+    Simulated,
+    /// One whose state was not finite.
+    Quarantined,
+    /// Nothing.
+    Inactive,
+}
+
+/// How many of `cells` name each of the `cell_count + 2` cells: the last but one is outside, the last has inactive slots.
 pub fn count_cells(cells: &[u32], cell_count: u32) -> Vec<u32> {
-    let mut counts = vec![0; cell_count as usize + 1];
+    let mut counts = vec![0; cell_count as usize + 2];
     for &cell in cells {
         counts[cell as usize] += 1;
     }

@@ -10,7 +10,7 @@ pub mod screen_space;
 use brooklet_fluid::grid::Neighbours;
 use brooklet_fluid::measure::Densities;
 use brooklet_fluid::scene::SurfaceMethod;
-use brooklet_fluid::{Recorded, Scene};
+use brooklet_fluid::{Recorded, Scene, Slots};
 use brooklet_kernels::{Buffer, Position, Tier, Velocity};
 
 pub use screen_space::{ScreenSpaceOptions, SmoothedSurface};
@@ -22,8 +22,8 @@ pub struct Particles<'a> {
     pub positions: &'a Buffer<Position>,
     /// How fast they are; read where colours tell speeds.
     pub velocities: &'a Buffer<Velocity>,
-    /// How many.
-    pub count: u32,
+    /// The slots they stand in.
+    pub slots: &'a Slots,
     /// Their neighbours, in the same order: few make a particle a drop of spray, drawn small, and
     /// ellipsoids are made from them. Without, all are drawn as spheres of one size.
     pub neighbours: Option<&'a Neighbours>,
@@ -37,7 +37,7 @@ impl<'a> Particles<'a> {
         Self {
             positions: &recorded.positions,
             velocities: &recorded.velocities,
-            count: recorded.particle_count,
+            slots: &recorded.slots,
             neighbours: recorded.neighbours.as_ref(),
             densities: recorded.densities.as_ref(),
         }

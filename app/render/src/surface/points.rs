@@ -16,25 +16,23 @@ pub(crate) fn record(
     options: &FrameOptions,
     (radiance, depth): (&Texture, &Texture),
 ) -> Texture {
-    let Particles { positions, velocities, count: particle_count, .. } = *particles;
+    let Particles { positions, velocities, slots, .. } = *particles;
     let (view, light, style) = (uniforms.view.uniform(), uniforms.light.uniform(), uniforms.style.uniform());
     let shadow_map = resources.texture("shadow_map", options.depth_format(), [options.shadow_texels; 2]);
     // R32Float holds every index below 2^24 exactly, and every tier can draw to it.
     let seen = resources.texture("seen", Format::R32Float, radiance.size_px);
     let nearer = DrawState { depth_test: DepthTest::Greater, depth_write: true, ..DrawState::default() };
-    recording.draw(
+    slots.draw(
+        recording,
         &DrawShadow { positions: positions.read(), light, style },
         &Targets { color: vec![], depth: Some((&shadow_map, Load::Clear(0.0))) },
         nearer,
-        3,
-        particle_count,
     );
-    recording.draw(
+    slots.draw(
+        recording,
         &DrawParticles { positions: positions.read(), view, style },
         &Targets { color: vec![(&seen, Load::Clear([0.0; 4]))], depth: Some((depth, Load::Clear(0.0))) },
         nearer,
-        3,
-        particle_count,
     );
     let color = match options.coloring {
         Coloring::Speed { .. } => ColorKeyword::Off,

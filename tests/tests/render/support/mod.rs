@@ -1,5 +1,6 @@
 //! The f64 twin of what the frame draws to its depth buffer, and the comparators of pictures.
 
+use brooklet_fluid::Slots;
 use brooklet_gpu::{Engine, Plan, Resources, Tier};
 use brooklet_kernels::{Position, Velocity};
 use brooklet_render::{Camera, Coloring, FrameOptions, Particles, View, frame};
@@ -74,8 +75,9 @@ pub fn draw_moving(view: &View, options: &FrameOptions, spheres: &[Sphere], velo
     let mut resources = Resources::new();
     let positions = resources.persistent::<Position>("positions", count);
     let velocities = resources.persistent::<Velocity>("velocities", count);
+    let slots = Slots::declare(&mut resources, count, false);
     let particles =
-        Particles { positions: &positions, velocities: &velocities, count, neighbours: None, densities: None };
+        Particles { positions: &positions, velocities: &velocities, slots: &slots, neighbours: None, densities: None };
     let passes = frame::record(&mut resources, view, &particles, options).expect("a frame");
     let (color, depth) = (passes.color.alias(), passes.depth.alias());
     let ids = [passes.init.id(), passes.draw.id()];

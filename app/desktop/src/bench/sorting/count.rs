@@ -1,5 +1,6 @@
 //! Aggregated atomics: one for each run of particles of a cell, or one for each particle.
 
+use brooklet_fluid::visit_slots;
 use brooklet_gpu::Resources;
 use brooklet_kernels::{CountCells, CountCellsAggregated, CountCellsVariant, GridParams, Position};
 
@@ -18,11 +19,13 @@ pub fn aggregated_atomics(
     let mut resources = Resources::new();
     let mut at = resources.persistent("positions", count);
     let mut grid = resources.persistent("grid", 1);
+    let mut step_state = resources.persistent("step_state", 1);
     let mut counts = [resources.persistent("counts_a", cells), resources.persistent("counts_b", cells)];
     let mut slots = [resources.persistent("slots_a", count), resources.persistent("slots_b", count)];
     let Ways { mut init, mut baseline, mut alternative } = Ways::declare(&mut resources);
     init.upload(&mut at, positions);
     init.upload(&mut grid, &[*params]);
+    init.upload(&mut step_state, &[visit_slots(count)]);
 
     baseline.clear(&mut counts[0]);
     baseline.dispatch(
@@ -31,6 +34,7 @@ pub fn aggregated_atomics(
             positions: at.read(),
             cell_counts: counts[0].write(),
             cell_slots: slots[0].write(),
+            step_state: step_state.uniform(),
             grid: grid.uniform(),
         },
         count,
@@ -41,6 +45,7 @@ pub fn aggregated_atomics(
             positions: at.read(),
             cell_counts: counts[1].write(),
             cell_slots: slots[1].write(),
+            step_state: step_state.uniform(),
             grid: grid.uniform(),
         },
         count,

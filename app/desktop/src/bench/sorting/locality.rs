@@ -1,17 +1,16 @@
 //! Locality: everything known of a particle moves to cell order, or its index alone.
 
 use brooklet_fluid::{
-    Scene,
+    Particles, Scene, StepContext,
     grid::{Grid, Neighbours, Scan, Sorted, list_length, listed, params},
     smoothing_kernel_params,
     solver::pbf,
-    step_params,
+    step_params, visit_slots,
 };
 use brooklet_gpu::{Engine, Recording, Resources};
 use brooklet_kernels::{
     Buffer, ConstrainDensity, ConstrainDensityByIndex, ConstrainDensityVariant, CountCells, CountCellsVariant,
-    Counters, GridParams, ListNeighboursByIndex, PbfParams, Position, PositionLambda, ReorderIndex,
-    SmoothingKernelParams, StepParams, Velocity,
+    GridParams, ListNeighboursByIndex, PbfParams, Position, PositionLambda, ReorderIndex, SmoothingKernelParams,
 };
 
 use super::contest::{Names, Outcome, Ring, Ways};
@@ -19,7 +18,7 @@ use crate::failure::Failure;
 
 /// What both ways are given.
 struct Settings {
-    step: Buffer<StepParams>,
+    context: StepContext,
     kernel: Buffer<SmoothingKernelParams>,
     pbf: Buffer<PbfParams>,
     iterations: u32,
@@ -27,25 +26,22 @@ struct Settings {
 
 /// One way: from particles to their neighbours and their multipliers.
 struct Way {
-    positions: Buffer<Position>,
-    velocities: Buffer<Velocity>,
+    particles: Particles,
     grid: Grid,
     position_lambdas: Buffer<PositionLambda>,
 }
 
 impl Way {
-    fn declare(resources: &mut Resources, scene: &Scene, params: &GridParams) -> Self {
-        let count = params.particle_count;
+    fn declare(resources: &mut Resources, scene: &Scene, params: &GridParams, count: u32) -> Self {
         Self {
-            positions: resources.persistent("positions", count),
-            velocities: resources.persistent("velocities", count),
-            grid: Grid::declare(resources, scene, params),
+            particles: Particles::declare(resources, count),
+            grid: Grid::declare(resources, scene, params, count),
             position_lambdas: resources.persistent("position_lambdas", count),
         }
     }
 
     fn upload(&mut self, init: &mut Recording, params: &GridParams, positions: &[Position]) {
-        init.upload(&mut self.positions, positions);
+        init.upload(&mut self.particles.positions, positions);
         init.upload(&mut self.grid.params, &[*params]);
     }
 }
@@ -64,28 +60,29 @@ pub fn locality(
     let params = params(scene, count);
     let mut resources = Resources::new();
     let mut settings = Settings {
-        step: resources.persistent("step_params", 1),
+        context: StepContext::declare(&mut resources, scene, count),
         kernel: resources.persistent("smoothing_kernel_params", 1),
         pbf: resources.persistent("pbf_params", 1),
         iterations: scene.solver.pbf.iterations,
     };
-    let mut product = Way::declare(&mut resources, scene, &params);
-    let mut by_index = Way::declare(&mut resources, scene, &params);
+    let mut product = Way::declare(&mut resources, scene, &params, count);
+    let mut by_index = Way::declare(&mut resources, scene, &params, count);
     let Ways { mut init, mut baseline, mut alternative } = Ways::declare(&mut resources);
-    init.upload(&mut settings.step, &[step_params(scene, count)]);
+    init.upload(&mut settings.context.step, &[step_params(scene)]);
+    init.upload(&mut settings.context.slots.state, &[visit_slots(count)]);
     init.upload(&mut settings.kernel, &[smoothing_kernel_params(scene)]);
     init.upload(&mut settings.pbf, &[pbf::params(scene)]);
     product.upload(&mut init, &params, in_order);
     by_index.upload(&mut init, &params, lie);
 
-    let mut neighbours = Neighbours::declare(&mut resources, &params);
+    let mut neighbours = Neighbours::declare(&mut resources, count, params.list_chunks);
     let mut sorted = Sorted {
         positions: resources.persistent("sorted_positions", count),
         velocities: resources.persistent("sorted_velocities", count),
         quantized_positions: resources.buffer("quantized_positions", count),
         packed: false,
     };
-    reorder_everything(&mut baseline, &mut resources, &settings, &mut product, &mut sorted, &mut neighbours);
+    reorder_everything(&mut baseline, &mut settings, &mut product, &mut sorted, &mut neighbours);
 
     let mut listed_counts = resources.persistent("listed_counts", count);
     reorder_index(&mut alternative, &mut resources, &settings, &mut by_index, &params, &mut listed_counts);
@@ -123,15 +120,13 @@ fn by_id<'a>(counts: impl Iterator<Item = (&'a Position, u32)>, particles: usize
 
 fn reorder_everything(
     recording: &mut Recording,
-    resources: &mut Resources,
-    settings: &Settings,
+    settings: &mut Settings,
     way: &mut Way,
     sorted: &mut Sorted,
     neighbours: &mut Neighbours,
 ) {
-    let mut counters: Buffer<Counters> = resources.persistent("counters", 1);
-    way.grid.record_sort(recording, &way.positions, &way.velocities, sorted);
-    neighbours.record(recording, &way.grid, sorted, &mut counters);
+    way.grid.record_sort(recording, &mut settings.context.slots, &way.particles, sorted);
+    neighbours.record(recording, &mut settings.context, &way.grid, sorted);
     for _ in 0..settings.iterations {
         recording.dispatch(
             &ConstrainDensity {
@@ -142,11 +137,12 @@ fn reorder_everything(
                 list_heads: neighbours.heads.read(),
                 position_lambdas: Some(way.position_lambdas.write()),
                 packed_position_lambdas: None,
-                step_params: settings.step.uniform(),
+                step_state: settings.context.slots.state.uniform(),
+                step_params: settings.context.step.uniform(),
                 kernel: settings.kernel.uniform(),
                 pbf: settings.pbf.uniform(),
             },
-            way.positions.len,
+            way.particles.positions.len,
         );
     }
 }
@@ -159,20 +155,21 @@ fn reorder_index(
     params: &GridParams,
     listed_counts: &mut Buffer<u32>,
 ) {
-    let count = params.particle_count;
+    let count = way.particles.positions.len;
     let mut sorted_indices = resources.buffer("sorted_indices", count);
     let mut quantized_positions = resources.buffer("unsorted_places", count);
     let mut listed_indices: Buffer<[u32; 4]> =
         resources.buffer("listed_indices", list_length(count, params.list_chunks));
-    sort_index(recording, resources, way, &mut sorted_indices, &mut quantized_positions);
+    sort_index(recording, resources, settings, way, &mut sorted_indices, &mut quantized_positions);
     recording.dispatch(
         &ListNeighboursByIndex {
-            positions: way.positions.read(),
+            positions: way.particles.positions.read(),
             quantized_positions: quantized_positions.read(),
             cell_starts: way.grid.cell_starts.read(),
             sorted_indices: sorted_indices.read(),
             listed_indices: listed_indices.write(),
             listed_counts: listed_counts.write(),
+            step_state: settings.context.slots.state.uniform(),
             grid: way.grid.params.uniform(),
         },
         count,
@@ -184,7 +181,8 @@ fn reorder_index(
                 listed_indices: listed_indices.read(),
                 listed_counts: listed_counts.read(),
                 position_lambdas: way.position_lambdas.write(),
-                step_params: settings.step.uniform(),
+                step_state: settings.context.slots.state.uniform(),
+                step_params: settings.context.step.uniform(),
                 kernel: settings.kernel.uniform(),
                 pbf: settings.pbf.uniform(),
             },
@@ -196,11 +194,13 @@ fn reorder_index(
 fn sort_index(
     recording: &mut Recording,
     resources: &mut Resources,
+    settings: &Settings,
     way: &mut Way,
     sorted_indices: &mut Buffer<u32>,
     quantized_positions: &mut Buffer<[u32; 2]>,
 ) {
-    let Way { positions, grid, .. } = way;
+    let Way { particles, grid, .. } = way;
+    let (positions, step_state) = (&particles.positions, settings.context.slots.state.uniform());
     let mut scan = Scan::declare(resources, "index", grid.cell_counts.len);
     recording.clear(&mut grid.cell_counts);
     recording.dispatch(
@@ -209,6 +209,7 @@ fn sort_index(
             positions: positions.read(),
             cell_counts: grid.cell_counts.write(),
             cell_slots: grid.cell_slots.write(),
+            step_state,
             grid: grid.params.uniform(),
         },
         positions.len,
@@ -221,6 +222,7 @@ fn sort_index(
             cell_starts: grid.cell_starts.read(),
             sorted_indices: sorted_indices.write(),
             quantized_positions: quantized_positions.write(),
+            step_state,
             grid: grid.params.uniform(),
         },
         positions.len,

@@ -100,7 +100,6 @@ pub fn draw(
         .enumerate()
         .map(|(i, at)| Position { position_m: at.as_vec3().to_array(), tag: i as u32 })
         .collect();
-    let count = positions.len() as u32;
     let mut resources = Resources::new();
     let mut frame_view = resources.persistent("frame_view", 1);
     let (mut init, mut recording) = (resources.recording("init"), resources.recording("draw"));
@@ -108,8 +107,13 @@ pub fn draw(
     let listed = Listed::record(&mut resources, &mut init, &scene, &positions);
     // The bodies are no spray: spheres are drawn as they are.
     let neighbours = filter.anisotropic.then_some(&listed.neighbours);
-    let particles =
-        Particles { positions: &listed.positions, velocities: &listed.velocities, count, neighbours, densities: None };
+    let particles = Particles {
+        positions: &listed.positions,
+        velocities: &listed.velocities,
+        slots: &listed.slots,
+        neighbours,
+        densities: None,
+    };
     let into = (&mut init, &mut recording);
     let surface = screen_space::record(&mut resources, into, &frame_view, &particles, view.size_px, tier, &options);
     let (init_id, draw_id) = (init.id(), recording.id());

@@ -39,17 +39,17 @@ impl NonInteracting {
         context: &mut StepContext,
         particles: &mut Particles,
     ) {
-        let count = particles.positions.len;
-        recording.dispatch(
+        context.slots.dispatch(
+            recording,
             &IntegrateParticles {
                 variant: IntegrateParticlesVariant { walls: context.walls, periodic: context.periodic },
                 positions: particles.positions.write(),
                 velocities: particles.velocities.write(),
                 counters: context.counters.write(),
+                step_state: context.slots.state.uniform(),
                 step_params: context.step.uniform(),
                 none: self.params.uniform(),
             },
-            count,
         );
     }
 }

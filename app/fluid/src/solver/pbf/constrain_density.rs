@@ -13,7 +13,8 @@ pub(super) fn constrain_density(recording: &mut Recording, pbf: &mut Pbf, contex
         Lambdas::Packed(lambdas) => (None, Some(lambdas.write())),
     };
     let (sorted, neighbours) = (&pbf.search.sorted, &pbf.search.neighbours);
-    recording.dispatch(
+    context.slots.dispatch(
+        recording,
         &ConstrainDensity {
             variant: ConstrainDensityVariant {
                 walls: context.walls,
@@ -26,10 +27,10 @@ pub(super) fn constrain_density(recording: &mut Recording, pbf: &mut Pbf, contex
             list_heads: neighbours.heads.read(),
             position_lambdas,
             packed_position_lambdas,
+            step_state: context.slots.state.uniform(),
             step_params: context.step.uniform(),
             kernel: pbf.search.smoothing_kernel.uniform(),
             pbf: pbf.params.uniform(),
         },
-        sorted.positions.len,
     );
 }

@@ -12,7 +12,8 @@ pub(super) fn correct_positions(recording: &mut Recording, pbf: &mut Pbf, contex
         Lambdas::Packed(lambdas) => (None, Some(lambdas.read())),
     };
     let (sorted, neighbours) = (&mut pbf.search.sorted, &pbf.search.neighbours);
-    recording.dispatch(
+    context.slots.dispatch(
+        recording,
         &CorrectPositions {
             variant: CorrectPositionsVariant {
                 walls: context.walls,
@@ -27,10 +28,10 @@ pub(super) fn correct_positions(recording: &mut Recording, pbf: &mut Pbf, contex
             list_heads: neighbours.heads.read(),
             quantized_positions: sorted.quantized_positions.write(),
             counters: context.counters.write(),
+            step_state: context.slots.state.uniform(),
             step_params: context.step.uniform(),
             kernel: pbf.search.smoothing_kernel.uniform(),
             pbf: pbf.params.uniform(),
         },
-        sorted.positions.len,
     );
 }

@@ -62,24 +62,24 @@ pub fn params(scene: &Scene) -> PbfParams {
 
 impl Pbf {
     /// Declares the buffers of the terms that `scene` has.
-    pub fn declare(resources: &mut Resources, scene: &Scene, particle_count: u32) -> Self {
+    pub fn declare(resources: &mut Resources, scene: &Scene, capacity: u32) -> Self {
         let solver = &scene.solver;
         Self {
             params: resources.persistent("pbf_params", 1),
-            search: NeighbourSearch::declare(resources, scene, particle_count),
-            forces: Forces::declare(resources, scene, particle_count),
+            search: NeighbourSearch::declare(resources, scene, capacity),
+            forces: Forces::declare(resources, scene, capacity),
             iterations: solver.pbf.iterations,
             s_corr: solver.pbf.s_corr_k > 0.0,
             lambdas: match solver.packed_positions {
-                true => Lambdas::Packed(resources.buffer("position_lambdas", particle_count)),
-                false => Lambdas::Full(resources.buffer("position_lambdas", particle_count)),
+                true => Lambdas::Packed(resources.buffer("position_lambdas", capacity)),
+                false => Lambdas::Full(resources.buffer("position_lambdas", capacity)),
             },
         }
     }
 
     pub(super) fn record_init(&mut self, init: &mut Recording, scene: &Scene) {
         init.upload(&mut self.params, &[params(scene)]);
-        self.search.record_init(init, scene, self.search.sorted.positions.len);
+        self.search.record_init(init, scene);
         self.forces.record_init(init, scene);
     }
 
@@ -90,7 +90,7 @@ impl Pbf {
         particles: &mut Particles,
     ) {
         predict(recording, context, particles);
-        self.search.sort(recording, particles);
+        self.search.sort(recording, context, particles);
         self.search.list(recording, context);
         for _ in 0..self.iterations {
             constrain_density(recording, self, context);

@@ -14,8 +14,9 @@ pub(super) fn update_velocity(
     positions: &mut Buffer<Position>,
     velocities: &mut Buffer<Velocity>,
 ) {
-    let (count, sorted) = (positions.len, &search.sorted);
-    recording.dispatch(
+    let sorted = &search.sorted;
+    context.slots.dispatch(
+        recording,
         &UpdateVelocity {
             variant: UpdateVelocityVariant { packed: sorted.packed, periodic: context.periodic },
             quantized_positions: sorted.quantized_positions.read(),
@@ -24,9 +25,9 @@ pub(super) fn update_velocity(
             positions: positions.write(),
             velocities: velocities.write(),
             counters: context.counters.write(),
+            step_state: context.slots.state.uniform(),
             step_params: context.step.uniform(),
             kernel: search.smoothing_kernel.uniform(),
         },
-        count,
     );
 }

@@ -11,9 +11,9 @@ use brooklet_kernels::{Anisotropy, AnisotropyParams, Buffer, Ellipsoid, LIST_SLI
 use super::ScreenSpaceOptions;
 use crate::surface::Particles;
 
-/// What the shader is given for `particles` with lists of `list_chunks` runs.
-pub fn params(options: &ScreenSpaceOptions, particle_count: u32, list_chunks: u32) -> AnisotropyParams {
-    AnisotropyParams { support_m: options.support_m as f32, particle_count, list_chunks, reserved: 0 }
+/// What the shader is given with lists of `list_chunks` runs.
+pub fn params(options: &ScreenSpaceOptions, list_chunks: u32) -> AnisotropyParams {
+    AnisotropyParams { support_m: options.support_m as f32, list_chunks, ..AnisotropyParams::default() }
 }
 
 /// Records the ellipsoids of `particles` from their `neighbours`, which end at the walls of `surface`. `init` uploads
@@ -26,22 +26,23 @@ pub(super) fn record(
     surface: &Buffer<SurfaceParams>,
     options: &ScreenSpaceOptions,
 ) -> Buffer<Ellipsoid> {
-    let count = particles.count;
+    let capacity = particles.slots.capacity;
     // Whole slices of lists, all as long: see `list_length`.
-    let list_chunks = neighbours.deltas.len / count.next_multiple_of(LIST_SLICE).max(1);
+    let list_chunks = neighbours.deltas.len / capacity.next_multiple_of(LIST_SLICE).max(1);
     let mut settings = resources.persistent("anisotropy_params", 1);
-    init.upload(&mut settings, &[params(options, count, list_chunks)]);
-    let mut ellipsoids = resources.buffer("ellipsoids", count);
-    recording.dispatch(
+    init.upload(&mut settings, &[params(options, list_chunks)]);
+    let mut ellipsoids = resources.buffer("ellipsoids", capacity);
+    particles.slots.dispatch(
+        recording,
         &Anisotropy {
             positions: particles.positions.read(),
             neighbours: neighbours.deltas.read(),
             list_heads: neighbours.heads.read(),
             ellipsoids: ellipsoids.write(),
+            step_state: particles.slots.state.uniform(),
             anisotropy: settings.uniform(),
             surface: surface.uniform(),
         },
-        count,
     );
     ellipsoids
 }

@@ -50,7 +50,8 @@ pub(crate) fn record(
     let half_smoothed = map(resources, "half_smoothed_sun_depth");
     let smoothed = map(resources, "smoothed_sun_depth");
     let covered = resources.texture("sun_covered", depth_format(tier), [photons; 2]);
-    recording.draw(
+    shapes.slots().draw(
+        recording,
         &DrawSunDepth {
             variant: DrawSunDepthVariant { shape: shapes.keyword() },
             positions: shapes.positions(),
@@ -61,8 +62,6 @@ pub(crate) fn record(
         },
         &Targets { color: vec![(&raw, Load::Clear([0.0; 4]))], depth: Some((&covered, Load::Clear(0.0))) },
         DrawState { depth_test: DepthTest::Greater, depth_write: true, ..DrawState::default() },
-        3,
-        shapes.count(),
     );
     for (along, from, to) in
         [(AlongKeyword::AlongX, &raw, &half_smoothed), (AlongKeyword::AlongY, &half_smoothed, &smoothed)]

@@ -77,10 +77,11 @@ pub fn record(
     let view = view.uniform();
     let ellipsoids = particles
         .neighbours
-        .filter(|_| options.anisotropic && particles.count > 0)
+        .filter(|_| options.anisotropic && particles.slots.capacity > 0)
         .map(|neighbours| anisotropy::record(resources, (init, recording), particles, neighbours, &params, options));
     let shapes = Shapes::new(particles, ellipsoids.as_ref());
-    recording.draw(
+    particles.slots.draw(
+        recording,
         &DrawFluidDepth {
             variant: DrawFluidDepthVariant { shape: shapes.keyword() },
             positions: shapes.positions(),
@@ -91,8 +92,6 @@ pub fn record(
         },
         &Targets { color: vec![(&raw, Load::Clear([0.0; 4]))], depth: Some((&covered, Load::Clear(0.0))) },
         DrawState { depth_test: DepthTest::Greater, depth_write: true, ..DrawState::default() },
-        3,
-        particles.count,
     );
     let inverse_depth = smoothing::record(resources, recording, view, &raw, &covered, params.uniform(), options);
     let normals = resources.texture("surface_normals", Format::Rgba32Float, size_px);

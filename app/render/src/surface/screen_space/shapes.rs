@@ -1,7 +1,7 @@
 //! What a particle is drawn as: its ellipsoid where its neighbours are known, a smaller sphere where they are few,
 //! or a sphere.
 
-use brooklet_fluid::grid::Neighbours;
+use brooklet_fluid::{Slots, grid::Neighbours};
 use brooklet_kernels::{Buf, Buffer, Ellipsoid, ListHead, Position, ShapeKeyword};
 
 use crate::surface::Particles;
@@ -19,9 +19,9 @@ impl<'a> Shapes<'a> {
         Self { particles, ellipsoids }
     }
 
-    /// How many.
-    pub fn count(&self) -> u32 {
-        self.particles.count
+    /// The slots they stand in.
+    pub fn slots(&self) -> &Slots {
+        self.particles.slots
     }
 
     /// The variant that draws them.

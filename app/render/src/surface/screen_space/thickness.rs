@@ -38,21 +38,19 @@ pub(crate) fn record(
     let ellipsoid_centers = ellipsoids.is_some();
     let eye = resources.texture("thickness", Format::R16Float, seen_by.size_px);
     let variant = DrawThicknessVariant { ellipsoid_centers };
-    recording.draw(
+    shapes.slots().draw(
+        recording,
         &DrawThickness { variant, positions, ellipsoids, view: seen_by.view.uniform(), surface },
         &Targets { color: vec![(&eye, Load::Clear([0.0; 4]))], depth: None },
         add,
-        3,
-        shapes.count(),
     );
     let sun = resources.texture("sun_thickness", Format::R16Float, [seen_by.sun_texels; 2]);
     let variant = DrawSunThicknessVariant { ellipsoid_centers };
-    recording.draw(
+    shapes.slots().draw(
+        recording,
         &DrawSunThickness { variant, positions, ellipsoids, light: seen_by.light.uniform(), surface },
         &Targets { color: vec![(&sun, Load::Clear([0.0; 4]))], depth: None },
         add,
-        3,
-        shapes.count(),
     );
     Thickness { eye, sun }
 }

@@ -1,0 +1,64 @@
+// Written by the shader compiler; do not edit. `cargo run -p brooklet-compiler -- build`
+// makes it anew from grid/count_active.compute.
+//! Kernels of `grid/count_active.compute`.
+
+use super::{GridParams, StepState};
+use crate::{
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+};
+
+/// How many particles the sort has put before the inactive slots.
+#[derive(Debug)]
+pub struct CountActive<'a> {
+    /// `StructuredBuffer<uint> cell_starts`.
+    pub cell_starts: Buf<'a, u32>,
+    /// `RWStructuredBuffer<StepState> step_state`.
+    pub step_state: BufMut<'a, StepState>,
+    /// `ConstantBuffer<GridParams> grid`.
+    pub grid: Uniform<'a, GridParams>,
+}
+
+impl Kernel for CountActive<'_> {
+    const STAGE: &'static str = "count_active";
+    const GROUP_SIZE: [u32; 3] = [1, 1, 1];
+
+    fn module(&self) -> &'static Module {
+        &COUNT_ACTIVE
+    }
+    fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
+        bind(
+            self.module(),
+            &[
+                ("cell_starts", Some(self.cell_starts.id)),
+                ("step_state", Some(self.step_state.id)),
+                ("grid", Some(self.grid.id)),
+            ],
+        )
+    }
+}
+
+/// The modules of this file.
+pub(super) static MODULES: &[&Module] = &[&COUNT_ACTIVE];
+
+static BINDINGS_0: &[BindingInfo] = &[
+    BindingInfo { name: "cell_starts", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 } },
+    BindingInfo {
+        name: "step_state",
+        slot: 1,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
+    },
+    BindingInfo { name: "grid", slot: 2, kind: BindingKind::Uniform { bytes: 64 } },
+];
+
+static COUNT_ACTIVE: Module = Module {
+    name: "CountActive",
+    entry: "CountActive",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/count_active.spv"),
+    bindings: BINDINGS_0,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "grid/count_active.compute",
+    hash: "961ad63a845d5ea95113b6e5cd1005c8e53e2522a1dc8a82c539cdabf018f95b",
+};

@@ -1,0 +1,139 @@
+// Written by the shader compiler; do not edit. `cargo run -p brooklet-compiler -- build`
+// makes it anew from particles/activate.compute.
+//! Kernels of `particles/activate.compute`.
+
+use super::{ActivateParams, Counters, Position, StepState, Velocity};
+use crate::{
+    Access, BindingError, BindingInfo, BindingKind, Bound, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+};
+
+/// Puts particles into inactive slots, which a sort leaves behind all others: ActivateParticles fills the slots,
+/// ClaimSlots then counts them. They take part from the next substep on.
+#[derive(Debug)]
+pub struct ActivateParticles<'a> {
+    /// `RWStructuredBuffer<Position> positions`.
+    pub positions: BufMut<'a, Position>,
+    /// `RWStructuredBuffer<Velocity> velocities`.
+    pub velocities: BufMut<'a, Velocity>,
+    /// `ConstantBuffer<StepState> step_state`.
+    pub step_state: Uniform<'a, StepState>,
+    /// `ConstantBuffer<ActivateParams> activate`.
+    pub activate: Uniform<'a, ActivateParams>,
+}
+
+impl Kernel for ActivateParticles<'_> {
+    const STAGE: &'static str = "activate_particles";
+    const GROUP_SIZE: [u32; 3] = [64, 1, 1];
+
+    fn module(&self) -> &'static Module {
+        &ACTIVATE_PARTICLES
+    }
+    fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
+        bind(
+            self.module(),
+            &[
+                ("positions", Some(self.positions.id)),
+                ("velocities", Some(self.velocities.id)),
+                ("step_state", Some(self.step_state.id)),
+                ("activate", Some(self.activate.id)),
+            ],
+        )
+    }
+}
+
+/// Puts particles into inactive slots, which a sort leaves behind all others: ActivateParticles fills the slots,
+/// ClaimSlots then counts them. They take part from the next substep on.
+#[derive(Debug)]
+pub struct ClaimSlots<'a> {
+    /// `RWStructuredBuffer<Position> positions`.
+    pub positions: BufMut<'a, Position>,
+    /// `RWStructuredBuffer<Counters> counters`.
+    pub counters: BufMut<'a, Counters>,
+    /// `RWStructuredBuffer<StepState> claimed_state`.
+    pub claimed_state: BufMut<'a, StepState>,
+    /// `ConstantBuffer<ActivateParams> activate`.
+    pub activate: Uniform<'a, ActivateParams>,
+}
+
+impl Kernel for ClaimSlots<'_> {
+    const STAGE: &'static str = "claim_slots";
+    const GROUP_SIZE: [u32; 3] = [1, 1, 1];
+
+    fn module(&self) -> &'static Module {
+        &CLAIM_SLOTS
+    }
+    fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
+        bind(
+            self.module(),
+            &[
+                ("positions", Some(self.positions.id)),
+                ("counters", Some(self.counters.id)),
+                ("claimed_state", Some(self.claimed_state.id)),
+                ("activate", Some(self.activate.id)),
+            ],
+        )
+    }
+}
+
+/// The modules of this file.
+pub(super) static MODULES: &[&Module] = &[&ACTIVATE_PARTICLES, &CLAIM_SLOTS];
+
+static BINDINGS_0: &[BindingInfo] = &[
+    BindingInfo {
+        name: "positions",
+        slot: 0,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
+    },
+    BindingInfo {
+        name: "velocities",
+        slot: 1,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
+    },
+    BindingInfo { name: "step_state", slot: 2, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "activate", slot: 3, kind: BindingKind::Uniform { bytes: 48 } },
+];
+
+static BINDINGS_1: &[BindingInfo] = &[
+    BindingInfo {
+        name: "positions",
+        slot: 0,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
+    },
+    BindingInfo {
+        name: "counters",
+        slot: 1,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 32 },
+    },
+    BindingInfo {
+        name: "claimed_state",
+        slot: 2,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
+    },
+    BindingInfo { name: "activate", slot: 3, kind: BindingKind::Uniform { bytes: 48 } },
+];
+
+static ACTIVATE_PARTICLES: Module = Module {
+    name: "ActivateParticles",
+    entry: "ActivateParticles",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/activate_particles.spv"),
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "particles/activate.compute",
+    hash: "58ea1f5513b7e364b130b66bbeb8e8660c896d62da18bd5d182e3b3e6d97d3e3",
+};
+
+static CLAIM_SLOTS: Module = Module {
+    name: "ClaimSlots",
+    entry: "ClaimSlots",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/claim_slots.spv"),
+    bindings: BINDINGS_1,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "particles/activate.compute",
+    hash: "1d0b16959ec6e0b459881bf753b006c179b335c41b763b10db5d9950a660733b",
+};

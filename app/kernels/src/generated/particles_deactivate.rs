@@ -1,0 +1,72 @@
+// Written by the shader compiler; do not edit. `cargo run -p brooklet-compiler -- build`
+// makes it anew from particles/deactivate.compute.
+//! Kernels of `particles/deactivate.compute`.
+
+use super::{DeactivateParams, Position, StepState, Velocity};
+use crate::{
+    Access, BindingError, BindingInfo, BindingKind, Bound, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+};
+
+/// Empties the slots of the particles in a box. The next sort puts them behind all others, where they can be filled.
+#[derive(Debug)]
+pub struct DeactivateParticles<'a> {
+    /// `RWStructuredBuffer<Position> positions`.
+    pub positions: BufMut<'a, Position>,
+    /// `RWStructuredBuffer<Velocity> velocities`.
+    pub velocities: BufMut<'a, Velocity>,
+    /// `ConstantBuffer<StepState> step_state`.
+    pub step_state: Uniform<'a, StepState>,
+    /// `ConstantBuffer<DeactivateParams> deactivate`.
+    pub deactivate: Uniform<'a, DeactivateParams>,
+}
+
+impl Kernel for DeactivateParticles<'_> {
+    const STAGE: &'static str = "deactivate_particles";
+    const GROUP_SIZE: [u32; 3] = [64, 1, 1];
+
+    fn module(&self) -> &'static Module {
+        &DEACTIVATE_PARTICLES
+    }
+    fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
+        bind(
+            self.module(),
+            &[
+                ("positions", Some(self.positions.id)),
+                ("velocities", Some(self.velocities.id)),
+                ("step_state", Some(self.step_state.id)),
+                ("deactivate", Some(self.deactivate.id)),
+            ],
+        )
+    }
+}
+
+/// The modules of this file.
+pub(super) static MODULES: &[&Module] = &[&DEACTIVATE_PARTICLES];
+
+static BINDINGS_0: &[BindingInfo] = &[
+    BindingInfo {
+        name: "positions",
+        slot: 0,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
+    },
+    BindingInfo {
+        name: "velocities",
+        slot: 1,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
+    },
+    BindingInfo { name: "step_state", slot: 2, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "deactivate", slot: 3, kind: BindingKind::Uniform { bytes: 32 } },
+];
+
+static DEACTIVATE_PARTICLES: Module = Module {
+    name: "DeactivateParticles",
+    entry: "DeactivateParticles",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/deactivate_particles.spv"),
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "particles/deactivate.compute",
+    hash: "71d3b396446de0bb226cee7771bda6203df8359c6c36654d9e99167a1c073ca4",
+};
