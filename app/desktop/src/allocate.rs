@@ -8,7 +8,7 @@ use crate::{failure::Failure, job};
 
 /// Starts a session of `planned`.
 pub fn session(gpu: &Gpu, planned: SessionPlan) -> Result<Session, Failure> {
-    let (scene, particles, bytes) = (planned.scene.clone(), planned.particle_count(), planned.plan.bytes());
+    let (scene, particles, bytes) = (planned.scene.clone(), planned.slot_count(), planned.plan.bytes());
     Session::start(gpu, planned).map_err(|error| {
         let advice = match &error {
             GpuError::BufferTooLarge { .. } => within_limits(gpu, &scene, particles),

@@ -21,7 +21,7 @@ pub struct Worst {
     pub max_speed_m_s: f64,
 }
 
-/// Everything that was counted instead of hidden. The first five are sums over the run, the last
+/// Everything that was counted instead of hidden. The first six are sums over the run, the last
 /// two are how many particles it was at the end.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Counted {
@@ -35,6 +35,8 @@ pub struct Counted {
     pub displacement_clamps: u64,
     /// Searches for neighbours among too many candidates to look at all.
     pub crowded: u64,
+    /// Particles for which no slot was free.
+    pub capacity_overflow: u64,
     /// Particles whose state was not finite.
     pub quarantined: u64,
     /// Particles outside an open domain.
@@ -73,6 +75,7 @@ impl Measured {
         self.counted.correction_clamps += u64::from(counters.correction_clamps);
         self.counted.displacement_clamps += u64::from(counters.displacement_clamps);
         self.counted.crowded += u64::from(counters.crowded);
+        self.counted.capacity_overflow += u64::from(counters.capacity_overflow);
         self.counted.quarantined = u64::from(stats.quarantined);
         self.counted.escaped = u64::from(stats.escaped);
     }

@@ -23,6 +23,8 @@ struct Pass {
     variant: &'static str,
     source: &'static str,
     dispatches: u32,
+    /// Whether the GPU says how many groups or instances.
+    indirect: bool,
 }
 
 /// Prints the plan of a scene.
@@ -51,6 +53,7 @@ fn passes(plan: &Plan) -> Vec<Pass> {
             variant: pass.module.name,
             source: pass.module.source,
             dispatches: pass.count,
+            indirect: pass.indirect,
         })
         .collect()
 }
@@ -60,7 +63,8 @@ fn print_json(scene: &Scene, planned: &ScenePlan, absent: &[Absent], no_timing: 
         planned.plan().buffers().into_iter().map(|buffer| (buffer.label, buffer.bytes.into())).collect();
     let all = json!({
         "scene": scene.name,
-        "particles": planned.session.particle_count(),
+        "particles": scene.particle_count(),
+        "slots": planned.session.slot_count(),
         "passes": passes(planned.plan()),
         "buffers": buffers,
         "bytes": planned.plan().bytes(),
@@ -74,6 +78,14 @@ fn print_json(scene: &Scene, planned: &ScenePlan, absent: &[Absent], no_timing: 
     Ok(())
 }
 
+/// How many particles there are at the start, and how many slots where there are more.
+pub fn said_particles(scene: &Scene, slots: u32) -> String {
+    match scene.capacity {
+        Some(_) => format!("{} particles in {slots} slots", scene.particle_count()),
+        None => format!("{slots} particles"),
+    }
+}
+
 /// Bytes of GPU memory that the recordings `simulation` take, over the particles; none without
 /// particles. What is drawn grows with pixels, not with particles, and does not count.
 pub fn simulation_bytes_per_particle(plan: &Plan, simulation: &[RecordingId], particles: u32) -> Option<f64> {
@@ -82,7 +94,7 @@ pub fn simulation_bytes_per_particle(plan: &Plan, simulation: &[RecordingId], pa
 
 /// As [`simulation_bytes_per_particle`] of a whole plan.
 pub fn bytes_per_particle(planned: &ScenePlan) -> Option<f64> {
-    simulation_bytes_per_particle(planned.plan(), &planned.session.recorded.ids(), planned.session.particle_count())
+    simulation_bytes_per_particle(planned.plan(), &planned.session.recorded.ids(), planned.session.slot_count())
 }
 
 /// How many timestamps one run of each recording takes at most.
@@ -92,14 +104,15 @@ fn timestamps(plan: &Plan, no_timing: bool) -> Vec<(String, serde_json::Value)> 
 }
 
 fn print_tables(scene: &Scene, planned: &ScenePlan, absent: &[Absent], no_timing: bool) {
-    say!("{}: {} particles", scene.name, planned.session.particle_count());
+    say!("{}: {}", scene.name, said_particles(scene, planned.session.slot_count()));
     if let Some(other) = allocate::other_spacing(scene) {
         say!("{other}");
     }
     say!();
     let mut list = table(&["recording", "pass", "variant", "shader", "runs"], &[4]);
     for pass in passes(planned.plan()) {
-        list.add_row([pass.recording, pass.stage, pass.variant, pass.source, &pass.dispatches.to_string()]);
+        let runs = format!("{}{}", pass.dispatches, if pass.indirect { ", indirect" } else { "" });
+        list.add_row([pass.recording, pass.stage, pass.variant, pass.source, &runs]);
     }
     say!("{}\n", list.trim_fmt());
 

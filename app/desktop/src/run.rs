@@ -41,7 +41,7 @@ pub fn run(options: &RunOptions) -> Result<(), Failure> {
     let recorded = Recorded { no_times, no_capture: options.outputs.no_capture };
     let left_out = left_out::list(&scene, gpu.tier(), &planned, &recorded).map_err(job::refused)?;
     let ScenePlan { session: planned, passes } = planned;
-    let (plan, particles) = (planned.plan.clone(), planned.particle_count());
+    let (plan, slots) = (planned.plan.clone(), planned.slot_count());
     let (simulation, measures) = (planned.recorded.ids(), planned.recorded.measure.is_some());
     let plan_bytes = plan.bytes();
     let start = SystemTime::now();
@@ -98,7 +98,7 @@ pub fn run(options: &RunOptions) -> Result<(), Failure> {
         scene: &scene,
         plan: &plan,
         simulation,
-        particles,
+        slots,
         steps: done,
         wall_s,
         interrupted: done < steps,

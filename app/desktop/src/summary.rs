@@ -10,7 +10,7 @@ use crate::{
     allocate,
     commit::{COMMIT, VERSION},
     measured::{Counted, Measured, Worst},
-    plan::simulation_bytes_per_particle,
+    plan::{said_particles, simulation_bytes_per_particle},
     table::{bytes, ms, table},
     timings::{self, PassTimes, Passes, Timings},
 };
@@ -19,7 +19,10 @@ use crate::{
 #[derive(Clone, Debug, Serialize)]
 pub struct Summary {
     scene: String,
-    particles: u32,
+    particles: u64,
+    slots: u32,
+    #[serde(skip)]
+    said_particles: String,
     /// Of its particles, m.
     spacing_m: f64,
     #[serde(skip)]
@@ -121,8 +124,8 @@ pub struct Facts<'a> {
     pub plan: &'a Plan,
     /// Recordings of the simulation.
     pub simulation: Vec<RecordingId>,
-    /// Number of particles.
-    pub particles: u32,
+    /// Number of slots.
+    pub slots: u32,
     /// Steps that were done.
     pub steps: u64,
     /// Time they took.
@@ -172,7 +175,9 @@ impl Summary {
         let any = last.is_some();
         Self {
             scene: scene.name.clone(),
-            particles: facts.particles,
+            particles: scene.particle_count(),
+            slots: facts.slots,
+            said_particles: said_particles(scene, facts.slots),
             spacing_m: scene.fitted_spacing_m(),
             other_spacing: allocate::other_spacing(scene),
             steps: facts.steps,
@@ -211,7 +216,7 @@ impl Summary {
                 last_step: any.then_some(measured.last_step),
             },
             buffers: plan.buffers().into_iter().map(|buffer| (buffer.label, buffer.bytes.into())).collect(),
-            bytes_per_particle: simulation_bytes_per_particle(plan, &facts.simulation, facts.particles),
+            bytes_per_particle: simulation_bytes_per_particle(plan, &facts.simulation, facts.slots),
             left_out: facts.left_out,
             device: Device {
                 name: gpu.info().name.clone(),
@@ -233,9 +238,9 @@ impl Summary {
     /// The short table.
     pub fn print(&self, plan_bytes: u64) {
         say!(
-            "{}: {} particles, {} steps ({:.3} s simulated) in {:.2} s, on {} as {}",
+            "{}: {}, {} steps ({:.3} s simulated) in {:.2} s, on {} as {}",
             self.scene,
-            self.particles,
+            self.said_particles,
             self.steps,
             self.simulated_s,
             self.wall_s,
@@ -310,12 +315,13 @@ impl Summary {
         );
         say!(
             "counted: {} neighbours without a slot, {} crowded searches, {} clamped speeds, {} clamped corrections, \
-             {} held displacements, {} quarantined, {} escaped",
+             {} held displacements, {} particles without a slot, {} quarantined, {} escaped",
             counted.neighbour_overflow,
             counted.crowded,
             counted.speed_clamps,
             counted.correction_clamps,
             counted.displacement_clamps,
+            counted.capacity_overflow,
             counted.quarantined,
             counted.escaped,
         );

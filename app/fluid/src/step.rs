@@ -1,7 +1,7 @@
 //! A scene as recordings: its start, one step of its solver's substeps, and its measurement.
 
 use brooklet_gpu::{Engine, GpuError, Recording, RecordingId, Resources};
-use brooklet_kernels::{Buffer, Measure, Position, ResourceId, Velocity};
+use brooklet_kernels::{Buffer, Counters, Measure, Position, ResourceId, Velocity};
 
 use crate::grid::Neighbours;
 use crate::measure::{Densities, Measuring};
@@ -29,6 +29,8 @@ pub struct Recorded {
     pub velocities: Buffer<Velocity>,
     /// Their neighbours, as the last step listed them; `None` of particles that do not interact.
     pub neighbours: Option<Neighbours>,
+    /// Events since the last measurement.
+    pub counters: Buffer<Counters>,
     /// What their density ratios are computed from, if they have neighbours.
     pub densities: Option<Densities>,
 }
@@ -115,6 +117,7 @@ pub fn record_count(resources: &mut Resources, scene: &Scene, capacity: u32) -> 
         neighbours: solver.search().map(|search| search.neighbours.alias()),
         densities: solver.search().map(|search| Densities::of(&context, search)),
         slots: context.slots,
+        counters: context.counters,
         positions: particles.positions,
         velocities: particles.velocities,
     }

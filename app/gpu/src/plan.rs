@@ -1,6 +1,6 @@
 //! The backward sweep: which commands feed what is wanted, and which are left out.
 
-use crate::recording::{Command, RecordError, Recording, RecordingId, Touch};
+use crate::recording::{Command, Groups, Instances, RecordError, Recording, RecordingId, Touch};
 use crate::resources::{ResourceInfo, Resources, Shape};
 use brooklet_kernels::{BindingKind, Bound, Module, ResourceId};
 use std::collections::{BTreeMap, BTreeSet};
@@ -33,6 +33,8 @@ pub struct PassInfo {
     pub module: &'static Module,
     /// How often the recording runs it.
     pub count: u32,
+    /// Whether the GPU says of how many groups or instances.
+    pub indirect: bool,
 }
 
 /// A resource that gets memory.
@@ -209,9 +211,11 @@ impl Plan {
         let mut passes: Vec<PassInfo> = Vec::new();
         for recording in &self.recordings {
             for command in &recording.commands {
-                let (stage, module) = match command {
-                    Command::Dispatch(dispatch) => (dispatch.stage, dispatch.module),
-                    Command::Draw(draw) => (draw.stage, draw.vertex),
+                let (stage, module, indirect) = match command {
+                    Command::Dispatch(dispatch) => {
+                        (dispatch.stage, dispatch.module, matches!(dispatch.groups, Groups::Indirect(_)))
+                    }
+                    Command::Draw(draw) => (draw.stage, draw.vertex, matches!(draw.instances, Instances::Indirect(_))),
                     _ => continue,
                 };
                 let same = passes.iter_mut().find(|pass| {
@@ -219,7 +223,7 @@ impl Plan {
                 });
                 match same {
                     Some(pass) => pass.count += 1,
-                    None => passes.push(PassInfo { recording: recording.id, stage, module, count: 1 }),
+                    None => passes.push(PassInfo { recording: recording.id, stage, module, count: 1, indirect }),
                 }
             }
         }

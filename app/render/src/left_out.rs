@@ -66,7 +66,7 @@ pub fn list(
     planned: &ScenePlan,
     recorded: &Recorded,
 ) -> Result<Vec<Absent>, ScenePlanError> {
-    let (plan, particles) = (planned.plan(), planned.session.particle_count());
+    let (plan, particles) = (planned.plan(), planned.session.slot_count());
     let mut absent: Vec<Absent> = plan
         .left_out()
         .iter()

@@ -93,7 +93,7 @@ impl Viewer {
         match current.apply_live(&scene, &RUNGS[self.rung]) {
             Ok(true) => self.note("settings"),
             Ok(false) => {
-                let start = Start::Carry(current.session.particle_count());
+                let start = Start::Carry(current.session.slot_count());
                 self.load(scene, start, "settings");
             }
             Err(error) => self.messages.notify(Kind::Error, error.to_string()),
@@ -118,7 +118,7 @@ impl Viewer {
                 Err(error) => return self.messages.notify(Kind::Error, error.to_string()),
             }
         } else {
-            Start::Carry(current.session.particle_count())
+            Start::Carry(current.session.slot_count())
         };
         self.load(scene, start, &format!("quality: {}", RUNGS[rung].name));
     }
@@ -138,7 +138,7 @@ impl Viewer {
             rung: self.rung as i32,
             rung_name: RUNGS[self.rung].name.to_owned(),
             paused: self.playback.paused,
-            particles: Some(u64::from(current.session.particle_count())),
+            particles: Some(u64::from(current.session.slot_count())),
             substeps: Some(solver.substeps),
             iterations: solver.iterations(),
             ..StateRow::default()

@@ -370,7 +370,7 @@ impl Viewer {
         let Some(current) = &self.current else { return };
         let wanted_px = RUNGS[self.rung].picture_px(self.room_px);
         if self.loading.is_none() && current.view().size_px != wanted_px && self.room_since.elapsed() >= STILL {
-            let (scene, start) = (current.scene.clone(), Start::Carry(current.session.particle_count()));
+            let (scene, start) = (current.scene.clone(), Start::Carry(current.session.slot_count()));
             self.load(scene, start, "picture size");
         }
     }

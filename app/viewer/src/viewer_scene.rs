@@ -145,7 +145,7 @@ impl ViewerScene {
             return Ok(false);
         }
         let options = rung.options(FrameOptions::for_scene(&simulated, self.session.engine().gpu().tier()));
-        let source = ParticleSource::Count(self.session.particle_count());
+        let source = ParticleSource::Count(self.session.slot_count());
         let other = plan(&simulated, source, self.view, options)?;
         if !self.session.apply(&other.session)? {
             return Ok(false);
@@ -194,6 +194,7 @@ impl ViewerScene {
             then: &draw,
             sample: request.records,
             readbacks: if request.records || request.screenshot { &color } else { &[] },
+            ..FrameRequest::default()
         };
         Ok(self.session.submit(&request)?)
     }

@@ -220,7 +220,7 @@ struct ActivateParams
     float3 velocity_m_s;
     uint fluid;
     uint3 counts;           // particles along each axis; any 0: none
-    uint reserved;
+    uint capacity;          // slots there are
 };
 
 // A box whose particles are deactivated.

@@ -31,4 +31,5 @@ mod resample;
 mod scene_schema;
 mod session;
 mod settings;
+mod slots;
 mod state;

@@ -39,7 +39,7 @@ fn frames_say_which_steps_they_did_and_what_they_measured() {
     assert!(frames.windows(2).all(|pair| pair[0].report.frame < pair[1].report.frame));
     let last = frames[2].stats.unwrap();
     assert_eq!(session.stats(), Some(last));
-    assert_eq!(last.particles, session.particle_count());
+    assert_eq!(last.particles, session.slot_count());
     assert_ne!(frames[0].stats, frames[2].stats, "two steps on, the fluid has moved");
 }
 
@@ -62,7 +62,7 @@ fn an_adopted_session_goes_on_bit_for_bit() {
     let scene = scene(&[]);
     let mut old = Session::new(&gpu(), &scene).unwrap();
     old.submit(&steps(7)).unwrap();
-    let mut new = Session::start(&gpu(), count_only(&scene, old.particle_count())).unwrap();
+    let mut new = Session::start(&gpu(), count_only(&scene, old.slot_count())).unwrap();
     let fresh = bits(&mut new);
     new.adopt(&old).unwrap();
     assert_eq!((new.steps(), new.simulated_s()), (7, old.simulated_s()));
@@ -79,11 +79,11 @@ fn an_adopted_session_keeps_its_own_numbers() {
     let (still, windy) = (scene(&[]), scene(&["gravity_m_s2=[3,-5,0]"]));
     let mut old = Session::new(&gpu(), &still).unwrap();
     old.submit(&steps(3)).unwrap();
-    let mut new = Session::start(&gpu(), count_only(&windy, old.particle_count())).unwrap();
+    let mut new = Session::start(&gpu(), count_only(&windy, old.slot_count())).unwrap();
     new.adopt(&old).unwrap();
-    let mut taken = Session::start(&gpu(), count_only(&still, old.particle_count())).unwrap();
+    let mut taken = Session::start(&gpu(), count_only(&still, old.slot_count())).unwrap();
     taken.adopt(&old).unwrap();
-    assert!(taken.apply(&count_only(&windy, old.particle_count())).unwrap());
+    assert!(taken.apply(&count_only(&windy, old.slot_count())).unwrap());
     for session in [&mut old, &mut new, &mut taken] {
         session.submit(&steps(4)).unwrap();
     }
@@ -95,11 +95,11 @@ fn time_counts_each_step_with_its_own_length() {
     let (slow, fast) = (scene(&["solver.dt_s=0.002"]), scene(&["solver.dt_s=0.001"]));
     let mut session = Session::new(&gpu(), &slow).unwrap();
     session.submit(&steps(3)).unwrap();
-    assert!(session.apply(&count_only(&fast, session.particle_count())).unwrap());
+    assert!(session.apply(&count_only(&fast, session.slot_count())).unwrap());
     session.submit(&steps(4)).unwrap();
     assert!((session.simulated_s() - 0.010).abs() < 1e-15, "{}", session.simulated_s());
     let frames = session.finish().unwrap();
     assert!((frames[0].simulated_s - 0.006).abs() < 1e-15, "as it was when the frame was handed over");
-    assert!(!session.apply(&count_only(&fast, session.particle_count() + 1)).unwrap(), "another number of particles");
-    assert!(!session.apply(&count_only(&scene(&["spacing_m=0.12"]), session.particle_count())).unwrap());
+    assert!(!session.apply(&count_only(&fast, session.slot_count() + 1)).unwrap(), "another number of particles");
+    assert!(!session.apply(&count_only(&scene(&["spacing_m=0.12"]), session.slot_count())).unwrap());
 }

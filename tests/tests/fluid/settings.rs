@@ -103,7 +103,7 @@ impl Running {
 
     /// Whether it takes another scene as it goes.
     fn takes(&mut self, other: &Scene) -> bool {
-        let count = self.session.particle_count();
+        let count = self.session.slot_count();
         self.session.apply(&planned(other, ParticleSource::Count(count))).unwrap()
     }
 

@@ -76,3 +76,31 @@ fn kept_targets_share_a_pass_and_depth_and_blending_hold() {
     assert_eq!((at(1, SIZE[1] - 2), at(SIZE[0] - 2, 1)), (0.5, 1.0));
     assert_eq!(engine.dispatch_count(), 3);
 }
+
+#[test]
+fn indirect_draws_draw_what_the_gpu_says() {
+    let gpu = gpu();
+    let mut resources = Resources::new();
+    let mut color = resources.buffer::<[f32; 4]>("color", 1);
+    let args = resources.persistent::<[u32; 6]>("args", 1);
+    let picture = resources.texture("picture", Format::Rgba8Unorm, SIZE);
+    let mut frame = resources.recording("frame");
+    frame.upload(&mut color, &[[0.25, 0.0, 0.0, 1.0]]);
+    let targets = Targets { color: vec![(&picture, Load::Clear([0.0, 0.0, 0.0, 1.0]))], depth: None };
+    let add = DrawState { blend: Blend::Additive, ..DrawState::default() };
+    frame.draw_indirect(&DrawHalf { color: color.uniform() }, &targets, add, &args, 8, 3);
+    let frame_id = frame.id();
+    let plan = Plan::sweep(resources, vec![frame], &[picture.id]).expect("a plan");
+    assert!(plan.passes()[0].indirect);
+    let mut engine = Engine::new(&gpu, plan).expect("an engine");
+    // Each instance adds a quarter of red; with no instance the target is cleared all the same.
+    for instances in [0_u32, 1, 3] {
+        engine.write(&args, &[[7, 7, 3, instances, 0, 0]]);
+        engine.run(&[frame_id], &[]).expect("it runs");
+        let colours = engine.read_texture(&picture).expect("the picture");
+        let [red, ..] = pixel(&colours, 1, SIZE[1] - 2);
+        // 8 bits round each sum.
+        assert!(red.abs_diff((63.75 * f64::from(instances)).round() as u8) <= 2, "{red} of {instances} instances");
+        assert_eq!(pixel(&colours, SIZE[0] - 2, 1), [0, 0, 0, 255]);
+    }
+}

@@ -92,6 +92,39 @@ fn indirect_dispatches_run_what_the_gpu_says() {
 }
 
 #[test]
+fn indirect_arguments_are_read_behind_their_offset_and_must_be_there() {
+    let gpu = gpu();
+    let mut resources = Resources::new();
+    let mut args = resources.buffer::<[u32; 5]>("args", 1);
+    let mut values = resources.persistent::<u32>("values", 256);
+    let mut run = resources.recording("run");
+    run.upload(&mut args, &[[9, 9, 2, 1, 1]]);
+    run.dispatch_indirect(&Increment { values: values.write() }, &args, 8, 256);
+    run.dispatch_indirect(&Increment { values: values.write() }, &args, 8, 0);
+    let run_id = run.id();
+    assert!(run.errors().is_empty() && run.commands().len() == 2, "no items at most: nothing");
+    let plan = Plan::sweep(resources, vec![run], &[]).expect("a plan");
+    let pass = &plan.passes()[0];
+    assert!(pass.indirect && pass.count == 1);
+    let mut engine = Engine::new(&gpu, plan).expect("an engine");
+    engine.run(&[run_id], &[]).expect("it runs");
+    let mut expected = vec![0; 256];
+    expected[..128].fill(1);
+    assert_eq!(engine.read(&values).expect("values"), expected);
+
+    for offset_bytes in [6, 12, 20, u32::MAX - 3] {
+        let mut resources = Resources::new();
+        let (args, mut values) = (resources.buffer::<[u32; 5]>("args", 1), resources.persistent::<u32>("values", 4));
+        let mut run = resources.recording("run");
+        run.dispatch_indirect(&Increment { values: values.write() }, &args, offset_bytes, 4);
+        let error = run.errors()[0].to_string();
+        let parts = [format!("12 bytes of arguments at byte {offset_bytes} of a buffer of 20"), "increment".into()];
+        assert!(parts.iter().all(|part| error.contains(part)), "{error}");
+        Plan::sweep(resources, vec![run], &[]).expect_err("the plan refuses it");
+    }
+}
+
+#[test]
 fn fifty_frames_come_back_in_order() {
     let gpu = gpu();
     let mut counting = counting(&gpu, 100);

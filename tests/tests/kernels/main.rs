@@ -13,6 +13,7 @@ mod periodic;
 mod push;
 mod sample;
 mod scan;
+mod slots;
 mod solver;
 mod step;
 mod surface;

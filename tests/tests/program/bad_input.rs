@@ -101,6 +101,9 @@ fn scene_files_with_wrong_values() {
         (scene("spacing_m", "spacing"), "unknown key `spacing`", &["did you mean `spacing_m`"]),
         (scene(block, "blok = 1"), "unknown key `blok`", &["did you mean `block`", ":8:1"]),
         // Not finite, not positive, absurd.
+        (scene("spacing_m = 0.05", "spacing_m = 0.05\ncapacity = 7"), "capacity = 7", &["64 or more", "begins with"]),
+        (scene("spacing_m = 0.05", "spacing_m = 0.05\ncapacity = 0"), "capacity = 0", &["1 to 16777216"]),
+        (scene("spacing_m = 0.05", "spacing_m = 0.05\ncapacity = 2e9"), "capacity", &["1 to 16777216"]),
         (scene("spacing_m = 0.05", "spacing_m = nan"), "spacing_m = nan", &["1e-6 to 1000 m"]),
         (scene("spacing_m = 0.05", "spacing_m = -0.05"), "spacing_m = -0.05", &["1e-6 to 1000 m"]),
         (scene("spacing_m = 0.05", "spacing_m = 1e-30"), "spacing_m = 1e-30", &["1e-6 to 1000 m"]),

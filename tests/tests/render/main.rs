@@ -1,5 +1,6 @@
 //! Surfaces and pictures against twins and optics.
 
+mod indirect;
 mod picture;
 mod picture_water;
 mod support;

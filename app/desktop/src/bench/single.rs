@@ -30,7 +30,7 @@ pub fn bench(name: &str, options: &BenchOptions) -> Result<(), Failure> {
     let planned = job::plan(&scene, gpu.tier())?;
     let per_particle = plan::bytes_per_particle(&planned);
     let (total_bytes, stages) = (planned.plan().bytes(), stages(planned.plan()));
-    let particles = planned.session.particle_count();
+    let particles = planned.session.slot_count();
     let mut session = allocate::session(&gpu, planned.session)?;
     let interrupt = Interrupt::listen()?;
     let mut timings = Timings::new(options.warm_up);

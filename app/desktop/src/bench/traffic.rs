@@ -104,7 +104,7 @@ mod tests {
     fn bytes_of_known_passes() {
         let scene = LOADS[2].scene(16, &[]).unwrap();
         let planned = plan(&scene).unwrap();
-        let n = u64::from(planned.particle_count());
+        let n = u64::from(planned.slot_count());
         let step = planned.recorded.step.id();
         let measure = planned.recorded.measure.as_ref().unwrap().recording.id();
         let kept = planned.plan.buffers();

@@ -93,7 +93,7 @@ pub fn bench(options: &WindowOptions) -> Result<(), Failure> {
         device: gpu.info().name.clone(),
         device_type: gpu.info().device_type.clone(),
         scene: scene.name.clone(),
-        particles: plain.viewer.current().map_or(0, |current| current.session.particle_count()),
+        particles: plain.viewer.current().map_or(0, |current| current.session.slot_count()),
         window_px: size_px,
         picture_px,
         pairs: with_panels.len(),

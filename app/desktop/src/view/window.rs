@@ -208,7 +208,7 @@ impl<'a> Window<'a> {
             json!({
                 "scene": current.scene.name,
                 "toml": current.session.scene().to_toml(),
-                "particles": current.session.particle_count(),
+                "particles": current.session.slot_count(),
                 "steps": current.session.steps(),
                 "paused": open.viewer.is_paused(),
                 "rung": open.viewer.rung(),

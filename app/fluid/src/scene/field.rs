@@ -239,10 +239,8 @@ impl Display for Short {
         if size.is_nan() {
             return f.write_str("nan");
         }
-        if size != 0.0 && size.is_finite() && !(1.0e-3..1.0e6).contains(&size) {
-            write!(f, "{:e}", self.0)
-        } else {
-            write!(f, "{}", self.0)
-        }
+        let (plain, short) = (self.0.to_string(), format!("{:e}", self.0));
+        let is_far = size != 0.0 && size.is_finite() && !(1.0e-3..1.0e6).contains(&size);
+        f.write_str(if is_far && short.len() < plain.len() { &short } else { &plain })
     }
 }

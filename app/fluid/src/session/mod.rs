@@ -14,6 +14,7 @@ use crate::drag::{Drag, DragPass};
 use crate::measure::{Sample, Stats};
 use crate::particles::ParticleSet;
 use crate::scene::{Scene, Update};
+use crate::slot_changes::{DrainBox, ParticleBlock, SlotChanges};
 use crate::slots::step_state;
 use crate::step::Recorded;
 
@@ -33,6 +34,11 @@ pub enum SessionError {
 pub struct FrameRequest<'a> {
     /// Draws the fluid along before the steps, if the session was recorded with drag.
     pub drag: Option<&'a Drag>,
+    /// Deactivates the particles in a box, if the session was recorded with changes of slots.
+    pub deactivate: Option<&'a DrainBox>,
+    /// Activates a block of particles, likewise. Those for which no slot is free are counted
+    /// (`Counters::capacity_overflow`).
+    pub activate: Option<&'a ParticleBlock>,
     /// Steps of the scene's `dt_s`.
     pub steps: u32,
     /// Measures after the steps, if the scene measures.
@@ -82,6 +88,7 @@ pub struct Session {
     scene: Scene,
     recorded: Recorded,
     drag: Option<DragPass>,
+    slot_changes: Option<SlotChanges>,
     sample: Option<Sample>,
     init: Vec<RecordingId>,
     steps: u64,
@@ -121,12 +128,13 @@ impl Session {
         planned: SessionPlan,
         progress: &mut dyn FnMut(usize, usize, &str),
     ) -> Result<Self, GpuError> {
-        let SessionPlan { plan, recorded, scene, particles, drag, sample, init, start } = planned;
+        let SessionPlan { plan, recorded, scene, particles, drag, slot_changes, sample, init, start } = planned;
         let mut session = Self {
             engine: Engine::new_with_progress(gpu, plan, progress)?,
             scene,
             recorded,
             drag,
+            slot_changes,
             sample,
             init,
             steps: start.steps,
@@ -150,13 +158,21 @@ impl Session {
     /// [`brooklet_gpu::FRAMES_IN_FLIGHT`] are under way: then for the oldest.
     ///
     /// # Errors
-    /// If the device is lost, or what the request names is not in the plan.
+    /// If the device is lost, what the request names is not in the plan, or a block cannot be activated.
     pub fn submit(&mut self, request: &FrameRequest<'_>) -> Result<u64, GpuError> {
         self.order.clear();
         self.readbacks.clear();
         if let (Some(push), Some(drag)) = (&self.drag, request.drag) {
             push.write(&mut self.engine, &self.scene, drag);
             self.order.push(push.recording.id());
+        }
+        if let (Some(changes), Some(drain)) = (&self.slot_changes, request.deactivate) {
+            changes.write_drain(&mut self.engine, drain);
+            self.order.push(changes.deactivate.id());
+        }
+        if let (Some(changes), Some(block)) = (&self.slot_changes, request.activate) {
+            changes.write_block(&mut self.engine, block)?;
+            self.order.push(changes.activate.id());
         }
         self.order.extend(std::iter::repeat_n(self.recorded.step.id(), request.steps as usize));
         if let Some(measure) = self.recorded.measure.as_ref().filter(|_| request.measure) {
@@ -302,8 +318,8 @@ impl Session {
         self.since.simulated_s + (self.steps - self.since.steps) as f64 * self.scene.solver.dt_s
     }
 
-    /// Number of particles.
-    pub fn particle_count(&self) -> u32 {
+    /// Number of slots: of particles, where a scene says no capacity.
+    pub fn slot_count(&self) -> u32 {
         self.recorded.slots.capacity
     }
 

@@ -7,6 +7,7 @@ use crate::drag::{DragPass, record_drag};
 use crate::measure::{Sample, record_sample};
 use crate::particles::{ParticleSet, sample_lattice};
 use crate::scene::Scene;
+use crate::slot_changes::{SlotChanges, record_slot_changes};
 use crate::step::{Recorded, record_count};
 
 /// Where a session's particles come from.
@@ -16,7 +17,7 @@ pub enum ParticleSource {
     Scene,
     /// These.
     Given(ParticleSet),
-    /// So many, at rest at the domain's lowest corner until [`crate::Session::adopt`] or
+    /// Slots for so many, or for the scene's capacity, which nobody visits until [`crate::Session::adopt`] or
     /// [`crate::Session::write_particles`]: also for a plan that is only looked at.
     Count(u32),
 }
@@ -32,6 +33,7 @@ pub struct SessionRecorder {
     scene: Scene,
     particles: Option<ParticleSet>,
     drag: Option<DragPass>,
+    slot_changes: Option<SlotChanges>,
     sample: Option<Sample>,
     init: Vec<RecordingId>,
     others: Vec<Recording>,
@@ -44,7 +46,7 @@ impl SessionRecorder {
         let (particles, count) = match source {
             ParticleSource::Scene => with_count(sample_lattice(scene), scene),
             ParticleSource::Given(particles) => with_count(particles, scene),
-            ParticleSource::Count(count) => (None, count),
+            ParticleSource::Count(count) => (None, count.max(scene.capacity.unwrap_or_default())),
         };
         let mut resources = Resources::new();
         let recorded = record_count(&mut resources, scene, count);
@@ -56,6 +58,7 @@ impl SessionRecorder {
             scene: scene.clone(),
             particles,
             drag: None,
+            slot_changes: None,
             sample: None,
             others: Vec::new(),
         }
@@ -66,6 +69,15 @@ impl SessionRecorder {
         let drag = record_drag(&mut self.resources, &mut self.recorded);
         self.others.push(drag.recording.clone());
         self.drag = Some(drag);
+        self
+    }
+
+    /// Lets frames activate blocks of at most `most_activated` particles, and deactivate
+    /// ([`crate::FrameRequest::activate`], [`crate::FrameRequest::deactivate`]).
+    pub fn with_slot_changes(mut self, most_activated: u32) -> Self {
+        let changes = record_slot_changes(&mut self.resources, &mut self.recorded, most_activated);
+        self.others.extend([changes.deactivate.clone(), changes.activate.clone()]);
+        self.slot_changes = Some(changes);
         self
     }
 
@@ -107,6 +119,7 @@ impl SessionRecorder {
             scene: self.scene,
             particles: self.particles,
             drag: self.drag,
+            slot_changes: self.slot_changes,
             sample: self.sample,
             init: self.init,
             start: TimeBase::default(),
@@ -131,6 +144,7 @@ pub struct SessionPlan {
     pub scene: Scene,
     pub(super) particles: Option<ParticleSet>,
     pub(super) drag: Option<DragPass>,
+    pub(super) slot_changes: Option<SlotChanges>,
     pub(super) sample: Option<Sample>,
     pub(super) init: Vec<RecordingId>,
     pub(super) start: TimeBase,
@@ -142,8 +156,8 @@ impl SessionPlan {
         self.start = TimeBase { steps, simulated_s };
     }
 
-    /// Number of particles.
-    pub fn particle_count(&self) -> u32 {
+    /// Number of slots: of particles, where a scene says no capacity.
+    pub fn slot_count(&self) -> u32 {
         self.recorded.slots.capacity
     }
 }

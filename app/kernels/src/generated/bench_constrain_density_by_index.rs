@@ -93,5 +93,5 @@ static CONSTRAIN_DENSITY_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/constrain_density_by_index.compute",
-    hash: "c135b8efe850e2f8b591e4e188605eff241df75f2e34033255559f4d7f9ace38",
+    hash: "9c16b8dd3a6c5ebb881904d6f58a3d6263e33324cb5ef4bcf6e9f99c1e3fe77a",
 };

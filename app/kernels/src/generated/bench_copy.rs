@@ -57,5 +57,5 @@ static COPY_ELEMENTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/copy.compute",
-    hash: "9b62942dde41e09e6d7466b41558866d358fc86fd50ecb89ddc7c41fdb1d6757",
+    hash: "0d4446e6c750d1dce0a5656bff2c7062b7f27349386132100bead5e2128dfc66",
 };

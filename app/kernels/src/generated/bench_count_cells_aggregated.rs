@@ -74,5 +74,5 @@ static COUNT_CELLS_AGGREGATED: Module = Module {
     shared_bytes: 512,
     tier: Tier::Floor,
     source: "bench/count_cells_aggregated.compute",
-    hash: "49dd70f1a1a33e06b70fad9996326996ae4298a4484e8bc594ae5bb2df8ff1de",
+    hash: "1881cec4d4185ace1254569af491973997cd4afe9fe0ee036b46ff547e06a66f",
 };

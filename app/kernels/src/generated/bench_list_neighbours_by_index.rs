@@ -94,5 +94,5 @@ static LIST_NEIGHBOURS_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/list_neighbours_by_index.compute",
-    hash: "edca9a3b217d6f6d733ac9d87771f2ddb99290666f41673fa82b52ea4d894893",
+    hash: "490f756ef029188e0d1ebac2d5d9de94d150c00e85cf27b79bafa1ddd69002de",
 };

@@ -82,5 +82,5 @@ static REORDER_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/reorder_index.compute",
-    hash: "ed886e94d0b876449411e13d79eee0c2d04626223abe5e2ce6fcdc772ecaea1d",
+    hash: "b7d2818754669d936ccabe0af673d12e072f3f8002270f3529ec03df132466eb",
 };

@@ -88,7 +88,7 @@ static SCAN_GROUPS_TREE: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "84812e0cf7d7eba571c81b77370798517df5515abc4064b9feccf3207b51135d",
+    hash: "4699c7b42869140d912bffc9684678751be9b7942ca023da1b3122ada3b05a82",
 };
 
 static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
@@ -101,7 +101,7 @@ static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "9b33326fa178abc9b456bb8295996aaeaf1095bd4fd127e0af8b0e51667aacf0",
+    hash: "80b3b274ac96a487058666d81aa7ad7ace3be0e0f69bfb6a095ad8e6af4519cc",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
@@ -114,7 +114,7 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "c07b4dcb0e56ff39e9750b7419eebaa0b6ecbeff8a0a93adcfadfe4027b0b7da",
+    hash: "13db9a07d90fb466ce9a8f34a9aa97f9636ca249e0d0969a2280b62adbec9068",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
@@ -127,5 +127,5 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "c06965f493997646f59d23917674b3d0ab4ed41f86d4613ca816ef22f8a44dfc",
+    hash: "41a7387927a43d37afb572e046785737fd3d223683a1080759db916f4a523f26",
 };

@@ -54,5 +54,5 @@ static SCAN_STEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/scan_step.compute",
-    hash: "aed8155a3a5525388913099e206f7eccccb3611e66b58dee7ace6e6ece5e3319",
+    hash: "a276c6b7ef16b688310bb25a8a203134b5ed217ae481ba2badbabfc7fd97d84b",
 };

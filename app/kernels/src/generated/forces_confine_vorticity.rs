@@ -110,7 +110,7 @@ static CONFINE_VORTICITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/confine_vorticity.compute",
-    hash: "7f8771e5624098f71e8e2e024ebe746f029122ddec294f94a3a1ec99af3db4de",
+    hash: "2a1f155ba740c5ec21ce882886c8ef9e472572c5eb7dbd31d2c0ace66134971c",
 };
 
 static CONFINE_VORTICITY_WITH_PACKED: Module = Module {
@@ -123,7 +123,7 @@ static CONFINE_VORTICITY_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/confine_vorticity.compute",
-    hash: "5e9db66f0da5156e7a4ddf8252c0cd5a2ac991afb2767af6b4c5f06a13a9d394",
+    hash: "b4727e0fda73f2effa9c44315b59697b8b1ec14065b03f22e7ea4a34889392b7",
 };
 
 static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -136,7 +136,7 @@ static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/confine_vorticity.compute",
-    hash: "c3699025ffc98be62da3254d5ebfc924c5ce076b85f13bc40defebd8cdb93590",
+    hash: "58a2d92722c45a6776af496654e473d35322abd46a336025bd82c65ad180dead",
 };
 
 static CONFINE_VORTICITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -149,7 +149,7 @@ static CONFINE_VORTICITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/confine_vorticity.compute",
-    hash: "83fabfd2e9cdf5a19f43e205688889fdf75eb4fe1e0223676902494692a57ad7",
+    hash: "d20b7ffc6a7abd894b7cc4fc671fb17f1b48bd3b7f02c5e9123b3f3f386b2daa",
 };
 
 static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
@@ -162,7 +162,7 @@ static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/confine_vorticity.compute",
-    hash: "63789f1310cde2b4a3fd0dcde8740a67c57172a9833e2bb8cf38569c5870d93a",
+    hash: "9f41c4305771caae3aef387fb7049467391585c115ee6ff8693175f1a765775d",
 };
 
 static CONFINE_VORTICITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -175,5 +175,5 @@ static CONFINE_VORTICITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/confine_vorticity.compute",
-    hash: "7560552ccbe5f3801f4b933d9556ba345fe27125dde18f08c212c7776fdb7fa1",
+    hash: "fd17ae8b42d3f77d4f1ac443631fe494df851d41b2da8389fea029201289f639",
 };

@@ -109,7 +109,7 @@ static CURL: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/curl.compute",
-    hash: "21274103f0c29283bed0e0d6ac15f259ac00a233ce50302a68533cb7de86497a",
+    hash: "44b131b7c85f3f2bc704da09442f49f09a20a6657cba3df7bb0c6537ddcb392e",
 };
 
 static CURL_WITH_PACKED: Module = Module {
@@ -122,7 +122,7 @@ static CURL_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/curl.compute",
-    hash: "5b7552d3dc23e9a494798dcc5d63d3436bd968707c52dbbb89f0d44bac128de6",
+    hash: "cb0e58d0a82b00a379fa7d5b4c2c2d031da7eecbddd2b4172cc4bc9fbfdfcd33",
 };
 
 static CURL_WITH_RELAXED_PRECISION: Module = Module {
@@ -135,7 +135,7 @@ static CURL_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/curl.compute",
-    hash: "4b9cef2c45e24bfa2c9d81c93a3c4d40320a69914031183d95802960886687d6",
+    hash: "6569e532efbc1d11c702faa036c3d953a6ccdd387ddcbc4b0f7bba963e141a39",
 };
 
 static CURL_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -148,7 +148,7 @@ static CURL_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/curl.compute",
-    hash: "8f8871a8bc24564103c5606e0f9281e9932773f0a22e6735437278c16e9fb81b",
+    hash: "4cce1a26acbb9fec2ce1f9e8c2cfa157fd3cd8ac84155151fd9ba9f4ce10430c",
 };
 
 static CURL_WITH_HALF_PRECISION: Module = Module {
@@ -161,7 +161,7 @@ static CURL_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/curl.compute",
-    hash: "67d41ee1d888a91257a33e656c7de6d448f8a44b9e1dac166dd4c712c3f0ff59",
+    hash: "17a1035c98d52dd4d373d272c870c5aa12be513b66148300bd229fc8bfb5d608",
 };
 
 static CURL_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -174,5 +174,5 @@ static CURL_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/curl.compute",
-    hash: "3a4d9baf93cdac3e729bb1aee0d75c94203767d1d02c4f5b8b1070280efebe79",
+    hash: "34fc67cea5f6754784c120b2a695367f3590a6fcf59bac767098d0595727efe9",
 };

@@ -114,7 +114,7 @@ static XSPH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/xsph.compute",
-    hash: "a9b5ec026d0e29901ff2c24f71b4bc86d146bf005e146f3ee6f12e6b70d64bc4",
+    hash: "89e722d540324286430589c4687d2c1c6b1f7d04c2eaf100e7663783b2ad33b3",
 };
 
 static XSPH_WITH_PACKED: Module = Module {
@@ -127,7 +127,7 @@ static XSPH_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/xsph.compute",
-    hash: "cdd302ca5dc46fd221590527a65592e4e5916206a0a5fb585f6ea857eb5d02ef",
+    hash: "ea976b3ada7033446da6466c1bfe9b06ae19d9bd799812276a813e90d5146e8e",
 };
 
 static XSPH_WITH_RELAXED_PRECISION: Module = Module {
@@ -140,7 +140,7 @@ static XSPH_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/xsph.compute",
-    hash: "28bf6154c669909e79b7d2d70bd7392e777d93ccc0ee1cc229988662d5382575",
+    hash: "eaa25882a7b60612dc09eccbbbc5f7cb0580b1f1d538ca6c621e589393882b6e",
 };
 
 static XSPH_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -153,7 +153,7 @@ static XSPH_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/xsph.compute",
-    hash: "03749bfd57b84a5fed1c9a22d2dd752b1414181a13e88597a0519f5838b6bfeb",
+    hash: "5400f4a492186ea0631eb0231b8c7fedca8890d6fed1d06de6a65bcfa9e7a126",
 };
 
 static XSPH_WITH_HALF_PRECISION: Module = Module {
@@ -166,7 +166,7 @@ static XSPH_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/xsph.compute",
-    hash: "32f4d6f23204f42531ebfcbdd1683f84ff7dd3a9c349315563cb28c2aafc89a9",
+    hash: "a9be60bd2aca3069b54f2f60afb8e950ce37190ba22ca8d2b006b0bbfb267673",
 };
 
 static XSPH_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -179,5 +179,5 @@ static XSPH_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/xsph.compute",
-    hash: "d50176ea99b284667d7c8c33281961bd1a61bb105612be32ffa0bf77575d9631",
+    hash: "b12bdc3418944b646280c265c89f72c56b28d3d0c7179894af4be3fb4d7d0a10",
 };

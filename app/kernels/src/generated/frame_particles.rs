@@ -62,7 +62,7 @@ static DRAW_PARTICLES_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "1f5500cd41c82f577964b08874523d2facd7797cf4f7da89e3547973c408c968",
+    hash: "e8da424c21174507114071570a65651ef7808acda7d9ee48ff45b6c1630151a8",
 };
 
 static DRAW_PARTICLES_FRAGMENT: Module = Module {
@@ -75,5 +75,5 @@ static DRAW_PARTICLES_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "15999b9e2b9ce376a51b99d330cc74539bee12d9f28be272a6193b6376421b11",
+    hash: "c54f1ccab5e1f2ee68194cb765885168df1ce18200737a51a7224e060c08ce70",
 };

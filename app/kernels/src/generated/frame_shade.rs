@@ -130,7 +130,7 @@ static DRAW_SHADE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "cf022d7ad3cf10d279a2ac082fc26ad174030d8bcb0ab37268f7b9e4308ebee5",
+    hash: "869b4cf70cc05cfc135fe3348067d8bba26e3b8ab85ed0194339b13481993ac6",
 };
 
 static DRAW_SHADE_FRAGMENT: Module = Module {
@@ -143,7 +143,7 @@ static DRAW_SHADE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "ec993cd1016280e6225860f554b2bd580b8faff1780bc2c7179c973aa2b5cdb5",
+    hash: "fc03eeaac9bf88151b5f96c8591e89b06f7e6d0d1d0994e3a4b07ff83eb634b0",
 };
 
 static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
@@ -156,7 +156,7 @@ static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "55e06767ffaf2cc884848bcbfb33d9a616c5c54dddc74799d2632955df89b230",
+    hash: "6e8dae5004da939300965380eb8f6a0a386f49a28b52335739d84036938e9f11",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
@@ -169,7 +169,7 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "02aeba3f9d69fd3a6c21dc8cd427a9b832a4947bd7c8134e217db8b806accd4a",
+    hash: "3e2999d914f0244eea8d4f6cb0c1d561c7e9aee489c0f8d9ce2067811f86b304",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
@@ -182,5 +182,5 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "5ccdc1cf903c8b62b21cea0977b5ae5bf0fd06d81fcf6c3f143c7e26e0eda08e",
+    hash: "b62fb47a883c8fe9ffb80ff95799cec68d301131599279dda0e623d42897cf22",
 };

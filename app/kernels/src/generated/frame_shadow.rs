@@ -55,7 +55,7 @@ static DRAW_SHADOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "561de14f6a20e0f9c3629900b0a1c5cbd6d440a2f921ed25f064a32d08d4e6c6",
+    hash: "6d97f52a7a3ff59a60a3e412f8b48516a80fe8ee65590fdf528deb6fc0cf8f64",
 };
 
 static DRAW_SHADOW_FRAGMENT: Module = Module {
@@ -68,5 +68,5 @@ static DRAW_SHADOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "f85e1372630ab6e171d71f20bc67532bf52a35f96edfd23d700898d13b08c2d5",
+    hash: "0812cdedf2633f8377ff7cbcd8ac0544de7d9d3e4ebbffaabde97b3c733cf40f",
 };

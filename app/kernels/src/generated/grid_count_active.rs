@@ -60,5 +60,5 @@ static COUNT_ACTIVE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_active.compute",
-    hash: "961ad63a845d5ea95113b6e5cd1005c8e53e2522a1dc8a82c539cdabf018f95b",
+    hash: "ab21f62fb7280400e5d8c1a5f50c5433a85e6a15b2d518c6769f5f5ad0026d19",
 };

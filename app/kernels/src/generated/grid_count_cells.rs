@@ -90,7 +90,7 @@ static COUNT_CELLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "aeee9f3b3dc7486dc2bc0c3f7bb524e773df6ccb4b2d88151a5fc9c0e295dc0c",
+    hash: "e962442cc9b84a1e968de3182fdb53ccc7d66fac92bf1316a9830e6cbf008b9b",
 };
 
 static COUNT_CELLS_WITH_PERIODIC: Module = Module {
@@ -103,7 +103,7 @@ static COUNT_CELLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "d5e457a218c2a390b1311c9c6b2d9a0da824d613bc99602ecfd14d3e6ba6a914",
+    hash: "b76980c40a6ccf5bf84103aedeebc217aeb1908c74520b9513299d29f73efe7d",
 };
 
 static COUNT_CELLS_WITH_WRAPPED: Module = Module {
@@ -116,7 +116,7 @@ static COUNT_CELLS_WITH_WRAPPED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "17856a185ffbdfd7a5f6b7b19caa95005220fcca35b25a90bd9eaa8eb35b12c7",
+    hash: "ac6fbeb06aef16367f97e7418668eed33c880922db5197a1dadc1c2fef580c19",
 };
 
 static COUNT_CELLS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
@@ -129,5 +129,5 @@ static COUNT_CELLS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "2111afc4cd3040cfe5d1200637eb1b2017815a078a68ad25971b22315dc17ac5",
+    hash: "9b187190a978ad2743653625c7c290e75d0cbf01f95f37cfd3bd63d39e3a03ab",
 };

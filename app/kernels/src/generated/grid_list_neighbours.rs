@@ -127,7 +127,7 @@ static LIST_NEIGHBOURS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "48396ad1a39df45662502263d21d569146ae342f4de5889766d6ee526307e6d3",
+    hash: "4eca539690168f6762c91209cd1896eb05e7e669097dcc351ccc82bdd07468f4",
 };
 
 static LIST_NEIGHBOURS_WITH_PACKED: Module = Module {
@@ -140,7 +140,7 @@ static LIST_NEIGHBOURS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "d2c325edd01b6537226ffade085e1ee473151826b134433ca28ee2dbd37d53e1",
+    hash: "66e60f3f3c3e1f91c3f58ccf244866440061232c864657f22961160f792db5b0",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
@@ -153,7 +153,7 @@ static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "5cffbabfd999623460918cb16f0e9d030acb5c88fa7a20ef19d09268a630e26a",
+    hash: "e36f14d26afb9b848c6345dcebe99c1f63b10b20cc14dddc3ac9aae045732d6d",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_PACKED: Module = Module {
@@ -166,7 +166,7 @@ static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "9fe078c1edc9d30d3260ac998c35c5fe2896da29aabec905cdc76a25c489b4e6",
+    hash: "6fc753c8006caa5819a38e93537a9cbc26073826189033aefc62339562fac055",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
@@ -179,7 +179,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "523fbe6e75656c27cedf1d320d7c0965efc66691f2c8deef0325c0945f863a06",
+    hash: "07a1c7c9e36f9999389e41f2b9da72b22aa29dc450375b5d0f1f4258cf7d4cd7",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PACKED: Module = Module {
@@ -192,7 +192,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "0765870c9fcf999f3fbe82bc7475d6e1e8f82949f48ffd9c62fa28ddd427721e",
+    hash: "f91c87b01426eb2c5b38c269aefb005b2dd625b9a5c35a69af09e0466f32864f",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
@@ -205,7 +205,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "f570e54e929ddf458c09a9babde3720df8c1b1fe26c0d1050c310664020cec6d",
+    hash: "e35a2009d1f6d821b707df68e1bb2f1aaf7bfc4167e51dda0cf5383e66257d38",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_PACKED: Module = Module {
@@ -218,5 +218,5 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "19dce5ac0409b577c3240b75ce3a8e92c3c220b254fbe8b5529814e20ec3ae00",
+    hash: "bfa209d6bdf023cb9348024e52a1958dc8aa7b042cbad06598bf0c288b156c1e",
 };

@@ -77,5 +77,5 @@ static RANK_BY_ID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/rank_by_id.compute",
-    hash: "854681d0eb29c49f8fd15f6f5adf338c3e2994ecdf46fe9f7d69e0c1c0cebdb6",
+    hash: "85071f74eef71f6c6711a2566a684a5b61e1cf2d6484a8ae8756b1e6cfdf1334",
 };

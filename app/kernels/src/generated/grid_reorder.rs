@@ -102,7 +102,7 @@ static REORDER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "f43ed1d1d27672278d7cc1316c9eca552595b971a844e0920cb6042af1cabd27",
+    hash: "603286adc418210b4441f53ad25e4285293285ffa6e371b8bb616a64091b0a5f",
 };
 
 static REORDER_WITH_PACKED: Module = Module {
@@ -115,5 +115,5 @@ static REORDER_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "585dd7f351d4988a1ede7a04aeee944b6ed9c90e6c3f838efd86a83358f1546d",
+    hash: "fbf04bd842365d5da0d6262040ae62fac6c203543ebb1ae6a463d41254c4c5b8",
 };

@@ -109,7 +109,7 @@ static REDUCE_GROUPS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "0a0bb35ac867db0edf6ed051584c852920740b32d8798e54835a6df977766f09",
+    hash: "22ee9ddbbec5628f9d1c62866bd335aad6a5f185e8cdd55bab56602f450edbd9",
 };
 
 static SCAN_GROUPS: Module = Module {
@@ -122,7 +122,7 @@ static SCAN_GROUPS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "f512e54a3b6a13dd12953ef5fcd1948c80162f4f152522fd9a74c2b92ba16bd0",
+    hash: "8aa72bdffb79afb60d657d0761171ad8db720b4f509d8ce70cac794c44a24159",
 };
 
 static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
@@ -135,5 +135,5 @@ static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "527a2619e552f2d532fb5f168026115ec371a30d65a7d97736bbc24a4dc2ca1c",
+    hash: "bb113339ed7c441f6162ee53b12a1f4155b85d4de7e82ce1a01c8d2eed105796",
 };

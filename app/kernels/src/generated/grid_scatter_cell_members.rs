@@ -65,5 +65,5 @@ static SCATTER_CELL_MEMBERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/scatter_cell_members.compute",
-    hash: "58383c1d8d272d5245405476a8670a727d8df8b7b2f98b4e1bc1d4e304c7fca2",
+    hash: "b7a422ddf2d4f747fcb141e98354d352c65fd8e126cf973018416aa1e11008e5",
 };

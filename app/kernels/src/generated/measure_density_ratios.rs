@@ -97,7 +97,7 @@ static DENSITY_RATIOS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "65a170b9f9c8e10331b69ac6e0af9ec7a3dbd03018765e64da069901ea99afb3",
+    hash: "99cec063a4b9142e3a59e5742fef2a36632407fc7189ba45cd67b2de9d0f730c",
 };
 
 static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
@@ -110,7 +110,7 @@ static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "e86ccac853d75ffdd81834033a2cb2f4f2c5a230dd7fe52340766cfa6f91e1ce",
+    hash: "6dc4cad7747b8eb0807cc7ed8f36d79d4f0dbb972ac6a0e3d307c861aeeef964",
 };
 
 static DENSITY_RATIOS_WITH_WALLS: Module = Module {
@@ -123,7 +123,7 @@ static DENSITY_RATIOS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "75d8cbde73ba15845c1fa6d38ebf031e02a8362e2c6d97398329110d2f550539",
+    hash: "7b58999c59b7cf47d61be7a0a9472890c55255af22b93b5d15ea8235a1171407",
 };
 
 static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -136,5 +136,5 @@ static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "aa4d3d2253a454debb183256641304977e2c8f8ed92f06e0b827937799bc7fe5",
+    hash: "e18f9edac52d81ee5b9a86088113fd361f87dc3f8bc791be6ea35e3ea5dbeb54",
 };

@@ -132,7 +132,7 @@ static MEASURE_PARTICLES: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "bb667eb2a957d96a0694c94806072105515940fa9f81a43cbba919911918d534",
+    hash: "154159f285443802a5980ed2650705ff19d3dae42726c262165ad1d41e5e7241",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
@@ -145,7 +145,7 @@ static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "0d058119d2ee1571506aa51bc3e972c411061cd69eca25ede43b76d209959f7b",
+    hash: "0f46f05e51ffa7554f1831e79e24784daee59efea91844c1be4ad443ca454305",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
@@ -158,7 +158,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "ce288a28bc22f5f609e99bd7c301da2b7a02cd79f95d5bcf583c08152a624a42",
+    hash: "61bf1bdf726fb448f0e4badea508b96582b5f68f69583840f75dba1f5eae3e18",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
@@ -171,7 +171,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "b95352c0466f46912490596c952a35f8306789b4e16b3cea399fc3029a28bfeb",
+    hash: "d0d8bc343004652020146ada2cf807658324fb9caa2de5f4fc0969eaa9b7ee10",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -184,5 +184,5 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module 
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "eea96c304d59f5e74fbef3c6f2e36c5f9cfb3a1b97bdbbc0b5860d3864a3a940",
+    hash: "f78c30d841cf2248c49c0ee1335128137d8bddf5e33b75fb1a2360f72846a168",
 };

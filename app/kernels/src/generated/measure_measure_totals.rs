@@ -73,5 +73,5 @@ static MEASURE_TOTALS: Module = Module {
     shared_bytes: 4616,
     tier: Tier::Floor,
     source: "measure/measure_totals.compute",
-    hash: "4e9af10815e84f7a164eb3dd26292a4942ffc5738c1815809e366ffa58e287f5",
+    hash: "f862db4a42cd381986c321fddfb45993991743df86f96b3aaea2dc70a912e3df",
 };

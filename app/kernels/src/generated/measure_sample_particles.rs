@@ -67,5 +67,5 @@ static SAMPLE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/sample_particles.compute",
-    hash: "372dfdc49a14c73bfcae7b7fca04e7a18c71e57e02a31b96c7e9f9de28eebf5a",
+    hash: "b5dc7a98cd7615ea5d6019ac6a8982919389416a0ce8d81a5f771780cc603b5d",
 };

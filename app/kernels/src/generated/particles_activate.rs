@@ -45,8 +45,6 @@ impl Kernel for ActivateParticles<'_> {
 /// ClaimSlots then counts them. They take part from the next substep on.
 #[derive(Debug)]
 pub struct ClaimSlots<'a> {
-    /// `RWStructuredBuffer<Position> positions`.
-    pub positions: BufMut<'a, Position>,
     /// `RWStructuredBuffer<Counters> counters`.
     pub counters: BufMut<'a, Counters>,
     /// `RWStructuredBuffer<StepState> claimed_state`.
@@ -66,7 +64,6 @@ impl Kernel for ClaimSlots<'_> {
         bind(
             self.module(),
             &[
-                ("positions", Some(self.positions.id)),
                 ("counters", Some(self.counters.id)),
                 ("claimed_state", Some(self.claimed_state.id)),
                 ("activate", Some(self.activate.id)),
@@ -95,21 +92,16 @@ static BINDINGS_0: &[BindingInfo] = &[
 
 static BINDINGS_1: &[BindingInfo] = &[
     BindingInfo {
-        name: "positions",
-        slot: 0,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
-    },
-    BindingInfo {
         name: "counters",
-        slot: 1,
+        slot: 0,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 32 },
     },
     BindingInfo {
         name: "claimed_state",
-        slot: 2,
+        slot: 1,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
     },
-    BindingInfo { name: "activate", slot: 3, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "activate", slot: 2, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
 static ACTIVATE_PARTICLES: Module = Module {
@@ -122,7 +114,7 @@ static ACTIVATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/activate.compute",
-    hash: "58ea1f5513b7e364b130b66bbeb8e8660c896d62da18bd5d182e3b3e6d97d3e3",
+    hash: "b28ffa54634e1fadad2f220b991684fca86ae7bb583f695a2c42439a69c6d648",
 };
 
 static CLAIM_SLOTS: Module = Module {
@@ -135,5 +127,5 @@ static CLAIM_SLOTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/activate.compute",
-    hash: "1d0b16959ec6e0b459881bf753b006c179b335c41b763b10db5d9950a660733b",
+    hash: "f8693b6723077f22effdac4ce178a7fe73632851473e96791db06ca38918b88a",
 };

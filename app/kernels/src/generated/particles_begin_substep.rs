@@ -50,5 +50,5 @@ static BEGIN_SUBSTEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/begin_substep.compute",
-    hash: "289cb5a709c113cd8fbff74d9e10670985930f3f285b850021366ee0236731a5",
+    hash: "e62777e14b0b462b9dd3a87dc9752b085e1e95c689b21501d6b6283fd0500753",
 };

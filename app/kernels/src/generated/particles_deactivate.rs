@@ -68,5 +68,5 @@ static DEACTIVATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/deactivate.compute",
-    hash: "71d3b396446de0bb226cee7771bda6203df8359c6c36654d9e99167a1c073ca4",
+    hash: "5a4bd879cae0b2603042163e3213efa2f7583d36f976045c4e5e5b51fb6f8775",
 };

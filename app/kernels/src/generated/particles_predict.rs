@@ -94,7 +94,7 @@ static PREDICT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "d84c76aea78973858b9f5d58fe80a88b7edbb91be99fdbdeae7e02aea67dae51",
+    hash: "21eba067d992c55d355a7e94b5cee048d92d9189c66c531d00254fb6e0e56aae",
 };
 
 static PREDICT_WITH_PERIODIC: Module = Module {
@@ -107,7 +107,7 @@ static PREDICT_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "8e6cbf639c29933e7e164058311f2025d473cb4d50dcf5788f194cf65db789cc",
+    hash: "4839a464d2a1956635ddb0093ae20c45076e2062ed7cdb989010f6829eeee7c8",
 };
 
 static PREDICT_WITH_WALLS: Module = Module {
@@ -120,7 +120,7 @@ static PREDICT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "3d34b7c15ae7741fa25b142b3b4e8c2a880f3fe396ceb0f61223c02bfa62d03e",
+    hash: "af9c22c4e1933247851f0b631c15b5665da678c9a1a35d7883ebfc2b5bc7127c",
 };
 
 static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -133,5 +133,5 @@ static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "89d981356e90310b18b7bc004878420e46cecc465c8fcfe8a72f58be969c869e",
+    hash: "60fde97cbd6fddcc1d127dff842ea9b1671cd0025e7c85d41b0eaa270b3490d6",
 };

@@ -66,5 +66,5 @@ static PUSH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/push.compute",
-    hash: "0808ff3b34c31269f8b3fdcf31a1b181a9320c5fe60c45b16a1cb520c03878c4",
+    hash: "73302146340b5d543d32e751d0580a6d4149a610ceb9adf9ff339dce037b1a37",
 };

@@ -508,8 +508,8 @@ pub struct ActivateParams {
     pub fluid: u32,
     /// particles along each axis; any 0: none
     pub counts: [u32; 3],
-    /// `uint`.
-    pub reserved: u32,
+    /// slots there are
+    pub capacity: u32,
 }
 const _: () = {
     assert!(offset_of!(ActivateParams, first_m) == 0);
@@ -517,7 +517,7 @@ const _: () = {
     assert!(offset_of!(ActivateParams, velocity_m_s) == 16);
     assert!(offset_of!(ActivateParams, fluid) == 28);
     assert!(offset_of!(ActivateParams, counts) == 32);
-    assert!(offset_of!(ActivateParams, reserved) == 44);
+    assert!(offset_of!(ActivateParams, capacity) == 44);
     assert!(size_of::<ActivateParams>() == 48);
 };
 

@@ -102,7 +102,7 @@ static INTEGRATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "e2107923ab2f31dbc85119beed77885cc6d671d09bd27c2f283222caa72853df",
+    hash: "530ba357810e26cc2fb92b12cc1528abd770c864bc74e763faceb872f9113ac5",
 };
 
 static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
@@ -115,7 +115,7 @@ static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "50060b5f3a2aaaa2b4f0ac9d6f1320b5128177bd9642380165b38f6a171bfa06",
+    hash: "4c4118d0b14845d696ababd4203c9cebc5b27c0b8fb3f315619c488707957227",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
@@ -128,7 +128,7 @@ static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "ccb04f4a8842190644707956e81e88ae8d6ab8abe41832884afb86af6771dcea",
+    hash: "f8f15b0a06bf1a08ffa1258db896a3c791b1e780cdbb1453b19c21977a4ce076",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -141,5 +141,5 @@ static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "f78b5ffe589cbb517f1b2c571a6e90e297f24fdade6fc6b7d63372856a0a5552",
+    hash: "07bc62e8fae2dea7c49ec718b64458b56a31d11a251dbc946bc2c9d529c223ea",
 };

@@ -202,7 +202,7 @@ static CONSTRAIN_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "956f5cbb3ff6e0f18802481155f26157c90b6a2039e5a351a429402185cc4e1a",
+    hash: "e0c680800cc845597091e85f5624490ea2501f64417ce0d87e8d74c646fd607b",
 };
 
 static CONSTRAIN_DENSITY_WITH_PACKED: Module = Module {
@@ -215,7 +215,7 @@ static CONSTRAIN_DENSITY_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "12dbe91b03275616d6a0f67b861924ec595cf3b7db2adf2cf0298ec3b16274aa",
+    hash: "0e820e8a410ea77eb2db38c867ae88ac3a7f8ce1b52fcaa0ffae5bc52f9b013b",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -228,7 +228,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "bdab2bfb8b510fe0ff30398cf308382d4534ee2e5e0ca15e7b7075090887281d",
+    hash: "35782be39cae7c8d9adace12a88e143351e3fdac09a9f1c85eed899389ff9017",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -241,7 +241,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "16c0dd68cf53feb700cc2b43e98223dcc08a0650ab31d48b34d261001259080b",
+    hash: "ecfbb8f05c876d0e2d07179849cf3ca83122fdad48f16eb268558ea1c9ac6496",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -254,7 +254,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "4cba2848effcef10e2a4a3e4ed670ca3bcb38f03b4d3894acc2f34d535eabccb",
+    hash: "d983cff53850becafba94d5066d2e1eab8d2ebfd1116ecb04860e09e1c3c2475",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -267,7 +267,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "909147dd9853c491730dbcc1e4f478a3efeade0fe855c50c6baf2c2c9e773bc9",
+    hash: "599924261bf53f415a2143dd0e836ab893c9a1052f4e7f5461f49bd006d2c110",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
@@ -280,7 +280,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "c38f9d232757bcc37a3cd2090236339f406e245d274fbab5b1cb370f521e011f",
+    hash: "1ddc9fd53480b8d0d13a798b735f7981fc97eae2bd8fb091d473b8a626b563c8",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_PACKED: Module = Module {
@@ -293,7 +293,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "8e89a973fe8d442dd0da3ef19c0ffb6caa296235a7aa6f7114507a4f580715fb",
+    hash: "42f886cf5442744fa219145da5bc798f718f7f099020c4a84e940b59552de076",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -306,7 +306,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "f7f2e8a2f72d39e3713d5cbf353ca91be120181d68ab8a07a0792af10b3bc2cd",
+    hash: "ddbce9f6e958b624de0780c3c02712384bf31b1914e46e5260298bfedf8eac12",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -319,7 +319,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "e6eb862b7fa43014f66eb63f28a509bc1cc5826f635ad7cf3cc957ed6b288794",
+    hash: "6005d3a23b79c5f6f087756cc6cf0d8caf93161b27310269bcd98b3a94a110f0",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -332,7 +332,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "93694b98de08f80e878fa46dc0074ed06a76ecc0af4255e2879a92e5e5302d81",
+    hash: "8e9ba4927a809c828a064fb12b6c91afde7aca3d16384acea1832abe9f6c49f3",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -345,5 +345,5 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "8d964f08a05868832dac915da2d9114ceb855f4c54daa04f005426583d4881c3",
+    hash: "577f9002a739a3deb04c597e59364e036560fd18be624aadfd53924af978caf8",
 };

@@ -224,7 +224,7 @@ static CORRECT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "84d65f66577766964e37f007f55109b12ace0ea79aa2f9de721d69082d1f229c",
+    hash: "ff39a34140c7a65208f353c3dead74e4dfc56d2b9b2413022186f539e3e5b447",
 };
 
 static CORRECT_POSITIONS_WITH_PACKED: Module = Module {
@@ -237,7 +237,7 @@ static CORRECT_POSITIONS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "410ac5838171b8218c67396efff5eac26d3435f7b1280d3d15c0f5ea3a6bfe75",
+    hash: "db3dbd6559e19177265b899a31cf1008aab44aa27107ee54695ea84031db8116",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
@@ -250,7 +250,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "9d06e61d7841b2c6715d89fb6232fbbeec564fe897d9b72600be755329ba2caa",
+    hash: "8ac76fd585ddef63a2b1fef3d6efe756ef0352a1233e2070ce5a330156fe6228",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -263,7 +263,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "c4710d88ee3adf80bc02f276f14eae45cb2208989c5ab41d5cbe6d8ab8a8cf82",
+    hash: "4d15b518d819ddc92cfae7081b0c1ee4e234f92a173f2fe0d60ca03e6ab13b41",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
@@ -276,7 +276,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "6356cad2409d29c2e43396bdb63a6103baf63f9a4c1bf840aee37ec019da9d94",
+    hash: "1759328d9d1fa93191368aa7d21c1774ef0a61aa59022aa6d640e9fa35a65ef9",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -289,7 +289,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "0d19ccd199dfca040e243846cfa454dac9f15f44cb0fc2a6f39e22ff1e1083a6",
+    hash: "d3840fc4c06db8d6769060c2d66c7ef68dd7048b46276338106a8ce2cd55e756",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
@@ -302,7 +302,7 @@ static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "0bad0e7de3ddd4d4cc3ff72fae1d260ba2a2ccad67a63ddc7634f512fd0a6a50",
+    hash: "a3568998d2e6e8fe6fdb8fda63ecae5385db58499fc35c19791739d787ab95bc",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_PACKED: Module = Module {
@@ -315,7 +315,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "b402786644a41f36457d46274a2c45166a247706c9ec81cb7363394e4c6060d4",
+    hash: "1e7bc8f1f763cd58e847645033254cc2f7480f2c667fe5e5b99f9e15a6c05dc4",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -328,7 +328,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "0f47b7fc0e50b0329f40d9a7fd538fa14702bd15d1246322ca0db5d20ab989d0",
+    hash: "95099abc5c6944e2bc3d3ecb55efc928461b1cba918b3277c1d5229682aa13e9",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -341,7 +341,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "a9542fd55fef19e3ec404ace830554c5e73403de3302bb4806de136d60f909e4",
+    hash: "18ff6913d9612259b6abdbcb9d41e84a31ab473b7b91b4e090f9a72519e4cb6c",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -354,7 +354,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "e0b573efc8893ad74adcc4c9c12d5dcd57201906db3490757a45d48642d434cc",
+    hash: "4387509a460fc5d588b7cfc381033d086bd2caa1af6a51ebe39717a6d96790b6",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -367,7 +367,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = M
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "c6540311873fe47a7c0470767c4ff678fef5f0a519440667444a5632b3e5c4f4",
+    hash: "1a3174d499953c43d160d5819d085d31e9738fd9dcec469ea78b049839a05713",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
@@ -380,7 +380,7 @@ static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "2b2e3da5062a8fdfb9ca291b2b7dffd708f01711ccdb913e17c07ca336b3d440",
+    hash: "6471e56961a681e88dacfa05f5f067257f325580cb11e147568ff357f20fac2c",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_PACKED: Module = Module {
@@ -393,7 +393,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "10a4dffdfcc694dbe95bb8c7781fe7d00982a26616587fda7850329dfe5342d6",
+    hash: "b2b2ac18c2152fe842543c5c46eface08ad634f8a890912147e76013c19f3d9a",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -406,7 +406,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "13354fdce6aa5a68a29d8c0d255fb79a0b310d5760508bb12ad4c9ae19e16706",
+    hash: "1002a4cd7ac5fa1f5c0c924f6b9349d50e644fba67c6d84c744bf1c55ee58700",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -419,7 +419,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "81ef694605e6083480a50061391d88891143b84d93e3a7f9dd5df32fa0e3e0c7",
+    hash: "01abc7d846c9d2dad5674f02d0144524ac3ffc14a94bd82a28b0dfdc1d4643ee",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -432,7 +432,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "56ea6db540d783db628b9ed236102f21fbe43ad8da6d016b75004661d00f8216",
+    hash: "ab1a32ff6f3d060a1d248475dc3c2e4770ae221b008ecf5b0888b186559eb427",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -445,7 +445,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "d79b4fefd4ab6348ed2e92a3bf9842b45ccf52a2e87a46a6de1fd4bd456f825e",
+    hash: "4d3a34614bb2ed5360ea1ea79812920849bf40f528cc7c71a579825355d3df24",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
@@ -458,7 +458,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "0aec8b03ff3cf1d73269aba8312bae46be72b4e0d28af79042a0631c4d87ea7f",
+    hash: "eeccdb13649e28e25bfc00a73e74c8e55e8ef0b4745b93898ef71f55dff78151",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_PACKED: Module = Module {
@@ -471,7 +471,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "b3c706572104dc363bf51e60cc22810cd4329a2eafdb54e07fb2e20eff025fb2",
+    hash: "b1322048fbe8ce7c83c30083b95e4dd1e6333b445c8d1e1801316bd4ed717890",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -484,7 +484,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "dfd0b15517083621cfe1626e6fd23e4f58286677474ed2b112c5d59851280b95",
+    hash: "bc9c6a092a285fa4ad1b1634fa28ab45b72193f1f2fe76452ce7c7cf1d29c92b",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
@@ -497,7 +497,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACK
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "68073dd4e421afa4af2a101f1faa198b0e1ba609cc8dc7057af81ddcd0a7274e",
+    hash: "f46e9711faede3c52af99bb89ac006fadbaf0d9f6459d8945aff5b07b185e0d6",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -510,7 +510,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "0a47c22d827f10bd8e9c7bdab29853d613ce71979cec5b88c87235c98089133d",
+    hash: "a7271e4c43cac5d376d323fa16e41fbc18b8c8ff171f50aec47ed876359feea4",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
@@ -523,5 +523,5 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED:
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "637902eebeef5407f30d187db18068b269ab41331a2c1ef3d4ed6d943c14e9bf",
+    hash: "9f7e8cbd9d839b5b35d720727e369796f25a508964a7e5ba2d88ec1c3891beb0",
 };

@@ -127,7 +127,7 @@ static UPDATE_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "1c306b8fff6c6ce6bd58c993e31f9be861343a37679d3831734f22a8c9c60bc0",
+    hash: "1dd7df823ce45c93b6412d7e74a4ff20286da8c4e4d974175f88fbf8c9ebcf6a",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
@@ -140,7 +140,7 @@ static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "c44af8bd1666abffb07046dd3faa8d89e5780c94c98bcce6776e8f9e0741a96e",
+    hash: "e30a4ec4fb148615d1513683b3ce5e855b185cd8e12042761f594d111651ad13",
 };
 
 static UPDATE_VELOCITY_WITH_PACKED: Module = Module {
@@ -153,7 +153,7 @@ static UPDATE_VELOCITY_WITH_PACKED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "445ae33103f477c569583079af9cceb85df32eebb9cc03e14e4ab08716a91908",
+    hash: "1a46684b497f2dc1302710e0c8387199e838d84703f9e796a7aa3ec8c1f437ae",
 };
 
 static UPDATE_VELOCITY_WITH_PACKED_WITH_PERIODIC: Module = Module {
@@ -166,5 +166,5 @@ static UPDATE_VELOCITY_WITH_PACKED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "18f1c504fe853ca37a435a9b24d43a8765967448a94ed7725b871a0b1d3433a9",
+    hash: "4415e9bc51006338a442309034ca77ec27346c1f587a935cf182a6e0a61eb32a",
 };

@@ -77,5 +77,5 @@ static ANISOTROPY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/anisotropy.compute",
-    hash: "9750ba01c17bdd4d7b859bf93ee0c4b265a6aeb3e50227f6cf9e8eb3743c380f",
+    hash: "1f9dece3027a0257fed816a0c254047827d68101a4c59060bb27d4f6865540e1",
 };

@@ -112,7 +112,7 @@ static DRAW_FLUID_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "a862c66c1679b6c7ea6f36e2e5e085024fc0dfbb58c4f66b91d0595110ddb15b",
+    hash: "fe56b120f49de8cba7eb1ccda911535a573cf05eabce8ca4b7abcfcd3b359460",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
@@ -125,7 +125,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "8265ea26a935ef4ccdba2b5c96a5dbb387c82345c21f810d0d945a0c760d0707",
+    hash: "d4171cf2afe82f929b2a645533b1c7b1836b9cdadf038e8d23c42ee9e00b76c4",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -138,7 +138,7 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "2bc51ad86d178c8e461452830d298979b9be687947143c6c70166e50ee6e2308",
+    hash: "33ddec42d8babf4521aefa65e84251e7ca35afd092ab589cebdd1c5ea414ff61",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -151,7 +151,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "2ae56fd49f625ff8d2c7f29c98499d79303700bb01c972f4595650174624cc33",
+    hash: "da4235a4786b3234048e4c9a0ca4a804c4468f48d33c276148463c647c358b09",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -164,5 +164,5 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "6f4f4764b7603495603b5ce91bed59617a66d23358d215c2a5b7134dcc1da2ad",
+    hash: "c0647988c9e07f22e71dd11982c4ad551c80e39003c01f179a24e6849d93377a",
 };

@@ -70,5 +70,5 @@ static REFRACT_PHOTONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refract_photons.compute",
-    hash: "2fefb8b3e9cd3129cc12d6f7241d40a49d362dc0588536a1ada4d6bdf9b077b5",
+    hash: "9a591b5f7144d3f36512e992e151710eded1a5bf6b542a1d2a8f7b01ed2be615",
 };

@@ -114,7 +114,7 @@ static DRAW_SUN_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "27e3d11d2c8358cf196942308d4baf2bfb11bd171c30efe90600bb429344ce0a",
+    hash: "f15ac734082436c39a1450b427d184aefd25777c7f83ec3e0a76b3b5a08ce4e8",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
@@ -127,7 +127,7 @@ static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "3d39d235f3b6dfbc5effad305e27a664a1b7684269e84302c7216afeeb6f7c9d",
+    hash: "be396e2ed776d0447ce7b17eebc6182ed4b7bd5bd0b60d7fff05542dcd9eb922",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -140,7 +140,7 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "b15d3d721945c9b0a3838c0c51ec2d39ce7d4cf95982dc679d3bc43864d6cad7",
+    hash: "c5d7e42e1deda2ad8ad4e3df8e831d3ad780619828268b9151a68f1bf4ac4c2e",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -153,7 +153,7 @@ static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "45d84bfd1d6efa3b3ceae9cdd1864e4d43373270230314f24666fb38d3c5b938",
+    hash: "8603d74d3314984806a45360f5db8ff8604458a9d7df8999193589c879be6297",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -166,5 +166,5 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "9267068830d2e9c2291badf38c8ab4e99ee1f789c8cbbc55fe5b36d43c62ee7e",
+    hash: "1d6a39e54529c03f1b5b24db66a5812a70187028e312c1b1d2233f8180651f45",
 };

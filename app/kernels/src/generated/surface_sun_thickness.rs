@@ -85,7 +85,7 @@ static DRAW_SUN_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "d37b698646d480035e7ee244112cbd14203e8d41fd20b78101683f111e6ac26b",
+    hash: "2e059e98d400ff7a430761d49ad25dfc0875c4b48589a8e55cbc550a70f10162",
 };
 
 static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
@@ -98,7 +98,7 @@ static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "99a616d67a903eda2cd69dd3f1229e96e3c5a561307bd7aa53324536266385f6",
+    hash: "0bb2864a62cb73053ca2267af8716114b1154961fd593cf7054de070eb82374d",
 };
 
 static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -111,5 +111,5 @@ static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "cfa00ba533e9091ebd2c1815093521ad97654e3444bc9f292f1649820f942828",
+    hash: "587a44fac4de721080ca2eee4a7ba094e4d81f9f877562cc4b0541a89800706f",
 };

@@ -86,7 +86,7 @@ static DRAW_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "b599d3f2b6e64ecc16a8d5514d2ab2521d4969cd769885a1ece5cf45fc9a08a4",
+    hash: "1720455d9fdb71f628c89b9f83e1109142c0d67fc24a65579b8bc7aa3aa7cc59",
 };
 
 static DRAW_THICKNESS_FRAGMENT: Module = Module {
@@ -99,7 +99,7 @@ static DRAW_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "049dda9f1cfef29ffcf5a153c646e2d1c531c16d54b6ad62cb9c108349122e54",
+    hash: "2b374cba695f517fbb694b5154e3dddfc76e94efb34398be90da2f3d3da70028",
 };
 
 static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -112,5 +112,5 @@ static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "0624543cfe1023494ac2a03e96783b410d083ec97f0096d35cfacfa4957ffd31",
+    hash: "c3aabfce41c9514885a8307d3e7dbd4f84098aff28982f5ef79ff125080d6503",
 };

@@ -88,7 +88,7 @@ fn facts(ui: &mut Ui, shown: &PanelInput<'_>) {
     let megabytes = |bytes: u64| format!("{:.1} MB", bytes as f64 * 1e-6);
     let [width_px, height_px] = current.view().size_px;
     let rows = [
-        ("particles", current.session.particle_count().to_string()),
+        ("particles", current.session.slot_count().to_string()),
         ("spacing", format!("{:.4} m", current.session.scene().fitted_spacing_m())),
         ("steps", current.session.steps().to_string()),
         ("GPU memory", megabytes(current.session.engine().allocated_bytes())),
