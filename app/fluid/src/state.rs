@@ -20,8 +20,8 @@
 //!
 //! | section | version | content |
 //! |---|---|---|
-//! | `PART` | 1 | for each particle its position relative to the domain's lowest corner, 3 f32 in m, and its tag, u32 (`shared/layout.hlsli`); then for each its velocity, 3 f32 in m/s |
-//! | `AGES` | 1 | for each particle its age, f32 in s; there only if some are not 0 |
+//! | `PART` | 1 | for each slot, inactive ones too, its position relative to the domain's lowest corner, 3 f32 in m, and its tag, u32 (`shared/layout.hlsli`); then for each its velocity, 3 f32 in m/s |
+//! | `AGES` | 1 | for each slot its particle's age, f32 in s; there only if some are not 0 |
 //!
 //! In version 1 of the format the content of `PART` follows the header, without a list of sections, and the scene has
 //! the keys of `[solver.pbf]` and `[forces]` in `[solver]`.

@@ -20,9 +20,9 @@ fn its_plan_has_no_grid_no_lists_and_no_densities() {
     assert!(recorded.neighbours.is_none() && recorded.densities.is_none());
     let plan = Plan::sweep(resources, recorded.recordings(), recorded.measure_id().as_slice()).unwrap();
     let stages: Vec<&str> = plan.passes().iter().map(|pass| pass.stage).collect();
-    assert_eq!(stages, ["integrate_particles", "measure_particles", "measure_totals"]);
+    assert_eq!(stages, ["begin_substep", "integrate_particles", "measure_particles", "measure_totals"]);
     let modules: Vec<&str> = plan.passes().iter().map(|pass| pass.module.name).collect();
-    assert_eq!(modules[1], "MeasureParticles", "the variant without densities");
+    assert_eq!(modules[2], "MeasureParticles", "the variant without densities");
     let labels: Vec<String> = plan.buffers().into_iter().map(|buffer| buffer.label).collect();
     for absent in ["cell_starts", "neighbours", "list_heads", "smoothing_kernel_params", "pbf_params", "force_params"] {
         assert!(!labels.iter().any(|label| label == absent), "{absent} in {labels:?}");

@@ -1,8 +1,9 @@
 //! Particles that come and go on the GPU: counts, ids, and the motion of everybody else.
 
 use brooklet_fluid::particles::{id_of, is_inactive};
+use brooklet_fluid::state::State;
 use brooklet_fluid::{
-    DrainBox, FrameRequest, ParticleBlock, ParticleSource, Scene, Session, SessionRecorder, SessionReport,
+    DrainBox, FrameRequest, ParticleBlock, ParticleSource, Scene, Session, SessionRecorder, SessionReport, visit_slots,
 };
 use brooklet_kernels::{Position, StepState, Velocity};
 use brooklet_tests::harness::small;
@@ -200,4 +201,35 @@ fn what_cannot_be_activated_is_said() {
     }
     assert_eq!(session.steps(), 0, "nothing of a refused frame is done");
     session.submit(&FrameRequest { activate: Some(&block), steps: 1, ..FrameRequest::default() }).unwrap();
+}
+
+#[test]
+fn a_saved_state_has_its_inactive_slots() {
+    let scene = scene(Some(400));
+    let mut session = session(&scene);
+    let all = changes(6, 30);
+    all.iter().for_each(|change| run(&mut session, change));
+    let (steps, time_s) = (session.steps(), session.simulated_s());
+    let saved = State { scene: scene.clone(), steps, time_s, particles: session.read_particles().unwrap() };
+    let read = State::from_bytes(&saved.to_bytes(), "test").unwrap();
+    assert_eq!(read.scene.capacity, Some(400));
+
+    let recorder = SessionRecorder::new(&read.scene, ParticleSource::Given(read.particles)).with_slot_changes(MOST);
+    let mut planned = recorder.sweep().unwrap();
+    planned.start_at(read.steps, read.time_s);
+    let mut resumed = Session::start(&gpu(), planned).unwrap();
+    assert_eq!(state(&mut resumed), StepState { dt_s: 0.0, time_lost_s: 0.0, ..state_after_sort(&mut session) });
+    for change in changes(7, 30) {
+        run(&mut session, &change);
+        run(&mut resumed, &change);
+    }
+    let (one, other) = (session.read_particles().unwrap(), resumed.read_particles().unwrap());
+    assert!(one.positions == other.positions && one.velocities == other.velocities, "both go on alike");
+    assert_eq!(state(&mut session).active_count, state(&mut resumed).active_count);
+}
+
+/// The session's state, had it begun where its last sort left it.
+fn state_after_sort(session: &mut Session) -> StepState {
+    let last = state(session);
+    StepState { dt_s: last.dt_s, time_s: last.time_s, ..visit_slots(last.active_count) }
 }
