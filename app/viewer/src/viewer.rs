@@ -245,6 +245,7 @@ impl Viewer {
         let shown = PanelInput {
             gpu: &self.gpu,
             current: self.current.as_ref(),
+            stats: self.playback.stats.as_ref(),
             loading: self.loading.as_ref().map(|loading| (loading.desc.scene.name.as_str(), &loading.progress)),
             picture: self.picture.zip(picture_px),
             paused: self.playback.paused,

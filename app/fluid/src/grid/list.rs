@@ -17,9 +17,9 @@ pub fn list_chunks(scene: &Scene) -> u32 {
     scene.neighbour_slots().div_ceil(LIST_CHUNK)
 }
 
-/// Runs of four neighbours in the lists of `particle_count` particles, whole slices.
-pub fn list_length(particle_count: u32, list_chunks: u32) -> u32 {
-    particle_count.next_multiple_of(LIST_SLICE).saturating_mul(list_chunks)
+/// Runs of four neighbours in the lists of so many slots, whole slices.
+pub fn list_length(slots: u32, list_chunks: u32) -> u32 {
+    slots.next_multiple_of(LIST_SLICE).saturating_mul(list_chunks)
 }
 
 /// The neighbours of particle `i` in lists of `list_chunks` runs that were read back.

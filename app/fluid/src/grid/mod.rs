@@ -47,9 +47,9 @@ const FEW_CELLS: u64 = 1 << 16;
 const LEAST_WRAPPED: u64 = 8;
 
 /// The grid's cells in a domain of `domain_cells`, powers of two onto which they are wrapped, if a
-/// cell for each would be far more than `particle_count` particles fill.
-pub fn wrapped(domain_cells: [u64; 3], particle_count: u32) -> Option<[u32; 3]> {
-    let most = (u64::from(particle_count) * CELLS_A_PARTICLE).max(FEW_CELLS);
+/// cell for each would be far more than particles in so many `slots` fill.
+pub fn wrapped(domain_cells: [u64; 3], slots: u32) -> Option<[u32; 3]> {
+    let most = (u64::from(slots) * CELLS_A_PARTICLE).max(FEW_CELLS);
     let count = |cells: [u64; 3]| cells.iter().map(|&n| u128::from(n)).product::<u128>();
     if count(domain_cells) <= u128::from(most) {
         return None;
@@ -211,12 +211,12 @@ pub struct Sorted {
 }
 
 impl Sorted {
-    /// Declares the buffers of `particle_count` particles.
-    pub fn declare(resources: &mut Resources, scene: &Scene, particle_count: u32) -> Self {
+    /// Declares the buffers of `capacity` slots.
+    pub fn declare(resources: &mut Resources, scene: &Scene, capacity: u32) -> Self {
         Self {
-            positions: resources.buffer("sorted_positions", particle_count),
-            velocities: resources.buffer("sorted_velocities", particle_count),
-            quantized_positions: resources.buffer("quantized_positions", particle_count),
+            positions: resources.buffer("sorted_positions", capacity),
+            velocities: resources.buffer("sorted_velocities", capacity),
+            quantized_positions: resources.buffer("quantized_positions", capacity),
             packed: scene.solver.packed_positions,
         }
     }

@@ -11,6 +11,7 @@ mod times;
 
 use std::path::Path;
 
+use brooklet_fluid::Stats;
 use brooklet_gpu::Gpu;
 use brooklet_render::left_out::Absent;
 use egui::{Context, Panel, TextureId};
@@ -30,6 +31,8 @@ pub struct PanelInput<'a> {
     pub gpu: &'a Gpu,
     /// The running scene.
     pub current: Option<&'a ViewerScene>,
+    /// The newest measurement of it.
+    pub stats: Option<&'a Stats>,
     /// What is being loaded, and how far it is.
     pub loading: Option<(&'a str, &'a Progress)>,
     /// The picture, and its size in pixels.

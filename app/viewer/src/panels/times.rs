@@ -1,5 +1,6 @@
 //! Where the time goes: the frame, each pass, the density error; and what is not there at all.
 
+use brooklet_fluid::Stats;
 use egui::{Color32, Grid, Rect, RichText, ScrollArea, Sense, Stroke, StrokeKind, Ui, vec2};
 use egui_plot::{HLine, Line, Plot, PlotPoints};
 
@@ -83,12 +84,20 @@ fn bars(ui: &mut Ui, passes: &[PassTimes]) {
     }
 }
 
+/// Where some slots are empty, how many hold a particle.
+fn particles(slots: u32, stats: Option<&Stats>) -> String {
+    match stats.map(|stats| stats.particles) {
+        Some(particles) if particles != slots => format!("{particles} in {slots} slots"),
+        _ => slots.to_string(),
+    }
+}
+
 fn facts(ui: &mut Ui, shown: &PanelInput<'_>) {
     let Some(current) = shown.current else { return };
     let megabytes = |bytes: u64| format!("{:.1} MB", bytes as f64 * 1e-6);
     let [width_px, height_px] = current.view().size_px;
     let rows = [
-        ("particles", current.session.slot_count().to_string()),
+        ("particles", particles(current.session.slot_count(), shown.stats)),
         ("spacing", format!("{:.4} m", current.session.scene().fitted_spacing_m())),
         ("steps", current.session.steps().to_string()),
         ("GPU memory", megabytes(current.session.engine().allocated_bytes())),
