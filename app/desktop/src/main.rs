@@ -6,6 +6,7 @@
 #[macro_use]
 mod stdout;
 
+#[path = "../../render/src/start.rs"]
 mod allocate;
 #[cfg(feature = "bench")]
 mod bench;
@@ -38,6 +39,7 @@ mod study;
 mod study_options;
 mod summary;
 mod table;
+#[path = "../../gpu/src/run_times.rs"]
 mod timings;
 #[cfg(feature = "study")]
 mod tune;

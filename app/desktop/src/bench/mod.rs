@@ -1,19 +1,31 @@
 //! `brooklet bench`: the time of every pass, of one scene or of one workload at rising sizes.
 
+#[path = "../../../bench/src/bandwidth.rs"]
 mod bandwidth;
+#[path = "../../../bench/src/figures.rs"]
 mod figures;
+#[path = "../../../bench/src/pictures.rs"]
 mod pictures;
+#[path = "../../../bench/src/plot.rs"]
 mod plot;
 mod report;
+#[path = "../../../bench/src/scaling.rs"]
 mod scaling;
+#[path = "../../../bench/src/single.rs"]
 mod single;
+#[path = "../../../bench/src/sorting/mod.rs"]
 mod sorting;
+#[path = "../../../bench/src/stepping.rs"]
 mod stepping;
+#[path = "../../../bench/src/surfaces/mod.rs"]
 mod surfaces;
+#[path = "../../../bench/src/targets.rs"]
 mod targets;
+#[path = "../../../bench/src/traffic.rs"]
 mod traffic;
 #[cfg(feature = "window")]
 mod window;
+#[path = "../../../bench/src/workload.rs"]
 mod workload;
 
 use std::path::Path;
