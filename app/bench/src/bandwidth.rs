@@ -1,9 +1,9 @@
 //! What the device can move, measured by the same means as the passes. (Shader: `bench/copy.compute`.)
 
-use brooklet_gpu::{Engine, Gpu, Plan, Resources};
+use brooklet_gpu::{Engine, Gpu, Plan, Resources, Timings};
 use brooklet_kernels::CopyElements;
 
-use crate::{failure::Failure, interrupt::Interrupt, timings::Timings};
+use crate::{failure::Failure, interrupt::Interrupt};
 
 /// Size of either buffer: far more than a processor's caches, and no more than any tier binds.
 const BYTES: u32 = 128 << 20;

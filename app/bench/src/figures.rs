@@ -1,9 +1,9 @@
 //! What the scaling table holds: plain data, which the report, the plot and the targets read.
 
+use brooklet_gpu::{PassTimes, Passes, Quantiles};
 use serde::Serialize;
 
 use super::{traffic::Traffic, workload::Load};
-use crate::timings::{PassTimes, Passes, Quantiles};
 
 /// The whole table.
 #[derive(Clone, Debug, Serialize)]

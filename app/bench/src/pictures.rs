@@ -1,7 +1,7 @@
 //! What a picture costs, pass by pass.
 
 use brooklet_fluid::{FrameRequest, Scene};
-use brooklet_gpu::{Gpu, Plan, RecordingId};
+use brooklet_gpu::{Gpu, PassTimes, Passes, Quantiles, Timings, stages};
 use serde::Serialize;
 
 use super::{stepping::Stepping, traffic::drawn_bytes};
@@ -12,7 +12,6 @@ use crate::{
     interrupt::Interrupt,
     job, progress,
     table::{bytes, ms, table},
-    timings::{PassTimes, Passes, Quantiles, Timings},
 };
 
 /// Pictures before those that are timed.
@@ -58,7 +57,7 @@ pub fn picture_cost(
     let planned = job::plan(&scene, gpu.tier())?;
     let Some(draw) = planned.passes.as_ref().map(|passes| passes.draw.id()) else { return Ok(None) };
     let (plan, recorded) = (planned.plan(), &planned.session.recorded);
-    let stages = stages(plan, draw);
+    let stages = stages(plan.passes().into_iter().filter(|pass| pass.recording == draw));
     let moved: Vec<u64> = stages.iter().map(|(stage, _)| drawn_bytes(plan, draw, stage)).collect();
     let total_bytes = plan.bytes() - plan.bytes_of(&[recorded.init.id(), recorded.step.id()]);
     let mut session = allocate::session(gpu, planned.session)?;
@@ -102,18 +101,6 @@ pub fn picture_cost(
         bytes: total_bytes,
         passes: Passes(stages.iter().zip(&moved).map(pass).collect()),
     }))
-}
-
-/// The stages of a picture in order, and how often each runs.
-fn stages(plan: &Plan, draw: RecordingId) -> Vec<(&'static str, u32)> {
-    let mut stages: Vec<(&'static str, u32)> = Vec::new();
-    for pass in plan.passes().iter().filter(|pass| pass.recording == draw) {
-        match stages.iter_mut().find(|(stage, _)| *stage == pass.stage) {
-            Some((_, count)) => *count += pass.count,
-            None => stages.push((pass.stage, pass.count)),
-        }
-    }
-    stages
 }
 
 /// Prints the table.

@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use brooklet_fluid::{FrameRequest, Session};
-use brooklet_gpu::{Gpu, tier_name};
+use brooklet_gpu::{Gpu, Passes, Timings, stages, tier_name};
 
 use super::{
     bandwidth, check_folder,
@@ -14,15 +14,8 @@ use super::{
     workload::{self, EDGES, LOADS, Load},
 };
 use crate::{
-    allocate,
-    bench_options::BenchOptions,
-    commit::COMMIT,
-    failure::Failure,
-    interrupt::Interrupt,
-    out_dir, plan,
+    allocate, bench_options::BenchOptions, commit::COMMIT, failure::Failure, interrupt::Interrupt, out_dir,
     progress::bar,
-    summary::stages,
-    timings::{Passes, Timings},
 };
 
 /// Runs and prints the table.
@@ -161,7 +154,7 @@ impl Bencher<'_> {
         let interval = f64::from(scene.outputs.measure_every_steps.max(1));
         let mut passes = Vec::new();
         let (mut measure_ms, mut grid_ms) = (0.0, 0.0);
-        for (stage, dispatches) in stages(plan) {
+        for (stage, dispatches) in stages(plan.passes()) {
             let times = timings.pass(stage, dispatches);
             let Some(median_ms) = times.median_ms else { continue };
             let info = plan.passes().into_iter().find(|pass| pass.stage == stage);
@@ -201,8 +194,7 @@ impl Bencher<'_> {
             particle_iterations_per_s: work / (ms_a_step * 1e-3),
             ns_per_particle_iteration: ms_a_step * 1e6 / work,
             bytes: plan.bytes(),
-            bytes_per_particle: plan::simulation_bytes_per_particle(plan, &recorded.ids(), particles)
-                .unwrap_or_default(),
+            bytes_per_particle: recorded.bytes_per_particle(plan).unwrap_or_default(),
             neighbours_mean: neighbours as f64 / f64::from(particles),
             grid_share: grid_ms / step_ms.median,
             furthest_from_bound: furthest.map(|(stage, _)| *stage),

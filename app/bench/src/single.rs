@@ -1,7 +1,7 @@
 //! One scene, without measurements; and what its pictures cost, if asked.
 
 use brooklet_fluid::FrameRequest;
-use brooklet_gpu::{TimingStatus, tier_name};
+use brooklet_gpu::{TimingStatus, Timings, stages, tier_name};
 use serde_json::json;
 
 use super::{
@@ -15,10 +15,8 @@ use crate::{
     commit::COMMIT,
     failure::Failure,
     interrupt::Interrupt,
-    job, plan, progress,
-    summary::{stages, timing_name},
+    job, progress,
     table::{bytes, ms, table},
-    timings::Timings,
 };
 
 /// Times and prints the scene that is called `name`.
@@ -28,8 +26,8 @@ pub fn bench(name: &str, options: &BenchOptions) -> Result<(), Failure> {
     scene.outputs.measure_every_steps = 0;
     let gpu = open(&options.device)?;
     let planned = job::plan(&scene, gpu.tier())?;
-    let per_particle = plan::bytes_per_particle(&planned);
-    let (total_bytes, stages) = (planned.plan().bytes(), stages(planned.plan()));
+    let per_particle = planned.session.recorded.bytes_per_particle(planned.plan());
+    let (total_bytes, stages) = (planned.plan().bytes(), stages(planned.plan().passes()));
     let particles = planned.session.slot_count();
     let mut session = allocate::session(&gpu, planned.session)?;
     let interrupt = Interrupt::listen()?;
@@ -62,7 +60,7 @@ pub fn bench(name: &str, options: &BenchOptions) -> Result<(), Failure> {
             "picture": picture,
             "bytes": total_bytes,
             "bytes_per_particle": per_particle,
-            "timing": timing_name(timings.status()),
+            "timing": timings.status().name(),
             "flagged_spans": timings.flagged_spans(),
             "device": { "name": info.name, "device_type": info.device_type, "tier": tier_name(gpu.tier()) },
             "commit": COMMIT,

@@ -3,8 +3,9 @@
 use std::time::Instant;
 
 use brooklet_fluid::{FrameRequest, Session, SessionReport};
+use brooklet_gpu::Timings;
 
-use crate::{failure::Failure, interrupt::Interrupt, timings::Timings};
+use crate::{failure::Failure, interrupt::Interrupt};
 
 /// What is run, and how it is stopped.
 pub struct Stepping<'a> {

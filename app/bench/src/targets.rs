@@ -58,7 +58,7 @@ fn smallest(values: &[f64]) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::timings::{Passes, Quantiles};
+    use brooklet_gpu::{Passes, Quantiles};
 
     fn row(particles: u32, every_term: bool, rate: f64) -> Row {
         Row {

@@ -39,8 +39,6 @@ mod study;
 mod study_options;
 mod summary;
 mod table;
-#[path = "../../gpu/src/run_times.rs"]
-mod timings;
 #[cfg(feature = "study")]
 mod tune;
 #[cfg(feature = "window")]

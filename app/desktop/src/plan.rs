@@ -1,7 +1,7 @@
 //! `brooklet plan`: what a run would do, without doing it; needs no GPU.
 
 use brooklet_fluid::Scene;
-use brooklet_gpu::{Plan, RecordingId, Tier};
+use brooklet_gpu::{Plan, Tier};
 use brooklet_render::ScenePlan;
 use brooklet_render::left_out::{self, Absent};
 use serde::Serialize;
@@ -70,7 +70,7 @@ fn print_json(scene: &Scene, planned: &ScenePlan, absent: &[Absent], no_timing: 
         "bytes": planned.plan().bytes(),
         "timestamps": timestamps(planned.plan(), no_timing).into_iter().collect::<serde_json::Map<_, _>>(),
         "timestamp_bytes": if no_timing { 0 } else { planned.timestamp_memory() },
-        "bytes_per_particle": bytes_per_particle(planned),
+        "bytes_per_particle": planned.session.recorded.bytes_per_particle(planned.plan()),
         "left_out": absent,
     });
     let text = serde_json::to_string_pretty(&all).map_err(Failure::stopped)?;
@@ -84,17 +84,6 @@ pub fn said_particles(scene: &Scene, slots: u32) -> String {
         Some(_) => format!("{} particles in {slots} slots", scene.particle_count()),
         None => format!("{slots} particles"),
     }
-}
-
-/// Bytes of GPU memory that the recordings `simulation` take, over the particles; none without
-/// particles. What is drawn grows with pixels, not with particles, and does not count.
-pub fn simulation_bytes_per_particle(plan: &Plan, simulation: &[RecordingId], particles: u32) -> Option<f64> {
-    (particles > 0).then(|| plan.bytes_of(simulation) as f64 / f64::from(particles))
-}
-
-/// As [`simulation_bytes_per_particle`] of a whole plan.
-pub fn bytes_per_particle(planned: &ScenePlan) -> Option<f64> {
-    simulation_bytes_per_particle(planned.plan(), &planned.session.recorded.ids(), planned.session.slot_count())
 }
 
 /// How many timestamps one run of each recording takes at most.
@@ -123,7 +112,7 @@ fn print_tables(scene: &Scene, planned: &ScenePlan, absent: &[Absent], no_timing
     let total = planned.plan().bytes();
     list.add_row(["in all".to_string(), total.to_string(), bytes(total)]);
     say!("{}", list.trim_fmt());
-    if let Some(per_particle) = bytes_per_particle(planned) {
+    if let Some(per_particle) = planned.session.recorded.bytes_per_particle(planned.plan()) {
         say!("{per_particle:.0} bytes a particle, without what is drawn");
     }
     if !no_timing {

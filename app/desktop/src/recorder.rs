@@ -5,9 +5,9 @@ use std::fs::File;
 
 use brooklet_capture::{CaptureError, CaptureTotals, CaptureWriter};
 use brooklet_fluid::{SessionReport, captured_values};
-use brooklet_gpu::RecordingId;
+use brooklet_gpu::{RecordingId, Timings};
 
-use crate::{measured::Measured, timings::Timings};
+use crate::measured::Measured;
 
 /// Where a run's reports go.
 pub struct Recorder {

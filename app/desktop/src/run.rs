@@ -8,7 +8,7 @@ use std::{
 
 use brooklet_capture::{CaptureError, CaptureOptions, CaptureWriter, StatField};
 use brooklet_fluid::{Scene, captured_fields};
-use brooklet_gpu::{Gpu, Plan, TimingStatus, tier_name};
+use brooklet_gpu::{Gpu, Plan, TimingStatus, Timings, stages, tier_name, warm_up_frames};
 use brooklet_render::ScenePlan;
 use brooklet_render::left_out::{self, Recorded};
 
@@ -23,8 +23,7 @@ use crate::{
     progress,
     recorder::Recorder,
     running::{Running, due_steps},
-    summary::{Facts, Files, Summary, stages},
-    timings::{Timings, warm_up_frames},
+    summary::{Facts, Files, Summary},
 };
 
 /// Runs a scene.
@@ -42,7 +41,8 @@ pub fn run(options: &RunOptions) -> Result<(), Failure> {
     let left_out = left_out::list(&scene, gpu.tier(), &planned, &recorded).map_err(job::refused)?;
     let ScenePlan { session: planned, passes } = planned;
     let (plan, slots) = (planned.plan.clone(), planned.slot_count());
-    let (simulation, measures) = (planned.recorded.ids(), planned.recorded.measure.is_some());
+    let (bytes_per_particle, measures) =
+        (planned.recorded.bytes_per_particle(&plan), planned.recorded.measure.is_some());
     let plan_bytes = plan.bytes();
     let start = SystemTime::now();
     let session = allocate::session(&gpu, planned)?;
@@ -55,7 +55,7 @@ pub fn run(options: &RunOptions) -> Result<(), Failure> {
         None
     } else {
         let capture_options = CaptureOptions {
-            stages: stages(&plan).into_iter().map(|(stage, _)| stage.into()).collect(),
+            stages: stages(plan.passes()).into_iter().map(|(stage, _)| stage.into()).collect(),
             stats: if measures { captured_fields(&scene).map(StatField::from).collect() } else { Vec::new() },
             start,
             ..CaptureOptions::default()
@@ -97,8 +97,8 @@ pub fn run(options: &RunOptions) -> Result<(), Failure> {
     let summary = Summary::new(Facts {
         scene: &scene,
         plan: &plan,
-        simulation,
         slots,
+        bytes_per_particle,
         steps: done,
         wall_s,
         interrupted: done < steps,

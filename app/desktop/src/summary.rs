@@ -1,7 +1,7 @@
 //! `summary.json`, and the short table a run ends with.
 
 use brooklet_fluid::{Scene, measure};
-use brooklet_gpu::{Gpu, Plan, RecordingId, TimingStatus, tier_name};
+use brooklet_gpu::{Gpu, PassTimes, Passes, Plan, Quantiles, Timings, stages, tier_name};
 use brooklet_render::left_out::Absent;
 use serde::Serialize;
 use serde_json::{Map, Value};
@@ -10,9 +10,8 @@ use crate::{
     allocate,
     commit::{COMMIT, VERSION},
     measured::{Counted, Measured, Worst},
-    plan::{said_particles, simulation_bytes_per_particle},
+    plan::said_particles,
     table::{bytes, ms, table},
-    timings::{self, PassTimes, Passes, Timings},
 };
 
 /// A run in numbers. Values that were not measured are null.
@@ -34,7 +33,7 @@ pub struct Summary {
     /// Whether the run ended early, by Ctrl-C or because it could not go on.
     interrupted: bool,
     solver: Solver,
-    gpu_ms_per_step: Option<timings::Quantiles>,
+    gpu_ms_per_step: Option<Quantiles>,
     /// By pass: times of all its dispatches of a frame together, how many those are, and the sum
     /// over the run.
     passes: Passes<PassTimes>,
@@ -122,10 +121,10 @@ pub struct Facts<'a> {
     pub scene: &'a Scene,
     /// Its plan.
     pub plan: &'a Plan,
-    /// Recordings of the simulation.
-    pub simulation: Vec<RecordingId>,
     /// Number of slots.
     pub slots: u32,
+    /// Bytes of GPU memory of the simulation, over the particles.
+    pub bytes_per_particle: Option<f64>,
     /// Steps that were done.
     pub steps: u64,
     /// Time they took.
@@ -142,29 +141,6 @@ pub struct Facts<'a> {
     pub gpu: &'a Gpu,
     /// What was written.
     pub files: Files,
-}
-
-/// How the way of timing is written.
-pub fn timing_name(timing: TimingStatus) -> &'static str {
-    match timing {
-        TimingStatus::Off => "off",
-        TimingStatus::Unsupported => "unsupported",
-        TimingStatus::PassPerStage => "pass_per_stage",
-        TimingStatus::InsidePasses => "inside_passes",
-        TimingStatus::OwnPasses => "own_passes",
-    }
-}
-
-/// Stages in order of their first run, with their dispatches in one run of their recording.
-pub fn stages(plan: &Plan) -> Vec<(&'static str, u32)> {
-    let mut stages: Vec<(&'static str, u32)> = Vec::new();
-    for pass in plan.passes() {
-        match stages.iter_mut().find(|(stage, _)| *stage == pass.stage) {
-            Some((_, count)) => *count += pass.count,
-            None => stages.push((pass.stage, pass.count)),
-        }
-    }
-    stages
 }
 
 impl Summary {
@@ -191,9 +167,9 @@ impl Summary {
                 dt_s: scene.solver.dt_s,
             },
             gpu_ms_per_step: timings.step_ms(),
-            passes: timings.passes(&stages(plan)),
+            passes: timings.passes(&stages(plan.passes())),
             timing: Timing {
-                how: timing_name(gpu.timing()),
+                how: gpu.timing().name(),
                 frames: timings.frames(),
                 warm_up_frames_left_out: timings.warm_up(),
                 flagged_spans: timings.flagged_spans(),
@@ -216,7 +192,7 @@ impl Summary {
                 last_step: any.then_some(measured.last_step),
             },
             buffers: plan.buffers().into_iter().map(|buffer| (buffer.label, buffer.bytes.into())).collect(),
-            bytes_per_particle: simulation_bytes_per_particle(plan, &facts.simulation, facts.slots),
+            bytes_per_particle: facts.bytes_per_particle,
             left_out: facts.left_out,
             device: Device {
                 name: gpu.info().name.clone(),

@@ -1,6 +1,6 @@
 //! A scene as recordings: its start, one step of its solver's substeps, and its measurement.
 
-use brooklet_gpu::{Engine, GpuError, Recording, RecordingId, Resources};
+use brooklet_gpu::{Engine, GpuError, Plan, Recording, RecordingId, Resources};
 use brooklet_kernels::{Buffer, Counters, Measure, Position, ResourceId, Velocity};
 
 use crate::grid::Neighbours;
@@ -54,6 +54,13 @@ impl Recorded {
     pub fn ids(&self) -> Vec<RecordingId> {
         let measure = self.measure.as_ref().map(|measure| measure.recording.id());
         [self.init.id(), self.step.id()].into_iter().chain(measure).collect()
+    }
+
+    /// Bytes of GPU memory that all of its recordings take in `plan`, over the particles; none without particles.
+    /// What is drawn grows with pixels, not with particles, and does not count.
+    pub fn bytes_per_particle(&self, plan: &Plan) -> Option<f64> {
+        let particles = self.slots.capacity;
+        (particles > 0).then(|| plan.bytes_of(&self.ids()) as f64 / f64::from(particles))
     }
 
     /// What a measurement is read back from, if the scene measures.

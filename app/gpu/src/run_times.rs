@@ -2,8 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use brooklet_gpu::{FrameReport, RecordingId, TimingStatus};
 use serde::{Serialize, Serializer};
+
+use crate::{FrameReport, PassInfo, RecordingId, TimingStatus};
 
 /// The frames at the start that medians leave out: the device's clock rises and caches fill then.
 /// At most ten, and at most a quarter of the run.
@@ -54,6 +55,18 @@ impl<P: Serialize> Serialize for Passes<P> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_map(self.0.iter().map(|(stage, pass)| (stage, pass)))
     }
+}
+
+/// The stages of `passes` in order of their first run, and how often one run of their recordings runs each.
+pub fn stages(passes: impl IntoIterator<Item = PassInfo>) -> Vec<(&'static str, u32)> {
+    let mut stages: Vec<(&'static str, u32)> = Vec::new();
+    for pass in passes {
+        match stages.iter_mut().find(|(stage, _)| *stage == pass.stage) {
+            Some((_, count)) => *count += pass.count,
+            None => stages.push((pass.stage, pass.count)),
+        }
+    }
+    stages
 }
 
 /// One value of each frame it was measured in.
@@ -135,7 +148,6 @@ impl Timings {
     }
 
     /// A stage's shortest frame after the warm-up, ms.
-    #[cfg(any(feature = "bench", test))]
     pub fn least_ms(&self, stage: &str) -> Option<f64> {
         let frames = self.stages.get(stage)?.iter();
         frames.filter(|(frame, ms)| *frame >= self.warm_up && *ms > 0.0).map(|(_, ms)| *ms).min_by(f64::total_cmp)
@@ -157,7 +169,6 @@ impl Timings {
     }
 
     /// How the times were taken.
-    #[cfg(feature = "bench")]
     pub fn status(&self) -> TimingStatus {
         self.status
     }
@@ -172,7 +183,7 @@ impl Timings {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use brooklet_gpu::{Span, SpanFlag};
+    use crate::{Span, SpanFlag};
 
     fn report(frame: u64, step_ticks: u64) -> FrameReport {
         let span = |label, stage, begin_ticks, end_ticks| Span {

@@ -24,6 +24,17 @@ impl TimingStatus {
     pub fn is_measured(self) -> bool {
         matches!(self, Self::PassPerStage | Self::InsidePasses | Self::OwnPasses)
     }
+
+    /// As summaries have it: `off`, `inside_passes`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Off => "off",
+            Self::Unsupported => "unsupported",
+            Self::PassPerStage => "pass_per_stage",
+            Self::InsidePasses => "inside_passes",
+            Self::OwnPasses => "own_passes",
+        }
+    }
 }
 
 /// Whether a span can be believed.

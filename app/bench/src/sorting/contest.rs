@@ -1,9 +1,9 @@
 //! Two ways to the same result, run in turn.
 
-use brooklet_gpu::{Engine, FrameReport, Gpu, Plan, Recording, RecordingId, Resources};
+use brooklet_gpu::{Engine, FrameReport, Gpu, Plan, Quantiles, Recording, RecordingId, Resources};
 use serde::Serialize;
 
-use crate::{failure::Failure, interrupt::Interrupt, timings::Quantiles};
+use crate::{failure::Failure, interrupt::Interrupt};
 
 /// What two ways came to.
 #[derive(Clone, Debug, Serialize)]

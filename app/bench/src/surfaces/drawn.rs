@@ -1,7 +1,7 @@
 //! Bodies of particles drawn by the product's own passes, and what that cost.
 
 use brooklet_fluid::{Scene, scene::Smoothing};
-use brooklet_gpu::{Engine, Gpu, Plan, Resources, Shape as Kind};
+use brooklet_gpu::{Engine, Gpu, Plan, Quantiles, Resources, Shape as Kind};
 use brooklet_kernels::{Position, Tier};
 use brooklet_render::{
     Coloring, FrameOptions, Particles, SurfaceOptions, View,
@@ -15,7 +15,7 @@ use super::{
     seen::Seen,
     shapes::{DOMAIN_M, SPACING_M, Shape},
 };
-use crate::{failure::Failure, interrupt::Interrupt, timings::Quantiles};
+use crate::{failure::Failure, interrupt::Interrupt};
 
 /// Pictures drawn before those that are timed.
 const WARM_UP: usize = 2;
