@@ -6,7 +6,6 @@ use serde::Serialize;
 
 use super::{stepping::Stepping, traffic::drawn_bytes};
 use crate::{
-    allocate,
     bench_options::BenchOptions,
     failure::Failure,
     interrupt::Interrupt,
@@ -60,7 +59,7 @@ pub fn picture_cost(
     let stages = stages(plan.passes().into_iter().filter(|pass| pass.recording == draw));
     let moved: Vec<u64> = stages.iter().map(|(stage, _)| drawn_bytes(plan, draw, stage)).collect();
     let total_bytes = plan.bytes() - plan.bytes_of(&[recorded.init.id(), recorded.step.id()]);
-    let mut session = allocate::session(gpu, planned.session)?;
+    let mut session = brooklet_render::start(gpu, planned.session).map_err(Failure::input)?;
     session.finish().map_err(Failure::stopped)?;
     let steps = options.warm_up + options.steps;
     let bar = progress::bar(steps + WARM_UP + u64::from(options.pictures));

@@ -14,8 +14,7 @@ use super::{
     workload::{self, EDGES, LOADS, Load},
 };
 use crate::{
-    allocate, bench_options::BenchOptions, commit::COMMIT, failure::Failure, interrupt::Interrupt, out_dir,
-    progress::bar,
+    bench_options::BenchOptions, commit::COMMIT, failure::Failure, interrupt::Interrupt, out_dir, progress::bar,
 };
 
 /// Runs and prints the table.
@@ -111,7 +110,7 @@ impl Bencher<'_> {
         let begun = Instant::now();
         let scene = load.scene(edge, &self.options.settings)?;
         let planned = workload::plan(&scene)?;
-        let mut session = allocate::session(self.gpu, planned)?;
+        let mut session = brooklet_render::start(self.gpu, planned).map_err(Failure::input)?;
         session.finish().map_err(Failure::stopped)?;
         let mut timings = Timings::new(2 * WARM_UP);
         let request = FrameRequest { steps: 1, measure: true, ..FrameRequest::default() };

@@ -10,7 +10,6 @@ use super::{
     stepping::Stepping,
 };
 use crate::{
-    allocate,
     bench_options::BenchOptions,
     commit::COMMIT,
     failure::Failure,
@@ -29,7 +28,7 @@ pub fn bench(name: &str, options: &BenchOptions) -> Result<(), Failure> {
     let per_particle = planned.session.recorded.bytes_per_particle(planned.plan());
     let (total_bytes, stages) = (planned.plan().bytes(), stages(planned.plan().passes()));
     let particles = planned.session.slot_count();
-    let mut session = allocate::session(&gpu, planned.session)?;
+    let mut session = brooklet_render::start(&gpu, planned.session).map_err(Failure::input)?;
     let interrupt = Interrupt::listen()?;
     let mut timings = Timings::new(options.warm_up);
     session.finish().map_err(Failure::stopped)?;

@@ -6,8 +6,6 @@
 #[macro_use]
 mod stdout;
 
-#[path = "../../render/src/start.rs"]
-mod allocate;
 #[cfg(feature = "bench")]
 mod bench;
 #[cfg(feature = "bench")]
@@ -33,6 +31,7 @@ mod run;
 mod running;
 mod scenes;
 mod shared_options;
+mod spacing;
 #[cfg(feature = "study")]
 mod study;
 #[cfg(feature = "study")]

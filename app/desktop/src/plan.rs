@@ -8,10 +8,10 @@ use serde::Serialize;
 use serde_json::json;
 
 use crate::{
-    allocate,
     cli::{OutputOptions, PlanOptions},
     failure::Failure,
     job,
+    spacing::other_spacing,
     table::{bytes, table},
 };
 
@@ -94,7 +94,7 @@ fn timestamps(plan: &Plan, no_timing: bool) -> Vec<(String, serde_json::Value)> 
 
 fn print_tables(scene: &Scene, planned: &ScenePlan, absent: &[Absent], no_timing: bool) {
     say!("{}: {}", scene.name, said_particles(scene, planned.session.slot_count()));
-    if let Some(other) = allocate::other_spacing(scene) {
+    if let Some(other) = other_spacing(scene) {
         say!("{other}");
     }
     say!();

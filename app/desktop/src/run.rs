@@ -13,7 +13,6 @@ use brooklet_render::ScenePlan;
 use brooklet_render::left_out::{self, Recorded};
 
 use crate::{
-    allocate,
     cli::RunOptions,
     commit::{COMMIT, VERSION},
     failure::Failure,
@@ -45,7 +44,7 @@ pub fn run(options: &RunOptions) -> Result<(), Failure> {
         (planned.recorded.bytes_per_particle(&plan), planned.recorded.measure.is_some());
     let plan_bytes = plan.bytes();
     let start = SystemTime::now();
-    let session = allocate::session(&gpu, planned)?;
+    let session = brooklet_render::start(&gpu, planned).map_err(Failure::input)?;
     let interrupt = Interrupt::listen()?;
 
     let default_out = Path::new("out").join(&scene.name);

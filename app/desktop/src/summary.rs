@@ -7,10 +7,10 @@ use serde::Serialize;
 use serde_json::{Map, Value};
 
 use crate::{
-    allocate,
     commit::{COMMIT, VERSION},
     measured::{Counted, Measured, Worst},
     plan::said_particles,
+    spacing::other_spacing,
     table::{bytes, ms, table},
 };
 
@@ -155,7 +155,7 @@ impl Summary {
             slots: facts.slots,
             said_particles: said_particles(scene, facts.slots),
             spacing_m: scene.fitted_spacing_m(),
-            other_spacing: allocate::other_spacing(scene),
+            other_spacing: other_spacing(scene),
             steps: facts.steps,
             simulated_s: facts.steps as f64 * scene.solver.dt_s,
             wall_s: facts.wall_s,

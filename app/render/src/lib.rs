@@ -10,10 +10,12 @@ pub mod frame;
 pub mod left_out;
 pub mod png;
 mod scene_plan;
+mod start;
 pub mod surface;
 
 pub use camera::{Camera, View};
 pub use error::RenderError;
 pub use frame::{Coloring, FrameOptions, FramePasses, FrameUniforms, record};
 pub use scene_plan::{ScenePlan, ScenePlanError};
+pub use start::{StartError, start};
 pub use surface::{Particles, ScreenSpaceOptions, SmoothedSurface, SurfaceOptions};

@@ -1,13 +1,38 @@
-//! The session of a plan, or how much of the scene the device has room for.
+//! Starts the session of a plan, or says how much of the scene the device has room for.
 
 use brooklet_fluid::scene::SurfaceMethod;
 use brooklet_fluid::{Scene, Session, SessionPlan};
 use brooklet_gpu::{Engine, Gpu, GpuError, tier_name};
 
-use crate::{failure::Failure, job};
+use crate::ScenePlan;
+
+/// Why a session does not start.
+#[derive(Debug, thiserror::Error)]
+pub enum StartError {
+    /// The device has no room for the scene, or lacks a format that its picture needs.
+    #[error("scene {scene}: does not fit {device} as {tier}: {error}: {advice}")]
+    Misfit {
+        /// The scene's name.
+        scene: String,
+        /// The device's name.
+        device: String,
+        /// What the device is used as.
+        tier: &'static str,
+        /// What the device refused.
+        error: GpuError,
+        /// What would fit.
+        advice: String,
+    },
+    /// Anything else that the device says.
+    #[error(transparent)]
+    Gpu(GpuError),
+}
 
 /// Starts a session of `planned`.
-pub fn session(gpu: &Gpu, planned: SessionPlan) -> Result<Session, Failure> {
+///
+/// # Errors
+/// Every [`StartError`]: what would fit is found by planning the scene again, with less.
+pub fn start(gpu: &Gpu, planned: SessionPlan) -> Result<Session, StartError> {
     let (scene, particles, bytes) = (planned.scene.clone(), planned.slot_count(), planned.plan.bytes());
     Session::start(gpu, planned).map_err(|error| {
         let advice = match &error {
@@ -15,18 +40,18 @@ pub fn session(gpu: &Gpu, planned: SessionPlan) -> Result<Session, Failure> {
             GpuError::OutOfMemory { allocated, .. } => within_memory(&scene, particles, bytes, *allocated),
             GpuError::MissingFormat { .. } => without_format(gpu, &scene, particles),
             GpuError::TextureTooLarge { .. } => "lower outputs.width_px and outputs.height_px".into(),
-            _ => return Failure::input(error),
+            _ => return StartError::Gpu(error),
         };
-        let name = &gpu.info().name;
-        let tier = tier_name(gpu.tier());
-        Failure::Input(format!("scene {}: does not fit {name} as {tier}: {error}: {advice}", scene.name))
+        let device = gpu.info().name.clone();
+        StartError::Misfit { scene: scene.name, device, tier: tier_name(gpu.tier()), error, advice }
     })
 }
 
 /// What of the scene the device's limits allow, found by planning it for less.
 fn within_limits(gpu: &Gpu, scene: &Scene, particles: u32) -> String {
     let allows = |scene: &Scene, particles: u32| {
-        job::plan_for(scene, particles, gpu.tier()).is_ok_and(|other| Engine::check_sizes(gpu, other.plan()).is_ok())
+        ScenePlan::of_count(scene, particles, gpu.tier())
+            .is_ok_and(|other| Engine::check_sizes(gpu, other.plan()).is_ok())
     };
     if !allows(scene, 0) {
         return "its grid or its pictures are too large by themselves; make spacing_m larger, or the domain or the \
@@ -51,7 +76,7 @@ fn without_format(gpu: &Gpu, scene: &Scene, particles: u32) -> String {
     let works = |(name, method): &(&'static str, SurfaceMethod)| {
         let mut other = scene.clone();
         other.surface.method = *method;
-        let planned = job::plan_for(&other, particles, gpu.tier());
+        let planned = ScenePlan::of_count(&other, particles, gpu.tier());
         planned.is_ok_and(|other| Engine::check_sizes(gpu, other.plan()).is_ok()).then_some(*name)
     };
     let methods = [("points", SurfaceMethod::Points), ("none", SurfaceMethod::None)];
@@ -93,14 +118,6 @@ fn largest(most: u32, holds: impl Fn(u32) -> bool) -> u32 {
     low
 }
 
-/// What is said where the particles' spacing is not the one asked for.
-pub fn other_spacing(scene: &Scene) -> Option<String> {
-    let (asked_m, fitted_m) = (scene.spacing_m, scene.fitted_spacing_m());
-    (asked_m != fitted_m).then(|| {
-        format!("spacing {fitted_m:.5} m: the nearest to {asked_m} m of which a whole number fit from wall to wall")
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -112,14 +129,6 @@ mod tests {
                 assert_eq!(largest(most, |number| number <= limit), limit.min(most));
             }
         }
-    }
-
-    #[test]
-    fn a_spacing_that_was_not_asked_for_is_said() {
-        let pool = |spacing: &str| Scene::load("calm-pool", &[format!("spacing_m={spacing}")]).unwrap();
-        assert_eq!(other_spacing(&pool("0.05")), None);
-        let said = other_spacing(&pool("0.0577")).unwrap();
-        assert!(said.contains("0.05556 m") && said.contains("0.0577 m"), "{said}");
     }
 
     #[test]
