@@ -7,7 +7,7 @@ use super::{
     targets::{DEFAULT_RATE, EVERY_TERM_RATE},
     workload::LOADS,
 };
-use crate::failure::Failure;
+use crate::BenchError;
 
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
@@ -39,9 +39,9 @@ fn color_of(stage: &str) -> RGBColor {
 const BETWEEN: &str = "between passes";
 
 /// Draws the table.
-pub fn svg(scaling: &Scaling) -> Result<String, Failure> {
+pub fn svg(scaling: &Scaling) -> Result<String, BenchError> {
     let mut text = String::new();
-    draw(scaling, &mut text).map_err(|error| Failure::stopped(format_args!("the plot cannot be drawn: {error}")))?;
+    draw(scaling, &mut text).map_err(|error| BenchError::stopped(format_args!("the plot cannot be drawn: {error}")))?;
     Ok(text)
 }
 

@@ -5,116 +5,114 @@ use std::time::Instant;
 use brooklet_fluid::{FrameRequest, Session};
 use brooklet_gpu::{Gpu, Passes, Timings, stages, tier_name};
 
-use super::{
-    bandwidth, check_folder,
+use crate::{
+    BenchError, Observer, bandwidth,
     figures::{LeftOut, Pass, Row, Scaling},
-    open, plot, report,
     stepping::Stepping,
     targets, traffic,
     workload::{self, EDGES, LOADS, Load},
 };
-use crate::{
-    bench_options::BenchOptions, commit::COMMIT, failure::Failure, interrupt::Interrupt, out_dir, progress::bar,
-};
 
-/// Runs and prints the table.
-pub fn bench(options: &BenchOptions) -> Result<(), Failure> {
-    // A setting that no scene takes is told before anything runs.
-    LOADS[0].scene(EDGES[0], &options.settings)?;
-    if let Some(path) = &options.plot {
-        check_folder("--plot", path)?;
+/// What is timed.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// What is changed of the workload, as `solver.neighbour_slots=40`.
+    pub settings: Vec<String>,
+    /// The largest size.
+    pub max_particles: u32,
+    /// Time for the whole table, s: what would take longer is left out.
+    pub budget_s: f64,
+}
+
+impl Options {
+    /// # Errors
+    /// [`BenchError::Input`] for a setting that no scene takes.
+    pub fn check(&self) -> Result<(), BenchError> {
+        LOADS[0].scene(EDGES[0], &self.settings).map(drop)
     }
-    let gpu = open(&options.device)?;
-    let interrupt = Interrupt::listen()?;
-    let copy_bytes_per_s = bandwidth::copy_bytes_per_s(&gpu, &interrupt)?;
-    let mut bencher = Bencher { gpu: &gpu, options, interrupt: &interrupt, copy_bytes_per_s, begun: Instant::now() };
+}
+
+/// Times every load at every size that fits the budget.
+///
+/// # Errors
+/// Every [`BenchError`].
+pub fn run(gpu: &Gpu, options: &Options, observer: &dyn Observer) -> Result<Scaling, BenchError> {
+    options.check()?;
+    let copy_bytes_per_s = bandwidth::copy_bytes_per_s(gpu, observer)?;
+    let mut bencher = Bencher { gpu, options, observer, copy_bytes_per_s, begun: Instant::now() };
     let (rows, left_out) = bencher.all()?;
     let info = gpu.info();
-    let scaling = Scaling {
+    Ok(Scaling {
         device: info.name.clone(),
         device_type: info.device_type.clone(),
         driver: format!("{} {}", info.driver, info.driver_info),
         tier: tier_name(gpu.tier()),
-        commit: COMMIT,
         copy_gb_per_s: copy_bytes_per_s * 1e-9,
         targets: targets::verdicts(&rows),
         rows,
         left_out,
-    };
-    if let Some(path) = &options.plot {
-        out_dir::write_file(path, plot::svg(&scaling)?.as_bytes())?;
-    }
-    if options.json {
-        say!("{}", serde_json::to_string_pretty(&scaling).map_err(Failure::stopped)?);
-    } else {
-        report::print(&scaling);
-    }
-    Ok(())
+    })
 }
 
 struct Bencher<'a> {
     gpu: &'a Gpu,
-    options: &'a BenchOptions,
-    interrupt: &'a Interrupt,
+    options: &'a Options,
+    observer: &'a dyn Observer,
     copy_bytes_per_s: f64,
     begun: Instant,
 }
 
 impl Bencher<'_> {
     /// Every size that fits, smallest first, so that what the budget cuts off is the largest.
-    fn all(&mut self) -> Result<(Vec<Row>, Vec<LeftOut>), Failure> {
+    fn all(&mut self) -> Result<(Vec<Row>, Vec<LeftOut>), BenchError> {
         let sizes = EDGES.map(|edge| (edge, edge.pow(3)));
         let wanted = sizes.iter().filter(|(_, particles)| *particles <= self.options.max_particles);
         let runs = wanted.clone().count() * LOADS.len();
-        let bar = bar(runs as u64);
+        self.observer.begin(runs as u64);
         let (mut rows, mut left_out) = (Vec::new(), Vec::new());
         // What a particle takes in the slowest load so far, in seconds a step.
         let mut step_s_per_particle = 0.0;
         for (index, &(edge, particles)) in wanted.enumerate() {
-            let remaining_s = self.options.budget - self.begun.elapsed().as_secs_f64();
+            let remaining_s = self.options.budget_s - self.begun.elapsed().as_secs_f64();
             let least_s = step_s_per_particle * f64::from(particles) * (MIN_STEPS + 2 * WARM_UP) as f64;
             let runs_left = runs - index * LOADS.len();
             if index > 0 && least_s * LOADS.len() as f64 > remaining_s {
-                let reason = format!("--budget {} leaves no time for it", self.options.budget);
+                let reason = format!("--budget {} leaves no time for it", self.options.budget_s);
                 left_out.push(LeftOut { particles, reason });
                 continue;
             }
             let share_s = remaining_s / runs_left as f64;
             for load in LOADS {
-                bar.set_message(format!("{particles} particles, {}", load.terms()));
+                self.observer.message(format!("{particles} particles, {}", load.terms()));
                 match self.row(load, edge, share_s) {
                     Ok((row, step_s)) => {
                         step_s_per_particle = f64::max(step_s_per_particle, step_s / f64::from(particles));
                         rows.push(row);
                     }
                     // The device says which buffer is too large for it, or for its memory.
-                    Err(Failure::Input(reason)) if index > 0 => {
+                    Err(BenchError::Input(reason)) if index > 0 => {
                         left_out.push(LeftOut { particles, reason: format!("{}: {reason}", load.terms()) });
                     }
-                    Err(failure) => {
-                        bar.finish_and_clear();
-                        return Err(failure);
-                    }
+                    Err(error) => return Err(error),
                 }
-                bar.inc(1);
+                self.observer.advance();
             }
             // A smaller size's memory would only lie in the way.
             self.gpu.trim();
         }
-        bar.finish_and_clear();
         Ok((rows, left_out))
     }
 
     /// One load at one size in about `share_s` seconds, and how many a step took.
-    fn row(&mut self, load: Load, edge: u32, share_s: f64) -> Result<(Row, f64), Failure> {
+    fn row(&mut self, load: Load, edge: u32, share_s: f64) -> Result<(Row, f64), BenchError> {
         let begun = Instant::now();
         let scene = load.scene(edge, &self.options.settings)?;
         let planned = workload::plan(&scene)?;
-        let mut session = brooklet_render::start(self.gpu, planned).map_err(Failure::input)?;
-        session.finish().map_err(Failure::stopped)?;
+        let mut session = brooklet_render::start(self.gpu, planned).map_err(BenchError::input)?;
+        session.finish().map_err(BenchError::stopped)?;
         let mut timings = Timings::new(2 * WARM_UP);
         let request = FrameRequest { steps: 1, measure: true, ..FrameRequest::default() };
-        let mut stepping = Stepping { session: &mut session, request, interrupt: self.interrupt };
+        let mut stepping = Stepping { session: &mut session, request, observer: self.observer };
         // The first steps also sort particles for the first time: they tell nothing of the pace.
         stepping.run(WARM_UP, &mut timings, || ())?;
         let step_s = stepping.run(WARM_UP, &mut timings, || ())?;
@@ -125,7 +123,7 @@ impl Bencher<'_> {
         let heads = session.recorded().neighbours.as_ref().map(|listed| listed.heads.alias());
         let neighbours = match heads {
             Some(heads) => {
-                let heads = session.engine_mut().read(&heads).map_err(Failure::stopped)?;
+                let heads = session.engine_mut().read(&heads).map_err(BenchError::stopped)?;
                 heads.iter().map(|head| u64::from(head.entries)).sum()
             }
             None => 0,
@@ -141,13 +139,14 @@ impl Bencher<'_> {
         timings: &Timings,
         neighbours: u64,
         steps: u64,
-    ) -> Result<Row, Failure> {
+    ) -> Result<Row, BenchError> {
         let (scene, plan, recorded) = (session.scene(), session.engine().plan(), session.recorded());
         let particles = recorded.slots.capacity;
         let measure = recorded.measure.as_ref().map(|measure| measure.recording.id());
         let step_ms = timings.step_ms();
-        let step_ms = step_ms
-            .ok_or_else(|| Failure::Stopped(format!("no usable times: {} flagged spans", timings.flagged_spans())))?;
+        let step_ms = step_ms.ok_or_else(|| {
+            BenchError::Stopped(format!("no usable times: {} flagged spans", timings.flagged_spans()))
+        })?;
         let iterations = scene.solver.pbf.iterations * scene.solver.substeps;
         let work = f64::from(particles) * f64::from(iterations);
         let interval = f64::from(scene.outputs.measure_every_steps.max(1));

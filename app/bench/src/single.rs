@@ -1,99 +1,125 @@
 //! One scene, without measurements; and what its pictures cost, if asked.
 
-use brooklet_fluid::FrameRequest;
-use brooklet_gpu::{TimingStatus, Timings, stages, tier_name};
-use serde_json::json;
+use brooklet_fluid::{FrameRequest, Scene};
+use brooklet_gpu::{Gpu, PassTimes, Passes, Quantiles, TimingStatus, Timings, stages, tier_name};
+use brooklet_render::{ScenePlan, ScenePlanError};
+use serde::{Serialize, Serializer};
 
-use super::{
-    open,
-    pictures::{self, picture_cost},
+use crate::{
+    BenchError, Observer,
+    pictures::{PictureCost, picture_cost},
     stepping::Stepping,
 };
-use crate::{
-    bench_options::BenchOptions,
-    commit::COMMIT,
-    failure::Failure,
-    interrupt::Interrupt,
-    job, progress,
-    table::{bytes, ms, table},
-};
 
-/// Times and prints the scene that is called `name`.
-pub fn bench(name: &str, options: &BenchOptions) -> Result<(), Failure> {
-    let mut scene = job::load(name, &options.settings)?;
+/// How long a scene is timed.
+#[derive(Clone, Copy, Debug)]
+pub struct Options {
+    /// Steps before those that are timed.
+    pub warm_up: u64,
+    /// Steps that are timed.
+    pub steps: u64,
+    /// Pictures that are timed after them; 0 times none.
+    pub pictures: u32,
+}
+
+/// What a scene costs.
+#[derive(Clone, Debug, Serialize)]
+pub struct SceneCost {
+    /// The scene's name.
+    pub scene: String,
+    /// Number of its particles.
+    pub particles: u32,
+    /// All iterations of a step.
+    #[serde(skip)]
+    pub iterations: u32,
+    /// Steps that were timed.
+    pub steps: u64,
+    /// Steps before them.
+    pub warm_up_steps: u64,
+    /// From the first pass of a step to the end of its last, ms.
+    pub gpu_ms_per_step: Option<Quantiles>,
+    /// Particles times iterations a second.
+    pub particle_iterations_per_s: Option<f64>,
+    /// Times by pass.
+    pub passes: Passes<PassTimes>,
+    /// What a picture costs, if it was asked for and the scene draws anything.
+    pub picture: Option<PictureCost>,
+    /// Of GPU memory, without pictures.
+    pub bytes: u64,
+    /// The same over the particles.
+    pub bytes_per_particle: Option<f64>,
+    /// How times were taken.
+    #[serde(serialize_with = "by_name")]
+    pub timing: TimingStatus,
+    /// Spans that cannot be right.
+    pub flagged_spans: u64,
+    /// What it ran on.
+    pub device: Device,
+}
+
+/// A device and what it is used as.
+#[derive(Clone, Debug, Serialize)]
+pub struct Device {
+    /// Its name.
+    pub name: String,
+    /// `cpu` of a driver that runs on the processor.
+    pub device_type: String,
+    /// The tier.
+    pub tier: &'static str,
+}
+
+fn by_name<S: Serializer>(timing: &TimingStatus, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(timing.name())
+}
+
+/// Times `scene`, as it is but for its outputs.
+///
+/// # Errors
+/// Every [`BenchError`].
+pub fn run(gpu: &Gpu, scene: &Scene, options: Options, observer: &dyn Observer) -> Result<SceneCost, BenchError> {
+    let mut scene = scene.clone();
     scene.outputs.images = 0;
     scene.outputs.measure_every_steps = 0;
-    let gpu = open(&options.device)?;
-    let planned = job::plan(&scene, gpu.tier())?;
-    let per_particle = planned.session.recorded.bytes_per_particle(planned.plan());
-    let (total_bytes, stages) = (planned.plan().bytes(), stages(planned.plan().passes()));
+    let planned = plan(gpu, &scene)?;
+    let bytes_per_particle = planned.session.recorded.bytes_per_particle(planned.plan());
+    let (bytes, stages) = (planned.plan().bytes(), stages(planned.plan().passes()));
     let particles = planned.session.slot_count();
-    let mut session = brooklet_render::start(&gpu, planned.session).map_err(Failure::input)?;
-    let interrupt = Interrupt::listen()?;
+    let mut session = brooklet_render::start(gpu, planned.session).map_err(BenchError::input)?;
     let mut timings = Timings::new(options.warm_up);
-    session.finish().map_err(Failure::stopped)?;
+    session.finish().map_err(BenchError::stopped)?;
 
     let steps = options.warm_up + options.steps;
-    let bar = progress::bar(steps);
+    observer.begin(steps);
     let request = FrameRequest { steps: 1, ..FrameRequest::default() };
-    let mut stepping = Stepping { session: &mut session, request, interrupt: &interrupt };
-    let outcome = stepping.run(steps, &mut timings, || bar.inc(1));
-    bar.finish_and_clear();
-    outcome?;
+    let mut stepping = Stepping { session: &mut session, request, observer };
+    stepping.run(steps, &mut timings, || observer.advance())?;
 
-    let picture = picture_cost(&gpu, &scene, options, &interrupt)?;
+    let picture = picture_cost(gpu, &scene, options, observer)?;
     let iterations = scene.solver.pbf.iterations * scene.solver.substeps;
     let work = f64::from(particles) * f64::from(iterations);
-    let rate = timings.step_ms().map(|step| work / (step.median * 1e-3));
     let info = gpu.info();
-    let passes = timings.passes(&stages);
-    if options.json {
-        let all = json!({
-            "scene": scene.name,
-            "particles": particles,
-            "steps": options.steps,
-            "warm_up_steps": options.warm_up,
-            "gpu_ms_per_step": timings.step_ms(),
-            "particle_iterations_per_s": rate,
-            "passes": passes,
-            "picture": picture,
-            "bytes": total_bytes,
-            "bytes_per_particle": per_particle,
-            "timing": timings.status().name(),
-            "flagged_spans": timings.flagged_spans(),
-            "device": { "name": info.name, "device_type": info.device_type, "tier": tier_name(gpu.tier()) },
-            "commit": COMMIT,
-        });
-        say!("{}", serde_json::to_string_pretty(&all).map_err(Failure::stopped)?);
-        return Ok(());
-    }
+    Ok(SceneCost {
+        scene: scene.name,
+        particles,
+        iterations,
+        steps: options.steps,
+        warm_up_steps: options.warm_up,
+        gpu_ms_per_step: timings.step_ms(),
+        particle_iterations_per_s: timings.step_ms().map(|step| work / (step.median * 1e-3)),
+        passes: timings.passes(&stages),
+        picture,
+        bytes,
+        bytes_per_particle,
+        timing: timings.status(),
+        flagged_spans: timings.flagged_spans(),
+        device: Device { name: info.name.clone(), device_type: info.device_type.clone(), tier: tier_name(gpu.tier()) },
+    })
+}
 
-    say!(
-        "{}: {particles} particles, {iterations} iterations a step, {} steps after {} of warm-up, on {} as {}",
-        scene.name,
-        options.steps,
-        options.warm_up,
-        info.name,
-        tier_name(gpu.tier()),
-    );
-    if info.device_type == "cpu" {
-        say!("(this driver runs on the processor: its times are the processor's)");
-    }
-    if timings.status() == TimingStatus::PassPerStage {
-        say!("(this device times whole passes only: a pass per dispatch costs time itself)");
-    }
-    let mut list = table(&["pass", "median ms", "p95 ms", "dispatches"], &[1, 2, 3]);
-    for (stage, pass) in &passes.0 {
-        list.add_row([stage.to_string(), ms(pass.median_ms), ms(pass.p95_ms), pass.dispatches.to_string()]);
-    }
-    let step = timings.step_ms();
-    list.add_row(["a step, with gaps".to_string(), ms(step.map(|t| t.median)), ms(step.map(|t| t.p95)), String::new()]);
-    say!("\n{}\n", list.trim_fmt());
-    match rate {
-        Some(rate) => say!("{:.2} million particle iterations a second", rate * 1e-6),
-        None => say!("no usable times: {} flagged spans", timings.flagged_spans()),
-    }
-    say!("{}, {:.0} bytes a particle", bytes(total_bytes), per_particle.unwrap_or(0.0));
-    picture.iter().for_each(pictures::print);
-    Ok(())
+/// A picture's fault is the scene's; a mistake in a recording is the program's.
+pub(crate) fn plan(gpu: &Gpu, scene: &Scene) -> Result<ScenePlan, BenchError> {
+    ScenePlan::new(scene, gpu.tier()).map_err(|error| match error {
+        ScenePlanError::Render { .. } => BenchError::input(error),
+        ScenePlanError::Plan(_) => BenchError::stopped(error),
+    })
 }

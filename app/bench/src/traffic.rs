@@ -96,7 +96,7 @@ pub fn drawn_bytes(plan: &Plan, recording: RecordingId, stage: &str) -> u64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::bench::workload::{LOADS, plan};
+    use crate::workload::{LOADS, plan};
     use brooklet_kernels::{Counters, modules};
     use std::collections::BTreeSet;
 

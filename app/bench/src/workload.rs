@@ -12,11 +12,11 @@ use brooklet_fluid::{
     particles::{ParticleSet, sample_lattice},
 };
 
-use crate::failure::Failure;
+use crate::BenchError;
 
 /// Particles along an edge of the block: 4k, 16k, 27k, 64k, 125k, 216k, 512k, 1M, 2M, 4M, 8M and
 /// 16M particles.
-pub const EDGES: [u32; 12] = [16, 25, 30, 40, 50, 60, 80, 100, 126, 160, 200, 256];
+pub(crate) const EDGES: [u32; 12] = [16, 25, 30, 40, 50, 60, 80, 100, 126, 160, 200, 256];
 
 const SPACING_M: f64 = 0.02;
 /// The lowest layer's compression by the column law, with 4 iterations.
@@ -50,7 +50,7 @@ impl Load {
     }
 
     /// The block of `edge` particles along each edge as a scene.
-    pub fn scene(self, edge: u32, settings: &[String]) -> Result<Scene, Failure> {
+    pub(crate) fn scene(self, edge: u32, settings: &[String]) -> Result<Scene, BenchError> {
         let side_m = f64::from(edge) * SPACING_M;
         let dt_s = (COMPRESSION * KAPPA * 0.5 * 4.0 * SPACING_M / (f64::from(edge) * 9.81)).sqrt();
         let (s_corr_k, vorticity_m_s, measured) = if self.every_term { (1e-4, 0.01, 4) } else { (0.0, 0.0, 0) };
@@ -69,17 +69,17 @@ impl Load {
             height_m = 1.25 * side_m,
             iterations = self.iterations,
         );
-        Scene::from_toml(&text, "block at rest", settings).map_err(Failure::input)
+        Scene::from_toml(&text, "block at rest", settings).map_err(BenchError::input)
     }
 }
 
 /// Plans `scene` with its particles off the lattice.
-pub fn plan(scene: &Scene) -> Result<SessionPlan, Failure> {
-    SessionRecorder::new(scene, ParticleSource::Given(jittered(scene))).sweep().map_err(Failure::stopped)
+pub(crate) fn plan(scene: &Scene) -> Result<SessionPlan, BenchError> {
+    SessionRecorder::new(scene, ParticleSource::Given(jittered(scene))).sweep().map_err(BenchError::stopped)
 }
 
 /// The scene's particles off their lattice.
-pub fn jittered(scene: &Scene) -> ParticleSet {
+pub(crate) fn jittered(scene: &Scene) -> ParticleSet {
     let mut particles = sample_lattice(scene);
     let mut random = fastrand::Rng::with_seed(27);
     for position in &mut particles.positions {

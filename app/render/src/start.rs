@@ -19,7 +19,7 @@ pub enum StartError {
         /// What the device is used as.
         tier: &'static str,
         /// What the device refused.
-        error: GpuError,
+        error: Box<GpuError>,
         /// What would fit.
         advice: String,
     },
@@ -43,7 +43,7 @@ pub fn start(gpu: &Gpu, planned: SessionPlan) -> Result<Session, StartError> {
             _ => return StartError::Gpu(error),
         };
         let device = gpu.info().name.clone();
-        StartError::Misfit { scene: scene.name, device, tier: tier_name(gpu.tier()), error, advice }
+        StartError::Misfit { scene: scene.name, device, tier: tier_name(gpu.tier()), error: Box::new(error), advice }
     })
 }
 

@@ -32,12 +32,13 @@ const ROOMS: &[(&str, &[&str])] = &[
     ("brooklet-gpu", &["kernels"]),
     ("brooklet-fluid", &["kernels", "gpu"]),
     ("brooklet-render", &["kernels", "gpu", "fluid"]),
+    ("brooklet-bench", &["kernels", "gpu", "fluid", "render"]),
     ("brooklet-capture", &["gpu"]),
     ("brooklet-reference", &["kernels"]),
     ("brooklet-study", &["kernels", "gpu", "fluid", "render", "capture", "reference"]),
     ("brooklet-viewer", &["kernels", "gpu", "fluid", "render", "capture"]),
     // The window compiles a changed shader while it runs.
-    ("brooklet", &["kernels", "gpu", "fluid", "render", "capture", "viewer", "study", "compiler"]),
+    ("brooklet", &["kernels", "gpu", "fluid", "render", "bench", "capture", "viewer", "study", "compiler"]),
     ("brooklet-mobile", &["kernels", "gpu", "fluid", "render", "capture", "viewer"]),
     ("brooklet-tests", &["kernels", "gpu", "fluid", "render", "capture", "reference", "study", "compiler"]),
     // A broken generated file must never keep the shader compiler from being built.

@@ -3,7 +3,7 @@
 use brooklet_gpu::{Engine, FrameReport, Gpu, Plan, Quantiles, Recording, RecordingId, Resources};
 use serde::Serialize;
 
-use crate::{failure::Failure, interrupt::Interrupt};
+use crate::{BenchError, Observer};
 
 /// What two ways came to.
 #[derive(Clone, Debug, Serialize)]
@@ -12,15 +12,21 @@ pub struct Outcome {
     pub optimisation: &'static str,
     /// On what.
     pub case: String,
+    /// The product's way.
     pub baseline: &'static str,
+    /// The other way.
     pub alternative: &'static str,
+    /// Median time of the baseline, ms.
     pub baseline_ms: f64,
+    /// Median time of the alternative, ms.
     pub alternative_ms: f64,
-    /// The alternative's time over the baseline's: of each pair, its median, and what 10 and 90 of
-    /// 100 pairs stay below.
+    /// The alternative's time over the baseline's of each pair: the median,
     pub ratio: f64,
+    /// what 10 of 100 pairs stay below,
     pub ratio_p10: f64,
+    /// and what 90 of 100 do.
     pub ratio_p90: f64,
+    /// Pairs that gave usable times.
     pub pairs: usize,
 }
 
@@ -56,7 +62,7 @@ impl Ways {
 /// Runs pairs of recordings on a device.
 pub struct Ring<'a> {
     pub gpu: &'a Gpu,
-    pub interrupt: &'a Interrupt,
+    pub observer: &'a dyn Observer,
     pub pairs: usize,
 }
 
@@ -71,33 +77,31 @@ impl Ring<'_> {
         names: Names,
         resources: Resources,
         ways: Ways,
-        check: impl FnOnce(&mut Engine) -> Result<(), Failure>,
-    ) -> Result<Outcome, Failure> {
+        check: impl FnOnce(&mut Engine) -> Result<(), BenchError>,
+    ) -> Result<Outcome, BenchError> {
         let [init, baseline, alternative] = [&ways.init, &ways.baseline, &ways.alternative].map(Recording::id);
-        let plan =
-            Plan::sweep(resources, vec![ways.init, ways.baseline, ways.alternative], &[]).map_err(Failure::stopped)?;
-        let mut engine = Engine::new(self.gpu, plan).map_err(Failure::input)?;
-        engine.run(&[init], &[]).map_err(Failure::stopped)?;
-        engine.run(&[baseline, alternative], &[]).map_err(Failure::stopped)?;
+        let plan = Plan::sweep(resources, vec![ways.init, ways.baseline, ways.alternative], &[])
+            .map_err(BenchError::stopped)?;
+        let mut engine = Engine::new(self.gpu, plan).map_err(BenchError::input)?;
+        engine.run(&[init], &[]).map_err(BenchError::stopped)?;
+        engine.run(&[baseline, alternative], &[]).map_err(BenchError::stopped)?;
         check(&mut engine)?;
-        let mut reports = engine.finish().map_err(Failure::stopped)?;
+        let mut reports = engine.finish().map_err(BenchError::stopped)?;
         reports.clear();
         for pair in 0..WARM_UP + self.pairs {
-            if self.interrupt.is_pressed() {
-                return Err(Failure::Interrupted("nothing was written".into()));
-            }
+            self.observer.check()?;
             // What ran before leaves the caches as it does: so each goes first as often.
             let order = if pair % 2 == 0 { [baseline, alternative] } else { [alternative, baseline] };
-            engine.run(&order, &[]).map_err(Failure::stopped)?;
+            engine.run(&order, &[]).map_err(BenchError::stopped)?;
             reports.extend(engine.reports());
         }
-        reports.extend(engine.finish().map_err(Failure::stopped)?);
+        reports.extend(engine.finish().map_err(BenchError::stopped)?);
         let times: Vec<(f64, f64)> = reports
             .iter()
             .skip(WARM_UP)
             .filter_map(|report| Some((ms_of(report, baseline)?, ms_of(report, alternative)?)))
             .collect();
-        outcome(names, &times).ok_or_else(|| Failure::Stopped("the device gave no usable times".into()))
+        outcome(names, &times).ok_or_else(|| BenchError::Stopped("the device gave no usable times".into()))
     }
 }
 

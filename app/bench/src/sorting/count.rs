@@ -5,7 +5,7 @@ use brooklet_gpu::Resources;
 use brooklet_kernels::{CountCells, CountCellsAggregated, CountCellsVariant, GridParams, Position};
 
 use super::contest::{Names, Outcome, Ring, Ways};
-use crate::failure::Failure;
+use crate::BenchError;
 
 /// Counts `positions` both ways.
 pub fn aggregated_atomics(
@@ -13,7 +13,7 @@ pub fn aggregated_atomics(
     case: String,
     positions: &[Position],
     params: &GridParams,
-) -> Result<Outcome, Failure> {
+) -> Result<Outcome, BenchError> {
     let count = positions.len() as u32;
     let cells = params.cell_count + 2;
     let mut resources = Resources::new();
@@ -58,6 +58,6 @@ pub fn aggregated_atomics(
     };
     ring.compare(names, resources, Ways { init, baseline, alternative }, |engine| {
         let [a, b] = [engine.read(&counts[0]), engine.read(&counts[1])];
-        super::equal("counts", a.map_err(Failure::stopped)?, b.map_err(Failure::stopped)?)
+        super::equal("counts", a.map_err(BenchError::stopped)?, b.map_err(BenchError::stopped)?)
     })
 }

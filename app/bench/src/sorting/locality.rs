@@ -14,7 +14,7 @@ use brooklet_kernels::{
 };
 
 use super::contest::{Names, Outcome, Ring, Ways};
-use crate::failure::Failure;
+use crate::BenchError;
 
 /// What both ways are given.
 struct Settings {
@@ -55,7 +55,7 @@ pub fn locality(
     scene: &Scene,
     in_order: &[Position],
     lie: &[Position],
-) -> Result<Outcome, Failure> {
+) -> Result<Outcome, BenchError> {
     let count = lie.len() as u32;
     let params = params(scene, count);
     let mut resources = Resources::new();
@@ -90,9 +90,9 @@ pub fn locality(
     let names =
         Names { optimisation: "locality", case, baseline: "reorder everything", alternative: "reorder an index" };
     ring.compare(names, resources, Ways { init, baseline, alternative }, |engine| {
-        let sorted = engine.read(&sorted.positions).map_err(Failure::stopped)?;
+        let sorted = engine.read(&sorted.positions).map_err(BenchError::stopped)?;
         let product = neighbours_by_id(engine, &neighbours, &sorted, params.list_chunks)?;
-        let counts = engine.read(&listed_counts).map_err(Failure::stopped)?;
+        let counts = engine.read(&listed_counts).map_err(BenchError::stopped)?;
         super::equal("neighbours", product, by_id(lie.iter().zip(counts), lie.len()))
     })
 }
@@ -103,9 +103,9 @@ fn neighbours_by_id(
     neighbours: &Neighbours,
     sorted: &[Position],
     list_chunks: u32,
-) -> Result<Vec<u32>, Failure> {
-    let heads = engine.read(&neighbours.heads).map_err(Failure::stopped)?;
-    let gaps = engine.read(&neighbours.deltas).map_err(Failure::stopped)?;
+) -> Result<Vec<u32>, BenchError> {
+    let heads = engine.read(&neighbours.heads).map_err(BenchError::stopped)?;
+    let gaps = engine.read(&neighbours.deltas).map_err(BenchError::stopped)?;
     let counts = heads.iter().enumerate().map(|(i, &head)| listed(i as u32, head, &gaps, list_chunks).count() as u32);
     Ok(by_id(sorted.iter().zip(counts), sorted.len()))
 }

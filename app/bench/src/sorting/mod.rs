@@ -1,4 +1,4 @@
-//! `brooklet bench sorting`: what each optimisation of the mobile deck's counting sort is worth
+//! What each optimisation of the mobile deck's counting sort is worth
 //! here, against the kernels of the product. What it was worth is in `app/fluid/SORTING.md`.
 
 mod contest;
@@ -7,23 +7,48 @@ mod locality;
 mod scan;
 
 use brooklet_fluid::grid;
-use brooklet_gpu::tier_name;
+use brooklet_gpu::{Gpu, tier_name};
 use brooklet_kernels::{GridParams, Position};
-use serde_json::json;
+use serde::Serialize;
 
-use super::{
-    open,
+use crate::{
+    BenchError, Observer,
     workload::{EDGES, LOADS, jittered},
 };
-use crate::{bench_options::SortingOptions, commit::COMMIT, failure::Failure, interrupt::Interrupt, table::table};
-use contest::{Outcome, Ring};
+pub use contest::Outcome;
+use contest::Ring;
 use scan::Inner;
 
-/// Runs and prints every comparison.
-pub fn bench(options: &SortingOptions) -> Result<(), Failure> {
-    let gpu = open(&options.device)?;
-    let interrupt = Interrupt::listen()?;
-    let ring = Ring { gpu: &gpu, interrupt: &interrupt, pairs: options.pairs as usize };
+/// What is compared on how much, and how often.
+#[derive(Clone, Copy, Debug)]
+pub struct Options {
+    /// Particles, rounded down to a size of the table.
+    pub particles: u32,
+    /// Pairs of runs of each comparison.
+    pub pairs: usize,
+}
+
+/// Every comparison.
+#[derive(Clone, Debug, Serialize)]
+pub struct Sorting {
+    /// What it ran on.
+    pub device: String,
+    /// `cpu` of a driver that runs on the processor.
+    pub device_type: String,
+    /// What the device was used as.
+    pub tier: &'static str,
+    /// Number of particles.
+    pub particles: u32,
+    /// In the order in which they ran.
+    pub comparisons: Vec<Outcome>,
+}
+
+/// Runs every comparison.
+///
+/// # Errors
+/// Every [`BenchError`]; two ways that give different results among them.
+pub fn run(gpu: &Gpu, options: Options, observer: &dyn Observer) -> Result<Sorting, BenchError> {
+    let ring = Ring { gpu, observer, pairs: options.pairs };
     let edge = EDGES.into_iter().filter(|edge| edge.pow(3) <= options.particles).max().unwrap_or(EDGES[0]);
     let scene = LOADS[0].scene(edge, &[])?;
     let particles = edge.pow(3);
@@ -52,52 +77,20 @@ pub fn bench(options: &SortingOptions) -> Result<(), Failure> {
     outcomes.push(scan::inner(&ring, "bank-conflict padding", case, &values, [doubling, padded])?);
 
     let info = gpu.info();
-    if options.json {
-        let all = json!({
-            "device": info.name,
-            "device_type": info.device_type,
-            "tier": tier_name(gpu.tier()),
-            "commit": COMMIT,
-            "particles": particles,
-            "comparisons": outcomes,
-        });
-        say!("{}", serde_json::to_string_pretty(&all).map_err(Failure::stopped)?);
-        return Ok(());
-    }
-    say!("{particles} particles, on {} as {}", info.name, tier_name(gpu.tier()));
-    if info.device_type == "cpu" {
-        say!(
-            "(this driver runs on the processor, where atomics do not meet, and groupshared memory has no banks\n\
-             and is no faster than any other: a GPU's answer may be another)"
-        );
-    }
-    print(&outcomes);
-    Ok(())
-}
-
-fn print(outcomes: &[Outcome]) {
-    let header = ["optimisation", "case", "a", "b", "a ms", "b ms", "b / a", "10 to 90 of 100 pairs"];
-    let mut list = table(&header, &[4, 5, 6, 7]);
-    for outcome in outcomes {
-        list.add_row([
-            outcome.optimisation.to_string(),
-            outcome.case.clone(),
-            outcome.baseline.to_string(),
-            outcome.alternative.to_string(),
-            format!("{:.3}", outcome.baseline_ms),
-            format!("{:.3}", outcome.alternative_ms),
-            format!("{:.2}", outcome.ratio),
-            format!("{:.2} to {:.2}", outcome.ratio_p10, outcome.ratio_p90),
-        ]);
-    }
-    say!("\n{}", list.trim_fmt());
+    Ok(Sorting {
+        device: info.name.clone(),
+        device_type: info.device_type.clone(),
+        tier: tier_name(gpu.tier()),
+        particles,
+        comparisons: outcomes,
+    })
 }
 
 /// Both ways have to give the same, or their times mean nothing.
-fn equal(what: &str, baseline: Vec<u32>, alternative: Vec<u32>) -> Result<(), Failure> {
+fn equal(what: &str, baseline: Vec<u32>, alternative: Vec<u32>) -> Result<(), BenchError> {
     match baseline.iter().zip(&alternative).position(|(a, b)| a != b) {
         None if baseline.len() == alternative.len() => Ok(()),
-        place => Err(Failure::Stopped(format!("the two ways' {what} differ, first at {place:?}"))),
+        place => Err(BenchError::Stopped(format!("the two ways' {what} differ, first at {place:?}"))),
     }
 }
 

@@ -7,11 +7,11 @@ use brooklet_kernels::{
 };
 
 use super::contest::{Names, Outcome, Ring, Ways};
-use crate::failure::Failure;
+use crate::BenchError;
 
 /// The whole scan of `values`: reduce-then-scan in groupshared memory, or a dispatch for each
 /// doubling in global memory.
-pub fn shared_memory(ring: &Ring<'_>, case: String, values: &[u32]) -> Result<Outcome, Failure> {
+pub fn shared_memory(ring: &Ring<'_>, case: String, values: &[u32]) -> Result<Outcome, BenchError> {
     let count = values.len() as u32;
     let mut resources = Resources::new();
     let mut input = resources.persistent("values", count);
@@ -42,7 +42,7 @@ pub fn shared_memory(ring: &Ring<'_>, case: String, values: &[u32]) -> Result<Ou
     };
     ring.compare(names, resources, Ways { init, baseline, alternative }, |engine| {
         let [a, b] = [engine.read(&scanned), engine.read(&turns[last])];
-        super::equal("sums", a.map_err(Failure::stopped)?, b.map_err(Failure::stopped)?)
+        super::equal("sums", a.map_err(BenchError::stopped)?, b.map_err(BenchError::stopped)?)
     })
 }
 
@@ -93,7 +93,7 @@ pub fn inner(
     case: String,
     values: &[u32],
     ways: [Inner; 2],
-) -> Result<Outcome, Failure> {
+) -> Result<Outcome, BenchError> {
     let count = values.len() as u32;
     let offsets: Vec<u32> = values
         .chunks(SCAN_GROUP as usize)
@@ -116,6 +116,6 @@ pub fn inner(
     let names = Names { optimisation, case, baseline: ways[0].name(), alternative: ways[1].name() };
     ring.compare(names, resources, Ways { init, baseline, alternative }, |engine| {
         let [a, b] = [engine.read(&scanned[0]), engine.read(&scanned[1])];
-        super::equal("sums", a.map_err(Failure::stopped)?, b.map_err(Failure::stopped)?)
+        super::equal("sums", a.map_err(BenchError::stopped)?, b.map_err(BenchError::stopped)?)
     })
 }

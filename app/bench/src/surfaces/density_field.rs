@@ -94,7 +94,7 @@ fn cell(point_m: DVec3, side_m: f64) -> [i32; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::bench::surfaces::shapes::{DOMAIN_M, SPACING_M, Shape};
+    use crate::surfaces::shapes::{DOMAIN_M, SPACING_M, Shape};
 
     #[test]
     fn the_level_is_near_the_body_s_surface() {

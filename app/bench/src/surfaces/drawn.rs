@@ -15,7 +15,7 @@ use super::{
     seen::Seen,
     shapes::{DOMAIN_M, SPACING_M, Shape},
 };
-use crate::{failure::Failure, interrupt::Interrupt};
+use crate::{BenchError, Observer};
 
 /// Pictures drawn before those that are timed.
 const WARM_UP: usize = 2;
@@ -61,12 +61,12 @@ pub struct Drawn {
 }
 
 /// A scene of nothing but these settings.
-fn scene(shape: Shape, filter: Filter) -> Result<Scene, Failure> {
+fn scene(shape: Shape, filter: Filter) -> Result<Scene, BenchError> {
     let text = format!(
         "spacing_m = {SPACING_M}\n[domain]\nmin_m = [0, 0, 0]\nmax_m = [{DOMAIN_M}, {DOMAIN_M}, {DOMAIN_M}]\nwalls = {}\n",
         shape.in_glass()
     );
-    let mut scene = Scene::from_toml(&text, "bench surfaces", &[]).map_err(Failure::stopped)?;
+    let mut scene = Scene::from_toml(&text, "bench surfaces", &[]).map_err(BenchError::stopped)?;
     scene.surface.smoothing = filter.smoothing;
     scene.surface.iterations = Some(filter.iterations);
     scene.surface.anisotropic = filter.anisotropic;
@@ -80,8 +80,8 @@ pub fn draw(
     filter: Filter,
     view: &View,
     repeats: usize,
-    interrupt: &Interrupt,
-) -> Result<Drawn, Failure> {
+    observer: &dyn Observer,
+) -> Result<Drawn, BenchError> {
     let tier: Tier = gpu.tier();
     let scene = scene(shape, filter)?;
     let options = ScreenSpaceOptions::for_scene(&scene, tier);
@@ -94,7 +94,7 @@ pub fn draw(
         shadow_texels: 64,
         edges: false,
     };
-    let values = FrameValues::new(view, &frame).map_err(Failure::stopped)?;
+    let values = FrameValues::new(view, &frame).map_err(BenchError::stopped)?;
     let positions: Vec<Position> = particles_m
         .iter()
         .enumerate()
@@ -117,22 +117,20 @@ pub fn draw(
     let into = (&mut init, &mut recording);
     let surface = screen_space::record(&mut resources, into, &frame_view, &particles, view.size_px, tier, &options);
     let (init_id, draw_id) = (init.id(), recording.id());
-    let plan = Plan::sweep(resources, vec![init, recording], &[surface.normals.id]).map_err(Failure::stopped)?;
+    let plan = Plan::sweep(resources, vec![init, recording], &[surface.normals.id]).map_err(BenchError::stopped)?;
     let is_texture = |id| plan.resources().get(id).is_some_and(|entry| !matches!(entry.shape, Kind::Buffer { .. }));
     let texture_bytes = plan.buffers().iter().filter(|kept| is_texture(kept.id)).map(|kept| kept.bytes).sum();
-    let mut engine = Engine::new(gpu, plan).map_err(Failure::input)?;
-    engine.run(&[init_id], &[]).map_err(Failure::stopped)?;
-    engine.finish().map_err(Failure::stopped)?;
+    let mut engine = Engine::new(gpu, plan).map_err(BenchError::input)?;
+    engine.run(&[init_id], &[]).map_err(BenchError::stopped)?;
+    engine.finish().map_err(BenchError::stopped)?;
 
     let mut times = Vec::new();
     for _ in 0..WARM_UP + repeats {
-        if interrupt.is_pressed() {
-            return Err(Failure::Interrupted("nothing was written".into()));
-        }
-        engine.run(&[draw_id], &[]).map_err(Failure::stopped)?;
+        observer.check()?;
+        engine.run(&[draw_id], &[]).map_err(BenchError::stopped)?;
         times.extend(engine.reports());
     }
-    times.extend(engine.finish().map_err(Failure::stopped)?);
+    times.extend(engine.finish().map_err(BenchError::stopped)?);
     let ms_of = |wanted: &dyn Fn(&str) -> bool| {
         let stages = |report: &brooklet_gpu::FrameReport| -> f64 {
             report.stage_ms().iter().filter(|(stage, ..)| wanted(stage)).fold(0.0, |sum, (_, ms, _)| sum + ms)
@@ -142,7 +140,7 @@ pub fn draw(
     // The normals' own pass is the study's: the water restores them where it shades.
     let smoothing_ms = ms_of(&|stage| stage.contains("smooth_"));
     let all_ms = ms_of(&|stage| stage != "draw_surface_normals");
-    let bytes = engine.read_texture(&surface.normals).map_err(Failure::stopped)?;
+    let bytes = engine.read_texture(&surface.normals).map_err(BenchError::stopped)?;
     let texels: Vec<f32> = bytes.chunks_exact(4).map(|b| f32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect();
     let normals = texels
         .chunks_exact(4)

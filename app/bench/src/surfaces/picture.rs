@@ -6,7 +6,7 @@ use brooklet_render::png;
 use glam::DVec3;
 
 use super::seen::Seen;
-use crate::failure::Failure;
+use crate::BenchError;
 
 /// What is cut out of the middle of each picture, pixels.
 const TILE_PX: usize = 212;
@@ -20,12 +20,12 @@ pub struct Sheet {
 
 impl Sheet {
     /// Without any picture yet, each of `size_px`.
-    pub fn new(size_px: [u32; 2]) -> Self {
+    pub(crate) fn new(size_px: [u32; 2]) -> Self {
         Self { size_px, rows: Vec::new() }
     }
 
     /// Adds a picture to the right of the row of `body`.
-    pub fn add(&mut self, body: &'static str, seen: &Seen) {
+    pub(crate) fn add(&mut self, body: &'static str, seen: &Seen) {
         match self.rows.last_mut().filter(|(name, _)| *name == body) {
             Some((_, row)) => row.push(seen.clone()),
             None => self.rows.push((body, vec![seen.clone()])),
@@ -33,9 +33,12 @@ impl Sheet {
     }
 
     /// Writes all as one PNG.
-    pub fn save(&self, path: &Path) -> Result<(), Failure> {
+    ///
+    /// # Errors
+    /// If the file cannot be written.
+    pub fn save(&self, path: &Path) -> Result<(), BenchError> {
         let (size_px, rgba) = self.pixels();
-        png::save(path, size_px, &rgba).map_err(Failure::stopped)
+        png::save(path, size_px, &rgba).map_err(BenchError::stopped)
     }
 
     fn pixels(&self) -> ([u32; 2], Vec<u8>) {

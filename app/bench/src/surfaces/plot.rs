@@ -2,8 +2,8 @@
 
 use plotters::{coord::Shift, prelude::*};
 
-use super::{DISTANCES_M, FILTERS, MARCHED, Row, Shape, Study};
-use crate::failure::Failure;
+use super::{DISTANCES_M, FILTERS, MARCHED, Row, Shape, Surfaces};
+use crate::BenchError;
 
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 type Drawing = Result<(), Box<dyn std::error::Error>>;
@@ -26,13 +26,13 @@ const COLORS: [RGBColor; FILTERS.len() + 1] = [
 ];
 
 /// Draws the study.
-pub fn svg(study: &Study) -> Result<String, Failure> {
+pub fn svg(study: &Surfaces) -> Result<String, BenchError> {
     let mut text = String::new();
-    draw(study, &mut text).map_err(|error| Failure::stopped(format_args!("the plot cannot be drawn: {error}")))?;
+    draw(study, &mut text).map_err(|error| BenchError::stopped(format_args!("the plot cannot be drawn: {error}")))?;
     Ok(text)
 }
 
-fn draw(study: &Study, text: &mut String) -> Drawing {
+fn draw(study: &Surfaces, text: &mut String) -> Drawing {
     let area = SVGBackend::with_string(text, (1240, 700)).into_drawing_area();
     area.fill(&WHITE)?;
     let (title, rest) = area.split_vertically(44);
@@ -58,11 +58,11 @@ fn names() -> impl Iterator<Item = &'static str> {
     FILTERS.into_iter().map(|filter| filter.name).chain([MARCHED])
 }
 
-fn of<'a>(study: &'a Study, filter: &'a str) -> impl Iterator<Item = &'a Row> {
+fn of<'a>(study: &'a Surfaces, filter: &'a str) -> impl Iterator<Item = &'a Row> {
     study.rows.iter().filter(move |row| row.filter == filter)
 }
 
-fn errors_over_distance(area: &Area<'_>, study: &Study, shape: Shape) -> Drawing {
+fn errors_over_distance(area: &Area<'_>, study: &Surfaces, shape: Shape) -> Drawing {
     let rows = || study.rows.iter().filter(|row| row.shape == shape.name());
     let highest = rows().map(|row| row.errors.normal_mean_deg).fold(1.0, f64::max);
     let (near, far) = (DISTANCES_M[0] / 1.2, DISTANCES_M[DISTANCES_M.len() - 1] * 1.2);
@@ -95,7 +95,7 @@ fn errors_over_distance(area: &Area<'_>, study: &Study, shape: Shape) -> Drawing
 }
 
 /// Each filter's error, the mean of all bodies and distances, over its time.
-fn errors_over_time(area: &Area<'_>, study: &Study) -> Drawing {
+fn errors_over_time(area: &Area<'_>, study: &Surfaces) -> Drawing {
     let mean = |values: Vec<f64>| values.iter().sum::<f64>() / values.len().max(1) as f64;
     let points: Vec<(f64, f64, RGBColor)> = FILTERS
         .into_iter()

@@ -105,7 +105,7 @@ fn inside_box(from: DVec3, direction: DVec3, side: f64) -> Option<(f64, f64)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::bench::surfaces::shapes::Shape;
+    use crate::surfaces::shapes::Shape;
     use brooklet_render::Camera;
 
     #[test]

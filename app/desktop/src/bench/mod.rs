@@ -1,54 +1,116 @@
 //! `brooklet bench`: the time of every pass, of one scene or of one workload at rising sizes.
 
-#[path = "../../../bench/src/bandwidth.rs"]
-mod bandwidth;
-#[path = "../../../bench/src/figures.rs"]
-mod figures;
-#[path = "../../../bench/src/pictures.rs"]
-mod pictures;
-#[path = "../../../bench/src/plot.rs"]
-mod plot;
-mod report;
-#[path = "../../../bench/src/scaling.rs"]
 mod scaling;
-#[path = "../../../bench/src/single.rs"]
 mod single;
-#[path = "../../../bench/src/sorting/mod.rs"]
 mod sorting;
-#[path = "../../../bench/src/stepping.rs"]
-mod stepping;
-#[path = "../../../bench/src/surfaces/mod.rs"]
 mod surfaces;
-#[path = "../../../bench/src/targets.rs"]
-mod targets;
-#[path = "../../../bench/src/traffic.rs"]
-mod traffic;
+mod terminal;
 #[cfg(feature = "window")]
 mod window;
-#[path = "../../../bench/src/workload.rs"]
-mod workload;
 
 use std::path::Path;
 
+use brooklet_bench as timed;
 use brooklet_gpu::Gpu;
+use serde::Serialize;
 
 use crate::{
-    bench_options::{BenchOptions, BenchStudy},
+    bench_options::{BenchOptions, BenchStudy, SortingOptions, SurfacesOptions},
+    commit::COMMIT,
     failure::Failure,
-    job,
+    job, out_dir,
     shared_options::DeviceOptions,
 };
+use terminal::watched;
 
 /// Runs and prints the benchmark that is asked for.
 pub fn bench(options: &BenchOptions) -> Result<(), Failure> {
     match (&options.study, &options.scene) {
-        (Some(BenchStudy::Sorting(options)), _) => sorting::bench(options),
-        (Some(BenchStudy::Surfaces(options)), _) => surfaces::bench(options),
+        (Some(BenchStudy::Sorting(options)), _) => bench_sorting(options),
+        (Some(BenchStudy::Surfaces(options)), _) => bench_surfaces(options),
         #[cfg(feature = "window")]
         (Some(BenchStudy::Window(options)), _) => window::bench(options),
-        (None, Some(scene)) => single::bench(scene, options),
-        (None, None) => scaling::bench(options),
+        (None, Some(scene)) => bench_scene(scene, options),
+        (None, None) => bench_sizes(options),
     }
+}
+
+fn bench_scene(name: &str, options: &BenchOptions) -> Result<(), Failure> {
+    let scene = job::load(name, &options.settings)?;
+    let gpu = open(&options.device)?;
+    let &BenchOptions { warm_up, steps, pictures, .. } = options;
+    let cost = watched(|terminal| {
+        timed::single::run(&gpu, &scene, timed::single::Options { warm_up, steps, pictures }, terminal)
+    })?;
+    show(options.json, &cost, single::print)
+}
+
+fn bench_sizes(options: &BenchOptions) -> Result<(), Failure> {
+    let sizes = timed::scaling::Options {
+        settings: options.settings.clone(),
+        max_particles: options.max_particles,
+        budget_s: options.budget,
+    };
+    // A setting that no scene takes is told before anything runs.
+    sizes.check()?;
+    if let Some(path) = &options.plot {
+        check_folder("--plot", path)?;
+    }
+    let gpu = open(&options.device)?;
+    let table = watched(|terminal| timed::scaling::run(&gpu, &sizes, terminal))?;
+    if let Some(path) = &options.plot {
+        out_dir::write_file(path, table.to_svg()?.as_bytes())?;
+    }
+    show(options.json, &table, scaling::print)
+}
+
+fn bench_sorting(options: &SortingOptions) -> Result<(), Failure> {
+    let gpu = open(&options.device)?;
+    let (particles, pairs) = (options.particles, options.pairs as usize);
+    let compared =
+        watched(|terminal| timed::sorting::run(&gpu, timed::sorting::Options { particles, pairs }, terminal))?;
+    show(options.json, &compared, sorting::print)
+}
+
+fn bench_surfaces(options: &SurfacesOptions) -> Result<(), Failure> {
+    for (option, file) in [("--plot", &options.plot), ("--csv", &options.csv), ("--picture", &options.picture)] {
+        if let Some(file) = file {
+            check_folder(option, file)?;
+        }
+    }
+    let gpu = open(&options.device)?;
+    let (size_px, repeats) = ([options.width, options.height], options.repeats as usize);
+    let (held, sheet) =
+        watched(|terminal| timed::surfaces::run(&gpu, timed::surfaces::Options { size_px, repeats }, terminal))?;
+    if let Some(file) = &options.csv {
+        out_dir::write_file(file, held.to_csv()?.as_bytes())?;
+    }
+    if let Some(file) = &options.plot {
+        out_dir::write_file(file, held.to_svg()?.as_bytes())?;
+    }
+    if let Some(file) = &options.picture {
+        sheet.save(file)?;
+    }
+    show(options.json, &held, surfaces::print)
+}
+
+/// A result with the commit that it was measured with.
+#[derive(Serialize)]
+struct Stamped<'a, T> {
+    #[serde(flatten)]
+    result: &'a T,
+    commit: &'static str,
+}
+
+/// Prints a result as JSON, or as people read it.
+fn show<T: Serialize>(json: bool, result: &T, print: impl FnOnce(&T)) -> Result<(), Failure> {
+    if json {
+        let stamped = Stamped { result, commit: COMMIT };
+        say!("{}", serde_json::to_string_pretty(&stamped).map_err(Failure::stopped)?);
+    } else {
+        print(result);
+    }
+    Ok(())
 }
 
 /// Minutes of measuring would be lost on a folder that cannot be written to.

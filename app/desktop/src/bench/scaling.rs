@@ -1,9 +1,10 @@
-//! The table for people.
+//! `brooklet bench` for people: the table over the number of particles.
 
-use super::{
-    figures::{Row, Scaling},
+use brooklet_bench::{
+    figures::{Pass, Row, Scaling},
     workload::LOADS,
 };
+
 use crate::table::table;
 
 /// Prints everything.
@@ -90,7 +91,7 @@ fn print_sizes(rows: &[Row]) {
     say!("(M/s: million particle iterations a second; ns: for one; measuring is in both where it is on)");
 }
 
-fn print_passes(rows: &[&Row], cell: impl Fn(&super::figures::Pass) -> String) {
+fn print_passes(rows: &[&Row], cell: impl Fn(&Pass) -> String) {
     let header: Vec<String> =
         std::iter::once("pass".to_string()).chain(rows.iter().map(|row| row.particles.to_string())).collect();
     let numbers: Vec<usize> = (1..header.len()).collect();

@@ -1,0 +1,22 @@
+//! What is timed against what, on GPU times alone: the passes of a scene and of its pictures ([`single`]), one
+//! workload at rising numbers of particles ([`scaling`]), ways to sort ([`sorting`]), ways to smooth ([`surfaces`]).
+//!
+//! A benchmark is a function of a device, some options and an [`Observer`]; what it gives is plain data.
+
+mod bandwidth;
+mod error;
+pub mod figures;
+mod observer;
+pub mod pictures;
+mod plot;
+pub mod scaling;
+pub mod single;
+pub mod sorting;
+mod stepping;
+pub mod surfaces;
+mod targets;
+mod traffic;
+pub mod workload;
+
+pub use error::BenchError;
+pub use observer::Observer;
