@@ -1,9 +1,8 @@
 //! What the device can move, measured by the same means as the passes. (Shader: `bench/copy.compute`.)
 
 use brooklet_gpu::{Engine, Gpu, Plan, Resources, Timings};
-use brooklet_kernels::CopyElements;
 
-use crate::{BenchError, Observer};
+use crate::{BenchError, Observer, kernels::CopyElements};
 
 /// Size of either buffer: far more than a processor's caches, and no more than any tier binds.
 const BYTES: u32 = 128 << 20;

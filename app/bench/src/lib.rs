@@ -6,6 +6,7 @@
 mod bandwidth;
 mod error;
 pub mod figures;
+mod generated;
 mod observer;
 pub mod pictures;
 mod plot;
@@ -17,6 +18,11 @@ pub mod surfaces;
 mod targets;
 mod traffic;
 pub mod workload;
+
+/// The kernels that only a comparison needs (`shaders/hlsl/bench`), with typed bindings; nothing shipped holds them.
+pub mod kernels {
+    pub use crate::generated::*;
+}
 
 pub use error::BenchError;
 pub use observer::Observer;

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use brooklet_compiler::{Places, Recompiled, compile_one, target_below};
+use brooklet_compiler::{Places, Recompiled, compile_one};
 use brooklet_fluid::{Scene, record};
 use brooklet_gpu::{Engine, Plan, Resources};
 use brooklet_kernels::{Module, Tier, modules};
@@ -25,8 +25,7 @@ fn checkout() -> (tempfile::TempDir, Places) {
     }
     let folder = tempfile::tempdir().unwrap();
     copy(&root().join("shaders/hlsl"), folder.path());
-    let places =
-        Places { shaders: folder.path().to_owned(), out: root().join("app/kernels"), target: target_below(root()) };
+    let places = Places { shaders: folder.path().to_owned(), ..Places::below(root()) };
     (folder, places)
 }
 
@@ -99,6 +98,11 @@ fn an_include_brings_every_kernel_that_includes_it_and_a_comment_changes_none() 
     edit(&places, "frame/sky.hlsl", "#pragma", "// Another.\n#pragma");
     let new = compile_one(&places, Path::new("frame/sky.hlsl")).unwrap();
     assert_eq!(names(&new), ["DrawSky.vertex", "DrawSky.fragment"]);
+    // No window runs what only benchmarks run, alone or beside what the product runs.
+    edit(&places, "bench/copy.compute", "#pragma", "// One.\n#pragma");
+    assert!(compile_one(&places, Path::new("bench/copy.compute")).unwrap().is_empty());
+    let new = compile_one(&places, Path::new("grid/cell.hlsli")).unwrap();
+    assert!(names(&new).contains(&"CountCells") && !names(&new).contains(&"CountCellsAggregated"), "{new:?}");
     std::fs::write(places.shaders.join("alone.hlsl"), "float Alone() { return 1.0; }\n").unwrap();
     assert!(compile_one(&places, &places.shaders.join("alone.hlsl")).unwrap().is_empty());
 }

@@ -3,15 +3,21 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
+use brooklet_bench::kernels as bench_kernels;
 use brooklet_compiler::build::{MAX_BYTES, MAX_MODULES};
 use brooklet_compiler::compile::parsed;
 use brooklet_compiler::freshness::{read_manifest, stale};
 use brooklet_compiler::reflect::reflect;
 use brooklet_compiler::{Places, validate};
-use brooklet_kernels::{BindingInfo, Module, StageKind, modules};
+use brooklet_kernels::{BindingInfo, Module, StageKind};
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
+}
+
+/// Every module that is committed: the product's and those that only benchmarks run.
+fn modules() -> impl Iterator<Item = &'static Module> {
+    brooklet_kernels::modules().chain(bench_kernels::modules())
 }
 
 fn copy_folder(from: &Path, to: &Path) {
@@ -31,7 +37,9 @@ fn copy_folder(from: &Path, to: &Path) {
 fn copy_of_product() -> (tempfile::TempDir, Places) {
     let folder = tempfile::tempdir().unwrap();
     copy_folder(&root().join("shaders/hlsl"), &folder.path().join("shaders/hlsl"));
-    copy_folder(&root().join("app/kernels"), &folder.path().join("app/kernels"));
+    for folder_of_crate in ["app/kernels", "app/bench"] {
+        copy_folder(&root().join(folder_of_crate), &folder.path().join(folder_of_crate));
+    }
     // Generated Rust is formatted with the repository's settings.
     std::fs::copy(root().join(".rustfmt.toml"), folder.path().join(".rustfmt.toml")).unwrap();
     let places = Places::below(folder.path());
@@ -47,17 +55,19 @@ fn append(path: &Path, text: &str) {
 #[test]
 fn what_is_committed_belongs_to_the_shaders() {
     let places = Places::below(&root());
-    let stale = stale(&places.shaders, &places.out).unwrap();
+    let stale = stale(&places).unwrap();
     assert!(stale.is_empty(), "run `cargo run -p brooklet-compiler -- build`:\n{}", stale.join("\n"));
 }
 
 #[test]
 fn an_edited_include_is_noticed() {
     let (_folder, places) = copy_of_product();
-    assert_eq!(stale(&places.shaders, &places.out).unwrap(), Vec::<String>::new());
+    assert_eq!(stale(&places).unwrap(), Vec::<String>::new());
     append(&places.shaders.join("shared/wendland.hlsli"), "// one comment more\n");
-    let found = stale(&places.shaders, &places.out).unwrap();
-    assert!(found.iter().any(|line| line.contains("ConstrainDensity")), "{found:?}");
+    let found = stale(&places).unwrap();
+    for kernel in ["ConstrainDensity of", "ConstrainDensityByIndex of"] {
+        assert!(found.iter().any(|line| line.contains(kernel)), "no {kernel} in {found:?}");
+    }
     assert!(!found.iter().any(|line| line.contains("ReduceGroups")), "{found:?}");
 }
 
@@ -69,13 +79,22 @@ fn edited_lost_and_stray_files_are_noticed() {
     append(&places.out.join("src/generated/shared_layout.rs"), "// by hand\n");
     std::fs::remove_file(places.out.join("spirv/reduce_groups.spv")).unwrap();
     std::fs::write(places.out.join("spirv/stray.spv"), [0; 4]).unwrap();
-    let found = stale(&places.shaders, &places.out).unwrap();
+    let bench = &places.parts[0].out;
+    append(&places.shaders.join("bench/copy.compute"), "#pragma kernel Further\n");
+    append(&bench.join("src/generated/bench_copy.rs"), "// by hand\n");
+    std::fs::remove_file(bench.join("spirv/scan_step.spv")).unwrap();
+    std::fs::write(bench.join("spirv/reduce_groups.spv"), [0; 4]).unwrap();
+    let found = stale(&places).unwrap();
     for expected in [
         "(layout) of shared/layout.hlsli: the source",
         "Another of grid/scan.compute was never built",
-        "src/generated/shared_layout.rs is not the file",
-        "spirv/reduce_groups.spv is missing",
-        "spirv/stray.spv is not in the manifest",
+        "kernels/src/generated/shared_layout.rs is not the file",
+        "kernels/spirv/reduce_groups.spv is missing",
+        "kernels/spirv/stray.spv is not in the manifest",
+        "Further of bench/copy.compute was never built",
+        "bench/src/generated/bench_copy.rs is not the file",
+        "bench/spirv/scan_step.spv is missing",
+        "bench/spirv/reduce_groups.spv is not in the manifest",
     ] {
         assert!(found.iter().any(|line| line.contains(expected)), "no {expected:?} in {found:#?}");
     }
@@ -92,28 +111,35 @@ fn the_pinned_compiler_gives_the_committed_bytes() {
 fn a_recompilation_notices_one_wrong_byte() {
     let (_folder, mut places) = copy_of_product();
     places.target = Places::below(&root()).target;
-    let spirv = places.out.join("spirv/reduce_groups.spv");
-    let mut bytes = std::fs::read(&spirv).unwrap();
-    *bytes.last_mut().unwrap() ^= 1;
-    std::fs::write(&spirv, bytes).unwrap();
+    for spirv in [places.out.join("spirv/reduce_groups.spv"), places.parts[0].out.join("spirv/scan_step.spv")] {
+        let mut bytes = std::fs::read(&spirv).unwrap();
+        *bytes.last_mut().unwrap() ^= 1;
+        std::fs::write(&spirv, bytes).unwrap();
+    }
     let differences = brooklet_compiler::check(&places).unwrap_or_else(|problems| panic!("{problems}"));
-    assert_eq!(differences, ["spirv/reduce_groups.spv is stale"]);
+    assert_eq!(differences, ["kernels/spirv/reduce_groups.spv is stale", "bench/spirv/scan_step.spv is stale"]);
 }
 
 #[test]
-fn the_crate_holds_every_module_of_the_manifest_and_no_other() {
-    let manifest = read_manifest(&root().join("app/kernels")).unwrap();
-    let listed: BTreeSet<&str> = manifest.modules.iter().map(|module| module.name.as_str()).collect();
-    let built: BTreeSet<&str> = modules().map(|module| module.name).collect();
-    assert_eq!(listed, built);
-    assert_eq!(manifest.modules.len(), listed.len(), "a name stands twice");
-    for module in &manifest.modules {
-        let crate_module = modules().find(|known| known.name == module.name).unwrap();
-        let file = std::fs::read(root().join("app/kernels").join(&module.spirv)).unwrap();
-        assert_eq!(file, crate_module.spirv, "{}", module.name);
-    }
-    for variant in &manifest.variants {
-        assert!(listed.contains(variant.module.as_str()), "{}", variant.name);
+fn each_crate_holds_every_module_of_its_manifest_and_no_other() {
+    let of_kernels: Vec<_> = brooklet_kernels::modules().collect();
+    let of_bench: Vec<_> = bench_kernels::modules().collect();
+    for (folder, modules) in [("app/kernels", of_kernels), ("app/bench", of_bench)] {
+        let manifest = read_manifest(&root().join(folder)).unwrap();
+        let listed: BTreeSet<&str> = manifest.modules.iter().map(|module| module.name.as_str()).collect();
+        let built: BTreeSet<&str> = modules.iter().map(|module| module.name).collect();
+        assert_eq!(listed, built);
+        assert_eq!(manifest.modules.len(), listed.len(), "a name stands twice");
+        for module in &manifest.modules {
+            let crate_module = modules.iter().find(|known| known.name == module.name).unwrap();
+            let file = std::fs::read(root().join(folder).join(&module.spirv)).unwrap();
+            assert_eq!(file, crate_module.spirv, "{}", module.name);
+            // What only benchmarks run is not shipped, and nothing else is theirs.
+            assert_eq!(module.source.starts_with("bench/"), folder == "app/bench", "{}", module.name);
+        }
+        for variant in &manifest.variants {
+            assert!(listed.contains(variant.module.as_str()), "{}", variant.name);
+        }
     }
 }
 

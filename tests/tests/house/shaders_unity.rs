@@ -34,13 +34,16 @@ impl Trial {
     fn out(&self) -> PathBuf {
         self.folder.path().join("out")
     }
-    fn build(&self) -> Result<Report, Vec<Problem>> {
-        let places = Places {
+    fn places(&self) -> Places {
+        Places {
             shaders: self.folder.path().join("shaders"),
             out: self.out(),
+            parts: Vec::new(),
             target: Places::below(&root()).target,
-        };
-        brooklet_compiler::build(&places).map_err(|problems| problems.0)
+        }
+    }
+    fn build(&self) -> Result<Report, Vec<Problem>> {
+        brooklet_compiler::build(&self.places()).map_err(|problems| problems.0)
     }
     fn built(&self) -> Report {
         self.build().unwrap_or_else(|problems| panic!("{}", problems[0]))
@@ -75,9 +78,8 @@ fn unity_files_compile_unchanged() {
     assert!(flock.starts_with(b"\xef\xbb\xbf"), "the fixture lost its byte-order mark");
     assert!(flock.windows(2).any(|pair| pair == b"\r\n"), "the fixture lost its CRLF");
     let trial = Trial::new(&[]);
-    let report =
-        brooklet_compiler::build(&Places { shaders: unity, out: trial.out(), target: Places::below(&root()).target })
-            .unwrap_or_else(|problems| panic!("{problems}"));
+    let report = brooklet_compiler::build(&Places { shaders: unity, ..trial.places() })
+        .unwrap_or_else(|problems| panic!("{problems}"));
     assert_eq!(report.variants, 14);
     // Sum has no use for the keywords of its file, Apply for all.
     assert_eq!(report.modules, 9);

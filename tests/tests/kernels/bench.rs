@@ -1,11 +1,11 @@
 //! The kernels that only `brooklet bench` runs, against the twins of those they are held against.
 
-use brooklet_fluid::particles::is_simulated;
-use brooklet_kernels::{
-    CellSlot, ConstrainDensityByIndex, CopyElements, CountCellsAggregated, GridParams, Kernel, LIST_CHUNK,
-    ListNeighboursByIndex, Position, PositionLambda, ReorderIndex, SCAN_ITEMS, ScanGroupsTree, ScanGroupsTreeVariant,
-    ScanStep,
+use brooklet_bench::kernels::{
+    ConstrainDensityByIndex, CopyElements, CountCellsAggregated, ListNeighboursByIndex, ReorderIndex, ScanGroupsTree,
+    ScanGroupsTreeVariant, ScanStep,
 };
+use brooklet_fluid::particles::is_simulated;
+use brooklet_kernels::{CellSlot, GridParams, Kernel, LIST_CHUNK, Position, PositionLambda, SCAN_ITEMS};
 use brooklet_reference::grid::count_cells::cell_of;
 use brooklet_reference::grid::list_neighbours::{check_list, list_neighbours};
 use brooklet_reference::grid::reorder::{self as twin, reorder};

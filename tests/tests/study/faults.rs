@@ -42,7 +42,7 @@ impl Faulty {
             }
         }
         let out = folder.path().join("out");
-        let places = Places { shaders: to, out: out.clone(), target: Places::below(&root()).target };
+        let places = Places { shaders: to, out: out.clone(), parts: Vec::new(), target: Places::below(&root()).target };
         brooklet_compiler::build(&places).unwrap_or_else(|problems| panic!("{problems}"));
         let mut modules = BTreeMap::new();
         for entry in std::fs::read_dir(out.join("spirv")).unwrap() {

@@ -1,4 +1,4 @@
-//! From a folder of shaders to the files of `app/kernels`, in memory.
+//! From a folder of shaders to the files of the crates that hold its kernels, in memory.
 
 use std::collections::BTreeMap;
 
@@ -9,7 +9,7 @@ use crate::hash;
 use crate::layouts::{self, LayoutFile};
 use crate::lint;
 use crate::manifest::{LayoutEntry, Manifest, ModuleEntry, VariantEntry};
-use crate::model::{self, Model, VariantRecord};
+use crate::model::{self, Known, Model, ModuleModel, VariantRecord};
 use crate::problem::{Problem, Problems};
 use crate::program::Tree;
 use crate::text::Text;
@@ -19,10 +19,10 @@ pub const MAX_MODULES: usize = 300;
 /// ...and so many bytes of SPIR-V.
 pub const MAX_BYTES: u64 = 4 << 20;
 
-/// Every generated file by its path below the output folder.
+/// Every generated file of a crate by its path below the crate's folder.
 pub type Files = BTreeMap<String, Vec<u8>>;
 
-/// What a build made.
+/// What a build made of a crate.
 pub struct Built {
     /// The files.
     pub files: Files,
@@ -30,35 +30,57 @@ pub struct Built {
     pub manifest: Manifest,
 }
 
-/// Compiles, checks and generates; nothing is written.
-pub fn build(compiler: &Compiler, formatter: &Formatter, tree: &Tree) -> Result<Built, Problems> {
-    let layouts = layouts::read_layouts(compiler, tree);
-    let compiled = compiler.compile_tree(tree);
-    let (layouts, compiled) = match (layouts, compiled) {
-        (Ok(layouts), Ok(compiled)) => (layouts, compiled),
-        (Err(first), Err(second)) => {
-            return Err(Problems(first.0.into_iter().chain(second.0).collect()).merged());
-        }
-        (Err(problems), _) | (_, Err(problems)) => return Err(problems),
-    };
+/// Compiles, checks and generates; nothing is written. The first of `trees` is what the others build on.
+pub fn build(compiler: &Compiler, formatter: &Formatter, trees: &[Tree]) -> Result<Vec<Built>, Problems> {
     let mut problems = Vec::new();
-    for (program, combinations) in tree.programs.iter().zip(&compiled) {
-        let text = Text::new(&tree.sources[program.source].text);
-        problems.extend(lint::lint(program, combinations, &text));
+    let mut take = |found: Problems| problems.extend(found.0);
+    let mut compiled = Vec::new();
+    for tree in trees {
+        let layouts = layouts::read_layouts(compiler, tree).map_err(&mut take);
+        let combinations = compiler.compile_tree(tree).map_err(&mut take);
+        compiled.extend(layouts.ok().zip(combinations.ok()));
     }
     if !problems.is_empty() {
         return Err(Problems(problems).merged());
     }
-    let (model, records) = model::model(tree, &layouts, &compiled)?;
-    over_budget(&model)?;
+    for (tree, (_, combinations)) in trees.iter().zip(&compiled) {
+        for (program, combinations) in tree.programs.iter().zip(combinations) {
+            let text = Text::new(&tree.sources[program.source].text);
+            problems.extend(lint::lint(program, combinations, &text));
+        }
+    }
+    if !problems.is_empty() {
+        return Err(Problems(problems).merged());
+    }
+    let mut models: Vec<(Model, Vec<VariantRecord>)> = Vec::new();
+    for (tree, (layouts, combinations)) in trees.iter().zip(&compiled) {
+        let known = models.first().map(|(model, _)| Known::of(model));
+        models.push(model::model(tree, layouts, combinations, known)?);
+    }
+    over_budget(models.iter().flat_map(|(model, _)| &model.modules))?;
+    models
+        .iter()
+        .zip(&compiled)
+        .map(|((model, records), (layouts, _))| files_of(compiler, formatter, model, layouts, records))
+        .collect()
+}
+
+/// The files of one crate.
+fn files_of(
+    compiler: &Compiler,
+    formatter: &Formatter,
+    model: &Model,
+    layouts: &[LayoutFile],
+    records: &[VariantRecord],
+) -> Result<Built, Problems> {
     let mut files = Files::new();
-    for (name, text) in generate::rust_files(&model, formatter)? {
+    for (name, text) in generate::rust_files(model, formatter)? {
         files.insert(format!("src/generated/{name}"), text.into_bytes());
     }
     for module in &model.modules {
         files.insert(format!("spirv/{}", module.file), module.stage.spirv.clone());
     }
-    let manifest = manifest_of(compiler.dxc.version(), &model, &layouts, &records, &files);
+    let manifest = manifest_of(compiler.dxc.version(), model, layouts, records, &files);
     let mut text =
         serde_json::to_string_pretty(&manifest).map_err(|error| Problem::new(format!("manifest.json: {error}")))?;
     text.push('\n');
@@ -66,14 +88,14 @@ pub fn build(compiler: &Compiler, formatter: &Formatter, tree: &Tree) -> Result<
     Ok(Built { files, manifest })
 }
 
-fn over_budget(model: &Model) -> Result<(), Problem> {
-    let bytes: u64 = model.modules.iter().map(|module| module.stage.spirv.len() as u64).sum();
-    if model.modules.len() <= MAX_MODULES && bytes <= MAX_BYTES {
+fn over_budget<'a>(modules: impl Iterator<Item = &'a ModuleModel>) -> Result<(), Problem> {
+    let sizes: Vec<u64> = modules.map(|module| module.stage.spirv.len() as u64).collect();
+    let (count, bytes) = (sizes.len(), sizes.iter().sum::<u64>());
+    if count <= MAX_MODULES && bytes <= MAX_BYTES {
         return Ok(());
     }
     Err(Problem::new(format!(
-        "{} modules of {bytes} bytes together; at most {MAX_MODULES} modules and {MAX_BYTES} bytes are committed",
-        model.modules.len()
+        "{count} modules of {bytes} bytes together; at most {MAX_MODULES} modules and {MAX_BYTES} bytes are committed"
     ))
     .way_out("drop keywords, or split files so that each kernel has only the keywords that it uses"))
 }

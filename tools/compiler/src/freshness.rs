@@ -8,8 +8,10 @@ use crate::flags::FLAGS;
 use crate::hash;
 use crate::layouts;
 use crate::manifest::Manifest;
+use crate::output::shown;
+use crate::places::Places;
 use crate::problem::{Problem, Problems, io_problem};
-use crate::program;
+use crate::program::{self, Tree};
 
 /// Reads a manifest.
 pub fn read_manifest(out: &Path) -> Result<Manifest, Problem> {
@@ -18,16 +20,28 @@ pub fn read_manifest(out: &Path) -> Result<Manifest, Problem> {
     serde_json::from_str(&text).map_err(|error| Problem::new(format!("{}: {error}", path.display())))
 }
 
-/// Everything in `out` that does not belong to the shaders in `shaders`, in words.
-pub fn stale(shaders: &Path, out: &Path) -> Result<Vec<String>, Problems> {
+/// Everything in the crates' folders that does not belong to the shaders as they are, in words.
+pub fn stale(places: &Places) -> Result<Vec<String>, Problems> {
+    let tree = program::read_tree(&places.shaders)?;
+    let mut stale = Vec::new();
+    for (out, tree) in places.outs().into_iter().zip(places.divided(&tree)) {
+        stale.extend(stale_in(out, &tree)?);
+    }
+    Ok(stale)
+}
+
+fn stale_in(out: &Path, tree: &Tree) -> Result<Vec<String>, Problem> {
     let manifest = read_manifest(out)?;
-    let tree = program::read_tree(shaders)?;
     let mut stale = Vec::new();
     if manifest.compiler != PINNED_VERSION {
-        stale.push(format!("built with {}, not with the pinned {PINNED_VERSION}", manifest.compiler));
+        stale.push(format!(
+            "{}: built with {}, not with the pinned {PINNED_VERSION}",
+            out.display(),
+            manifest.compiler
+        ));
     }
     if manifest.flags != FLAGS {
-        stale.push("built with other flags".to_owned());
+        stale.push(format!("{}: built with other flags", out.display()));
     }
     let mut expected = BTreeMap::new();
     for program in &tree.programs {
@@ -76,8 +90,8 @@ fn files(out: &Path, manifest: &Manifest) -> Vec<String> {
     for (path, hash) in &manifest.files {
         match std::fs::read(out.join(path)) {
             Ok(bytes) if hash::of_bytes(&bytes) == *hash => {}
-            Ok(_) => stale.push(format!("{path} is not the file that was generated")),
-            Err(_) => stale.push(format!("{path} is missing")),
+            Ok(_) => stale.push(format!("{} is not the file that was generated", shown(out, path))),
+            Err(_) => stale.push(format!("{} is missing", shown(out, path))),
         }
     }
     for folder in ["src/generated", "spirv"] {
@@ -90,7 +104,7 @@ fn files(out: &Path, manifest: &Manifest) -> Vec<String> {
         for name in there {
             let path = format!("{folder}/{name}");
             if !manifest.files.contains_key(&path) {
-                stale.push(format!("{path} is not in the manifest"));
+                stale.push(format!("{} is not in the manifest", shown(out, &path)));
             }
         }
     }

@@ -20,6 +20,7 @@ pub mod manifest;
 pub mod model;
 pub mod naming;
 pub mod output;
+mod places;
 pub mod problem;
 pub mod program;
 pub mod recompile;
@@ -29,55 +30,19 @@ pub mod text;
 pub mod tier;
 pub mod validate;
 
+pub use places::{Part, Places, target_below};
 pub use recompile::{Recompiled, compile_below, compile_one};
-
-use std::path::{Path, PathBuf};
 
 use build::Built;
 use compile::Compiler;
 use dxc::Dxc;
 use generate::Formatter;
+use output::Output;
 use problem::{Problem, Problems, io_problem};
-
-/// Where a build reads and writes.
-#[derive(Clone, Debug)]
-pub struct Places {
-    /// The folder of shaders.
-    pub shaders: PathBuf,
-    /// The folder that gets `src/generated`, `spirv` and `manifest.json`.
-    pub out: PathBuf,
-    /// Cargo's target folder: DXC and the caches are kept there.
-    pub target: PathBuf,
-}
-
-impl Places {
-    /// The product's own, from the repository that holds the current folder.
-    pub fn of_repository() -> Result<Self, Problem> {
-        let here = std::env::current_dir().map_err(|error| Problem::new(format!("no current folder: {error}")))?;
-        let root = here
-            .ancestors()
-            .find(|folder| folder.join("shaders/hlsl").is_dir() && folder.join("app/kernels").is_dir())
-            .ok_or_else(|| {
-                Problem::new(format!("no folder above {} holds shaders/hlsl and app/kernels", here.display()))
-                    .way_out("run it inside the repository, or name --shaders and --out")
-            })?;
-        Ok(Self::below(root))
-    }
-
-    /// The product's own, below the repository's root.
-    pub fn below(root: &Path) -> Self {
-        Self { shaders: root.join("shaders/hlsl"), out: root.join("app/kernels"), target: target_below(root) }
-    }
-}
-
-/// Cargo's target folder of the repository at `root`.
-pub fn target_below(root: &Path) -> PathBuf {
-    std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), PathBuf::from)
-}
 
 /// What a build wrote.
 pub struct Report {
-    /// Paths that changed, below the output folder.
+    /// Paths that changed, from the name of their crate's folder on.
     pub changed: Vec<String>,
     /// Number of modules.
     pub modules: usize,
@@ -91,29 +56,37 @@ pub struct Report {
 pub fn build(places: &Places) -> Result<Report, Problems> {
     let _lock = output::lock(&places.target)?;
     let built = built(places, true, false)?;
-    let changed = output::replace(&places.out, &built.files)?;
+    let changed = output::replace(&outputs(places, &built))?;
+    let modules = || built.iter().flat_map(|built| &built.manifest.modules);
     Ok(Report {
         changed,
-        modules: built.manifest.modules.len(),
-        variants: built.manifest.variants.len(),
-        bytes: built.manifest.modules.iter().map(|module| module.bytes).sum(),
+        modules: modules().count(),
+        variants: built.iter().map(|built| built.manifest.variants.len()).sum(),
+        bytes: modules().map(|module| module.bytes).sum(),
     })
 }
 
-/// Compiles everything and checks it against the tiers; writes nothing. Gives the manifest.
-pub fn lint(places: &Places) -> Result<manifest::Manifest, Problems> {
+/// Compiles everything and checks it against the tiers; writes nothing. Gives the
+/// manifest of each crate.
+pub fn lint(places: &Places) -> Result<Vec<manifest::Manifest>, Problems> {
     let _lock = output::lock(&places.target)?;
-    built(places, true, false).map(|built| built.manifest)
+    Ok(built(places, true, false)?.into_iter().map(|built| built.manifest).collect())
 }
 
 /// Compiles everything anew with the pinned DXC and gives every generated file that differs.
 pub fn check(places: &Places) -> Result<Vec<String>, Problems> {
     let _lock = output::lock(&places.target)?;
     let built = built(places, false, true)?;
-    Ok(output::differences(&places.out, &built.files))
+    Ok(outputs(places, &built).iter().flat_map(output::differences).collect())
 }
 
-fn built(places: &Places, cached: bool, pinned: bool) -> Result<Built, Problems> {
+/// Where each of what was built belongs.
+fn outputs<'a>(places: &'a Places, built: &'a [Built]) -> Vec<Output<'a>> {
+    places.outs().into_iter().zip(built).map(|(folder, built)| Output { folder, files: &built.files }).collect()
+}
+
+/// What each crate gets, in the order of [`Places::outs`].
+fn built(places: &Places, cached: bool, pinned: bool) -> Result<Vec<Built>, Problems> {
     let tree = program::read_tree(&places.shaders).map_err(|problems| problems.below(&places.shaders))?;
     let compiler = compiler(places, cached, pinned)?;
     std::fs::create_dir_all(&places.out).map_err(|error| io_problem("create", &places.out, &error))?;
@@ -122,7 +95,7 @@ fn built(places: &Places, cached: bool, pinned: bool) -> Result<Built, Problems>
     if !validate::is_available() {
         eprintln!("warning: spirv-val is not installed, so no module is validated (Debian: spirv-tools)");
     }
-    build::build(&compiler, &formatter, &tree).map_err(|problems| problems.below(&places.shaders))
+    build::build(&compiler, &formatter, &places.divided(&tree)).map_err(|problems| problems.below(&places.shaders))
 }
 
 /// DXC with its folders; `pinned` takes no other than the pinned one.

@@ -29,7 +29,8 @@ struct PlaceArguments {
     /// Folder of shaders [default: shaders/hlsl of this repository].
     #[arg(long)]
     shaders: Option<PathBuf>,
-    /// Folder that gets src/generated, spirv and manifest.json [default: app/kernels].
+    /// Folder that gets src/generated, spirv and manifest.json [default: app/kernels, and app/bench for what only
+    /// benchmarks run].
     #[arg(long)]
     out: Option<PathBuf>,
 }
@@ -40,12 +41,16 @@ impl PlaceArguments {
             (Some(shaders), Some(out)) => Places {
                 shaders,
                 out,
+                parts: Vec::new(),
                 // A folder of any project: its own repository's target, or the folder's own.
                 target: Places::of_repository().map_or_else(|_| PathBuf::from("target"), |places| places.target),
             },
             (shaders, out) => {
                 let own = Places::of_repository()?;
-                Places { shaders: shaders.unwrap_or(own.shaders), out: out.unwrap_or(own.out), target: own.target }
+                // What is written elsewhere is all written there.
+                let parts = if out.is_some() { Vec::new() } else { own.parts };
+                let shaders = shaders.unwrap_or(own.shaders);
+                Places { shaders, out: out.unwrap_or(own.out), parts, target: own.target }
             }
         })
     }
@@ -92,14 +97,15 @@ fn check(places: Places) -> Result<ExitCode, Problems> {
 }
 
 fn lint(places: Places) -> Result<ExitCode, Problems> {
-    let manifest = match brooklet_compiler::lint(&places) {
-        Ok(manifest) => manifest,
+    let manifests = match brooklet_compiler::lint(&places) {
+        Ok(manifests) => manifests,
         Err(problems) => {
             eprintln!("{problems}");
             return Ok(ExitCode::from(1));
         }
     };
-    for module in &manifest.modules {
+    let modules = || manifests.iter().flat_map(|manifest| &manifest.modules);
+    for module in modules() {
         let [x, y, z] = module.group_size;
         println!(
             "{:<8} {:<44} {:>4} threads {:>6} B shared {:>2} bindings {:>7} B",
@@ -111,6 +117,6 @@ fn lint(places: Places) -> Result<ExitCode, Problems> {
             module.bytes
         );
     }
-    println!("{} modules, all within their tiers", manifest.modules.len());
+    println!("{} modules, all within their tiers", modules().count());
     Ok(ExitCode::SUCCESS)
 }

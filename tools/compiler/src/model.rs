@@ -24,6 +24,31 @@ pub struct Model<'a> {
     pub programs: Vec<ProgramModel<'a>>,
     /// Modules, each with different bytes.
     pub modules: Vec<ModuleModel>,
+    /// What it builds on; `None` of the crate that holds the types it is all made of.
+    pub known: Option<Known>,
+}
+
+/// What a crate makes of host-visible structs and keywords, for those that build on it.
+#[derive(Clone, Debug)]
+pub struct Known {
+    /// Its structs.
+    pub structs: Vec<Struct>,
+    /// Its enums of keywords, by name.
+    pub keywords: BTreeMap<String, Axis>,
+}
+
+impl Known {
+    /// All that `model` makes.
+    pub fn of(model: &Model<'_>) -> Self {
+        Self { structs: model.structs().map(|known| known.layout.clone()).collect(), keywords: model.keywords.clone() }
+    }
+}
+
+impl Model<'_> {
+    /// Every struct that is generated.
+    pub fn structs(&self) -> impl Iterator<Item = &DocumentedStruct> {
+        self.layouts.iter().flat_map(|file| &file.structs).chain(&self.structs)
+    }
 }
 
 /// A kernel or draw.
@@ -94,14 +119,21 @@ pub struct VariantRecord {
     pub module: String,
 }
 
-/// Makes the model; the records name every compiled variant, those without a module of their own too.
+/// Makes the model of a crate, which builds on what is `known`; the records name every compiled variant, those without a module of their own too.
 pub fn model<'a>(
     tree: &'a Tree,
     layouts: &'a [LayoutFile],
     compiled: &[Vec<CompiledCombination>],
+    known: Option<Known>,
 ) -> Result<(Model<'a>, Vec<VariantRecord>), Problems> {
-    let mut model =
-        Model { layouts, structs: Vec::new(), keywords: BTreeMap::new(), programs: Vec::new(), modules: Vec::new() };
+    let mut model = Model {
+        layouts,
+        structs: Vec::new(),
+        keywords: BTreeMap::new(),
+        programs: Vec::new(),
+        modules: Vec::new(),
+        known,
+    };
     let mut records = Vec::new();
     let mut problems = Vec::new();
     for (program, combinations) in tree.programs.iter().zip(compiled) {
@@ -117,8 +149,10 @@ pub fn model<'a>(
         let axes = kept.iter().map(|&index| axis_model(&program.axes[index])).collect::<Vec<_>>();
         for axis in &axes {
             let Some(name) = &axis.enumeration else { continue };
-            let known = model.keywords.entry(name.clone()).or_insert_with(|| axis.axis.clone());
-            if *known != axis.axis {
+            let known = model.known.as_ref().and_then(|known| known.keywords.get(name)).cloned();
+            let known = known
+                .unwrap_or_else(|| model.keywords.entry(name.clone()).or_insert_with(|| axis.axis.clone()).clone());
+            if known != axis.axis {
                 problems.push(
                     Problem::new(format!("two multi_compile lines would both become the enum {name}"))
                         .at_place(Some(program.place.clone()))
@@ -280,14 +314,12 @@ fn add_structs(
             };
             for found in whole.structs() {
                 let rust_name = pascal(&found.name);
-                let known = model
-                    .layouts
-                    .iter()
-                    .flat_map(|file| &file.structs)
-                    .chain(&model.structs)
-                    .find(|known| pascal(&known.layout.name) == rust_name);
+                let own = model.structs().map(|known| &known.layout);
+                let known = own
+                    .chain(model.known.iter().flat_map(|known| &known.structs))
+                    .find(|known| pascal(&known.name) == rust_name);
                 match known {
-                    Some(known) if known.layout.fields == found.fields => {}
+                    Some(known) if known.fields == found.fields => {}
                     Some(_) => {
                         let place = text.resource(&binding.name).map(|declaration| declaration.place);
                         problems.push(

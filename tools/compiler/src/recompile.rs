@@ -39,7 +39,8 @@ pub fn compile_below(shaders_root: &Path, path: &Path) -> Result<Vec<Recompiled>
 
 /// Compiles every kernel of the file at `path` or, where it is an include, of all files that include it;
 /// `path` may lead there from anywhere, or be one below the shader folder. A file without kernels that
-/// nobody includes gives nothing. About 20 ms a variant, on all cores.
+/// nobody includes gives nothing, and nothing comes of the kernels of [`Places::parts`]: no program that
+/// reloads runs one. About 20 ms a variant, on all cores.
 ///
 /// # Errors
 /// What DXC, the validator or the tiers have against a kernel, naming file and line; and what only a whole
@@ -48,6 +49,7 @@ pub fn compile_one(places: &Places, path: &Path) -> Result<Vec<Recompiled>, Prob
     let _lock = output::lock(&places.target)?;
     let path = below(&places.shaders, path);
     let tree = program::read_tree(&places.shaders).map_err(|problems| problems.below(&places.shaders))?;
+    let tree = places.divided(&tree).swap_remove(0);
     let concerned = |program: &Program| tree.sources[program.source].files.contains(&path);
     let tree = Tree { programs: tree.programs.iter().filter(|program| concerned(program)).cloned().collect(), ..tree };
     if tree.programs.is_empty() {

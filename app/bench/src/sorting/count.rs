@@ -2,10 +2,10 @@
 
 use brooklet_fluid::visit_slots;
 use brooklet_gpu::Resources;
-use brooklet_kernels::{CountCells, CountCellsAggregated, CountCellsVariant, GridParams, Position};
+use brooklet_kernels::{CountCells, CountCellsVariant, GridParams, Position};
 
 use super::contest::{Names, Outcome, Ring, Ways};
-use crate::BenchError;
+use crate::{BenchError, kernels::CountCellsAggregated};
 
 /// Counts `positions` both ways.
 pub fn aggregated_atomics(

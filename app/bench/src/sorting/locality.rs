@@ -9,12 +9,15 @@ use brooklet_fluid::{
 };
 use brooklet_gpu::{Engine, Recording, Resources};
 use brooklet_kernels::{
-    Buffer, ConstrainDensity, ConstrainDensityByIndex, ConstrainDensityVariant, CountCells, CountCellsVariant,
-    GridParams, ListNeighboursByIndex, PbfParams, Position, PositionLambda, ReorderIndex, SmoothingKernelParams,
+    Buffer, ConstrainDensity, ConstrainDensityVariant, CountCells, CountCellsVariant, GridParams, PbfParams, Position,
+    PositionLambda, SmoothingKernelParams,
 };
 
 use super::contest::{Names, Outcome, Ring, Ways};
-use crate::BenchError;
+use crate::{
+    BenchError,
+    kernels::{ConstrainDensityByIndex, ListNeighboursByIndex, ReorderIndex},
+};
 
 /// What both ways are given.
 struct Settings {

@@ -2,12 +2,13 @@
 
 use brooklet_fluid::grid::{SCAN_GROUP, Scan};
 use brooklet_gpu::{Recording, Resources};
-use brooklet_kernels::{
-    Buffer, SCAN_ITEMS, ScanGroups, ScanGroupsTree, ScanGroupsTreeVariant, ScanGroupsVariant, ScanStep,
-};
+use brooklet_kernels::{Buffer, SCAN_ITEMS, ScanGroups, ScanGroupsVariant};
 
 use super::contest::{Names, Outcome, Ring, Ways};
-use crate::BenchError;
+use crate::{
+    BenchError,
+    kernels::{ScanGroupsTree, ScanGroupsTreeVariant, ScanStep},
+};
 
 /// The whole scan of `values`: reduce-then-scan in groupshared memory, or a dispatch for each
 /// doubling in global memory.

@@ -2,13 +2,6 @@
 // makes it anew from shaders/hlsl.
 //! All kernels, draws and host-visible structs.
 
-mod bench_constrain_density_by_index;
-mod bench_copy;
-mod bench_count_cells_aggregated;
-mod bench_list_neighbours_by_index;
-mod bench_reorder_index;
-mod bench_scan_groups_tree;
-mod bench_scan_step;
 mod forces_confine_vorticity;
 mod forces_curl;
 mod forces_xsph;
@@ -59,13 +52,6 @@ mod surface_surface_normals;
 mod surface_thickness;
 mod surface_water;
 
-pub use bench_constrain_density_by_index::*;
-pub use bench_copy::*;
-pub use bench_count_cells_aggregated::*;
-pub use bench_list_neighbours_by_index::*;
-pub use bench_reorder_index::*;
-pub use bench_scan_groups_tree::*;
-pub use bench_scan_step::*;
 pub use forces_confine_vorticity::*;
 pub use forces_curl::*;
 pub use forces_xsph::*;
@@ -116,16 +102,9 @@ pub use surface_surface_normals::*;
 pub use surface_thickness::*;
 pub use surface_water::*;
 
-/// Every module there is, for building all pipelines at start.
+/// Every module of this crate, for building all pipelines at start.
 pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
     [
-        bench_constrain_density_by_index::MODULES,
-        bench_copy::MODULES,
-        bench_count_cells_aggregated::MODULES,
-        bench_list_neighbours_by_index::MODULES,
-        bench_reorder_index::MODULES,
-        bench_scan_groups_tree::MODULES,
-        bench_scan_step::MODULES,
         forces_confine_vorticity::MODULES,
         forces_curl::MODULES,
         forces_xsph::MODULES,

@@ -1,8 +1,9 @@
 //! One shader file's kernels and draws: binding structs, variants, modules.
 
-use crate::generate::{HEADER, doc, entry_name};
+use crate::generate::{HEADER, doc, entry_name, home};
 use crate::lint::format_of;
 use crate::model::{Model, ModuleModel, ProgramModel};
+use crate::naming::pascal;
 use crate::program::Stage;
 use crate::reflect::{Binding, Kind};
 use crate::tier::Tier;
@@ -57,17 +58,22 @@ pub fn file(model: &Model, source: &str) -> String {
         "bind_draw",
     ];
     let mut imports: Vec<&str> = ours.into_iter().filter(|name| used(name)).collect();
-    let others = model.layouts.iter().flat_map(|file| &file.structs).chain(&model.structs);
-    let others: Vec<String> = others
-        .map(|known| crate::naming::pascal(&known.layout.name))
-        .chain(model.keywords.keys().cloned())
+    let own = model.structs().map(|known| pascal(&known.layout.name)).chain(model.keywords.keys().cloned());
+    let own: Vec<String> = own.filter(|name| used(name)).collect();
+    let known = model.known.as_ref();
+    let known: Vec<String> = known
+        .map(|known| known.structs.iter().map(|known| pascal(&known.name)).chain(known.keywords.keys().cloned()))
+        .into_iter()
+        .flatten()
         .filter(|name| used(name))
         .collect();
+    imports.extend(known.iter().map(String::as_str));
     imports.sort_unstable();
+    let home = home(model);
     let mut text =
-        format!("{HEADER} {source}.\n//! Kernels of `{source}`.\n\nuse crate::{{{}}};\n", imports.join(", "));
-    if !others.is_empty() {
-        text.push_str(&format!("use super::{{{}}};\n", others.join(", ")));
+        format!("{HEADER} {source}.\n//! Kernels of `{source}`.\n\nuse {home}::{{{}}};\n", imports.join(", "));
+    if !own.is_empty() {
+        text.push_str(&format!("use super::{{{}}};\n", own.join(", ")));
     }
     text + &body
 }

@@ -38,7 +38,7 @@ pub fn rust_files(model: &Model, formatter: &Formatter) -> Result<BTreeMap<Strin
         modules.push(stem.clone());
         files.push((stem, kernels::file(model, source)));
     }
-    files.push(("mod".to_owned(), index(&files, &modules)));
+    files.push(("mod".to_owned(), index(home(model), &files, &modules)));
     let formatted =
         in_parallel(&files, |(stem, text)| Ok::<_, Problem>((format!("{stem}.rs"), formatter.formatted(text)?)));
     formatted.into_iter().collect()
@@ -50,7 +50,12 @@ fn file_stem(source: &str) -> String {
     path.split('/').map(snake).collect::<Vec<_>>().join("_")
 }
 
-fn index(files: &[(String, String)], modules: &[String]) -> String {
+/// The crate that holds the types that generated code is made of, as that code calls it.
+fn home(model: &Model) -> &'static str {
+    if model.known.is_some() { "brooklet_kernels" } else { "crate" }
+}
+
+fn index(home: &str, files: &[(String, String)], modules: &[String]) -> String {
     let mut text = format!("{HEADER} shaders/hlsl.\n//! All kernels, draws and host-visible structs.\n\n");
     for (stem, _) in files {
         text.push_str(&format!("mod {stem};\n"));
@@ -59,10 +64,10 @@ fn index(files: &[(String, String)], modules: &[String]) -> String {
     for (stem, _) in files {
         text.push_str(&format!("pub use {stem}::*;\n"));
     }
-    text.push_str(
-        "\n/// Every module there is, for building all pipelines at start.\n\
-         pub fn modules() -> impl Iterator<Item = &'static crate::Module> {\n    [\n",
-    );
+    text.push_str(&format!(
+        "\n/// Every module of this crate, for building all pipelines at start.\n\
+         pub fn modules() -> impl Iterator<Item = &'static {home}::Module> {{\n    [\n",
+    ));
     for stem in modules {
         text.push_str(&format!("        {stem}::MODULES,\n"));
     }

@@ -2,9 +2,9 @@
 // makes it anew from bench/reorder_index.compute.
 //! Kernels of `bench/reorder_index.compute`.
 
-use super::{CellSlot, GridParams, Position, StepState};
-use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+use brooklet_kernels::{
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, CellSlot, GridParams, Kernel, Module, Position,
+    StageKind, StepState, Tier, Uniform, bind,
 };
 
 /// The counting sort without locality: only each particle's index moves to cell order, and what is

@@ -2,9 +2,9 @@
 // makes it anew from bench/list_neighbours_by_index.compute.
 //! Kernels of `bench/list_neighbours_by_index.compute`.
 
-use super::{GridParams, Position, StepState};
-use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+use brooklet_kernels::{
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, GridParams, Kernel, Module, Position,
+    StageKind, StepState, Tier, Uniform, bind,
 };
 
 /// ListNeighbours where only the index was sorted: candidates are found through it, and the list

@@ -2,9 +2,9 @@
 // makes it anew from bench/constrain_density_by_index.compute.
 //! Kernels of `bench/constrain_density_by_index.compute`.
 
-use super::{PbfParams, PositionLambda, SmoothingKernelParams, StepParams, StepState};
-use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+use brooklet_kernels::{
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, PbfParams, PositionLambda,
+    SmoothingKernelParams, StageKind, StepParams, StepState, Tier, Uniform, bind,
 };
 
 /// ConstrainDensity where only the index was sorted: neighbours lie wherever they began. What

@@ -2,7 +2,7 @@
 // makes it anew from bench/scan_groups_tree.compute.
 //! Kernels of `bench/scan_groups_tree.compute`.
 
-use crate::{
+use brooklet_kernels::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, bind,
 };
 

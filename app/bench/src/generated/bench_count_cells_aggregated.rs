@@ -2,9 +2,9 @@
 // makes it anew from bench/count_cells_aggregated.compute.
 //! Kernels of `bench/count_cells_aggregated.compute`.
 
-use super::{CellSlot, GridParams, Position, StepState};
-use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+use brooklet_kernels::{
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, CellSlot, GridParams, Kernel, Module, Position,
+    StageKind, StepState, Tier, Uniform, bind,
 };
 
 /// CountCells with aggregated atomics: particles of one cell that follow each other in a group share

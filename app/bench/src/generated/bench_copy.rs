@@ -2,7 +2,7 @@
 // makes it anew from bench/copy.compute.
 //! Kernels of `bench/copy.compute`.
 
-use crate::{
+use brooklet_kernels::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, bind,
 };
 
