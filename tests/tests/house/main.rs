@@ -3,4 +3,5 @@
 mod project;
 mod reload;
 mod shaders;
+mod shaders_parts;
 mod shaders_unity;
