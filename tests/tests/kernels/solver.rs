@@ -11,8 +11,8 @@ use brooklet_reference::solver::pbf::constrain_density::constrain_density;
 use brooklet_reference::solver::pbf::correct_positions::{MAX_DISPLACEMENT, correct_positions};
 use brooklet_reference::solver::pbf::update_velocity::update_velocity;
 use brooklet_tests::cases::{
-    Around, Case, SUPPORT_M, fluid, kernel_params, pbf_of, pbf_params, precisions, sizes, smoothing_of, step_of,
-    step_state, walls_of,
+    Around, Case, STORAGES, SUPPORT_M, fluid, kernel_params, pbf_of, pbf_params, precisions, quantization_of, sizes,
+    smoothing_of, step_of, step_state, walls_of,
 };
 use brooklet_tests::compare::{HALF_ROUNDING, ROUNDING, Worst, tolerance_of_pairs, vector};
 use brooklet_tests::harness::Bench;
@@ -35,7 +35,7 @@ fn case_for(rng: &mut impl rand::Rng, size: usize, walls: Around) -> Case {
     case
 }
 
-/// How a kernel's pairs are computed: precision and quantized_positions.
+/// How a kernel's pairs are computed: the precision, and the positions that it gathers.
 #[derive(Clone, Copy, PartialEq, Eq)]
 struct Pairs {
     precision: PrecisionKeyword,
@@ -46,10 +46,8 @@ const FULL: Pairs = Pairs { precision: PrecisionKeyword::Off, quantization: Quan
 
 /// Every way there is, with how large a rounding is.
 fn all_pairs() -> Vec<(Pairs, f64)> {
-    let each = |(precision, rounding)| {
-        [Quantization::Full, Quantization::Packed].map(|quantization| (Pairs { precision, quantization }, rounding))
-    };
-    precisions().into_iter().flat_map(each).collect()
+    let pairs = |precision| Pairs { precision, quantization: quantization_of(precision) };
+    precisions().into_iter().map(|(precision, rounding)| (pairs(precision), rounding)).collect()
 }
 
 impl Pairs {
@@ -63,7 +61,7 @@ impl Pairs {
     }
 
     fn name(self, stage: &str) -> String {
-        format!("{stage} {:?} {:?}", self.precision, self.quantization)
+        format!("{stage} {:?}", self.precision)
     }
 
     fn packed(self) -> bool {
@@ -85,11 +83,7 @@ fn run_constrain(case: &Case, pbf: PbfParams, walls: Around, pairs: Pairs) -> Ve
     let step_state = bench.uniform("step_state", case.step_state());
     bench.dispatch(
         &ConstrainDensity {
-            variant: ConstrainDensityVariant {
-                walls: walls.has_walls(),
-                precision: pairs.precision,
-                packed: pairs.packed(),
-            },
+            variant: ConstrainDensityVariant { walls: walls.has_walls(), precision: pairs.precision },
             quantized_positions: quantized_positions.read(),
             sorted_positions: walls.has_walls().then(|| sorted_positions.read()),
             neighbours: neighbours.read(),
@@ -120,7 +114,7 @@ fn run_constrain(case: &Case, pbf: PbfParams, walls: Around, pairs: Pairs) -> Ve
 fn constrain_density_matches_its_twin() {
     let (smoothing, pbf) = (smoothing_of(&kernel_params()), pbf_of(&pbf_params()));
     for (pairs, rounding) in all_pairs() {
-        // A packed multiplier is rounded to f16 at the end.
+        // A packed lambda is rounded to f16 at the end.
         let last = if pairs.packed() { HALF_ROUNDING } else { 0.0 };
         let mut worst =
             Worst::new(pairs.name(ConstrainDensity::STAGE), tolerance_of_pairs(rounding, CONSTRAIN_HALF) + last);
@@ -136,7 +130,7 @@ fn constrain_density_matches_its_twin() {
                 let quantized_m = case.quantized_m(pairs.quantization);
                 let start = case.quantized_positions(pairs.quantization);
                 for (i, got) in got.iter().enumerate() {
-                    // The GPU asks the walls at the position, which a packed place rounds.
+                    // The GPU asks the walls at the position, which a packed one rounds.
                     let expected = constrain_density(i, &quantized_m, &case.neighbours[i], &smoothing, &pbf, box_walls);
                     compressed += usize::from(expected.lambda < 0.0);
                     assert_eq!(got.quantized_position, start[i]);
@@ -205,12 +199,7 @@ fn run_correct_from(
     let step_state = bench.uniform("step_state", case.step_state());
     bench.dispatch(
         &CorrectPositions {
-            variant: CorrectPositionsVariant {
-                walls: walls.has_walls(),
-                s_corr,
-                precision: pairs.precision,
-                packed: pairs.packed(),
-            },
+            variant: CorrectPositionsVariant { walls: walls.has_walls(), s_corr, precision: pairs.precision },
             position_lambdas: (!pairs.packed()).then(|| position_lambdas.read()),
             packed_position_lambdas: pairs.packed().then(|| packed_position_lambdas.read()),
             sorted_positions: sorted_positions.read(),
@@ -394,7 +383,8 @@ fn particles_at_one_point_part_oppositely() {
 #[test]
 fn update_velocity_matches_its_twin() {
     let mut slowed = 0;
-    for quantization in [Quantization::Full, Quantization::Packed] {
+    for precision in STORAGES {
+        let quantization = quantization_of(precision);
         // A difference of places, exact, a product, a quotient and a sum; then the speed limit.
         let mut worst = Worst::new(UpdateVelocity::STAGE, 20.0 * ROUNDING);
         let mut moves = Worst::new("update_velocity, positions", 4.0 * ROUNDING);
@@ -411,7 +401,7 @@ fn update_velocity_matches_its_twin() {
                 .map(|&place| quantization.pack(quantization.coordinates(place).map(|c| c.wrapping_add(moved_h()))))
                 .collect();
             let params = case.step_params();
-            let (positions, velocities, counters) = run_update(&case, &corrected, params, quantization);
+            let (positions, velocities, counters) = run_update(&case, &corrected, params, precision);
             let step = step_of(&params, false);
             let mut clamps = 0;
             for i in 0..size {
@@ -443,7 +433,7 @@ fn run_update(
     case: &Case,
     corrected: &[[u32; 2]],
     params: StepParams,
-    quantization: Quantization,
+    precision: PrecisionKeyword,
 ) -> (Vec<brooklet_kernels::Position>, Vec<Velocity>, Counters) {
     let mut bench = Bench::new();
     let corrected = bench.input("quantized_positions", corrected);
@@ -457,10 +447,7 @@ fn run_update(
     let step_state = bench.uniform("step_state", step_state(case.count(), params.dt_s));
     bench.dispatch(
         &UpdateVelocity {
-            variant: UpdateVelocityVariant {
-                packed: quantization == Quantization::Packed,
-                periodic: params.period_m != [0.0; 3],
-            },
+            variant: UpdateVelocityVariant { precision, periodic: params.period_m != [0.0; 3] },
             quantized_positions: corrected.read(),
             step_state: step_state.uniform(),
             kernel: kernel.uniform(),

@@ -93,5 +93,5 @@ static CONSTRAIN_DENSITY_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/constrain_density_by_index.compute",
-    hash: "9c16b8dd3a6c5ebb881904d6f58a3d6263e33324cb5ef4bcf6e9f99c1e3fe77a",
+    hash: "021cc43cb226c5889ec4bfb2ea24a966446f7e425a9b87e4cce78ca13e751f87",
 };

@@ -94,5 +94,5 @@ static LIST_NEIGHBOURS_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/list_neighbours_by_index.compute",
-    hash: "490f756ef029188e0d1ebac2d5d9de94d150c00e85cf27b79bafa1ddd69002de",
+    hash: "19ed4be2b1d52c6502a0825519bffa9c9fdb885ebf157d35fe8c46f014adb076",
 };

@@ -82,5 +82,5 @@ static REORDER_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/reorder_index.compute",
-    hash: "b7d2818754669d936ccabe0af673d12e072f3f8002270f3529ec03df132466eb",
+    hash: "019f50d3db6f6b1356ed972b5aa71f51249536cc3f34e8dab07b3199022e83fc",
 };

@@ -2,7 +2,7 @@
 // makes it anew from solver/pbf/update_velocity.compute.
 //! Kernels of `solver/pbf/update_velocity.compute`.
 
-use super::{Counters, Position, SmoothingKernelParams, StepParams, StepState, Velocity};
+use super::{Counters, Position, PrecisionKeyword, SmoothingKernelParams, StepParams, StepState, Velocity};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
@@ -10,8 +10,8 @@ use crate::{
 /// Which variant of [`UpdateVelocity`] runs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct UpdateVelocityVariant {
-    /// Keyword `PACKED`.
-    pub packed: bool,
+    /// Keyword `RELAXED_PRECISION` or `HALF_PRECISION`.
+    pub precision: PrecisionKeyword,
     /// Keyword `PERIODIC`.
     pub periodic: bool,
 }
@@ -48,11 +48,13 @@ impl Kernel for UpdateVelocity<'_> {
     const GROUP_SIZE: [u32; 3] = [64, 1, 1];
 
     fn module(&self) -> &'static Module {
-        match (self.variant.packed, self.variant.periodic) {
-            (false, false) => &UPDATE_VELOCITY,
-            (false, true) => &UPDATE_VELOCITY_WITH_PERIODIC,
-            (true, false) => &UPDATE_VELOCITY_WITH_PACKED,
-            (true, true) => &UPDATE_VELOCITY_WITH_PACKED_WITH_PERIODIC,
+        match (self.variant.precision, self.variant.periodic) {
+            (PrecisionKeyword::Off, false) => &UPDATE_VELOCITY,
+            (PrecisionKeyword::Off, true) => &UPDATE_VELOCITY_WITH_PERIODIC,
+            (PrecisionKeyword::RelaxedPrecision, false) => &UPDATE_VELOCITY_WITH_RELAXED_PRECISION,
+            (PrecisionKeyword::RelaxedPrecision, true) => &UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC,
+            (PrecisionKeyword::HalfPrecision, false) => &UPDATE_VELOCITY_WITH_RELAXED_PRECISION,
+            (PrecisionKeyword::HalfPrecision, true) => &UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC,
         }
     }
     fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
@@ -77,8 +79,8 @@ impl Kernel for UpdateVelocity<'_> {
 pub(super) static MODULES: &[&Module] = &[
     &UPDATE_VELOCITY,
     &UPDATE_VELOCITY_WITH_PERIODIC,
-    &UPDATE_VELOCITY_WITH_PACKED,
-    &UPDATE_VELOCITY_WITH_PACKED_WITH_PERIODIC,
+    &UPDATE_VELOCITY_WITH_RELAXED_PRECISION,
+    &UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC,
 ];
 
 static BINDINGS_0: &[BindingInfo] = &[
@@ -127,7 +129,7 @@ static UPDATE_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "1dd7df823ce45c93b6412d7e74a4ff20286da8c4e4d974175f88fbf8c9ebcf6a",
+    hash: "46f139c8b901c4cbf5e8152c4608cc745f2ceff313de1c1515017c245a77d1f5",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
@@ -140,31 +142,31 @@ static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "e30a4ec4fb148615d1513683b3ce5e855b185cd8e12042761f594d111651ad13",
+    hash: "a766b65d4dabdfe5feab5bd5fa62742f237d94d4fde66704066b5d6b3a78bbbe",
 };
 
-static UPDATE_VELOCITY_WITH_PACKED: Module = Module {
-    name: "UpdateVelocity+PACKED",
+static UPDATE_VELOCITY_WITH_RELAXED_PRECISION: Module = Module {
+    name: "UpdateVelocity+RELAXED_PRECISION",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/update_velocity+packed.spv"),
+    spirv: include_bytes!("../../spirv/update_velocity+relaxed_precision.spv"),
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "1a46684b497f2dc1302710e0c8387199e838d84703f9e796a7aa3ec8c1f437ae",
+    hash: "21cc71c88630e0d41607217162bf171f7ee3ec2b9bc257c691489fe6bc1a2669",
 };
 
-static UPDATE_VELOCITY_WITH_PACKED_WITH_PERIODIC: Module = Module {
-    name: "UpdateVelocity+PACKED+PERIODIC",
+static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC: Module = Module {
+    name: "UpdateVelocity+RELAXED_PRECISION+PERIODIC",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/update_velocity+packed+periodic.spv"),
+    spirv: include_bytes!("../../spirv/update_velocity+relaxed_precision+periodic.spv"),
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "4415e9bc51006338a442309034ca77ec27346c1f587a935cf182a6e0a61eb32a",
+    hash: "dc3e14f5c6acfa3cf981675e362cba598f2e69f223b6609bdeeb68d47668984c",
 };

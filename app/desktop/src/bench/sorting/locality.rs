@@ -10,7 +10,8 @@ use brooklet_fluid::{
 use brooklet_gpu::{Engine, Recording, Resources};
 use brooklet_kernels::{
     Buffer, ConstrainDensity, ConstrainDensityByIndex, ConstrainDensityVariant, CountCells, CountCellsVariant,
-    GridParams, ListNeighboursByIndex, PbfParams, Position, PositionLambda, ReorderIndex, SmoothingKernelParams,
+    GridParams, ListNeighboursByIndex, PbfParams, Position, PositionLambda, PrecisionKeyword, ReorderIndex,
+    SmoothingKernelParams,
 };
 
 use super::contest::{Names, Outcome, Ring, Ways};
@@ -80,7 +81,7 @@ pub fn locality(
         positions: resources.persistent("sorted_positions", count),
         velocities: resources.persistent("sorted_velocities", count),
         quantized_positions: resources.buffer("quantized_positions", count),
-        packed: false,
+        precision: PrecisionKeyword::Off,
     };
     reorder_everything(&mut baseline, &mut settings, &mut product, &mut sorted, &mut neighbours);
 
