@@ -198,7 +198,7 @@ struct Measure
 };
 
 // A drag through the fluid: what is near a ray is drawn toward a velocity.
-struct PushParams
+struct DragParams
 {
     float3 origin_m;        // of the ray
     float radius_m;         // nothing beyond it is touched

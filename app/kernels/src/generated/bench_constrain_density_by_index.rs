@@ -93,5 +93,5 @@ static CONSTRAIN_DENSITY_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/constrain_density_by_index.compute",
-    hash: "021cc43cb226c5889ec4bfb2ea24a966446f7e425a9b87e4cce78ca13e751f87",
+    hash: "d0aa6eef1d108c136139ca9474ecec726c436f8ceab28c49b238c69112aa31c9",
 };

@@ -57,5 +57,5 @@ static COPY_ELEMENTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/copy.compute",
-    hash: "0d4446e6c750d1dce0a5656bff2c7062b7f27349386132100bead5e2128dfc66",
+    hash: "b6edda3410b7886647afa56c816c1929d6da16b48fabc3f68df950ef2b98a2c0",
 };

@@ -74,5 +74,5 @@ static COUNT_CELLS_AGGREGATED: Module = Module {
     shared_bytes: 512,
     tier: Tier::Floor,
     source: "bench/count_cells_aggregated.compute",
-    hash: "1881cec4d4185ace1254569af491973997cd4afe9fe0ee036b46ff547e06a66f",
+    hash: "9b34235c285b48989663f9d10103c660dc47af1e0d023a0bb595b4332ed3f060",
 };

@@ -94,5 +94,5 @@ static LIST_NEIGHBOURS_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/list_neighbours_by_index.compute",
-    hash: "19ed4be2b1d52c6502a0825519bffa9c9fdb885ebf157d35fe8c46f014adb076",
+    hash: "530989b5ea20383d1ca209fb502a220a639dbf768de3604b16e271b0dd0cfafe",
 };

@@ -82,5 +82,5 @@ static REORDER_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/reorder_index.compute",
-    hash: "019f50d3db6f6b1356ed972b5aa71f51249536cc3f34e8dab07b3199022e83fc",
+    hash: "23fc3577c894ec235929c4b6f54df8f51000d28ed1393e51324131aebe9dda8b",
 };

@@ -88,7 +88,7 @@ static SCAN_GROUPS_TREE: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "4699c7b42869140d912bffc9684678751be9b7942ca023da1b3122ada3b05a82",
+    hash: "2bf9ece4b8c1436d0d631150f3a41b80733d2ce63571213e1fa25bb04c00df21",
 };
 
 static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
@@ -101,7 +101,7 @@ static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "80b3b274ac96a487058666d81aa7ad7ace3be0e0f69bfb6a095ad8e6af4519cc",
+    hash: "994445aea624de4b4831fb09425ede2103e023565f11d8fa80ef34e788a188e4",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
@@ -114,7 +114,7 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "13db9a07d90fb466ce9a8f34a9aa97f9636ca249e0d0969a2280b62adbec9068",
+    hash: "079bf31ec565bf8e91b60aefeb1812e172a065fc72d14369273224936a2f51e9",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
@@ -127,5 +127,5 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "41a7387927a43d37afb572e046785737fd3d223683a1080759db916f4a523f26",
+    hash: "f0141cdb289ebb823cf631987b88e3d066ddfbc3284040e3cf46d13e6ad1c113",
 };

@@ -54,5 +54,5 @@ static SCAN_STEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/scan_step.compute",
-    hash: "a276c6b7ef16b688310bb25a8a203134b5ed217ae481ba2badbabfc7fd97d84b",
+    hash: "9bc636bf993a7101c2f91adbb9351ef20ffc3d9cc93f12b9093445bdda09502a",
 };

@@ -99,7 +99,7 @@ static CONFINE_VORTICITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/confine_vorticity.compute",
-    hash: "ddd4f2eceb87b3d46974d068bfac30c429451c8f6da261a1516527d176866e3e",
+    hash: "c42680cb38985e16f120eb41f2bfe727a21654376065d474540523be7a5af55d",
 };
 
 static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -112,7 +112,7 @@ static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/confine_vorticity.compute",
-    hash: "51b849b1fd68169e9db18104073fdbc71c72f89ddefa3b814df1eac812d8ef52",
+    hash: "41cc8ebcbad6e728a306f999b4bee655a0ffbb18eed68151481bbf6a908dc6fd",
 };
 
 static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
@@ -125,5 +125,5 @@ static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/confine_vorticity.compute",
-    hash: "a9814767bd834098d2e2e1be83ee719fb6deba2f190e61567216052ed785d575",
+    hash: "63345ff787feab0a789c47be3dde142037675809594dfac7204d635f993b5f49",
 };

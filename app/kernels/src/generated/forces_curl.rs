@@ -97,7 +97,7 @@ static CURL: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/curl.compute",
-    hash: "d9b1d8e01859e969c4b70359e70d14a012c36777f64e5295fd903bcf42220331",
+    hash: "9c673ebf5fd946e3b94f127f28add9559609be09e10a20e02279a3d39e585ce6",
 };
 
 static CURL_WITH_RELAXED_PRECISION: Module = Module {
@@ -110,7 +110,7 @@ static CURL_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/curl.compute",
-    hash: "d9a6d2b64991fa3a51c7c97b2221c1b1252794c930fc7861eb71a31bc9c3f442",
+    hash: "2240852fcb1bb80c1c06e765e3fe1650bd40a3d1a000d39227f2b84587367263",
 };
 
 static CURL_WITH_HALF_PRECISION: Module = Module {
@@ -123,5 +123,5 @@ static CURL_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/curl.compute",
-    hash: "4724596ae7a900ebbfea728e4b6b1da74a80c2c536727a482041b4659a749fd3",
+    hash: "a2ba2c2f35417e92c67d16423416934c75f988740a3f107eac8764f4d8376be8",
 };

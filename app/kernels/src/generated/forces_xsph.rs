@@ -102,7 +102,7 @@ static XSPH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/xsph.compute",
-    hash: "3342dcd5443dfac143ab97095f1841a43f7e43817f956fefc081cdf8d12f7bb2",
+    hash: "8a409a7454762eaa8c38c01eaf9ef55d8350aac6c39bcfadb3080dfe820b01f5",
 };
 
 static XSPH_WITH_RELAXED_PRECISION: Module = Module {
@@ -115,7 +115,7 @@ static XSPH_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/xsph.compute",
-    hash: "2f923dc2a25615d902db566f51d18e5f1f74eb0e393a7e2a5657a8bb53c2c650",
+    hash: "ea88a27392f6ee00b08f100cd5f6b4c9f25cf0e40f450ffff8e61a993b9b5656",
 };
 
 static XSPH_WITH_HALF_PRECISION: Module = Module {
@@ -128,5 +128,5 @@ static XSPH_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/xsph.compute",
-    hash: "231ce3d00423310d8f2fc80b6754db1e01054f4ac3500ff04dfd230a53cbf062",
+    hash: "826b28ad5b08cc8ce07ba490d88cb4efb3418b0135f4d3f0cddfd361811ef274",
 };

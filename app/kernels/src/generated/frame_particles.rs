@@ -62,7 +62,7 @@ static DRAW_PARTICLES_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "e8da424c21174507114071570a65651ef7808acda7d9ee48ff45b6c1630151a8",
+    hash: "64780d562cf7708f8f07f54d687107df41b1bb628984bf38257927b715888a73",
 };
 
 static DRAW_PARTICLES_FRAGMENT: Module = Module {
@@ -75,5 +75,5 @@ static DRAW_PARTICLES_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "c54f1ccab5e1f2ee68194cb765885168df1ce18200737a51a7224e060c08ce70",
+    hash: "36ad219713055901aa6ca59379335c98bda5c7b1ee7d620254ca43f493762e00",
 };

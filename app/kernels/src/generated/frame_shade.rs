@@ -130,7 +130,7 @@ static DRAW_SHADE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "869b4cf70cc05cfc135fe3348067d8bba26e3b8ab85ed0194339b13481993ac6",
+    hash: "dead7ac03819225094b34655a32aa7fe1307576b5a809923cf95d100748003e3",
 };
 
 static DRAW_SHADE_FRAGMENT: Module = Module {
@@ -143,7 +143,7 @@ static DRAW_SHADE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "fc03eeaac9bf88151b5f96c8591e89b06f7e6d0d1d0994e3a4b07ff83eb634b0",
+    hash: "8968b0b8faddf3d01394b9e660cbc1ae47e9f8af8f122a02d47777077b5aad00",
 };
 
 static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
@@ -156,7 +156,7 @@ static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "6e8dae5004da939300965380eb8f6a0a386f49a28b52335739d84036938e9f11",
+    hash: "69545efa68b882baad459a954e98d04ad2c5e63f7e566cebb184a9c677086aa9",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
@@ -169,7 +169,7 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "3e2999d914f0244eea8d4f6cb0c1d561c7e9aee489c0f8d9ce2067811f86b304",
+    hash: "ae37f6a26b06d8e8dc8d9704f11d5bd11a5dc3e8e14a07812c8233660b44b3f1",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
@@ -182,5 +182,5 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "b62fb47a883c8fe9ffb80ff95799cec68d301131599279dda0e623d42897cf22",
+    hash: "81a67c9db8489677a6f845cf93e5f64711534c80543f3955f1ce8425573b9fe9",
 };

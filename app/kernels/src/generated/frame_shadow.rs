@@ -55,7 +55,7 @@ static DRAW_SHADOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "6d97f52a7a3ff59a60a3e412f8b48516a80fe8ee65590fdf528deb6fc0cf8f64",
+    hash: "b74eb21fd9078a58c2cf655a2d1a33e9caf00c41354d8b28834c91fbeda17ee9",
 };
 
 static DRAW_SHADOW_FRAGMENT: Module = Module {
@@ -68,5 +68,5 @@ static DRAW_SHADOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "0812cdedf2633f8377ff7cbcd8ac0544de7d9d3e4ebbffaabde97b3c733cf40f",
+    hash: "127c217420e5b7e26e4bfd455b6d282ef5a96ab7fa88bba91878945db8d0c597",
 };

@@ -60,5 +60,5 @@ static COUNT_ACTIVE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_active.compute",
-    hash: "ab21f62fb7280400e5d8c1a5f50c5433a85e6a15b2d518c6769f5f5ad0026d19",
+    hash: "b9281915acb8a68db6eae380c7a3a447c151092d83a217983e8a46a4499cda21",
 };

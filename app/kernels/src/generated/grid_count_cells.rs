@@ -90,7 +90,7 @@ static COUNT_CELLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "e962442cc9b84a1e968de3182fdb53ccc7d66fac92bf1316a9830e6cbf008b9b",
+    hash: "7e1355015bd9f307ffb83a5997665229e030988613cbb6fbcc0196352e3d9ea1",
 };
 
 static COUNT_CELLS_WITH_PERIODIC: Module = Module {
@@ -103,7 +103,7 @@ static COUNT_CELLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "b76980c40a6ccf5bf84103aedeebc217aeb1908c74520b9513299d29f73efe7d",
+    hash: "183424258a97844371d72c9ba52380b86490c08f90c451915f071391cc8d7f87",
 };
 
 static COUNT_CELLS_WITH_WRAPPED: Module = Module {
@@ -116,7 +116,7 @@ static COUNT_CELLS_WITH_WRAPPED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "ac6fbeb06aef16367f97e7418668eed33c880922db5197a1dadc1c2fef580c19",
+    hash: "7f401b7ecbf03f2a251485421cd1b02f462563a416aeca266722bc0c000d99da",
 };
 
 static COUNT_CELLS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
@@ -129,5 +129,5 @@ static COUNT_CELLS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "9b187190a978ad2743653625c7c290e75d0cbf01f95f37cfd3bd63d39e3a03ab",
+    hash: "68343da322ec6689b20d2adaf553a1de019d523baeac88d39c7016f340cb186d",
 };

@@ -135,7 +135,7 @@ static LIST_NEIGHBOURS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "b7f214ceede8dd28db2d19fe58afe37d9b07d783c00ac6e0bc535dcbf161cb9c",
+    hash: "759c65bb4cead5a63e4ba1a7d30f0535123b374b9a7e50af8c792c4544a3fbec",
 };
 
 static LIST_NEIGHBOURS_WITH_RELAXED_PRECISION: Module = Module {
@@ -148,7 +148,7 @@ static LIST_NEIGHBOURS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "82d5d65727ae6ad29c6c97913b54e902ca62476a845f1e9a2d7d37d74c37edff",
+    hash: "35e5dcdb3007674c445984a48fc0b822ae02d3937ec9451a34e8c8b2f4be750b",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
@@ -161,7 +161,7 @@ static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "0e538de10a3fc42a6af1919e1c1d400dd84ff7b58e4c1370658ed0d734a32e21",
+    hash: "314b850608d20259f01145c9da91a65b50ddb62781380868159d7c031903b713",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
@@ -174,7 +174,7 @@ static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "3cb83778373a63fa1bb6c75ccb46c038f516343ea08c0b591357538b54cae143",
+    hash: "78195d8d5345560ee598bb3ba5d027cec012ac15245b6275fef016250c9e47b0",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
@@ -187,7 +187,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "4eb7134369d0e3680c80d56ec060e21822e138e7f8c730b0273a764839a773e4",
+    hash: "364cf3b24690329990139c72051de891188fcb93485daf6f2f6db4055eb5842c",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_RELAXED_PRECISION: Module = Module {
@@ -200,7 +200,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "dc198322cb71c8547b0e9ee373627929eb16cc440d3542c066bb9df152705594",
+    hash: "612d9fc523bf73d1b895e046714f47b2e0ea4613b1b9f27fb393df7781a188fb",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
@@ -213,7 +213,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "477d061552ab9452f02a995636b6977d0ad953e53cdb28fa7732705bf28498ae",
+    hash: "8a260685453ec377ac7d75199bd5cbd8cf88366adf3316814106e4eec45010f3",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
@@ -226,5 +226,5 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "8eb5a7174aa4c6fb218f2444b03e86949c4d269ab795da04f0306f82deb86d3e",
+    hash: "d452305658334708b4089dce2f77f7391997b28c7deeed2d0ccca21a366620ad",
 };

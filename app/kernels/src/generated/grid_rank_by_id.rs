@@ -77,5 +77,5 @@ static RANK_BY_ID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/rank_by_id.compute",
-    hash: "85071f74eef71f6c6711a2566a684a5b61e1cf2d6484a8ae8756b1e6cfdf1334",
+    hash: "91cd04e180fd74293811f0eb3d8dd8da599015254c9c613d275f7455696afed7",
 };

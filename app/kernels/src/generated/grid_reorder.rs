@@ -106,7 +106,7 @@ static REORDER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "9b1212f29127d0a7419be8bb225b89c5c218abf54aa11efa85d3a742edfd2437",
+    hash: "05688563758b1cee1748413c229e1f4ae00e399c999ff7b01e8bf446abcb5e7a",
 };
 
 static REORDER_WITH_RELAXED_PRECISION: Module = Module {
@@ -119,5 +119,5 @@ static REORDER_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "37ec3f6ab83d66d11b21d18373316f53417b954e110b0ba01ae29e2f3a7d2816",
+    hash: "260b96da9ffed77854468009dc734b1c95e6d410799f00dfbba13492022dd1c0",
 };

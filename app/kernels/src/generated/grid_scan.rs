@@ -109,7 +109,7 @@ static REDUCE_GROUPS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "22ee9ddbbec5628f9d1c62866bd335aad6a5f185e8cdd55bab56602f450edbd9",
+    hash: "c846a3632726f651a26dcf1a5e2a3aebe7206132d57c921445d99c99a6eafd0a",
 };
 
 static SCAN_GROUPS: Module = Module {
@@ -122,7 +122,7 @@ static SCAN_GROUPS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "8aa72bdffb79afb60d657d0761171ad8db720b4f509d8ce70cac794c44a24159",
+    hash: "9fe87970bb52e14af10b15597d4efded6c45bbf6624fa1a3963deaecd9897a4d",
 };
 
 static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
@@ -135,5 +135,5 @@ static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "bb113339ed7c441f6162ee53b12a1f4155b85d4de7e82ce1a01c8d2eed105796",
+    hash: "c2587e188f9625dae1ee6fac55906b50c62929486f958c33971d6e323bcf615e",
 };

@@ -65,5 +65,5 @@ static SCATTER_CELL_MEMBERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/scatter_cell_members.compute",
-    hash: "b7a422ddf2d4f747fcb141e98354d352c65fd8e126cf973018416aa1e11008e5",
+    hash: "f0b02705c6e6c38e49bc8590bc7e80ef7cea6c5a58a4fa53e6766b729ddcb120",
 };

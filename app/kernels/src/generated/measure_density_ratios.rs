@@ -97,7 +97,7 @@ static DENSITY_RATIOS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "99cec063a4b9142e3a59e5742fef2a36632407fc7189ba45cd67b2de9d0f730c",
+    hash: "40091513a712cc1bfdadcd16804283662b3d857397ab1c5a990006f48bc10d03",
 };
 
 static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
@@ -110,7 +110,7 @@ static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "6dc4cad7747b8eb0807cc7ed8f36d79d4f0dbb972ac6a0e3d307c861aeeef964",
+    hash: "49f4a193ee161c3ad971c9cdc20d1b71ed90779ddc800e2b5edc6321d511ab27",
 };
 
 static DENSITY_RATIOS_WITH_WALLS: Module = Module {
@@ -123,7 +123,7 @@ static DENSITY_RATIOS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "7b58999c59b7cf47d61be7a0a9472890c55255af22b93b5d15ea8235a1171407",
+    hash: "fe3e94ab7a3aa43a43f7abc1a2200559642ae1a92437571a3f3e7cfcc4c7eb9e",
 };
 
 static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -136,5 +136,5 @@ static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "e18f9edac52d81ee5b9a86088113fd361f87dc3f8bc791be6ea35e3ea5dbeb54",
+    hash: "511add98902929236cc79b6436be72c2e341d99e5faa5769ed1333ddc570675f",
 };

@@ -132,7 +132,7 @@ static MEASURE_PARTICLES: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "154159f285443802a5980ed2650705ff19d3dae42726c262165ad1d41e5e7241",
+    hash: "b9eb4d27362c3e875553a8bcd99ce90e6dcfaf30781f670651c47a33740a75ba",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
@@ -145,7 +145,7 @@ static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "0f46f05e51ffa7554f1831e79e24784daee59efea91844c1be4ad443ca454305",
+    hash: "27855e50a0cbe9800ba7161f11e151d2a05dd5c4b117e88ebd4e8388ae98769f",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
@@ -158,7 +158,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "61bf1bdf726fb448f0e4badea508b96582b5f68f69583840f75dba1f5eae3e18",
+    hash: "1d4cd172f21cc327c5bd847f50fa6f46292d641016115aa89f958f2e0300271b",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
@@ -171,7 +171,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "d0d8bc343004652020146ada2cf807658324fb9caa2de5f4fc0969eaa9b7ee10",
+    hash: "bca9b3346263a1dc0b5662011c7247fc5a5b4cdfe45884eed95c0d73f497d51c",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -184,5 +184,5 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module 
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "f78c30d841cf2248c49c0ee1335128137d8bddf5e33b75fb1a2360f72846a168",
+    hash: "fded9b8350b0067e578ff8bbac072755d1c72feb825efc02f466f0cba91e609e",
 };

@@ -73,5 +73,5 @@ static MEASURE_TOTALS: Module = Module {
     shared_bytes: 4616,
     tier: Tier::Floor,
     source: "measure/measure_totals.compute",
-    hash: "f862db4a42cd381986c321fddfb45993991743df86f96b3aaea2dc70a912e3df",
+    hash: "f87c90a206a9bbf1899c6d93b719ef1429637cb9b6b65a3598c5ad79c34c242b",
 };

@@ -67,5 +67,5 @@ static SAMPLE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/sample_particles.compute",
-    hash: "b5dc7a98cd7615ea5d6019ac6a8982919389416a0ce8d81a5f771780cc603b5d",
+    hash: "0a57508611cd041144adc9c739649a12ca04e8805215a58673fcbf9d917ed2f3",
 };

@@ -114,7 +114,7 @@ static ACTIVATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/activate.compute",
-    hash: "b28ffa54634e1fadad2f220b991684fca86ae7bb583f695a2c42439a69c6d648",
+    hash: "daeeeb7a2af8dfab345b4ce4fbc72a9555c3e826167b075efe52745a3d01f9f2",
 };
 
 static CLAIM_SLOTS: Module = Module {
@@ -127,5 +127,5 @@ static CLAIM_SLOTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/activate.compute",
-    hash: "f8693b6723077f22effdac4ce178a7fe73632851473e96791db06ca38918b88a",
+    hash: "bcc3e3f98f0aaabda18e6d03744dc0d2deec34a525ba0ce93ea55a615eb74fb8",
 };

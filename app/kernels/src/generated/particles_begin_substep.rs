@@ -50,5 +50,5 @@ static BEGIN_SUBSTEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/begin_substep.compute",
-    hash: "e62777e14b0b462b9dd3a87dc9752b085e1e95c689b21501d6b6283fd0500753",
+    hash: "97bf1312b39f0f1fd7a0aac4095a2b783b4d5df968a22dcf9a227b9043a54a8e",
 };

@@ -68,5 +68,5 @@ static DEACTIVATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/deactivate.compute",
-    hash: "5a4bd879cae0b2603042163e3213efa2f7583d36f976045c4e5e5b51fb6f8775",
+    hash: "22b809f048d3001ecbe47fc8da427d8bba51a435df57dde4050faf403fe2c2a4",
 };

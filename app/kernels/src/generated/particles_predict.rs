@@ -94,7 +94,7 @@ static PREDICT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "21eba067d992c55d355a7e94b5cee048d92d9189c66c531d00254fb6e0e56aae",
+    hash: "01ea8d3e030fa5920a6f14dfc9d6b0b455726554f6cd393184b02ada9b37bf38",
 };
 
 static PREDICT_WITH_PERIODIC: Module = Module {
@@ -107,7 +107,7 @@ static PREDICT_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "4839a464d2a1956635ddb0093ae20c45076e2062ed7cdb989010f6829eeee7c8",
+    hash: "2d124d0431c6f24e4321da95318c7b34c2035f59684b396a8aa00b25a26856a0",
 };
 
 static PREDICT_WITH_WALLS: Module = Module {
@@ -120,7 +120,7 @@ static PREDICT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "af9c22c4e1933247851f0b631c15b5665da678c9a1a35d7883ebfc2b5bc7127c",
+    hash: "2eb465fc99ef806a884d8d10367d565fc67f40cd3b811929630ea0a336269c86",
 };
 
 static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -133,5 +133,5 @@ static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "60fde97cbd6fddcc1d127dff842ea9b1671cd0025e7c85d41b0eaa270b3490d6",
+    hash: "7b13520c214158a3bc424bad25ee8c284162ff26c80954a3297cefc688fd6f0d",
 };

@@ -102,7 +102,7 @@ static INTEGRATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "530ba357810e26cc2fb92b12cc1528abd770c864bc74e763faceb872f9113ac5",
+    hash: "5d4c21b8595cf80f0997954a86cbbe713da58b919378e7fcc61ca10515cddc07",
 };
 
 static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
@@ -115,7 +115,7 @@ static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "4c4118d0b14845d696ababd4203c9cebc5b27c0b8fb3f315619c488707957227",
+    hash: "6a8766ad286c00cd9fa2ecc6f9b36b1cdddfd8b844186e64192191e569460255",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
@@ -128,7 +128,7 @@ static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "f8f15b0a06bf1a08ffa1258db896a3c791b1e780cdbb1453b19c21977a4ce076",
+    hash: "55f36884b3d5ac0e2049a37c8a91c39d60422a9ddc7d5f1b0a07938bff4efad9",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -141,5 +141,5 @@ static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "07bc62e8fae2dea7c49ec718b64458b56a31d11a251dbc946bc2c9d529c223ea",
+    hash: "d5d2b1fb0cbaa49d8c00fc0244ded93274249cbe98cb81e4efc60c2453d5e841",
 };

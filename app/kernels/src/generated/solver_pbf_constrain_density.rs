@@ -184,7 +184,7 @@ static CONSTRAIN_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "41ee9ba11d7103fb76734a7a89c689d43c27975128bde6ab60402178df455bc0",
+    hash: "faf05084116d8b3fb856807877d8f00cf0d803e936d504f8d63f49dbc4af5141",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -197,7 +197,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "add1f24f0900d62e52c8bf08d8fa4da735388138a7035f30c6e6e3baa0572488",
+    hash: "ea5603b5ed79941a347c28a9e9131da12b64f4fcd0e0228fe1ca6add856d3d4f",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -210,7 +210,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "19a98cde006bedc948cc8cbff2be49da115f4c7e5498462a0886f0f95cb5acc1",
+    hash: "d5025924434d04775fe941eb331bac90906396114d41b3da7ffd0b002fa03aa0",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
@@ -223,7 +223,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "0bd7f3e1f9f9b5d5ee27c8a2870f1a7449117e6d5e2bb19376bd19b5efbdac6b",
+    hash: "75d49b2ed0aa3075ca07efbfa5c1e513337bec9f1a1d5a286c69338b48da510e",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -236,7 +236,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "ad05a3d22c26315a026b12704d61f1ee2af55f0feb02b46cbbd143b6386ba1c4",
+    hash: "3d23ba9ea86abf8beec361e977b45149bef845693a32ca9d3a3ee7bfd10417f6",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -249,5 +249,5 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "8d49ba3bedffecaf5e9da15e63575ded33d3bd491a6c1ba2e89a0e11d9cac844",
+    hash: "344e8f22e9661919b7a5e43bddfa23f747abec282bfbb0e115278426231b98b4",
 };

@@ -180,7 +180,7 @@ static CORRECT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "313a5ba2c5f0fb249d0a1064fa438cea9206c1bd96e3a786a873a40c3af87611",
+    hash: "b0a5edd8a635991519f2e77b3ec45a965b893ad8b6782014139be886fcdc2c0d",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
@@ -193,7 +193,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "fcc768382a3851074341903cdaf7317bdf66d53227899ce31b208b1569d14435",
+    hash: "6c4d894a52978f0fe47bf5e328ba12a84442784468a0ceb0963b821f6694f2d9",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
@@ -206,7 +206,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "21c3e99af5826064920de4c91fe0c938aacde556cbba8ecb4108ae01bedc2ed0",
+    hash: "61eacdffd81ee0ee32d8111ebfbda27c3d1317228ae17a968c22a1d39c461eca",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
@@ -219,7 +219,7 @@ static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "fc5d046c6f362e516aa0fe42c6cbc7da61b9fb4b9809ecbff6244b2841b246dd",
+    hash: "de84c48cb77799abb2ec8fe6c36c5c5440919c4630fe2b314189c937b8effb08",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -232,7 +232,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "62ddef24d475727b4f3a79d02ce08ec6e667c997938fffa234621afcdfe6ab19",
+    hash: "a090d53ade4f17e4fbb7ad666a1fd70600faa34b851319abfdf4c385fea3b0ca",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -245,7 +245,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "d5d031bf30fa7e4457868b408da3ab97195cd6e20e1614337e8c9eecf4889c43",
+    hash: "17512b6839f4192586470458f9499f08bf692b502e4786b54d2726792e6f811e",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
@@ -258,7 +258,7 @@ static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "20b09f4a06d5797819c2d3a0b7465e947d6fde96c23666611f764570b03eca67",
+    hash: "8eb7a0a32c1aca741161e1272f628fd38d66ea433886bb2e7b8f0a080980b042",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -271,7 +271,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "db6ec7a615b4b52298f4a6a492a1fd20736f847ecaed3932ee186fb3f192297a",
+    hash: "f3f128e1985753ef4c0e809ba1686f561c89a204b5f27300384210257252a67e",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -284,7 +284,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "5fe2406fbebf558846700f758930bbfc859bf0dda065f30748a5d4b7826c299e",
+    hash: "da852081c812b32227c04461a2f5054ec4bce3a2679ea3491eb21e9eda99d94c",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
@@ -297,7 +297,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "9766165fb82cdd81150001156cf31ef9eba05b431bb9dfa0ceb3f8b4875f6b88",
+    hash: "c0f4431d331b59df989597ba704c1bf392fd6f1e2ac7754cb07eafd11b130cb0",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -310,7 +310,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "534a69608cf3e32a8cae68e195abc6ceea119f3a203df541fd9e08a2f204a9a6",
+    hash: "3fcbe5464f376d3f8c09b69966920655725ee1cfb53444ac5346353830ac72b1",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -323,5 +323,5 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "a779454ae1cfaeb719780d19780d77471c4066f5f838e426e13ca985e467630d",
+    hash: "833af020e7c9ddcd82542898b2631b8178b362aee70807dc39beb29474460e79",
 };

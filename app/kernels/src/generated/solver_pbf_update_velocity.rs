@@ -129,7 +129,7 @@ static UPDATE_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "46f139c8b901c4cbf5e8152c4608cc745f2ceff313de1c1515017c245a77d1f5",
+    hash: "b48b902051b00129a0d39249a14abbe0196e95750d51bf365d58b5b01ea65cd8",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
@@ -142,7 +142,7 @@ static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "a766b65d4dabdfe5feab5bd5fa62742f237d94d4fde66704066b5d6b3a78bbbe",
+    hash: "62dc49b1215fa0661cf856ac155f9dd049b14e5cbb0926bdc40ed84d57c2b169",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -155,7 +155,7 @@ static UPDATE_VELOCITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "21cc71c88630e0d41607217162bf171f7ee3ec2b9bc257c691489fe6bc1a2669",
+    hash: "aad30de74841a3a6b4f092cdbd97cf04d14b951782be52b8baa82855faca225f",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC: Module = Module {
@@ -168,5 +168,5 @@ static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "dc3e14f5c6acfa3cf981675e362cba598f2e69f223b6609bdeeb68d47668984c",
+    hash: "0b28593c330ecd565853fb96802c5811802cfc417a550001738bc38e57e93996",
 };

@@ -77,5 +77,5 @@ static ANISOTROPY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/anisotropy.compute",
-    hash: "1f9dece3027a0257fed816a0c254047827d68101a4c59060bb27d4f6865540e1",
+    hash: "c1a22aa0d7a55c94b8db5df6b72439413850701820ee94af25386124b56cccec",
 };

@@ -112,7 +112,7 @@ static DRAW_FLUID_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "fe56b120f49de8cba7eb1ccda911535a573cf05eabce8ca4b7abcfcd3b359460",
+    hash: "6f20e02f4cd1f34cd423d5a4763f486a6ebe895a1fd9d6f9c7e7ebf89060a20c",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
@@ -125,7 +125,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "d4171cf2afe82f929b2a645533b1c7b1836b9cdadf038e8d23c42ee9e00b76c4",
+    hash: "5baeb6e483ad3844b98798224bb06ecca6a46adb091526b732c3403ab55402b1",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -138,7 +138,7 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "33ddec42d8babf4521aefa65e84251e7ca35afd092ab589cebdd1c5ea414ff61",
+    hash: "abd8b1341a1e4ba9837b848f63e809d6737a5f87b77fedfbda98ed0e56b7c72e",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -151,7 +151,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "da4235a4786b3234048e4c9a0ca4a804c4468f48d33c276148463c647c358b09",
+    hash: "9f9283e82371cedb5330480d595a1b522916264568f67c118c2abf977d1f3aa3",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -164,5 +164,5 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "c0647988c9e07f22e71dd11982c4ad551c80e39003c01f179a24e6849d93377a",
+    hash: "f7620dae235d0fd61086fd8bd324d42a60646f5c0ad28d666edfc4e8f1b7d059",
 };

@@ -70,5 +70,5 @@ static REFRACT_PHOTONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refract_photons.compute",
-    hash: "9a591b5f7144d3f36512e992e151710eded1a5bf6b542a1d2a8f7b01ed2be615",
+    hash: "492d3c5a63cb4abb1a6624dbb67859eeb54fb5659dc0d8546068c985647c6d0a",
 };

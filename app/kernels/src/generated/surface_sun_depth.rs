@@ -114,7 +114,7 @@ static DRAW_SUN_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "f15ac734082436c39a1450b427d184aefd25777c7f83ec3e0a76b3b5a08ce4e8",
+    hash: "493cb91b6dc0b0a2ab2d48c1ac32500d8632ac3b89b87c4b40d494cf9a0294f5",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
@@ -127,7 +127,7 @@ static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "be396e2ed776d0447ce7b17eebc6182ed4b7bd5bd0b60d7fff05542dcd9eb922",
+    hash: "5ac1690417a1cd149385ddff702b6347a96ec5702a2e359a92e801d99024eff8",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -140,7 +140,7 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "c5d7e42e1deda2ad8ad4e3df8e831d3ad780619828268b9151a68f1bf4ac4c2e",
+    hash: "36093bcc3cec08e072590bd3798498d977aa6197d7359c5f79ccb101fefeda4e",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -153,7 +153,7 @@ static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "8603d74d3314984806a45360f5db8ff8604458a9d7df8999193589c879be6297",
+    hash: "0fd334303b61df69ddb727a04ba95c3724bacbe0b57d2a5cfbcc2f3d32e31d98",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -166,5 +166,5 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "1d6a39e54529c03f1b5b24db66a5812a70187028e312c1b1d2233f8180651f45",
+    hash: "4d4dbd17141d948cc820c2c1c313efeedd98f9d7c3cbc805d4cb58777b63de3c",
 };

@@ -85,7 +85,7 @@ static DRAW_SUN_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "2e059e98d400ff7a430761d49ad25dfc0875c4b48589a8e55cbc550a70f10162",
+    hash: "69bc5d8d727ef1d2be3514afda414e15c289d90e167c87ecbac195e3af7b5ddf",
 };
 
 static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
@@ -98,7 +98,7 @@ static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "0bb2864a62cb73053ca2267af8716114b1154961fd593cf7054de070eb82374d",
+    hash: "df632e5380cca537bf56860d9649dfabec924148d2f5c5d6e441b5d3b4e3b5f0",
 };
 
 static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -111,5 +111,5 @@ static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "587a44fac4de721080ca2eee4a7ba094e4d81f9f877562cc4b0541a89800706f",
+    hash: "3e23fa6ff390698921d5152c534a5c557604d0abd78ea55831d261aea6c93eea",
 };

@@ -86,7 +86,7 @@ static DRAW_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "1720455d9fdb71f628c89b9f83e1109142c0d67fc24a65579b8bc7aa3aa7cc59",
+    hash: "a42d65134c5edccd63e40d014496bfbc8363c7bb04a78d4c87633bb3fbbe0262",
 };
 
 static DRAW_THICKNESS_FRAGMENT: Module = Module {
@@ -99,7 +99,7 @@ static DRAW_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "2b374cba695f517fbb694b5154e3dddfc76e94efb34398be90da2f3d3da70028",
+    hash: "2d99102dcaca8051b84203114da2a325d1fe03bb6e730e7784b839c10f34e654",
 };
 
 static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -112,5 +112,5 @@ static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "c3aabfce41c9514885a8307d3e7dbd4f84098aff28982f5ef79ff125080d6503",
+    hash: "e5a948e0f866d40657e0223ac703b004946c72d99c4312ab11e2d7ed7514c466",
 };
