@@ -62,7 +62,7 @@ uint2 QuantizePosition(float3 position_h)
     return PackCoordinates(FixedPoint(part * 4.0));
 }
 
-// From `there` to `here`, in h.
+// From x_j to x_i, in h.
 float3 Offset(uint3 x_i, uint3 x_j)
 {
     // asint, for DXC 1.7 takes float3(int3(...)) of an unsigned difference as unsigned.

@@ -73,12 +73,12 @@ fn check(scene: &Scene, emitted: ParticleSet, images: bool) -> Result<usize, Str
         true => list_images(&at_m, alone, SUPPORT_M, period_m),
         false => list_neighbours(&at_m, alone, SUPPORT_M),
     };
-    // A distance rounds to steps of the two places, and those across a seam by its own f32.
-    let places = match scene.solver.precision.packs_positions() {
+    // A distance rounds to steps of the two quantized positions, and those across a seam by its own f32.
+    let quantization = match scene.solver.precision.packs_positions() {
         true => Quantization::Packed,
         false => Quantization::Full,
     };
-    let doubt_m = (2.0 * places.step() + 1e-6) * SUPPORT_M + 4.0 * f64::from(f32::EPSILON) * size_m.max_element();
+    let doubt_m = (2.0 * quantization.step() + 1e-6) * SUPPORT_M + 4.0 * f64::from(f32::EPSILON) * size_m.max_element();
     let mut listed = 0;
     for i in 0..count {
         let list = grid::listed(i as u32, heads[i], &deltas, grid::list_chunks(scene));

@@ -1,4 +1,4 @@
-//! A thousand iterations a substep: they move nobody by a support radius, from where places would come round to
+//! A thousand iterations a substep: they move nobody by a support radius, from where quantized positions would come round to
 //! the other side, 4 h away.
 
 use brooklet_tests::extreme::Case;

@@ -9,7 +9,7 @@ use brooklet_kernels::{
 };
 use brooklet_reference::grid::list_neighbours::{Neighbours, check_list, list_neighbours};
 use brooklet_reference::grid::rank_by_id::rank_by_id;
-use brooklet_reference::grid::reorder::{places, reorder};
+use brooklet_reference::grid::reorder::{reorder, sorted_indices};
 use brooklet_reference::grid::scan;
 use brooklet_reference::shared::list;
 use brooklet_tests::cases::{
@@ -158,14 +158,14 @@ fn reorder_matches_its_twin() {
         }
         let starts = scan::scan(&filled);
         let slots: Vec<CellSlot> = cells.iter().zip(&ranks).map(|(&cell, &rank)| CellSlot { cell, rank }).collect();
-        let places = places(&cells, &ranks, &starts);
+        let sorted_indices = sorted_indices(&cells, &ranks, &starts);
         for precision in STORAGES {
             let sorted = run_reorder(&case.positions, &case.velocities, &slots, &starts, grid, precision);
-            assert_eq!(sorted.positions, reorder(&case.positions, &places));
-            assert_eq!(sorted.velocities, reorder(&case.velocities, &places));
+            assert_eq!(sorted.positions, reorder(&case.positions, &sorted_indices));
+            assert_eq!(sorted.velocities, reorder(&case.velocities, &sorted_indices));
             assert_eq!(
                 sorted.quantized_positions,
-                reorder(&case.quantized_positions(quantization_of(precision)), &places)
+                reorder(&case.quantized_positions(quantization_of(precision)), &sorted_indices)
             );
         }
         cases += size;
@@ -347,7 +347,7 @@ fn check_lists(
     let support_m = f64::from(grid.support_m);
     let slots = grid.list_chunks * LIST_CHUNK;
     let entry = |i: usize, slot: usize| list::entry(i, slot, &neighbours, grid.list_chunks);
-    // A distance rounds to steps of the two places, and its square in the seventh digit.
+    // A distance rounds to steps of the two quantized positions, and its square in the seventh digit.
     let doubt_m = (2.0 * quantization_of(precision).step() + 1e-6) * support_m;
     let (mut all, mut escapes, mut missing) = (0, 0, 0);
     for i in 0..count {
@@ -403,7 +403,7 @@ fn list_neighbours_matches_brute_force() {
 #[test]
 fn a_wrapped_grid_lists_what_a_dense_one_does() {
     // Case 15 of the extreme ones: blobs as many cells apart as the grid has, along one axis and
-    // along all, share their cells, and places, which repeat every 8 cells, take them for near.
+    // along all, share their cells, and quantized positions, which repeat every 8 cells, take them for near.
     let mut rng = rng(28);
     let mut compared = 0;
     for cells in [[64; 3], [8, 16, 32]] {

@@ -131,7 +131,7 @@ fn update_velocity_matches_its_twin() {
                 let mut moved_h = || quantization.fixed_point(0.8 * (rng.random::<f64>() - 0.5));
                 let corrected: Vec<[u32; 2]> = start
                     .iter()
-                    .map(|&place| quantization.pack(quantization.coordinates(place).map(|c| c.wrapping_add(moved_h()))))
+                    .map(|&at| quantization.pack(quantization.coordinates(at).map(|c| c.wrapping_add(moved_h()))))
                     .collect();
                 let mut bench = Bench::new();
                 let at = bench.input("quantized_positions", &corrected);
@@ -163,7 +163,7 @@ fn update_velocity_matches_its_twin() {
                 let step = step_of(&params, false);
                 for i in 0..size {
                     let from = vector(case.positions[i].position_m);
-                    let to = from + quantization.apart(corrected[i], start[i]) * f64::from(kernel_params().support_m);
+                    let to = from + quantization.offset(corrected[i], start[i]) * f64::from(kernel_params().support_m);
                     check_image(&mut worst, positions[i].position_m, to, &params, step.domain_size_m.length());
                     let before = vector(case.velocities[i].velocity_m_s);
                     let (expected, _) = update_velocity(from, to, before, &step);

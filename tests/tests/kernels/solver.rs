@@ -21,7 +21,7 @@ use glam::DVec3;
 use half::f16;
 use rand::RngExt;
 
-/// Roundings of f16 that a multiplier may be off by: 2.7 are measured.
+/// Roundings of f16 that a lambda may be off by: 2.7 are measured.
 const CONSTRAIN_HALF: f64 = 8.0;
 /// And a correction: 1.2.
 const CORRECT_HALF: f64 = 4.0;
@@ -216,7 +216,7 @@ fn run_correct_from(
     );
     let mut done = bench.run();
     let after: Vec<[u32; 2]> = done.read(&quantized_positions, case.count());
-    let moved = start.iter().zip(&after).map(|(&before, &after)| pairs.quantization.apart(after, before)).collect();
+    let moved = start.iter().zip(&after).map(|(&before, &after)| pairs.quantization.offset(after, before)).collect();
     let counters = done.read(&counters, 1)[0];
     Corrected { after, moved, clamps: counters.correction_clamps, held: counters.displacement_clamps }
 }
@@ -263,11 +263,11 @@ fn correct_positions_matches_its_twin() {
                     let doubt = (1e-4_f64).max(tolerance * expected.terms_m / pbf.max_correction_m);
                     let near = (expected.asked_m / pbf.max_correction_m - 1.0).abs() < doubt;
                     doubtful += u32::from(near);
-                    // The GPU's walls are at the position's own distance, which the place rounds by
+                    // The GPU's walls are at the position's own distance, which the quantized one rounds by
                     // up to half a step an axis; so does the move that is stored.
                     let steps_m = 2.0 * pairs.quantization.step() * smoothing.support_m;
                     let scale = expected.terms_m + quantized_m[i].length() + steps_m / tolerance;
-                    // A case outside narrow walls is moved in by more than a place can tell: the
+                    // A case outside narrow walls is moved in by more than a quantized position can tell: the
                     // position meant is the nearest to the expected one.
                     let got_m = pairs.quantization.near(got.after[i], expected.position_m / smoothing.support_m);
                     let error_m = got_m * smoothing.support_m - expected.position_m;
@@ -385,7 +385,7 @@ fn update_velocity_matches_its_twin() {
     let mut slowed = 0;
     for precision in STORAGES {
         let quantization = quantization_of(precision);
-        // A difference of places, exact, a product, a quotient and a sum; then the speed limit.
+        // A difference of quantized positions, exact, a product, a quotient and a sum; then the speed limit.
         let mut worst = Worst::new(UpdateVelocity::STAGE, 20.0 * ROUNDING);
         let mut moves = Worst::new("update_velocity, positions", 4.0 * ROUNDING);
         let mut rng = rng(36);
@@ -398,7 +398,7 @@ fn update_velocity_matches_its_twin() {
             let mut moved_h = || quantization.fixed_point(0.125 * (rng.random::<f64>() - 0.5));
             let corrected: Vec<[u32; 2]> = start
                 .iter()
-                .map(|&place| quantization.pack(quantization.coordinates(place).map(|c| c.wrapping_add(moved_h()))))
+                .map(|&at| quantization.pack(quantization.coordinates(at).map(|c| c.wrapping_add(moved_h()))))
                 .collect();
             let params = case.step_params();
             let (positions, velocities, counters) = run_update(&case, &corrected, params, precision);
@@ -412,7 +412,7 @@ fn update_velocity_matches_its_twin() {
                     continue;
                 }
                 let from = vector(case.positions[i].position_m);
-                let to = from + quantization.apart(corrected[i], start[i]) * f64::from(kernel_params().support_m);
+                let to = from + quantization.offset(corrected[i], start[i]) * f64::from(kernel_params().support_m);
                 moves.check3(positions[i].position_m, to, to.length()).unwrap();
                 let before = vector(case.velocities[i].velocity_m_s);
                 let (expected, fast) = update_velocity(from, to, before, &step);

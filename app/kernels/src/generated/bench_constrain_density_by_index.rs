@@ -93,5 +93,5 @@ static CONSTRAIN_DENSITY_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/constrain_density_by_index.compute",
-    hash: "d0aa6eef1d108c136139ca9474ecec726c436f8ceab28c49b238c69112aa31c9",
+    hash: "5b8a2ad37b9c8e67b9500384255987dbd781163aee03e9cf26345fb6dc663e77",
 };

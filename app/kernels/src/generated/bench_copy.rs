@@ -57,5 +57,5 @@ static COPY_ELEMENTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/copy.compute",
-    hash: "b6edda3410b7886647afa56c816c1929d6da16b48fabc3f68df950ef2b98a2c0",
+    hash: "386e142d8436a2d22d9ed5261a4ceb5c5d82acc0c56b271a6be7389f082c2083",
 };

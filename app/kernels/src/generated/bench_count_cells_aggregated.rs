@@ -74,5 +74,5 @@ static COUNT_CELLS_AGGREGATED: Module = Module {
     shared_bytes: 512,
     tier: Tier::Floor,
     source: "bench/count_cells_aggregated.compute",
-    hash: "9b34235c285b48989663f9d10103c660dc47af1e0d023a0bb595b4332ed3f060",
+    hash: "8d96a8a8238090ed399a839f2d92a428c2f499b946b96d2d663caac5d82dc428",
 };

@@ -94,5 +94,5 @@ static LIST_NEIGHBOURS_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/list_neighbours_by_index.compute",
-    hash: "530989b5ea20383d1ca209fb502a220a639dbf768de3604b16e271b0dd0cfafe",
+    hash: "8da0ae35da0d488837dbea26d84ea62676b0af38e1766466b6960d96bf372274",
 };

@@ -82,5 +82,5 @@ static REORDER_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/reorder_index.compute",
-    hash: "23fc3577c894ec235929c4b6f54df8f51000d28ed1393e51324131aebe9dda8b",
+    hash: "a142c295d005d703362004d2e9c0b82562e4b8ca1b36f98407494ef75d09cfa5",
 };

@@ -88,7 +88,7 @@ static SCAN_GROUPS_TREE: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "2bf9ece4b8c1436d0d631150f3a41b80733d2ce63571213e1fa25bb04c00df21",
+    hash: "371c5c16695031b06b48a2bd38d9094c224cff407b5b2b648ba698c4abb009c4",
 };
 
 static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
@@ -101,7 +101,7 @@ static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "994445aea624de4b4831fb09425ede2103e023565f11d8fa80ef34e788a188e4",
+    hash: "a08eaf9de5fbecea2d3173d3e72fdafb5b9dec2d36d3b35d56ac82b32d74708b",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
@@ -114,7 +114,7 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "079bf31ec565bf8e91b60aefeb1812e172a065fc72d14369273224936a2f51e9",
+    hash: "c2ecd9bc3c12efbd8a279c9cd35d889a3346de02b0ee41277f102ff5ee35ed7a",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
@@ -127,5 +127,5 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "f0141cdb289ebb823cf631987b88e3d066ddfbc3284040e3cf46d13e6ad1c113",
+    hash: "13af79af2eb0daf365f7b65804d44aba4756f08c57b9d287a86156224547473c",
 };

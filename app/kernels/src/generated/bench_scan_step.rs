@@ -54,5 +54,5 @@ static SCAN_STEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/scan_step.compute",
-    hash: "9bc636bf993a7101c2f91adbb9351ef20ffc3d9cc93f12b9093445bdda09502a",
+    hash: "66a2a1e06344ea925e32a98a28a8d9b1c4001dba13d1af4747bf84401fdee26b",
 };

@@ -99,7 +99,7 @@ static CONFINE_VORTICITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/confine_vorticity.compute",
-    hash: "c42680cb38985e16f120eb41f2bfe727a21654376065d474540523be7a5af55d",
+    hash: "d68dca3a936090f16487e61f3d18dc623443a8fbf70a463b0f5474a21c133174",
 };
 
 static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -112,7 +112,7 @@ static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/confine_vorticity.compute",
-    hash: "41cc8ebcbad6e728a306f999b4bee655a0ffbb18eed68151481bbf6a908dc6fd",
+    hash: "f3ea14b62e2e00baca242fe34feac922165cc81fbf5429d6cfaa83a8cbd18ed6",
 };
 
 static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
@@ -125,5 +125,5 @@ static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/confine_vorticity.compute",
-    hash: "63345ff787feab0a789c47be3dde142037675809594dfac7204d635f993b5f49",
+    hash: "628f184eecea458cda9e7faba4b68aa3b857bf9031f693f3f110d4de7ba4fbcd",
 };

@@ -97,7 +97,7 @@ static CURL: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/curl.compute",
-    hash: "9c673ebf5fd946e3b94f127f28add9559609be09e10a20e02279a3d39e585ce6",
+    hash: "09a8c02687ac27b401c8aba5e27adb511a3f65049cfcccbb8dbc2ddf6634920c",
 };
 
 static CURL_WITH_RELAXED_PRECISION: Module = Module {
@@ -110,7 +110,7 @@ static CURL_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/curl.compute",
-    hash: "2240852fcb1bb80c1c06e765e3fe1650bd40a3d1a000d39227f2b84587367263",
+    hash: "ef67d7f2883e032ae4307c6f1320f135528c00478a366716abe0010f48287bed",
 };
 
 static CURL_WITH_HALF_PRECISION: Module = Module {
@@ -123,5 +123,5 @@ static CURL_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/curl.compute",
-    hash: "a2ba2c2f35417e92c67d16423416934c75f988740a3f107eac8764f4d8376be8",
+    hash: "ac07fa04c185ad3ba662704e93586fb0658becbc3ad551e64ebfb68a364d02bb",
 };

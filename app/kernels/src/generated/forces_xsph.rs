@@ -102,7 +102,7 @@ static XSPH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/xsph.compute",
-    hash: "8a409a7454762eaa8c38c01eaf9ef55d8350aac6c39bcfadb3080dfe820b01f5",
+    hash: "07c562dc974c2a2803c85c8fb374887c3dee9dfee5705066b252dbc6d3ff8c75",
 };
 
 static XSPH_WITH_RELAXED_PRECISION: Module = Module {
@@ -115,7 +115,7 @@ static XSPH_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/xsph.compute",
-    hash: "ea88a27392f6ee00b08f100cd5f6b4c9f25cf0e40f450ffff8e61a993b9b5656",
+    hash: "5fcaca0d49cf142d38833f2a8d95c5e3d36708b1ee0714ea68be3a88416f6096",
 };
 
 static XSPH_WITH_HALF_PRECISION: Module = Module {
@@ -128,5 +128,5 @@ static XSPH_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/xsph.compute",
-    hash: "826b28ad5b08cc8ce07ba490d88cb4efb3418b0135f4d3f0cddfd361811ef274",
+    hash: "2659910079db91e260c88c16cfb74c10ed1bd375ef93d158571f7386accc66d7",
 };

@@ -62,7 +62,7 @@ static DRAW_PARTICLES_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "64780d562cf7708f8f07f54d687107df41b1bb628984bf38257927b715888a73",
+    hash: "4b731776af019a997b876deb0c052d0ef9ec1c5266f0847db64145c0a52aecce",
 };
 
 static DRAW_PARTICLES_FRAGMENT: Module = Module {
@@ -75,5 +75,5 @@ static DRAW_PARTICLES_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "36ad219713055901aa6ca59379335c98bda5c7b1ee7d620254ca43f493762e00",
+    hash: "d459c0f0c68ac6477ff1ab5cfbd8f5f06407f5f77b7a84094a583be34b1bba30",
 };

@@ -130,7 +130,7 @@ static DRAW_SHADE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "dead7ac03819225094b34655a32aa7fe1307576b5a809923cf95d100748003e3",
+    hash: "4985a29df5c1973a75aced5bd71a24f45b5eb4d6c9eb3afff09d9070b99d0a5b",
 };
 
 static DRAW_SHADE_FRAGMENT: Module = Module {
@@ -143,7 +143,7 @@ static DRAW_SHADE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "8968b0b8faddf3d01394b9e660cbc1ae47e9f8af8f122a02d47777077b5aad00",
+    hash: "cb8032557af36a7b8b7cc732e9c7661004235b56d2ce9897879abe2aaba528ac",
 };
 
 static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
@@ -156,7 +156,7 @@ static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "69545efa68b882baad459a954e98d04ad2c5e63f7e566cebb184a9c677086aa9",
+    hash: "4092b6db51c6786fd2a5a31613fa6846aec838c013f9abcf5d55b1566a8d0726",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
@@ -169,7 +169,7 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "ae37f6a26b06d8e8dc8d9704f11d5bd11a5dc3e8e14a07812c8233660b44b3f1",
+    hash: "526cfe4bcd9fe210de5d60a1f85c706a869b5473903d63f2ece6f82284d62b24",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
@@ -182,5 +182,5 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "81a67c9db8489677a6f845cf93e5f64711534c80543f3955f1ce8425573b9fe9",
+    hash: "0fd174831c4e4879cb1e9a0b7bbfd15c04391f334a4914bea82b851548a7e164",
 };

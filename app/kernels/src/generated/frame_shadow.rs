@@ -55,7 +55,7 @@ static DRAW_SHADOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "b74eb21fd9078a58c2cf655a2d1a33e9caf00c41354d8b28834c91fbeda17ee9",
+    hash: "b1c83caf61ed44217f637ad184dec70ec46d3d23e1331372d63af0cf65632693",
 };
 
 static DRAW_SHADOW_FRAGMENT: Module = Module {
@@ -68,5 +68,5 @@ static DRAW_SHADOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "127c217420e5b7e26e4bfd455b6d282ef5a96ab7fa88bba91878945db8d0c597",
+    hash: "a7042f483589b8ac2df40a7e85009f109a61040e86f974a96814a9e1bd7818b6",
 };

@@ -60,5 +60,5 @@ static COUNT_ACTIVE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_active.compute",
-    hash: "b9281915acb8a68db6eae380c7a3a447c151092d83a217983e8a46a4499cda21",
+    hash: "a103299117c239fa3d7e4fb3d53aeafa165aa49fe33ffab35724fc2b3ca7aa13",
 };

@@ -90,7 +90,7 @@ static COUNT_CELLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "7e1355015bd9f307ffb83a5997665229e030988613cbb6fbcc0196352e3d9ea1",
+    hash: "0f90fc22dd252e41a871ef7f9235c2b0c28a586338282383542c32d76c0adbff",
 };
 
 static COUNT_CELLS_WITH_PERIODIC: Module = Module {
@@ -103,7 +103,7 @@ static COUNT_CELLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "183424258a97844371d72c9ba52380b86490c08f90c451915f071391cc8d7f87",
+    hash: "4a4e3e8c53f3620ea01f6c5181f8022b6d7f30adfe28e5cb3c11bf091c88b5c9",
 };
 
 static COUNT_CELLS_WITH_WRAPPED: Module = Module {
@@ -116,7 +116,7 @@ static COUNT_CELLS_WITH_WRAPPED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "7f401b7ecbf03f2a251485421cd1b02f462563a416aeca266722bc0c000d99da",
+    hash: "140f25431de97e3b2a830c1aadb1f7c07a670c57136b8c7756e03619a82e078b",
 };
 
 static COUNT_CELLS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
@@ -129,5 +129,5 @@ static COUNT_CELLS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "68343da322ec6689b20d2adaf553a1de019d523baeac88d39c7016f340cb186d",
+    hash: "c7885275c23bd3ef654bba0ba14631aef7d93dc40f2987b146a543f121486732",
 };

@@ -135,7 +135,7 @@ static LIST_NEIGHBOURS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "759c65bb4cead5a63e4ba1a7d30f0535123b374b9a7e50af8c792c4544a3fbec",
+    hash: "52e0fbd2c5ae72e25090354a588f09b4050d4e53ddbd71c7e3d15661456d8212",
 };
 
 static LIST_NEIGHBOURS_WITH_RELAXED_PRECISION: Module = Module {
@@ -148,7 +148,7 @@ static LIST_NEIGHBOURS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "35e5dcdb3007674c445984a48fc0b822ae02d3937ec9451a34e8c8b2f4be750b",
+    hash: "6034225087ca3a751e18177055bcbbe64f562106223fec5be6baf02403644ae6",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
@@ -161,7 +161,7 @@ static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "314b850608d20259f01145c9da91a65b50ddb62781380868159d7c031903b713",
+    hash: "49a1dd42b7752183ee24a7b8be96f9bbe8abecbe2b548e43611b7e0c9c274bcd",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
@@ -174,7 +174,7 @@ static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "78195d8d5345560ee598bb3ba5d027cec012ac15245b6275fef016250c9e47b0",
+    hash: "cdc633f3fcc3f111b3f36abdbc8ec9d9d391205a7d39bb69458edd347373850b",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
@@ -187,7 +187,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "364cf3b24690329990139c72051de891188fcb93485daf6f2f6db4055eb5842c",
+    hash: "6508e9cb9714c5b93b085c098d867c1d600ef9fdc42b18887a6696e6a1578f3b",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_RELAXED_PRECISION: Module = Module {
@@ -200,7 +200,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "612d9fc523bf73d1b895e046714f47b2e0ea4613b1b9f27fb393df7781a188fb",
+    hash: "31e83891e66b51a865824793ecd0c62f52a7570653e1d0c3bed8e411186d9972",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
@@ -213,7 +213,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "8a260685453ec377ac7d75199bd5cbd8cf88366adf3316814106e4eec45010f3",
+    hash: "4dedb9fb5d9415d5c5334e57912d6d9027cd366b5b4c6235eda17d3296d82c0d",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
@@ -226,5 +226,5 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "d452305658334708b4089dce2f77f7391997b28c7deeed2d0ccca21a366620ad",
+    hash: "5e6691917f93d50f1f711feb22f6a5d7d52151f6af84ea31ca95e88467dc0386",
 };

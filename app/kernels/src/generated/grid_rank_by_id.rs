@@ -77,5 +77,5 @@ static RANK_BY_ID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/rank_by_id.compute",
-    hash: "91cd04e180fd74293811f0eb3d8dd8da599015254c9c613d275f7455696afed7",
+    hash: "844601c17bf7b52fca20a8985318bb969ba44f1ae491058d2cc6230b033c26c3",
 };

@@ -14,7 +14,7 @@ pub struct ReorderVariant {
     pub precision: PrecisionKeyword,
 }
 
-/// Last pass of the counting sort: every attribute moves to its place in cell order, so that the
+/// Last pass of the counting sort: every attribute moves to its slot in cell order, so that the
 /// solver's neighbours lie close together in memory (Hoetzlein 2014; the mobile deck's "locality").
 #[derive(Debug)]
 pub struct Reorder<'a> {
@@ -106,7 +106,7 @@ static REORDER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "05688563758b1cee1748413c229e1f4ae00e399c999ff7b01e8bf446abcb5e7a",
+    hash: "85d982cf33e1721033c1e3aaa7bf002eedef5419d7fa52fb7cffa7389637398f",
 };
 
 static REORDER_WITH_RELAXED_PRECISION: Module = Module {
@@ -119,5 +119,5 @@ static REORDER_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "260b96da9ffed77854468009dc734b1c95e6d410799f00dfbba13492022dd1c0",
+    hash: "7f4bfc9cdabb60756fe65194c5191d8f5e83a59b540a2e2885ecfc4efd1dbcec",
 };

@@ -109,7 +109,7 @@ static REDUCE_GROUPS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "c846a3632726f651a26dcf1a5e2a3aebe7206132d57c921445d99c99a6eafd0a",
+    hash: "19d1b311f75eeb79926cd4fa32c8961fae61ad6c022c74f341f2e5930930439e",
 };
 
 static SCAN_GROUPS: Module = Module {
@@ -122,7 +122,7 @@ static SCAN_GROUPS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "9fe87970bb52e14af10b15597d4efded6c45bbf6624fa1a3963deaecd9897a4d",
+    hash: "e01254017d74fb6ee8a89c7e24a7848b4d5e6936c4bcf6d1b48befc5f75babef",
 };
 
 static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
@@ -135,5 +135,5 @@ static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "c2587e188f9625dae1ee6fac55906b50c62929486f958c33971d6e323bcf615e",
+    hash: "392e815b04bea4582a2722e300a9f7e0dd1d20c4ba507d984314f674cf1bfda2",
 };

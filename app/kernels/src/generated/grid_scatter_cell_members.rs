@@ -65,5 +65,5 @@ static SCATTER_CELL_MEMBERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/scatter_cell_members.compute",
-    hash: "f0b02705c6e6c38e49bc8590bc7e80ef7cea6c5a58a4fa53e6766b729ddcb120",
+    hash: "3cb5797f074e2ccbf7acded5822bc76c0190c55ed26647272eb22b8c8799e470",
 };

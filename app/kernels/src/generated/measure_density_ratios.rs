@@ -97,7 +97,7 @@ static DENSITY_RATIOS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "40091513a712cc1bfdadcd16804283662b3d857397ab1c5a990006f48bc10d03",
+    hash: "17d18794e823e2803c33824112068198aceaeb1e661664cb466eb4a1792db9d2",
 };
 
 static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
@@ -110,7 +110,7 @@ static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "49f4a193ee161c3ad971c9cdc20d1b71ed90779ddc800e2b5edc6321d511ab27",
+    hash: "96c7b7e5548d0a445c1d4b413183816ff18124454fa9918ca34849b3fb38924c",
 };
 
 static DENSITY_RATIOS_WITH_WALLS: Module = Module {
@@ -123,7 +123,7 @@ static DENSITY_RATIOS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "fe3e94ab7a3aa43a43f7abc1a2200559642ae1a92437571a3f3e7cfcc4c7eb9e",
+    hash: "37e79be4289a607d736902ff835bf0dfec384af4a8d40a1b5ec58bafa8a53e68",
 };
 
 static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -136,5 +136,5 @@ static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "511add98902929236cc79b6436be72c2e341d99e5faa5769ed1333ddc570675f",
+    hash: "440f72bc9c6e579a0dabe1c6eb97bae0f1c04e580d8c6bc871467b92da0153bd",
 };

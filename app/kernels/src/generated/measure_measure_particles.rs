@@ -18,7 +18,7 @@ pub struct MeasureParticlesVariant {
     pub periodic: bool,
 }
 
-/// Energy and place of every particle, and with DENSITY, where particles have neighbours, density error and
+/// Energy and position of every particle, and with DENSITY, where particles have neighbours, density error and
 /// compression, summed a group. Percentiles
 /// come from histograms whose bins grow with the value: 32 to an octave, so a percentile is known
 /// within 3 % of itself. A group fills histograms of its own and adds their bins once: in fluid at rest most
@@ -132,7 +132,7 @@ static MEASURE_PARTICLES: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "b9eb4d27362c3e875553a8bcd99ce90e6dcfaf30781f670651c47a33740a75ba",
+    hash: "adf499e6e5a8809eb4116cd096a08f5929c2eaef7c7b9e6ddfb88c4a3cb96c89",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
@@ -145,7 +145,7 @@ static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "27855e50a0cbe9800ba7161f11e151d2a05dd5c4b117e88ebd4e8388ae98769f",
+    hash: "8069ebc40d1dc3233dc59cc9bfd0ceb52465d2ce882aa482fded5e07ddc1dfdb",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
@@ -158,7 +158,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "1d4cd172f21cc327c5bd847f50fa6f46292d641016115aa89f958f2e0300271b",
+    hash: "a96db6733ad314ebd7160f0a5f783d5e2338a6aabd884fa8744843eff4ada820",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
@@ -171,7 +171,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "bca9b3346263a1dc0b5662011c7247fc5a5b4cdfe45884eed95c0d73f497d51c",
+    hash: "8de90903cfcc0050190e33e1ab212ae674ff880d6641cdd1677ba758eff0152f",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -184,5 +184,5 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module 
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "fded9b8350b0067e578ff8bbac072755d1c72feb825efc02f466f0cba91e609e",
+    hash: "29973757eb29109193ef79d025f08aaa799e379038cb768e0517407d2033c630",
 };

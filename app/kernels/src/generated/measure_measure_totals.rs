@@ -73,5 +73,5 @@ static MEASURE_TOTALS: Module = Module {
     shared_bytes: 4616,
     tier: Tier::Floor,
     source: "measure/measure_totals.compute",
-    hash: "f87c90a206a9bbf1899c6d93b719ef1429637cb9b6b65a3598c5ad79c34c242b",
+    hash: "fbd73ab327443afbcaff4e198bb4fa4a0b207fd68a5283fa4953e7a51a841cbc",
 };

@@ -7,7 +7,7 @@ use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
 
-/// Every stride-th particle by its id, at the place id / stride: a point stays the same particle from
+/// Every stride-th particle by its id, at the index id / stride: a point stays the same particle from
 /// frame to frame, whatever order the sort has put them in.
 #[derive(Debug)]
 pub struct SampleParticles<'a> {
@@ -67,5 +67,5 @@ static SAMPLE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/sample_particles.compute",
-    hash: "0a57508611cd041144adc9c739649a12ca04e8805215a58673fcbf9d917ed2f3",
+    hash: "7222d77b433621072c9d7929744fadd36dde590b6de4540bbd68d084aa371cae",
 };

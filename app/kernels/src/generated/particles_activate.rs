@@ -114,7 +114,7 @@ static ACTIVATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/activate.compute",
-    hash: "daeeeb7a2af8dfab345b4ce4fbc72a9555c3e826167b075efe52745a3d01f9f2",
+    hash: "2e4ead8e0a8e4de08a876e76cf6d29ceaf76986cc0abc7d5e64d9193fc887f0b",
 };
 
 static CLAIM_SLOTS: Module = Module {
@@ -127,5 +127,5 @@ static CLAIM_SLOTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/activate.compute",
-    hash: "bcc3e3f98f0aaabda18e6d03744dc0d2deec34a525ba0ce93ea55a615eb74fb8",
+    hash: "083b91bfe645bb57327d2b4fca2a289059b9866acafe73436621d651250cf920",
 };

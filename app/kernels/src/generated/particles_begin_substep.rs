@@ -50,5 +50,5 @@ static BEGIN_SUBSTEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/begin_substep.compute",
-    hash: "97bf1312b39f0f1fd7a0aac4095a2b783b4d5df968a22dcf9a227b9043a54a8e",
+    hash: "952c56e8a5942c80ae67b98428a99156ffff76a2f4611c098892f0b74e403628",
 };

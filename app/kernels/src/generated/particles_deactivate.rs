@@ -68,5 +68,5 @@ static DEACTIVATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/deactivate.compute",
-    hash: "22b809f048d3001ecbe47fc8da427d8bba51a435df57dde4050faf403fe2c2a4",
+    hash: "ecc5d2e1d6b8bb053e4464e478874ca788769a52000f487c201d1ce8896c4dc2",
 };

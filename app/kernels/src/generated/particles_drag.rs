@@ -66,5 +66,5 @@ static DRAG: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/drag.compute",
-    hash: "418d3f0b40a7c6435bf004fbe4af50fd0cfdbb80d08516dcaab4d1b702765d0f",
+    hash: "cecaf8b912af4859fc76d116757b3de2fbb007f354a7bd0273cf3fd8f8d62fcc",
 };

@@ -94,7 +94,7 @@ static PREDICT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "01ea8d3e030fa5920a6f14dfc9d6b0b455726554f6cd393184b02ada9b37bf38",
+    hash: "8446e969242eaf190fb3a216565e0dd50795ded32873800ce6e97de3fc484fa2",
 };
 
 static PREDICT_WITH_PERIODIC: Module = Module {
@@ -107,7 +107,7 @@ static PREDICT_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "2d124d0431c6f24e4321da95318c7b34c2035f59684b396a8aa00b25a26856a0",
+    hash: "3a05d8628dcc68049f62663f463a8a2a11bfc59aaea4fbd47fe7d9285dd01d18",
 };
 
 static PREDICT_WITH_WALLS: Module = Module {
@@ -120,7 +120,7 @@ static PREDICT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "2eb465fc99ef806a884d8d10367d565fc67f40cd3b811929630ea0a336269c86",
+    hash: "2e347a2ef6b7b4d827d64c0a594659e1a7d712a98e49b4b6b852e0dc45d2a729",
 };
 
 static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -133,5 +133,5 @@ static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "7b13520c214158a3bc424bad25ee8c284162ff26c80954a3297cefc688fd6f0d",
+    hash: "ae88d5da3611c8daebd3bcb7dd6fed6e7e942796db65fe49d2dad2a18de7ff33",
 };

@@ -55,7 +55,7 @@ const _: () = {
     assert!(size_of::<Position>() == 16);
 };
 
-/// A particle's quantized position (shared/quantized\_position.hlsli) during an iteration, with its constraint's multiplier.
+/// A particle's quantized position (shared/quantized\_position.hlsli) during an iteration, with its constraint's lambda.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct PositionLambda {

@@ -102,7 +102,7 @@ static INTEGRATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "5d4c21b8595cf80f0997954a86cbbe713da58b919378e7fcc61ca10515cddc07",
+    hash: "54f6b35d781bcdd9d807e3c8348fe193ce181135defe33168a7f90f9e0176a1b",
 };
 
 static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
@@ -115,7 +115,7 @@ static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "6a8766ad286c00cd9fa2ecc6f9b36b1cdddfd8b844186e64192191e569460255",
+    hash: "f96e9d42cdfe49f39e2dc81515b2c1d850747293b9e52553b870c65ac8312fc9",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
@@ -128,7 +128,7 @@ static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "55f36884b3d5ac0e2049a37c8a91c39d60422a9ddc7d5f1b0a07938bff4efad9",
+    hash: "55183c6c262c5f962dbea5309929e7025a50c4cf0a1ebe2c6ed596403b06f9c2",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -141,5 +141,5 @@ static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "d5d2b1fb0cbaa49d8c00fc0244ded93274249cbe98cb81e4efc60c2453d5e841",
+    hash: "00075c084b92779ef696a5e1cf1cfc31c2eb8b90594d7d07c000dc94116c87a0",
 };

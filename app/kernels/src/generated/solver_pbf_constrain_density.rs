@@ -18,7 +18,7 @@ pub struct ConstrainDensityVariant {
     pub precision: PrecisionKeyword,
 }
 
-/// The density constraint's multiplier lambda of each particle (Macklin & Muller 2013, eq. 8-11).
+/// The density constraint's lambda of each particle (Macklin & Muller 2013, eq. 8-11).
 #[derive(Debug)]
 pub struct ConstrainDensity<'a> {
     /// Its variant.
@@ -184,7 +184,7 @@ static CONSTRAIN_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "faf05084116d8b3fb856807877d8f00cf0d803e936d504f8d63f49dbc4af5141",
+    hash: "265277b848039bf4aca4f5903818990eea7ae7a71a40221edd75741d9fb89f39",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -197,7 +197,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "ea5603b5ed79941a347c28a9e9131da12b64f4fcd0e0228fe1ca6add856d3d4f",
+    hash: "ae94e84c3b7cdd2d9e7fe6588bba38a7102af4f56193c093a9e81fec133a113e",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -210,7 +210,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "d5025924434d04775fe941eb331bac90906396114d41b3da7ffd0b002fa03aa0",
+    hash: "9ee9b5fe76e4e474463c4fae1487d6e4279f24d49dbea12778ea0988a545cec1",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
@@ -223,7 +223,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "75d49b2ed0aa3075ca07efbfa5c1e513337bec9f1a1d5a286c69338b48da510e",
+    hash: "f1fcba1d46d44f7d72e8820c2b7510bf5da4b7e345f06536592b69496715c5e1",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -236,7 +236,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "3d23ba9ea86abf8beec361e977b45149bef845693a32ca9d3a3ee7bfd10417f6",
+    hash: "b2e3f8544b9510fbeda908414ec7a57a10c1ece12e29642a5bb11a382492f1d6",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -249,5 +249,5 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "344e8f22e9661919b7a5e43bddfa23f747abec282bfbb0e115278426231b98b4",
+    hash: "b771d3c8ef406da6e0b8c44358b68eccd95c841699315ad34fa3f3ab2a077246",
 };

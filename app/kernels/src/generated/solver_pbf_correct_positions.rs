@@ -23,7 +23,7 @@ pub struct CorrectPositionsVariant {
 
 /// One Jacobi correction of the positions (Macklin & Muller 2013, eq. 12-14), under-relaxed:
 /// plain Jacobi is unstable at ordinary neighbour counts. A wall answers with its particle's own
-/// multiplier, as the fluid mirrored in it would, so that even pressure leaves a wall's layer alone.
+/// lambda, as the fluid mirrored in it would, so that even pressure leaves a wall's layer alone.
 #[derive(Debug)]
 pub struct CorrectPositions<'a> {
     /// Its variant.
@@ -180,7 +180,7 @@ static CORRECT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "b0a5edd8a635991519f2e77b3ec45a965b893ad8b6782014139be886fcdc2c0d",
+    hash: "9334eb2ad8517452cf9bb4e528b41b99971290a7a7f21fe31558034f0b4ad87e",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
@@ -193,7 +193,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "6c4d894a52978f0fe47bf5e328ba12a84442784468a0ceb0963b821f6694f2d9",
+    hash: "2d8d49bd835e16aeb13e2ce47f3fcb01b7bafd85948cd267c7e37bb41a2ea365",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
@@ -206,7 +206,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "61eacdffd81ee0ee32d8111ebfbda27c3d1317228ae17a968c22a1d39c461eca",
+    hash: "9171ec226b11e667ff2178d97f4e6d2d86344fef0f2ebbbff6d8b4c0080adb9c",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
@@ -219,7 +219,7 @@ static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "de84c48cb77799abb2ec8fe6c36c5c5440919c4630fe2b314189c937b8effb08",
+    hash: "4eda252383cf7841d43956eae49c055b66661305275d74ec3e38104194c7d053",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -232,7 +232,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "a090d53ade4f17e4fbb7ad666a1fd70600faa34b851319abfdf4c385fea3b0ca",
+    hash: "aa86a9133503887a98828606e188a01d723bec4b716193e5ffbf39e909ba39ad",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -245,7 +245,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "17512b6839f4192586470458f9499f08bf692b502e4786b54d2726792e6f811e",
+    hash: "b21b9394bb672d2dcadd148574f37e7fca378e0947f537b0b45659c48204815a",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
@@ -258,7 +258,7 @@ static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "8eb7a0a32c1aca741161e1272f628fd38d66ea433886bb2e7b8f0a080980b042",
+    hash: "3ade464f0959ff2bdef18b222e4123adbf4bfd4fd9ef59e84005f9450a38ca6d",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -271,7 +271,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "f3f128e1985753ef4c0e809ba1686f561c89a204b5f27300384210257252a67e",
+    hash: "a710d6fca727a32e71324bef1837e6cbc648bf4a104dd8302079f9e9f88961fb",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -284,7 +284,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "da852081c812b32227c04461a2f5054ec4bce3a2679ea3491eb21e9eda99d94c",
+    hash: "e7f060bffe5af3d12528a16662c1407efac69369b7d5ce4706e8547a2e2f4301",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
@@ -297,7 +297,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "c0f4431d331b59df989597ba704c1bf392fd6f1e2ac7754cb07eafd11b130cb0",
+    hash: "0b39c115409edc6620035e6c90caf2b02f6f90ed8ac268be99a31f42b8e15bba",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -310,7 +310,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "3fcbe5464f376d3f8c09b69966920655725ee1cfb53444ac5346353830ac72b1",
+    hash: "8a97b636759ec0b1ebf24f53558a9021818b6d29cda2a8326fbc0d855a60d098",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -323,5 +323,5 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "833af020e7c9ddcd82542898b2631b8178b362aee70807dc39beb29474460e79",
+    hash: "dcd55fed9dabbdf49b28bf45a347ad0decb8ba2a433939c048eaa38773d4370b",
 };

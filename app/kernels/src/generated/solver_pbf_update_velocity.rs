@@ -129,7 +129,7 @@ static UPDATE_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "b48b902051b00129a0d39249a14abbe0196e95750d51bf365d58b5b01ea65cd8",
+    hash: "73f59991ac8341963e032cfba97a7370910357d1323713d411be28f7c32a3d37",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
@@ -142,7 +142,7 @@ static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "62dc49b1215fa0661cf856ac155f9dd049b14e5cbb0926bdc40ed84d57c2b169",
+    hash: "c675fd073f58bad7bf03eadfaa0d3499bbe0ad27996c68333807259566c24825",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -155,7 +155,7 @@ static UPDATE_VELOCITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "aad30de74841a3a6b4f092cdbd97cf04d14b951782be52b8baa82855faca225f",
+    hash: "ca135273860849fe5cb02ff8512f315c0ee4ccd820fd7cb6ce517712ed5fd365",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC: Module = Module {
@@ -168,5 +168,5 @@ static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "0b28593c330ecd565853fb96802c5811802cfc417a550001738bc38e57e93996",
+    hash: "346190485228e0171a9dbbd0ccd508ea9ea02452aa465caa5abfaa5cab6ad86f",
 };

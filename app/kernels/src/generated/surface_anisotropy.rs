@@ -77,5 +77,5 @@ static ANISOTROPY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/anisotropy.compute",
-    hash: "c1a22aa0d7a55c94b8db5df6b72439413850701820ee94af25386124b56cccec",
+    hash: "4ce55a7ce26d12bfadffd585d003f8a55435aa893b3152bb7ab8246c8aa0e342",
 };

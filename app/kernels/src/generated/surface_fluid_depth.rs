@@ -15,7 +15,7 @@ pub struct DrawFluidDepthVariant {
 }
 
 /// The nearest of all particles' spheres, or ellipsoids (surface/anisotropy.compute), in each pixel, as
-/// inverse\_depth. At the tank's glass they are cut off: there the water is as flat as the glass.
+/// inverse\_depth. At the walls they are cut off: there the water is as flat as the wall.
 #[derive(Debug)]
 pub struct DrawFluidDepth<'a> {
     /// Its variant.
@@ -112,7 +112,7 @@ static DRAW_FLUID_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "6f20e02f4cd1f34cd423d5a4763f486a6ebe895a1fd9d6f9c7e7ebf89060a20c",
+    hash: "2fe21d4992b46da7799e67d668d83e010746cfddedccda691d994efeca884b15",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
@@ -125,7 +125,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "5baeb6e483ad3844b98798224bb06ecca6a46adb091526b732c3403ab55402b1",
+    hash: "d5a20ac61fef337efbd2fdf4af625df78c806ba88eb4a52ff29df33daba16357",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -138,7 +138,7 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "abd8b1341a1e4ba9837b848f63e809d6737a5f87b77fedfbda98ed0e56b7c72e",
+    hash: "d1adc4117af212f80a1d894edc2b04937a81bd12d81d3aae7d95bb9feb6a6b16",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -151,7 +151,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "9f9283e82371cedb5330480d595a1b522916264568f67c118c2abf977d1f3aa3",
+    hash: "1d7d022e842fc7c28e2b69522d1b94edc17876f3d440ac0d136444472a21623c",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -164,5 +164,5 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "f7620dae235d0fd61086fd8bd324d42a60646f5c0ad28d666edfc4e8f1b7d059",
+    hash: "58344b9fe046c68c30bd9545c2efcdaa31fadc23563fe53b70cb02a147f263bb",
 };

@@ -7,7 +7,7 @@ use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, BufMut, Kernel, Module, StageKind, Tex, Tier, Uniform, bind,
 };
 
-/// Where sunlight goes through the water: a photon for each place of a grid over the sun's map is bent by
+/// Where sunlight goes through the water: a photon for each cell of a grid over the sun's map is bent by
 /// the surface (Snell) and carried to the floor.
 #[derive(Debug)]
 pub struct RefractPhotons<'a> {
@@ -70,5 +70,5 @@ static REFRACT_PHOTONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refract_photons.compute",
-    hash: "492d3c5a63cb4abb1a6624dbb67859eeb54fb5659dc0d8546068c985647c6d0a",
+    hash: "177d9018e43c75fa2b194d3b9a8395f4058785a79ff6f5a0be5d4c251b794f2e",
 };

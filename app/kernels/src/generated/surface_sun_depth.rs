@@ -16,7 +16,7 @@ pub struct DrawSunDepthVariant {
 
 /// The surface that sunlight meets: the nearest of all particles' spheres, or ellipsoids, in the sun's
 /// parallel projection, as shadow depth (1 nearest the sun), in which planes are linear; 0 where no
-/// fluid is. At the tank's glass they are cut off, as the eye sees them (surface/fluid\_depth.hlsl). Drops of
+/// fluid is. At the walls they are cut off, as the eye sees them (surface/fluid\_depth.hlsl). Drops of
 /// spray are left out: the map is too coarse for such lenses, which would tear holes into the light below.
 #[derive(Debug)]
 pub struct DrawSunDepth<'a> {
@@ -114,7 +114,7 @@ static DRAW_SUN_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "493cb91b6dc0b0a2ab2d48c1ac32500d8632ac3b89b87c4b40d494cf9a0294f5",
+    hash: "14ceb5b5213188aca6306d14de3c42b21fbfc78df2985851745ac1c13c4b0a00",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
@@ -127,7 +127,7 @@ static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "5ac1690417a1cd149385ddff702b6347a96ec5702a2e359a92e801d99024eff8",
+    hash: "d47a72b687616cf867501fa693be8c2b19ce3d4bbdaffeabcbbc62f9b5299d7d",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -140,7 +140,7 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "36093bcc3cec08e072590bd3798498d977aa6197d7359c5f79ccb101fefeda4e",
+    hash: "dafb8e6d943b29792bbf4c9c75014357f0bfb73664773192e543ccdd464075e8",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -153,7 +153,7 @@ static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "0fd334303b61df69ddb727a04ba95c3724bacbe0b57d2a5cfbcc2f3d32e31d98",
+    hash: "37145edbbe1e8cb38dd5186d5f0c523e9337fc214d7cf385fd1ce983d5510ccf",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -166,5 +166,5 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "4d4dbd17141d948cc820c2c1c313efeedd98f9d7c3cbc805d4cb58777b63de3c",
+    hash: "5e52fd7f7bc23ef9e340b299edbda5118267bd63d417720fefac50b773f11343",
 };

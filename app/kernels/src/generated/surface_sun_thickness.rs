@@ -85,7 +85,7 @@ static DRAW_SUN_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "69bc5d8d727ef1d2be3514afda414e15c289d90e167c87ecbac195e3af7b5ddf",
+    hash: "513d78de638f0f6b40a61c447701b3eb80f30653b154fe532b5089141ef11c10",
 };
 
 static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
@@ -98,7 +98,7 @@ static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "df632e5380cca537bf56860d9649dfabec924148d2f5c5d6e441b5d3b4e3b5f0",
+    hash: "b782c7d9b7bfc93d24a26d6c46a6835cb10942783b11e33a82e59bf7b0a8eff7",
 };
 
 static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -111,5 +111,5 @@ static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "3e23fa6ff390698921d5152c534a5c557604d0abd78ea55831d261aea6c93eea",
+    hash: "6980cf71bee5a736a44c5f7d1bb72590a02c7ae6cb6fa1c8a19899a6b11cb064",
 };

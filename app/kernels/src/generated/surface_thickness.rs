@@ -86,7 +86,7 @@ static DRAW_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "a42d65134c5edccd63e40d014496bfbc8363c7bb04a78d4c87633bb3fbbe0262",
+    hash: "23d5eca475e65d73b649e23417723b6b07428966ed9bc678d3552fd21217f474",
 };
 
 static DRAW_THICKNESS_FRAGMENT: Module = Module {
@@ -99,7 +99,7 @@ static DRAW_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "2d99102dcaca8051b84203114da2a325d1fe03bb6e730e7784b839c10f34e654",
+    hash: "b9e25791286cd3c03114530b024a658accec8baa8ee69e06d9f8d8829952feb0",
 };
 
 static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -112,5 +112,5 @@ static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "e5a948e0f866d40657e0223ac703b004946c72d99c4312ab11e2d7ed7514c466",
+    hash: "08528c4d736416b9c9f2ad44926144c6ac0c0b9e0cd50b1e3df1f175d5d38f38",
 };

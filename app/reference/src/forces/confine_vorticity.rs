@@ -27,19 +27,19 @@ pub fn confine_vorticity(
     smoothing: &Smoothing,
     forces: &Forces,
 ) -> Confined {
-    let here = vorticities_per_s[i];
+    let own = vorticities_per_s[i];
     let mut slope = DVec3::ZERO;
     let mut terms = 0.0;
     for &j in neighbours {
-        let offset = smoothing.apart(positions_m[i], positions_m[j]);
-        let rise = vorticities_per_s[j].length() - here.length();
+        let offset = smoothing.offset(positions_m[i], positions_m[j]);
+        let rise = vorticities_per_s[j].length() - own.length();
         let term = wendland::gradient(offset) * rise;
         slope += term;
         terms += term.length();
     }
     let steepness = slope.length();
-    let push_m_s2 = if steepness > FLAT * here.length() && steepness > 0.0 {
-        (slope / steepness).cross(here) * forces.vorticity_m_s
+    let push_m_s2 = if steepness > FLAT * own.length() && steepness > 0.0 {
+        (slope / steepness).cross(own) * forces.vorticity_m_s
     } else {
         DVec3::ZERO
     };
