@@ -140,7 +140,7 @@ fn confine_vorticity_matches_its_twin() {
         let (smoothing, forces) = (smoothing_of(&kernel_params()), forces_of(&force_params()));
         for size in sizes(ConfineVorticity::GROUP_SIZE[0] as usize) {
             let case = fluid(&mut rng, size);
-            let swirls: Vec<Vorticity> = (0..size)
+            let vorticities_per_s: Vec<Vorticity> = (0..size)
                 .map(|_| {
                     let curl = [0; 3].map(|_| rng.random::<f32>() * 200.0 - 100.0);
                     Vorticity { vorticity_per_s: curl, magnitude_per_s: vector(curl).length() as f32 }
@@ -148,7 +148,7 @@ fn confine_vorticity_matches_its_twin() {
                 .collect();
             let mut bench = Bench::new();
             let quantized_buffer = bench.input("quantized_positions", &case.quantized_positions(quantization));
-            let vorticities = bench.input("vorticities", &swirls);
+            let vorticities = bench.input("vorticities", &vorticities_per_s);
             let (neighbours, list_heads) = case.upload_neighbours(&mut bench);
             let mut velocities = bench.input("velocities", &case.velocities);
             let step_params = bench.uniform("step_params", case.step_params());
@@ -170,24 +170,24 @@ fn confine_vorticity_matches_its_twin() {
             );
             let got = bench.run().read(&velocities, size);
             let (positions_m, velocities_m_s) = (case.quantized_m(quantization), case.velocities_m_s());
-            let swirls: Vec<_> = swirls.iter().map(|s| vector(s.vorticity_per_s)).collect();
+            let vorticities_per_s: Vec<_> = vorticities_per_s.iter().map(|s| vector(s.vorticity_per_s)).collect();
             let step = step_of(&case.step_params(), false);
             for (i, got) in got.iter().enumerate() {
                 let expected = confine_vorticity(
                     i,
                     &positions_m,
                     velocities_m_s[i],
-                    &swirls,
+                    &vorticities_per_s,
                     &case.neighbours[i],
                     &step,
                     &smoothing,
                     &forces,
                 );
                 // The push is along a direction, known as well as its terms are to their sum.
-                let push = forces.vorticity_m_s * swirls[i].length() * step.dt_s;
+                let push = forces.vorticity_m_s * vorticities_per_s[i].length() * step.dt_s;
                 let doubt = match expected.steepness_per_s {
                     0.0 => 1.0,
-                    steepness => 1.0 + (expected.terms_per_s + swirls[i].length()) / steepness,
+                    steepness => 1.0 + (expected.terms_per_s + vorticities_per_s[i].length()) / steepness,
                 };
                 worst
                     .check3(got.velocity_m_s, expected.velocity_m_s, velocities_m_s[i].length() + push * doubt)

@@ -58,7 +58,7 @@ mod tests {
     fn pushes_around_the_stronger_swirl() {
         // The neighbour at +x swirls faster: N = +x, and N x z = -y.
         let points = [DVec3::ZERO, DVec3::new(0.5, 0.0, 0.0)];
-        let swirls = [DVec3::Z, DVec3::Z * 2.0];
+        let vorticities = [DVec3::Z, DVec3::Z * 2.0];
         let step = Step {
             gravity_m_s2: DVec3::ZERO,
             dt_s: 0.1,
@@ -70,7 +70,7 @@ mod tests {
         };
         let smoothing = Smoothing::new(1.0, 1.0);
         let forces = Forces { vorticity_m_s: 0.3, ..Forces::default() };
-        let push = confine_vorticity(0, &points, DVec3::ZERO, &swirls, &[1], &step, &smoothing, &forces);
+        let push = confine_vorticity(0, &points, DVec3::ZERO, &vorticities, &[1], &step, &smoothing, &forces);
         assert!((push.velocity_m_s - DVec3::NEG_Y * 0.03).length() < 1e-15);
         let even = [DVec3::Z, DVec3::Z];
         let push = confine_vorticity(0, &points, DVec3::ZERO, &even, &[1], &step, &smoothing, &forces);
