@@ -51,6 +51,17 @@ pub fn precisions() -> Vec<(PrecisionKeyword, f64)> {
     precisions
 }
 
+/// The positions that kernels of a precision gather.
+pub fn quantization_of(precision: PrecisionKeyword) -> Quantization {
+    match precision {
+        PrecisionKeyword::Off => Quantization::Full,
+        PrecisionKeyword::RelaxedPrecision | PrecisionKeyword::HalfPrecision => Quantization::Packed,
+    }
+}
+
+/// One precision of each quantization, for kernels that compute nothing for pairs.
+pub const STORAGES: [PrecisionKeyword; 2] = [PrecisionKeyword::Off, PrecisionKeyword::RelaxedPrecision];
+
 /// A fluid.
 pub struct Case {
     /// Particles.

@@ -29,7 +29,7 @@ pub struct Setup {
 /// What is left of the compression.
 #[derive(Clone, Debug)]
 pub struct Settled {
-    /// Mean compression of each layer's particles that touch no side wall, by their place at the
+    /// Mean compression of each layer's particles that touch no side wall, by their position at the
     /// start, bottom first; averaged over the observed time.
     pub layers: Vec<f64>,
     /// Compression of the bottom as the four layers above the lowest give it. The lowest leans on
@@ -128,7 +128,7 @@ impl Setup {
 
     fn beside_a_wall(&self, id: usize) -> bool {
         let width = self.width as usize;
-        [id % width, id / width / self.layers as usize].iter().any(|&place| place == 0 || place == width - 1)
+        [id % width, id / width / self.layers as usize].iter().any(|&index| index == 0 || index == width - 1)
     }
 
     fn bottom_of(&self, layers: &[f64]) -> f64 {

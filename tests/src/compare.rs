@@ -107,22 +107,22 @@ pub fn check_exact(got: &[u32], expected: &[u32]) -> Result<(), String> {
 }
 
 /// Whether `cell` is that of `position` / cell size, where coordinates within `doubt` of a face may
-/// have been rounded across it. `place` is the position in units of cells.
+/// have been rounded across it. `cell_position` is the position in units of cells.
 ///
 /// # Errors
 /// Names the cell that was expected.
-pub fn check_cell(cell: u32, place: DVec3, grid: &Grid, doubt: f64) -> Result<(), String> {
-    let index = |place: DVec3| match place.is_nan() {
+pub fn check_cell(cell: u32, cell_position: DVec3, grid: &Grid, doubt: f64) -> Result<(), String> {
+    let index = |cell_position: DVec3| match cell_position.is_nan() {
         true => grid.cell_count(),
-        false => cell_of(place * grid.cell_size_m, grid),
+        false => cell_of(cell_position * grid.cell_size_m, grid),
     };
     let nudges = [-doubt, 0.0, doubt];
     let allowed = nudges
         .iter()
-        .any(|&x| nudges.iter().any(|&y| nudges.iter().any(|&z| index(place + DVec3::new(x, y, z)) == cell)));
+        .any(|&x| nudges.iter().any(|&y| nudges.iter().any(|&z| index(cell_position + DVec3::new(x, y, z)) == cell)));
     match allowed {
         true => Ok(()),
-        false => Err(format!("cell {cell} at {place}, expected {}", index(place))),
+        false => Err(format!("cell {cell} at {cell_position}, expected {}", index(cell_position))),
     }
 }
 
@@ -149,8 +149,8 @@ pub fn check_counted(
     for (position, &cell) in positions.iter().zip(&cells) {
         match slot_state(position.tag) {
             SlotState::Simulated => {
-                let place = vector(position.position_m) * f64::from(grid.inverse_cell_size_per_m);
-                check_cell(cell, place, &geometry, doubt)?;
+                let cell_position = vector(position.position_m) * f64::from(grid.inverse_cell_size_per_m);
+                check_cell(cell, cell_position, &geometry, doubt)?;
             }
             state => check_exact(&[cell], &[cell_of_slot(DVec3::ZERO, state, &geometry)])?,
         }

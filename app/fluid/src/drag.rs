@@ -1,7 +1,7 @@
-//! A hand in the fluid: dragging draws what is under a cursor along. (Shader: `particles/push.compute`.)
+//! Dragging draws what is under a cursor along. (Shader: `particles/drag.compute`.)
 
 use brooklet_gpu::{Engine, Recording, Resources};
-use brooklet_kernels::{Buffer, PushParams};
+use brooklet_kernels::{Buffer, DragParams};
 
 use crate::scene::Scene;
 use crate::step::Recorded;
@@ -27,28 +27,28 @@ pub struct Drag {
     pub tau_s: f64,
 }
 
-/// What pushes.
+/// What drags.
 pub struct DragPass {
-    /// One push; to be run before the steps of a frame in which somebody drags.
+    /// One drag; to be run before the steps of a frame in which somebody drags.
     pub recording: Recording,
-    params: Buffer<PushParams>,
+    params: Buffer<DragParams>,
 }
 
-/// Records a push beside a scene's other recordings: v += w(r) (1 − exp(−dt/τ)) (v_drag − v) with
+/// Records a drag beside a scene's other recordings: v += w(r) (1 − exp(−dt/τ)) (v_drag − v) with
 /// w(r) = (1 − r²)² and r the distance from the ray over the radius, so that no edge shows. Until
 /// [`DragPass::write`] it moves nothing. A scene that nobody drags does without it, and then has neither its
 /// pass nor its buffer.
 pub fn record_drag(resources: &mut Resources, recorded: &mut Recorded) -> DragPass {
-    let mut params = resources.persistent("push_params", 1);
-    recorded.init.upload(&mut params, &[PushParams::default()]);
-    let mut recording = resources.recording("push");
+    let mut params = resources.persistent("drag_params", 1);
+    recorded.init.upload(&mut params, &[DragParams::default()]);
+    let mut recording = resources.recording("drag");
     recorded.slots.dispatch(
         &mut recording,
-        &brooklet_kernels::Push {
+        &brooklet_kernels::Drag {
             positions: recorded.positions.read(),
             velocities: recorded.velocities.write(),
             step_state: recorded.slots.state.uniform(),
-            push: params.uniform(),
+            drag: params.uniform(),
         },
     );
     DragPass { recording, params }
@@ -61,15 +61,15 @@ impl DragPass {
     }
 
     /// What the shader is given. A drag that is not finite, or has no direction or radius, moves nothing.
-    pub fn params(&self, scene: &Scene, drag: &Drag) -> PushParams {
-        let idle = PushParams::default();
+    pub fn params(&self, scene: &Scene, drag: &Drag) -> DragParams {
+        let idle = DragParams::default();
         let length = dot(drag.direction, drag.direction).sqrt();
         let direction = drag.direction.map(|x| x / length);
         let size_m = scene.domain.size_m();
-        // From the foot of the domain's middle on the ray: in f32 a far eye's own place would blur it.
+        // From the foot of the domain's middle on the ray: in f32 a far eye's own position would blur it.
         let to_middle_m: [f64; 3] = std::array::from_fn(|axis| 0.5 * size_m[axis] - drag.origin_m[axis]);
         let foot_m = dot(to_middle_m, direction);
-        let mut params = PushParams {
+        let mut params = DragParams {
             origin_m: std::array::from_fn(|axis| (drag.origin_m[axis] + foot_m * direction[axis]) as f32),
             radius_m: drag.radius_m as f32,
             direction: direction.map(|x| x as f32),

@@ -255,10 +255,7 @@ impl State {
         if !(header.time_s.is_finite() && header.time_s >= 0.0) {
             return Err(damaged(format!("its time is {} s; it must be 0 or more", header.time_s)));
         }
-        let read = match version {
-            1 => Scene::from_old_toml(&header.scene, &header.name),
-            _ => Scene::from_toml(&header.scene, &header.name, &[]),
-        };
+        let read = Scene::from_saved_toml(&header.scene, &header.name, version == 1);
         let mut scene = read.map_err(|error| StateError::Scene { path: path.to_owned(), error: Box::new(error) })?;
         scene.name = header.name;
         let mut particles = ParticleSet {

@@ -1,9 +1,9 @@
 //! What every stage of a substep is given, whichever solver records it.
 
 use brooklet_gpu::Resources;
-use brooklet_kernels::{Buffer, Counters, Position, PrecisionKeyword, StepParams, Velocity};
+use brooklet_kernels::{Buffer, Counters, Position, StepParams, Velocity};
 
-use crate::scene::{Precision, Scene};
+use crate::scene::Scene;
 use crate::slots::Slots;
 
 /// Settings, counters and variants that the stages of a substep share.
@@ -18,8 +18,6 @@ pub struct StepContext {
     pub walls: bool,
     /// Whether it has periodic axes.
     pub periodic: bool,
-    /// How what is computed for pairs of particles is rounded.
-    pub precision: PrecisionKeyword,
 }
 
 impl StepContext {
@@ -31,11 +29,6 @@ impl StepContext {
             counters: resources.persistent("counters", 1),
             walls: scene.domain.has_walls(),
             periodic: scene.domain.is_periodic(),
-            precision: match scene.solver.precision {
-                Precision::Full => PrecisionKeyword::Off,
-                Precision::Relaxed => PrecisionKeyword::RelaxedPrecision,
-                Precision::Half => PrecisionKeyword::HalfPrecision,
-            },
         }
     }
 }

@@ -95,10 +95,10 @@ mod tests {
         assert_eq!((same.chamfer, same.hausdorff), (0.0, 0.0));
         let mut moved = points.clone();
         moved[63] += DVec3::new(0.3, 0.0, 0.0);
-        let apart = cloud_distance(&points, &moved, 0.1).unwrap();
-        assert!((apart.hausdorff - 3.0).abs() < 1e-12);
+        let distance = cloud_distance(&points, &moved, 0.1).unwrap();
+        assert!((distance.hausdorff - 3.0).abs() < 1e-12);
         // There 3 spacings of one point; back one spacing, from where it was.
-        assert!((apart.chamfer - (3.0 + 1.0) / 64.0 / 2.0).abs() < 1e-12);
+        assert!((distance.chamfer - (3.0 + 1.0) / 64.0 / 2.0).abs() < 1e-12);
         assert_eq!(cloud_distance(&points, &[], 0.1), None);
         assert_eq!(cloud_distance(&points, &[DVec3::NAN], 0.1), None);
     }

@@ -75,33 +75,33 @@ impl Smoothing {
         Self { support_m, weight, period_m: DVec3::ZERO }
     }
 
-    /// From `there` to `here` or the nearest of its images, in h.
-    pub fn apart(&self, here_m: DVec3, there_m: DVec3) -> DVec3 {
-        next_image(here_m - there_m, self.period_m) / self.support_m
+    /// From x_j, or the nearest of its images, to x_i, in h.
+    pub fn offset(&self, x_i_m: DVec3, x_j_m: DVec3) -> DVec3 {
+        next_image(x_i_m - x_j_m, self.period_m) / self.support_m
     }
 }
 
 /// As [`nearest_image`] of two particles of one domain, which are less than one and a half periods apart.
 /// Rounding to whole periods is what a run would spend much of its time on.
-pub fn next_image(mut apart_m: DVec3, period_m: DVec3) -> DVec3 {
+pub fn next_image(mut offset_m: DVec3, period_m: DVec3) -> DVec3 {
     if period_m != DVec3::ZERO {
         for axis in 0..3 {
             let half_m = 0.5 * period_m[axis];
-            if half_m > 0.0 && apart_m[axis].abs() > half_m {
-                apart_m[axis] -= period_m[axis].copysign(apart_m[axis]);
+            if half_m > 0.0 && offset_m[axis].abs() > half_m {
+                offset_m[axis] -= period_m[axis].copysign(offset_m[axis]);
             }
         }
     }
-    apart_m
+    offset_m
 }
 
 /// The shortest of what lies between two points and their images.
-pub fn nearest_image(apart_m: DVec3, period_m: DVec3) -> DVec3 {
+pub fn nearest_image(offset_m: DVec3, period_m: DVec3) -> DVec3 {
     if period_m == DVec3::ZERO {
-        return apart_m;
+        return offset_m;
     }
-    let image_m = apart_m - period_m * (apart_m / period_m).round();
-    DVec3::select(period_m.cmpgt(DVec3::ZERO), image_m, apart_m)
+    let image_m = offset_m - period_m * (offset_m / period_m).round();
+    DVec3::select(period_m.cmpgt(DVec3::ZERO), image_m, offset_m)
 }
 
 /// Position Based Fluids; see `PbfParams`.

@@ -1,11 +1,12 @@
 //! The cheapest setting of a scene for an error, or the most exact one for a time, by a bounded search.
 //!
-//! What is searched: substeps and iterations, then packed positions. The first guess comes from what the
+//! What is searched: substeps and iterations, then `solver.precision = "relaxed"`. The first guess comes from what the
 //! study found: a substep costs what an iteration does and about two more, and the column law makes the
 //! error fall with the iterations and with the square of the substeps. Every candidate that counts is then
 //! run; what is chosen was measured, and is run once more.
 
 use brooklet_fluid::particles::sample_lattice;
+use brooklet_fluid::scene::Precision;
 use brooklet_fluid::{Scene, SessionError};
 use brooklet_gpu::Gpu;
 use thiserror::Error;
@@ -30,8 +31,8 @@ pub struct Candidate {
     pub substeps: u32,
     /// Iterations of each.
     pub iterations: u32,
-    /// Whether positions are gathered in 16 bits an axis.
-    pub packed: bool,
+    /// Whether the precision is `relaxed`, whatever the scene says.
+    pub relaxed: bool,
 }
 
 /// A setting that was run.
@@ -97,14 +98,16 @@ impl Candidate {
         let mut scene = scene.clone();
         scene.solver.substeps = self.substeps;
         scene.solver.pbf.iterations = self.iterations;
-        scene.solver.packed_positions = self.packed;
+        if self.relaxed {
+            scene.solver.precision = Precision::Relaxed;
+        }
         scene
     }
 }
 
 /// Candidates that nothing beats by cost and law, cheapest first.
 fn ladder() -> Vec<Candidate> {
-    let of = |substeps| ITERATIONS.map(|iterations| Candidate { substeps, iterations, packed: false });
+    let of = |substeps| ITERATIONS.map(|iterations| Candidate { substeps, iterations, relaxed: false });
     let mut all: Vec<Candidate> = SUBSTEPS.iter().flat_map(|&substeps| of(substeps)).collect();
     all.sort_by(|a, b| a.cost().total_cmp(&b.cost()).then(a.law().total_cmp(&b.law())));
     let mut best: Vec<Candidate> = Vec::new();
@@ -168,7 +171,7 @@ fn search(
             (false, false) => high = middle - 1,
         }
     }
-    // The ladder's order is a guess: its neighbours by measure, and the packed one, may be better.
+    // The ladder's order is a guess: its neighbours by measure, and the relaxed one, may be better.
     for at in [low.checked_sub(1), Some(low), Some(low + 1)].into_iter().flatten() {
         if let Some(&candidate) = ladder.get(at)
             && tried.len() < MOST_TRIED
@@ -177,7 +180,7 @@ fn search(
         }
     }
     if tried.len() < MOST_TRIED {
-        look(Candidate { packed: true, ..ladder[low] }, &mut tried)?;
+        look(Candidate { relaxed: true, ..ladder[low] }, &mut tried)?;
     }
     let chosen = choose(goal, &tried).ok_or_else(|| TuneError::Nothing("nothing could be measured".into()))?;
     let checked = measure(chosen.candidate)?;
@@ -228,7 +231,7 @@ mod tests {
 
     /// A device and a fluid that do what the guess says, or not quite.
     fn made_up(candidate: Candidate, skew: f64) -> Tried {
-        let packing = if candidate.packed { 0.95 } else { 1.0 };
+        let packing = if candidate.relaxed { 0.95 } else { 1.0 };
         let iterations = f64::from(candidate.iterations).powf(1.0 + skew);
         let step_ms = f64::from(candidate.substeps) * (f64::from(candidate.iterations) + 2.0 + 3.0 * skew) * packing;
         let error = 0.3 / (iterations * f64::from(candidate.substeps).powf(2.0 - skew)) * (2.0 - packing);

@@ -53,7 +53,6 @@ impl Rung {
         }
         if self.lower_precision && scene.solver.precision == Precision::Full {
             scene.solver.precision = Precision::Relaxed;
-            scene.solver.packed_positions = true;
         }
         if self.fewer_substeps {
             let solver = &mut scene.solver;

@@ -4,7 +4,7 @@
 //! The program around it owns the window and its surface. Each time something is to be painted it hands
 //! [`Viewer::frame`] what the user did (egui's input) and where to paint, and does what comes back.
 //!
-//! A frame is one submission: a push if somebody drags, as many steps as time asks for and the budget holds, a
+//! A frame is one submission: a drag if somebody drags, as many steps as time asks for and the budget holds, a
 //! measurement and samples if they are due, a picture. At most two are under way; what comes back is taken when it is
 //! there. The panels are painted over the last picture, and only when something is new.
 //!

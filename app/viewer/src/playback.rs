@@ -35,7 +35,7 @@ pub struct Playback {
     pub recorder: Option<Recorder>,
     /// What is being written beside the frames.
     pub jobs: Jobs,
-    /// How the fluid is pushed in the next frame.
+    /// How the fluid is dragged in the next frame.
     pub drag: Option<PendingDrag>,
     in_flight: InFlightFrames,
     /// Came back, and wait for the times of what was painted over them.

@@ -72,7 +72,7 @@ float4 EdgesFragment(Varyings input) : SV_Target0
 {
 #if defined(WATER)
     float water = inverse_depth.Load(int3(int2(input.position.xy), 0));
-    // Reversed depth is near / distance. Edges lie in the glass: a hair in favour of being seen.
+    // Reversed depth is near / distance. Edges lie in the walls: a hair in favour of being seen.
     bool before = water > 0.0 && input.position.z >= 0.998 * view.near_m * water;
 #if defined(BEFORE_WATER)
     if (!before)

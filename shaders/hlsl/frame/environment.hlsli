@@ -57,7 +57,7 @@ float3 ShadowPosition(FrameLight light, float3 world_m)
     return float3(dot(light.shadow_u, p), dot(light.shadow_v, p), dot(light.shadow_depth, p));
 }
 
-// The place in the world that a place in the shadow map is. Its rows stand at right angles, each
+// The position in the world of a point of the shadow map. Its rows stand at right angles, each
 // with the length of its inverse scale.
 float3 WorldFromShadow(FrameLight light, float3 at)
 {
@@ -66,7 +66,7 @@ float3 WorldFromShadow(FrameLight light, float3 at)
         + depth * ((at.z - light.shadow_depth.w) / dot(depth, depth));
 }
 
-// Clip position of a place in the shadow map.
+// Clip position of a point of the shadow map.
 float4 ClipFromShadow(float3 at)
 {
     return float4(2.0 * at.x - 1.0, 1.0 - 2.0 * at.y, at.z, 1.0);

@@ -119,7 +119,7 @@ float3 SunThroughWater(float3 world_m, float2 pixel)
     return passed * lerp(0.55, 1.0, exp(-0.6 * spacings));
 }
 #elif defined(CAUSTICS_SHADOW)
-// 1 where no water stands before the sun at a place of the photons' grid.
+// 1 where no water stands before the sun at a cell of the photons' grid.
 float Dry(int2 at)
 {
     return SunDepthAt(sun_depth, surface, at) > 0.0 ? 0.0 : 1.0;

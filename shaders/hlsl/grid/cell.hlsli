@@ -9,15 +9,15 @@
 // outside gets the cell behind the last.
 uint CellOf(float3 position_m, GridParams grid)
 {
-    float3 place = floor(position_m * grid.inverse_cell_size_per_m);
+    float3 cell_position = floor(position_m * grid.inverse_cell_size_per_m);
 #if defined(PERIODIC)
     // The product may round what is just below the seam onto it.
-    place = min(place, float3(grid.seam_cells) - 1.0);
+    cell_position = min(cell_position, float3(grid.seam_cells) - 1.0);
 #endif
     // Compared before the conversion: beyond the integers' range its result is anything.
-    if (any(place < 0.0) || any(place >= float3(grid.domain_cells)))
+    if (any(cell_position < 0.0) || any(cell_position >= float3(grid.domain_cells)))
         return grid.cell_count;
-    uint3 cell = uint3(place);
+    uint3 cell = uint3(cell_position);
 #if defined(WRAPPED)
     cell &= grid.cells - 1;
 #endif

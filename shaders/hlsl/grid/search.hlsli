@@ -1,4 +1,4 @@
-// Finds the particles within h of one, for the kernels that say what a sorted place holds and how a
+// Finds the particles within h of one, for the kernels that say what a sorted slot holds and how a
 // list is written: they define `Found`, CandidateAt, BeginRow, Add and Crowd before they include this.
 // Rows of cells along x are cut to the chord of the support sphere and are one range of
 // sorted indices each, so about half as many candidates are looked at as in the 27 cells of width h of the

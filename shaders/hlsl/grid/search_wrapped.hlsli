@@ -2,7 +2,7 @@
 //
 // PERIODIC: cells beyond the seam of a periodic axis are those of the other side.
 // WRAPPED: in a grid onto which the domain's cells are wrapped, a cell also holds particles from a
-// whole number of grids away. Places repeat every 4 h, and would take such a one for near: the
+// whole number of grids away. Quantized positions repeat every 4 h, and would take such a one for near: the
 // positions themselves decide.
 //
 // Both turn over at multiples of eight cells alone, and a search is narrower than that: of the cells

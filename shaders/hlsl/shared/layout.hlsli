@@ -34,7 +34,7 @@ struct Position
     uint tag;           // bits 0-23 id, 24-30 fluid (127: an inactive slot), 31 quarantined
 };
 
-// A particle's quantized position (shared/quantized_position.hlsli) during an iteration, with its constraint's multiplier.
+// A particle's quantized position (shared/quantized_position.hlsli) during an iteration, with its constraint's lambda.
 struct PositionLambda
 {
     uint2 quantized_position;
@@ -198,7 +198,7 @@ struct Measure
 };
 
 // A drag through the fluid: what is near a ray is drawn toward a velocity.
-struct PushParams
+struct DragParams
 {
     float3 origin_m;        // of the ray
     float radius_m;         // nothing beyond it is touched

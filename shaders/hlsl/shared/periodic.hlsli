@@ -1,5 +1,5 @@
 // Periodic axes: what leaves the domain on one side comes in on the other, and particles on either
-// side of that seam are neighbours. A periodic side is a whole number of 4 h, after which places
+// side of that seam are neighbours. A periodic side is a whole number of 4 h, after which quantized positions
 // (quantized_position.hlsli) repeat, so that the iterations know nothing of it.
 #ifndef BROOKLET_PERIODIC
 #define BROOKLET_PERIODIC

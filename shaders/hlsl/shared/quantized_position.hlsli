@@ -3,7 +3,7 @@
 // than three supports, so no cell has to be known; a step is 4h / 2^21 = 1.9e-6 h, finer than an
 // f32 coordinate 32 h or more from the domain's corner. A gather then moves half the bytes of a
 // Position, and integer differences are opposite bit by bit, so pairs push each other equally.
-// PACKED: 16 bits an axis, and the multiplier as f16 in the bits that are left.
+// With RELAXED_PRECISION and HALF_PRECISION packed: 16 bits an axis, and lambda as f16 in the bits that are left.
 #ifndef BROOKLET_QUANTIZED_POSITION
 #define BROOKLET_QUANTIZED_POSITION
 
@@ -15,6 +15,10 @@ static const float SUPPORTS_PER_UNIT = 1.0 / 1073741824.0;
 // Iterations move no particle further than this, in h: two that were neighbours and part then stay closer
 // than three supports. Coordinates of a particle that went on would come round to its other side.
 static const float MAX_DISPLACEMENT = 0.999;
+
+#if defined(RELAXED_PRECISION) || defined(HALF_PRECISION)
+#define PACKED
+#endif
 
 #if defined(PACKED)
 #define QUANTIZED_BITS 16
@@ -58,7 +62,7 @@ uint2 QuantizePosition(float3 position_h)
     return PackCoordinates(FixedPoint(part * 4.0));
 }
 
-// From `there` to `here`, in h.
+// From x_j to x_i, in h.
 float3 Offset(uint3 x_i, uint3 x_j)
 {
     // asint, for DXC 1.7 takes float3(int3(...)) of an unsigned difference as unsigned.
@@ -73,7 +77,7 @@ float3 DisplacementFrom(float3 position_m, uint2 quantized_position, SmoothingKe
 }
 
 #if defined(PACKED)
-// The multiplier in the bits that a packed quantized position leaves, for all who read it, its own particle
+// Lambda in the bits that a packed quantized position leaves, for all who read it, its own particle
 // too: pairs stay exactly opposite.
 uint2 PackLambda(uint2 quantized_position, float lambda)
 {

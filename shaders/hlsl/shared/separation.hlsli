@@ -7,7 +7,7 @@
 // Closer than this (in h) counts as one point.
 static const float COINCIDENT = 1.0e-4;
 
-// What is added to the multipliers of a pair at distance q < separation, both in h: at one point as
+// What is added to the lambdas of a pair at distance q < separation, both in h: at one point as
 // much as about 4 % of compression gives, so that they part in some ten steps without a leap.
 float SeparationLambda(float q, float separation)
 {

@@ -15,7 +15,7 @@ ConstantBuffer<FrameLight> light;
 ConstantBuffer<SurfaceParams> surface;
 ConstantBuffer<WaterStyle> water;
 
-// Neighbours that land so many places apart came through another surface.
+// Neighbours that land so many cells apart came through another surface.
 static const float MOST_APART = 4.0;
 // A tent is no narrower than so many texels of the map, or texels would miss it.
 static const float LEAST_TEXELS = 1.0;
@@ -34,14 +34,14 @@ float2 LandedApart(int2 at, int2 along, Photon here, float2 unbent)
     int side = int(surface.photons);
     int step = along.x + along.y * side;
     int index = at.x + at.y * side;
-    int place = dot(at, along);
-    Photon before = photons[place > 0 ? index - step : index];
-    Photon after = photons[place + 1 < side ? index + step : index];
+    int index_along = dot(at, along);
+    Photon before = photons[index_along > 0 ? index - step : index];
+    Photon after = photons[index_along + 1 < side ? index + step : index];
     float2 backward = here.uv - before.uv;
     float2 forward = after.uv - here.uv;
     float most = MOST_APART / surface.photons;
-    bool has_before = place > 0 && before.share > 0.0 && dot(backward, backward) < most * most;
-    bool has_after = place + 1 < side && after.share > 0.0 && dot(forward, forward) < most * most;
+    bool has_before = index_along > 0 && before.share > 0.0 && dot(backward, backward) < most * most;
+    bool has_after = index_along + 1 < side && after.share > 0.0 && dot(forward, forward) < most * most;
     if (has_before && has_after)
         return 0.5 * (backward + forward);
     return has_before ? backward : (has_after ? forward : unbent);

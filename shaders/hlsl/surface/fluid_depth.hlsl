@@ -1,5 +1,5 @@
 // The nearest of all particles' spheres, or ellipsoids (surface/anisotropy.compute), in each pixel, as
-// inverse_depth. At the tank's glass they are cut off: there the water is as flat as the glass.
+// inverse_depth. At the walls they are cut off: there the water is as flat as the wall.
 #pragma vertex FluidDepthVertex
 #pragma fragment FluidDepthFragment
 #pragma multi_compile _ SPRAY_SHAPE ELLIPSOID_SHAPE

@@ -36,7 +36,7 @@ struct Ellipsoid
 // A fluid's surface in screen space.
 struct SurfaceParams
 {
-    float3 wall_min_m;          // a tank's glass: the fluid is cut off outside this box
+    float3 wall_min_m;          // the walls' bounds: the fluid is cut off outside this box
     float radius_m;             // of a particle's sphere
     float3 wall_max_m;
     float thickness_radius_m;             // radius of the disc on which a particle's volume counts as thickness

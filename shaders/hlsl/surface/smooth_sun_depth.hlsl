@@ -1,5 +1,5 @@
 // The surface that sunlight meets without the particles' bumps, which would each be a lens: a Gaussian,
-// one direction a pass, over pairs of opposite places that lie on one surface. In pairs a plane
+// one direction a pass, over pairs of opposite texels that lie on one surface. In pairs a plane
 // stays as it is, however the sun stands to it, up to its edge.
 #pragma vertex SmoothSunDepthVertex
 #pragma fragment SmoothSunDepthFragment

@@ -1,6 +1,6 @@
 // The surface that sunlight meets: the nearest of all particles' spheres, or ellipsoids, in the sun's
 // parallel projection, as shadow depth (1 nearest the sun), in which planes are linear; 0 where no
-// fluid is. At the tank's glass they are cut off, as the eye sees them (surface/fluid_depth.hlsl). Drops of
+// fluid is. At the walls they are cut off, as the eye sees them (surface/fluid_depth.hlsl). Drops of
 // spray are left out: the map is too coarse for such lenses, which would tear holes into the light below.
 #pragma vertex SunDepthVertex
 #pragma fragment SunDepthFragment

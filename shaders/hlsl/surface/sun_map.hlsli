@@ -5,7 +5,7 @@
 #include "layout.hlsli"
 #include "../frame/environment.hlsli"
 
-// Shadow depth at a place of the grid, 0 where no fluid is and outside.
+// Shadow depth at a cell of the grid, 0 where no fluid is and outside.
 float SunDepthAt(Texture2D<float> sun_depth, SurfaceParams surface, int2 at)
 {
     bool inside = all(at >= 0) && all(at < int(surface.photons));

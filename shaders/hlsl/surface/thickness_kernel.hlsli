@@ -30,7 +30,7 @@ Center CenterOf(uint particle)
 }
 #endif
 
-// Thickness at a place in the unit disc, in spacings; 0 outside. (1 - s)^2 is smooth at the rim, and
+// Thickness at a point of the unit disc, in spacings; 0 outside. (1 - s)^2 is smooth at the rim, and
 // its integral over a disc of radius r is pi r^2 / 3.
 float ThicknessKernel(float2 disc, SurfaceParams surface)
 {

@@ -2,6 +2,7 @@
 //! force over the nearest images, in grids that are dense and in ones that are wrapped.
 
 use brooklet_fluid::particles::ParticleSet;
+use brooklet_fluid::scene::Precision;
 use brooklet_fluid::{Scene, grid, record_particles};
 use brooklet_gpu::{Engine, Plan, Resources};
 use brooklet_kernels::{Kernel, ListHead, ListNeighbours, Position, Velocity};
@@ -14,12 +15,13 @@ use glam::DVec3;
 use rand::{Rng, RngExt};
 
 /// A domain of so many cells (a spacing each), whose particles stay where they are.
-fn scene(cells: [u32; 3], periodic: [bool; 3], dimensions: u32, packed: bool) -> Scene {
+fn scene(cells: [u32; 3], periodic: [bool; 3], dimensions: u32, precision: Precision) -> Scene {
     let [x, y, z] = cells.map(|n| f64::from(n) * SPACING_M);
     let text = format!(
         "spacing_m = {SPACING_M}\ngravity_m_s2 = [0, 0, 0]\n[domain]\nmin_m = [0, 0, 0]\nmax_m = [{x}, {y}, {z}]\n\
          walls = false\nperiodic = {periodic:?}\ndimensions = {dimensions}\n\
-         [solver]\nneighbour_slots = 256\npacked_positions = {packed}\n[solver.pbf]\niterations = 0\n[forces]\nxsph = 0\n"
+         [solver]\nneighbour_slots = 256\nprecision = \"{}\"\n[solver.pbf]\niterations = 0\n[forces]\nxsph = 0\n",
+        precision.name()
     );
     Scene::from_toml(&text, "lists.toml", &[]).unwrap()
 }
@@ -71,9 +73,12 @@ fn check(scene: &Scene, emitted: ParticleSet, images: bool) -> Result<usize, Str
         true => list_images(&at_m, alone, SUPPORT_M, period_m),
         false => list_neighbours(&at_m, alone, SUPPORT_M),
     };
-    // A distance rounds to steps of the two places, and those across a seam by its own f32.
-    let places = if scene.solver.packed_positions { Quantization::Packed } else { Quantization::Full };
-    let doubt_m = (2.0 * places.step() + 1e-6) * SUPPORT_M + 4.0 * f64::from(f32::EPSILON) * size_m.max_element();
+    // A distance rounds to steps of the two quantized positions, and those across a seam by its own f32.
+    let quantization = match scene.solver.precision.packs_positions() {
+        true => Quantization::Packed,
+        false => Quantization::Full,
+    };
+    let doubt_m = (2.0 * quantization.step() + 1e-6) * SUPPORT_M + 4.0 * f64::from(f32::EPSILON) * size_m.max_element();
     let mut listed = 0;
     for i in 0..count {
         let list = grid::listed(i as u32, heads[i], &deltas, grid::list_chunks(scene));
@@ -92,13 +97,13 @@ fn periodic_lists_equal_brute_force_over_the_nearest_images() {
     let axes = [[true, false, false], [false, true, false], [false, false, true], [true; 3]];
     for periodic in axes {
         for size in sizes(ListNeighbours::GROUP_SIZE[0] as usize) {
-            let packed = size % 2 == 0;
-            let scene = scene([8, 16, 24], periodic, 3, packed);
+            let precision = if size % 2 == 0 { Precision::Relaxed } else { Precision::Full };
+            let scene = scene([8, 16, 24], periodic, 3, precision);
             assert_eq!(grid::wrapped(grid::cells(&scene), size as u32), None);
             compared += check(&scene, scattered(&mut rng, size, &scene), true).unwrap();
         }
         // Brute force without images is told apart.
-        let scene = scene([8, 16, 24], periodic, 3, false);
+        let scene = scene([8, 16, 24], periodic, 3, Precision::Full);
         assert!(check(&scene, scattered(&mut rng, 600, &scene), false).is_err(), "{periodic:?}");
     }
     assert!(compared > 100_000, "{compared}");
@@ -113,7 +118,7 @@ fn periodic_lists_in_wrapped_grids_do_too() {
     for (cells, periodic) in
         [([400, 8, 200], [true; 3]), ([512, 64, 64], [true, false, true]), ([24, 904, 40], [true; 3])]
     {
-        let scene = scene(cells, periodic, 3, false);
+        let scene = scene(cells, periodic, 3, Precision::Full);
         assert!(grid::wrapped(grid::cells(&scene), 2000).is_some());
         compared += check(&scene, scattered(&mut rng, 2000, &scene), true).unwrap();
     }
@@ -129,7 +134,7 @@ fn flat_lists_equal_brute_force() {
         [([24, 16, 1], [false; 3]), ([24, 16, 3], [true, true, false]), ([640, 480, 1], [true, false, false])]
     {
         for size in sizes(ListNeighbours::GROUP_SIZE[0] as usize) {
-            let scene = scene(cells, periodic, 2, false);
+            let scene = scene(cells, periodic, 2, Precision::Full);
             compared += check(&scene, scattered(&mut rng, size.min(700), &scene), true).unwrap();
         }
     }

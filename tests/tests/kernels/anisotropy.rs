@@ -27,7 +27,7 @@ const CENTER_TOLERANCE: f64 = 4e-6;
 /// What the kernel is told: how far neighbours count, and where they end.
 type Params = (AnisotropyParams, SurfaceParams);
 
-/// No glass near.
+/// No wall near.
 fn open() -> Params {
     (
         AnisotropyParams { support_m: SUPPORT_M as f32, list_chunks: LIST_CHUNKS, ..AnisotropyParams::default() },
@@ -125,7 +125,7 @@ impl Check {
     }
 }
 
-/// The case of particles at these places, with their neighbours.
+/// The case of particles at these positions, with their neighbours.
 fn placed(at_m: impl IntoIterator<Item = DVec3>) -> Case {
     let positions: Vec<Position> = at_m
         .into_iter()
@@ -142,9 +142,9 @@ fn ellipsoids_are_their_twins() {
     let mut rng = rng(61);
     for size in sizes(GROUP) {
         let case = fluid(&mut rng, size);
-        let (kernel, no_glass) = open();
-        let glass = SurfaceParams { wall_min_m: [0.0; 3], wall_max_m: [0.1, 0.2, 0.35], ..no_glass };
-        for params in [(kernel, no_glass), (kernel, glass)] {
+        let (kernel, no_walls) = open();
+        let walls = SurfaceParams { wall_min_m: [0.0; 3], wall_max_m: [0.1, 0.2, 0.35], ..no_walls };
+        for params in [(kernel, no_walls), (kernel, walls)] {
             let got = run(&case, params);
             assert_eq!(got.len(), size);
             check.all(&case, &params, &got).expect("the twin's");
@@ -152,8 +152,8 @@ fn ellipsoids_are_their_twins() {
         // A support a hundredth wider is another ellipsoid.
         if size > GROUP {
             let wrong = AnisotropyParams { support_m: 1.01 * kernel.support_m, ..kernel };
-            Check::new().all(&case, &open(), &run(&case, (wrong, no_glass))).expect_err("another support must differ");
-            Check::new().all(&case, &open(), &run(&case, (kernel, glass))).expect_err("glass must differ");
+            Check::new().all(&case, &open(), &run(&case, (wrong, no_walls))).expect_err("another support must differ");
+            Check::new().all(&case, &open(), &run(&case, (kernel, walls))).expect_err("walls must differ");
         }
     }
     check.stretch.report();

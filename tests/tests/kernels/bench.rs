@@ -148,7 +148,7 @@ fn reorder_index_matches_the_twin_of_reorder() {
         let (indices, quantized_positions, starts, slots) = run_reorder_index(&case.positions, &cells, grid);
         let ranks: Vec<u32> = slots.iter().map(|slot| slot.rank).collect();
         let numbers: Vec<u32> = (0..size as u32).collect();
-        check_exact(&indices, &reorder(&numbers, &twin::places(&cells, &ranks, &starts))).unwrap();
+        check_exact(&indices, &reorder(&numbers, &twin::sorted_indices(&cells, &ranks, &starts))).unwrap();
         assert_eq!(quantized_positions, case.quantized_positions(Quantization::Full));
         cases += size;
     }
@@ -203,7 +203,7 @@ fn check_list_by_index(positions: &[Position], size_m: DVec3) -> Result<usize, S
     for (i, expected) in expected.iter().enumerate() {
         let found: Vec<usize> = (0..counts[i] as usize)
             .map(|slot| {
-                let (at, part) = list::place(i, slot, grid.list_chunks);
+                let (at, part) = list::entry_slot(i, slot, grid.list_chunks);
                 neighbours[at][part] as usize
             })
             .collect();
@@ -246,7 +246,7 @@ fn constrain_density_by_index_matches_the_twin_of_constrain_density() {
             let mut shuffled = neighbours.clone();
             shuffled.shuffle(&mut rng);
             for slot in 0..neighbours.len().next_multiple_of(LIST_CHUNK as usize) {
-                let (at, part) = list::place(i, slot, LIST_CHUNKS);
+                let (at, part) = list::entry_slot(i, slot, LIST_CHUNKS);
                 indices[at][part] = shuffled.get(slot).map_or(i, |&j| j) as u32;
             }
         }

@@ -43,7 +43,7 @@ fn probes(size_m: DVec3) -> Vec<Position> {
     for i in 0..27 {
         let pick = [i % 3, i / 3 % 3, i / 9];
         for _ in 0..8 {
-            let place: [f64; 3] = std::array::from_fn(|axis| {
+            let position_m: [f64; 3] = std::array::from_fn(|axis| {
                 let near = rng.random::<f64>() * SUPPORT_M;
                 match pick[axis] {
                     0 => near,
@@ -51,13 +51,13 @@ fn probes(size_m: DVec3) -> Vec<Position> {
                     _ => size_m[axis] * rng.random::<f64>(),
                 }
             });
-            at.push(place);
+            at.push(position_m);
         }
     }
     at.push([0.0; 3]);
     at.push(size_m.to_array());
     at.push((size_m / 2.0).to_array());
-    at.iter().enumerate().map(|(i, place)| Position { position_m: place.map(|x| x as f32), tag: i as u32 }).collect()
+    at.iter().enumerate().map(|(i, at_m)| Position { position_m: at_m.map(|x| x as f32), tag: i as u32 }).collect()
 }
 
 const DT_S: f32 = 0.01;
@@ -163,12 +163,12 @@ fn gradients(positions: &[Position], size_m: DVec3) -> Vec<DVec3> {
         count,
     );
     let after = bench.run().read(&after, count);
-    start.iter().zip(after).map(|(&before, after)| 2.0 * Quantization::Full.apart(before, after)).collect()
+    start.iter().zip(after).map(|(&before, after)| 2.0 * Quantization::Full.offset(before, after)).collect()
 }
 
 fn check(size_m: DVec3, names: [&'static str; 2]) -> Vec<(BoundarySample, f64)> {
     // A density is at most 3 sums of some 20 roundings each, and its slope over a distance, which is
-    // rounded too, is at most 2. A gradient is read from a move of a place, which rounds to half a
+    // rounded too, is at most 2. A gradient is read from a move of a quantized position, which rounds to half a
     // step of 1.9e-6 h along each axis, and that is half of it: 56 roundings more.
     let mut density = Worst::new(names[0], 64.0 * ROUNDING);
     let mut gradient = Worst::new(names[1], 128.0 * ROUNDING);
@@ -191,8 +191,8 @@ fn check(size_m: DVec3, names: [&'static str; 2]) -> Vec<(BoundarySample, f64)> 
 #[test]
 fn walls_match_their_twin() {
     let wide = check(DVec3::new(0.3, 0.2, 0.5), ["walls, density", "walls, gradient"]);
-    assert!(wide.iter().any(|(walls, _)| walls.density > 0.5), "no place was in a corner");
-    assert!(wide.iter().any(|(walls, _)| walls.density == 0.0), "no place was far from walls");
+    assert!(wide.iter().any(|(walls, _)| walls.density > 0.5), "no position was in a corner");
+    assert!(wide.iter().any(|(walls, _)| walls.density == 0.0), "no position was far from walls");
 }
 
 #[test]

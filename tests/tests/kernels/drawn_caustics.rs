@@ -24,9 +24,9 @@ use rand::RngExt as _;
 const DEPTH_TOLERANCE: f64 = 2e-6;
 /// Vulkan lets a device round corners to sixteenths of a pixel; all that one shows may be displaced by as much.
 const SNAP: f64 = 1.0 / 16.0;
-/// Share of the covered places whose rays graze a sphere or fall between comparisons.
+/// Share of the covered cells whose rays graze a sphere or fall between comparisons.
 const UNDECIDED: f64 = 0.01;
-/// Of a place in the sun's map: slopes are differences of f32 depths, a rounding of which over the spacing of
+/// Of a texel of the sun's map: slopes are differences of f32 depths, a rounding of which over the spacing of
 /// photons turns a ray by 1e-5.
 const PLACE_TOLERANCE: f64 = 2e-5;
 /// Of light, over the sun's: sums of some tens of f16 numbers around 1, each rounded.
@@ -76,12 +76,12 @@ fn options(photons: u32) -> (ScreenSpaceOptions, FrameOptions) {
 /// A pool as deep as half of its tank, its particles off their lattice by `jitter` of a spacing.
 fn pool(jitter: f64) -> Vec<Position> {
     let mut rng = rng(91);
-    let place = |i: u32| {
+    let position = |i: u32| {
         let lattice = [i % 20, i / 400, i / 20 % 20].map(f64::from);
         let at = lattice.map(|n| SPACING_M * (n + 0.5 + jitter * (rng.random::<f64>() - 0.5)));
         Position { position_m: at.map(|x| x as f32), tag: i }
     };
-    (0..20 * 20 * 10).map(place).collect()
+    (0..20 * 20 * 10).map(position).collect()
 }
 
 /// The pool, less a corner, with a ball and drops above it.
@@ -259,7 +259,7 @@ fn evenness(drawn: &Drawn) -> (f64, f64, f64) {
         // On the floor: along the sun's ray to height 0.
         let at_m = world_from_shadow(&drawn.light, DVec3::new(uv[0], uv[1], 0.5));
         let at_m = at_m - to_sun * (at_m.y / to_sun.y);
-        // Where all light came in through the top: what comes in through the glass toward the sun, from the left
+        // Where all light came in through the top: what comes in through the wall toward the sun, from the left
         // and from behind, ends at 0.64 and 0.60 m.
         let inside = (0.72..0.92).contains(&at_m.x) && (0.68..0.92).contains(&at_m.z);
         if inside {
@@ -294,7 +294,7 @@ fn calm_water_lights_the_floor_evenly() {
     assert!(spread > 0.1 * mean, "{spread}");
 }
 
-/// The sun overhead, its map 1 m wide and a metre deep around a place on the floor.
+/// The sun overhead, its map 1 m wide and a metre deep around a point of the floor.
 fn overhead(texels: usize) -> FrameLight {
     FrameLight {
         to_sun: [0.0, 1.0, 0.0],
@@ -329,12 +329,12 @@ fn curved_water_focuses_where_optics_says() {
             let [x, z] = [x, y].map(|at| (at as f64 + 0.5) / side as f64 - 0.5);
             depth_m - radius_m + (radius_m * radius_m - x * x - z * z).max(0.2).sqrt()
         };
-        let depths = empty.places().map(|at| shadow_position(&light, DVec3::new(0.0, height_m(at), 0.0)).z);
+        let depths = empty.texels().map(|at| shadow_position(&light, DVec3::new(0.0, height_m(at), 0.0)).z);
         let surface = SunMap { side, values: depths.collect() };
         let water = SunMap { side: 2 * side, values: vec![depth_m / 0.01; 4 * side * side] };
         let photons = refract_photons(&surface, &water, &params, &light);
         let (mut entered, mut landed) = (0.0, 0.0);
-        for (photon, (x, y)) in photons.iter().zip(empty.places()) {
+        for (photon, (x, y)) in photons.iter().zip(empty.texels()) {
             let from = DVec2::new(x as f64 + 0.5, y as f64 + 0.5) / side as f64 - 0.5;
             // Near the axis: beyond, spherical aberration is no mistake.
             if from.length() < 0.06 {

@@ -4,17 +4,17 @@ use brooklet_fluid::grid::listed;
 use brooklet_fluid::particles::id_of;
 use brooklet_kernels::{
     CellSlot, CountCells, CountCellsVariant, Counters, GROUPS_PER_ROW, GridParams, Kernel, LIST_CHUNK, LIST_ESCAPE,
-    ListHead, ListNeighbours, ListNeighboursVariant, Position, RankById, Reorder, ReorderVariant, ScatterCellMembers,
-    Velocity,
+    ListHead, ListNeighbours, ListNeighboursVariant, Position, PrecisionKeyword, RankById, Reorder, ReorderVariant,
+    ScatterCellMembers, Velocity,
 };
 use brooklet_reference::grid::list_neighbours::{Neighbours, check_list, list_neighbours};
 use brooklet_reference::grid::rank_by_id::rank_by_id;
-use brooklet_reference::grid::reorder::{places, reorder};
+use brooklet_reference::grid::reorder::{reorder, sorted_indices};
 use brooklet_reference::grid::scan;
 use brooklet_reference::shared::list;
-use brooklet_reference::shared::quantized_position::Quantization;
 use brooklet_tests::cases::{
-    SLOTS, SUPPORT_M, fluid, grid_params, is_wrapped, list_length, scattered, sizes, step_state, vectors, wrapped,
+    SLOTS, STORAGES, SUPPORT_M, fluid, grid_params, is_wrapped, list_length, quantization_of, scattered, sizes,
+    step_state, vectors, wrapped,
 };
 use brooklet_tests::compare::{check_counted, check_exact, report_exact, slot_state, vector};
 use brooklet_tests::harness::{Bench, few_cases, small};
@@ -23,6 +23,8 @@ use brooklet_tests::scan::run_scan;
 use glam::DVec3;
 use proptest::prelude::*;
 use rand::RngExt;
+
+const FULL: PrecisionKeyword = PrecisionKeyword::Off;
 
 fn run_count(positions: &[Position], grid: GridParams) -> (Vec<u32>, Vec<CellSlot>) {
     let mut bench = Bench::new();
@@ -103,7 +105,7 @@ fn run_reorder(
     slots: &[CellSlot],
     starts: &[u32],
     grid: GridParams,
-    packed: bool,
+    precision: PrecisionKeyword,
 ) -> Sorted {
     let count = positions.len();
     let mut bench = Bench::new();
@@ -118,7 +120,7 @@ fn run_reorder(
     let step_state = bench.uniform("step_state", step_state(count, 0.0));
     bench.dispatch(
         &Reorder {
-            variant: ReorderVariant { packed },
+            variant: ReorderVariant { precision },
             positions: at.read(),
             velocities: moving.read(),
             cell_slots: slots.read(),
@@ -156,13 +158,15 @@ fn reorder_matches_its_twin() {
         }
         let starts = scan::scan(&filled);
         let slots: Vec<CellSlot> = cells.iter().zip(&ranks).map(|(&cell, &rank)| CellSlot { cell, rank }).collect();
-        let places = places(&cells, &ranks, &starts);
-        for coding in [Quantization::Full, Quantization::Packed] {
-            let packed = coding == Quantization::Packed;
-            let sorted = run_reorder(&case.positions, &case.velocities, &slots, &starts, grid, packed);
-            assert_eq!(sorted.positions, reorder(&case.positions, &places));
-            assert_eq!(sorted.velocities, reorder(&case.velocities, &places));
-            assert_eq!(sorted.quantized_positions, reorder(&case.quantized_positions(coding), &places));
+        let sorted_indices = sorted_indices(&cells, &ranks, &starts);
+        for precision in STORAGES {
+            let sorted = run_reorder(&case.positions, &case.velocities, &slots, &starts, grid, precision);
+            assert_eq!(sorted.positions, reorder(&case.positions, &sorted_indices));
+            assert_eq!(sorted.velocities, reorder(&case.velocities, &sorted_indices));
+            assert_eq!(
+                sorted.quantized_positions,
+                reorder(&case.quantized_positions(quantization_of(precision)), &sorted_indices)
+            );
         }
         cases += size;
     }
@@ -233,10 +237,15 @@ fn rank_members_matches_its_twin() {
 }
 
 /// The whole counting sort: counted, scanned, reordered.
-fn sort(positions: &[Position], velocities: &[Velocity], grid: GridParams, packed: bool) -> (Sorted, Vec<u32>) {
+fn sort(
+    positions: &[Position],
+    velocities: &[Velocity],
+    grid: GridParams,
+    precision: PrecisionKeyword,
+) -> (Sorted, Vec<u32>) {
     let (counts, slots) = run_count(positions, grid);
     let starts = run_scan(&counts);
-    (run_reorder(positions, velocities, &slots, &starts, grid, packed), starts)
+    (run_reorder(positions, velocities, &slots, &starts, grid, precision), starts)
 }
 
 #[test]
@@ -250,7 +259,7 @@ fn sort_is_a_permutation_in_order_of_cells() {
             let velocities: Vec<Velocity> =
                 (0..count).map(|i| Velocity { velocity_m_s: [i as f32, 0.0, 0.0], age_s: 0.0 }).collect();
             let grid = grid_params(size_m, 1.0 / 64.0);
-            let (sorted, _) = sort(&positions, &velocities, grid, false);
+            let (sorted, _) = sort(&positions, &velocities, grid, FULL);
             let mut seen = vec![false; count];
             let mut last_cell = 0;
             for (position, velocity) in sorted.positions.iter().zip(&sorted.velocities) {
@@ -286,18 +295,23 @@ struct Listing {
 }
 
 /// Lists the neighbours of sorted particles and compares with brute force.
-fn check_neighbours(sorted: &Sorted, starts: &[u32], grid: GridParams, packed: bool) -> Result<Listing, String> {
+fn check_neighbours(
+    sorted: &Sorted,
+    starts: &[u32],
+    grid: GridParams,
+    precision: PrecisionKeyword,
+) -> Result<Listing, String> {
     let first_outside = starts[grid.cell_count as usize] as usize;
     let support_m = f64::from(grid.support_m);
     let expected = list_neighbours(&vectors(&sorted.positions), |i| i >= first_outside, support_m);
-    check_lists(sorted, starts, grid, packed, &expected)
+    check_lists(sorted, starts, grid, precision, &expected)
 }
 
 fn check_lists(
     sorted: &Sorted,
     starts: &[u32],
     grid: GridParams,
-    packed: bool,
+    precision: PrecisionKeyword,
     expected: &Neighbours,
 ) -> Result<Listing, String> {
     let count = sorted.positions.len();
@@ -312,7 +326,7 @@ fn check_lists(
     let step_state = bench.uniform("step_state", step_state(count, 0.0));
     bench.dispatch(
         &ListNeighbours {
-            variant: ListNeighboursVariant { wrapped: is_wrapped(&grid), periodic: false, packed },
+            variant: ListNeighboursVariant { wrapped: is_wrapped(&grid), periodic: false, precision },
             quantized_positions: quantized_positions.read(),
             sorted_positions: positions.read(),
             cell_starts: starts_buffer.read(),
@@ -333,9 +347,8 @@ fn check_lists(
     let support_m = f64::from(grid.support_m);
     let slots = grid.list_chunks * LIST_CHUNK;
     let entry = |i: usize, slot: usize| list::entry(i, slot, &neighbours, grid.list_chunks);
-    // A distance rounds to steps of the two places, and its square in the seventh digit.
-    let quantization = if packed { Quantization::Packed } else { Quantization::Full };
-    let doubt_m = (2.0 * quantization.step() + 1e-6) * support_m;
+    // A distance rounds to steps of the two quantized positions, and its square in the seventh digit.
+    let doubt_m = (2.0 * quantization_of(precision).step() + 1e-6) * support_m;
     let (mut all, mut escapes, mut missing) = (0, 0, 0);
     for i in 0..count {
         let ListHead { entries, first } = heads[i];
@@ -372,18 +385,17 @@ fn list_neighbours_matches_brute_force() {
     for size in sizes(ListNeighbours::GROUP_SIZE[0] as usize) {
         let case = fluid(&mut rng, size);
         let grid = grid_params(case.size_m, SUPPORT_M / 2.0);
-        let (sorted, starts) = sort(&case.positions, &case.velocities, grid, false);
-        listed += check_neighbours(&sorted, &starts, grid, false).unwrap().neighbours;
-        let (sorted, starts) = sort(&case.positions, &case.velocities, grid, true);
-        listed += check_neighbours(&sorted, &starts, grid, true).unwrap().neighbours;
+        for precision in STORAGES {
+            let (sorted, starts) = sort(&case.positions, &case.velocities, grid, precision);
+            listed += check_neighbours(&sorted, &starts, grid, precision).unwrap().neighbours;
+        }
 
         // Sparse, with some outside and quarantined, in a domain of few cells along one axis.
         let size_m = DVec3::new(0.6, 0.05, 0.13);
         let positions = scattered(&mut rng, size, size_m);
         let grid = grid_params(size_m, SUPPORT_M / 2.0);
-        let (sorted, starts) = sort(&positions, &case.velocities, grid, false);
-        listed +=
-            check_neighbours(&sorted, &starts, GridParams { list_chunks: 512, ..grid }, false).unwrap().neighbours;
+        let (sorted, starts) = sort(&positions, &case.velocities, grid, FULL);
+        listed += check_neighbours(&sorted, &starts, GridParams { list_chunks: 512, ..grid }, FULL).unwrap().neighbours;
     }
     report_exact("list_neighbours (but for distances within two steps of h)", listed);
 }
@@ -391,7 +403,7 @@ fn list_neighbours_matches_brute_force() {
 #[test]
 fn a_wrapped_grid_lists_what_a_dense_one_does() {
     // Case 15 of the extreme ones: blobs as many cells apart as the grid has, along one axis and
-    // along all, share their cells, and places, which repeat every 8 cells, take them for near.
+    // along all, share their cells, and quantized positions, which repeat every 8 cells, take them for near.
     let mut rng = rng(28);
     let mut compared = 0;
     for cells in [[64; 3], [8, 16, 32]] {
@@ -417,9 +429,9 @@ fn a_wrapped_grid_lists_what_a_dense_one_does() {
         let velocities = vec![Velocity::default(); positions.len()];
         let grid = wrapped(grid_params(size_m, cell_m), cells);
         check_count(&positions, grid, 1e-5).unwrap();
-        for packed in [false, true] {
-            let (sorted, starts) = sort(&positions, &velocities, grid, packed);
-            compared += check_neighbours(&sorted, &starts, grid, packed).unwrap().neighbours;
+        for precision in STORAGES {
+            let (sorted, starts) = sort(&positions, &velocities, grid, precision);
+            compared += check_neighbours(&sorted, &starts, grid, precision).unwrap().neighbours;
         }
     }
     assert!(compared > 10_000, "{compared}");
@@ -430,16 +442,16 @@ fn a_wrapped_grid_lists_what_a_dense_one_does() {
 fn neighbours_without_a_slot_are_counted() {
     let case = fluid(&mut rng(26), 300);
     let grid = GridParams { list_chunks: 5, ..grid_params(case.size_m, SUPPORT_M / 2.0) };
-    let (sorted, starts) = sort(&case.positions, &case.velocities, grid, false);
-    let overflow = check_neighbours(&sorted, &starts, grid, false).unwrap().overflow;
+    let (sorted, starts) = sort(&case.positions, &case.velocities, grid, FULL);
+    let overflow = check_neighbours(&sorted, &starts, grid, FULL).unwrap().overflow;
     assert!(overflow > 0, "the case was meant to overflow");
 
     // All at one point: each sees all others.
     let positions = vec![Position { position_m: [0.1; 3], tag: 0 }; 130];
     let velocities = vec![Velocity::default(); 130];
     let grid = grid_params(DVec3::splat(0.2), SUPPORT_M / 2.0);
-    let (sorted, starts) = sort(&positions, &velocities, grid, false);
-    let overflow = check_neighbours(&sorted, &starts, grid, false).unwrap().overflow;
+    let (sorted, starts) = sort(&positions, &velocities, grid, FULL);
+    let overflow = check_neighbours(&sorted, &starts, grid, FULL).unwrap().overflow;
     assert_eq!(overflow, 130 * (129 - SLOTS));
 }
 
@@ -464,7 +476,7 @@ fn lists_reach_over_escapes() {
     positions.swap(0, last);
     let velocities = vec![Velocity::default(); positions.len()];
     let grid = grid_params(size_m, SUPPORT_M / 2.0);
-    let (sorted, starts) = sort(&positions, &velocities, grid, false);
+    let (sorted, starts) = sort(&positions, &velocities, grid, FULL);
     // Only pairs with one of the few can be near.
     let at_m = vectors(&sorted.positions);
     let mut expected = vec![Vec::new(); at_m.len()];
@@ -478,13 +490,13 @@ fn lists_reach_over_escapes() {
         }
     }
     expected.iter_mut().for_each(|list| list.sort_unstable());
-    let listing = check_lists(&sorted, &starts, grid, false, &expected).unwrap();
+    let listing = check_lists(&sorted, &starts, grid, FULL, &expected).unwrap();
     assert!(listing.neighbours > 300 && listing.escapes > 300, "{} deltas", listing.escapes);
     report_exact("list_neighbours over wide deltas", listing.escapes);
     // A list that skips a wide gap is found out.
     expected[at_m.len() - 1].push(0);
     expected[at_m.len() - 1].sort_unstable();
-    assert!(check_lists(&sorted, &starts, grid, false, &expected).is_err());
+    assert!(check_lists(&sorted, &starts, grid, FULL, &expected).is_err());
 }
 
 #[test]
@@ -498,8 +510,8 @@ fn list_equals_brute_force_anywhere() {
             let velocities = vec![Velocity::default(); count];
             let grid = GridParams { list_chunks: 64, ..grid_params(size_m, SUPPORT_M / 2.0) };
             let grid = if seed % 2 == 0 { grid } else { wrapped(grid, [8, 8, 8]) };
-            let (sorted, starts) = sort(&positions, &velocities, grid, false);
-            check_neighbours(&sorted, &starts, grid, false).map(drop).map_err(TestCaseError::fail)
+            let (sorted, starts) = sort(&positions, &velocities, grid, FULL);
+            check_neighbours(&sorted, &starts, grid, FULL).map(drop).map_err(TestCaseError::fail)
         })
         .unwrap();
 }

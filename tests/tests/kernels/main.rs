@@ -3,6 +3,7 @@
 mod anisotropy;
 mod bench;
 mod boundary;
+mod drag;
 mod drawn_caustics;
 mod drawn_thickness;
 mod grid;
@@ -10,7 +11,6 @@ mod measure;
 mod none;
 mod particles;
 mod periodic;
-mod push;
 mod sample;
 mod scan;
 mod slots;

@@ -9,9 +9,10 @@ use brooklet_reference::grid::list_neighbours::{list_images, list_neighbours};
 use brooklet_reference::measure::density::density_ratio;
 use brooklet_reference::params::{Smoothing, nearest_image};
 use brooklet_reference::particles::predict::{Particle, predict};
-use brooklet_reference::shared::quantized_position::Quantization;
 use brooklet_reference::solver::pbf::update_velocity::update_velocity;
-use brooklet_tests::cases::{Case, SUPPORT_M, fluid, kernel_params, sizes, smoothing_of, step_of, step_state};
+use brooklet_tests::cases::{
+    Case, STORAGES, SUPPORT_M, fluid, kernel_params, quantization_of, sizes, smoothing_of, step_of, step_state,
+};
 use brooklet_tests::compare::{ROUNDING, Worst, vector};
 use brooklet_tests::harness::Bench;
 use brooklet_tests::rng;
@@ -120,7 +121,8 @@ fn predict_matches_its_twin() {
 fn update_velocity_matches_its_twin() {
     let mut rng = rng(82);
     let mut crossed = 0;
-    for quantization in [Quantization::Full, Quantization::Packed] {
+    for precision in STORAGES {
+        let quantization = quantization_of(precision);
         let mut worst = Worst::new("update_velocity, periodic", 20.0 * ROUNDING);
         for axes in AXES {
             for size in sizes(UpdateVelocity::GROUP_SIZE[0] as usize) {
@@ -129,7 +131,7 @@ fn update_velocity_matches_its_twin() {
                 let mut moved_h = || quantization.fixed_point(0.8 * (rng.random::<f64>() - 0.5));
                 let corrected: Vec<[u32; 2]> = start
                     .iter()
-                    .map(|&place| quantization.pack(quantization.coordinates(place).map(|c| c.wrapping_add(moved_h()))))
+                    .map(|&at| quantization.pack(quantization.coordinates(at).map(|c| c.wrapping_add(moved_h()))))
                     .collect();
                 let mut bench = Bench::new();
                 let at = bench.input("quantized_positions", &corrected);
@@ -143,7 +145,7 @@ fn update_velocity_matches_its_twin() {
                 let step_state = bench.uniform("step_state", step_state(size, params.dt_s));
                 bench.dispatch(
                     &UpdateVelocity {
-                        variant: UpdateVelocityVariant { packed: quantization == Quantization::Packed, periodic: true },
+                        variant: UpdateVelocityVariant { precision, periodic: true },
                         quantized_positions: at.read(),
                         step_state: step_state.uniform(),
                         kernel: kernel.uniform(),
@@ -161,7 +163,7 @@ fn update_velocity_matches_its_twin() {
                 let step = step_of(&params, false);
                 for i in 0..size {
                     let from = vector(case.positions[i].position_m);
-                    let to = from + quantization.apart(corrected[i], start[i]) * f64::from(kernel_params().support_m);
+                    let to = from + quantization.offset(corrected[i], start[i]) * f64::from(kernel_params().support_m);
                     check_image(&mut worst, positions[i].position_m, to, &params, step.domain_size_m.length());
                     let before = vector(case.velocities[i].velocity_m_s);
                     let (expected, _) = update_velocity(from, to, before, &step);

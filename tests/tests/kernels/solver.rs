@@ -11,8 +11,8 @@ use brooklet_reference::solver::pbf::constrain_density::constrain_density;
 use brooklet_reference::solver::pbf::correct_positions::{MAX_DISPLACEMENT, correct_positions};
 use brooklet_reference::solver::pbf::update_velocity::update_velocity;
 use brooklet_tests::cases::{
-    Around, Case, SUPPORT_M, fluid, kernel_params, pbf_of, pbf_params, precisions, sizes, smoothing_of, step_of,
-    step_state, walls_of,
+    Around, Case, STORAGES, SUPPORT_M, fluid, kernel_params, pbf_of, pbf_params, precisions, quantization_of, sizes,
+    smoothing_of, step_of, step_state, walls_of,
 };
 use brooklet_tests::compare::{HALF_ROUNDING, ROUNDING, Worst, tolerance_of_pairs, vector};
 use brooklet_tests::harness::Bench;
@@ -21,7 +21,7 @@ use glam::DVec3;
 use half::f16;
 use rand::RngExt;
 
-/// Roundings of f16 that a multiplier may be off by: 2.7 are measured.
+/// Roundings of f16 that a lambda may be off by: 2.7 are measured.
 const CONSTRAIN_HALF: f64 = 8.0;
 /// And a correction: 1.2.
 const CORRECT_HALF: f64 = 4.0;
@@ -35,7 +35,7 @@ fn case_for(rng: &mut impl rand::Rng, size: usize, walls: Around) -> Case {
     case
 }
 
-/// How a kernel's pairs are computed: precision and quantized_positions.
+/// How a kernel's pairs are computed: the precision, and the positions that it gathers.
 #[derive(Clone, Copy, PartialEq, Eq)]
 struct Pairs {
     precision: PrecisionKeyword,
@@ -46,10 +46,8 @@ const FULL: Pairs = Pairs { precision: PrecisionKeyword::Off, quantization: Quan
 
 /// Every way there is, with how large a rounding is.
 fn all_pairs() -> Vec<(Pairs, f64)> {
-    let each = |(precision, rounding)| {
-        [Quantization::Full, Quantization::Packed].map(|quantization| (Pairs { precision, quantization }, rounding))
-    };
-    precisions().into_iter().flat_map(each).collect()
+    let pairs = |precision| Pairs { precision, quantization: quantization_of(precision) };
+    precisions().into_iter().map(|(precision, rounding)| (pairs(precision), rounding)).collect()
 }
 
 impl Pairs {
@@ -63,7 +61,7 @@ impl Pairs {
     }
 
     fn name(self, stage: &str) -> String {
-        format!("{stage} {:?} {:?}", self.precision, self.quantization)
+        format!("{stage} {:?}", self.precision)
     }
 
     fn packed(self) -> bool {
@@ -85,11 +83,7 @@ fn run_constrain(case: &Case, pbf: PbfParams, walls: Around, pairs: Pairs) -> Ve
     let step_state = bench.uniform("step_state", case.step_state());
     bench.dispatch(
         &ConstrainDensity {
-            variant: ConstrainDensityVariant {
-                walls: walls.has_walls(),
-                precision: pairs.precision,
-                packed: pairs.packed(),
-            },
+            variant: ConstrainDensityVariant { walls: walls.has_walls(), precision: pairs.precision },
             quantized_positions: quantized_positions.read(),
             sorted_positions: walls.has_walls().then(|| sorted_positions.read()),
             neighbours: neighbours.read(),
@@ -120,7 +114,7 @@ fn run_constrain(case: &Case, pbf: PbfParams, walls: Around, pairs: Pairs) -> Ve
 fn constrain_density_matches_its_twin() {
     let (smoothing, pbf) = (smoothing_of(&kernel_params()), pbf_of(&pbf_params()));
     for (pairs, rounding) in all_pairs() {
-        // A packed multiplier is rounded to f16 at the end.
+        // A packed lambda is rounded to f16 at the end.
         let last = if pairs.packed() { HALF_ROUNDING } else { 0.0 };
         let mut worst =
             Worst::new(pairs.name(ConstrainDensity::STAGE), tolerance_of_pairs(rounding, CONSTRAIN_HALF) + last);
@@ -136,7 +130,7 @@ fn constrain_density_matches_its_twin() {
                 let quantized_m = case.quantized_m(pairs.quantization);
                 let start = case.quantized_positions(pairs.quantization);
                 for (i, got) in got.iter().enumerate() {
-                    // The GPU asks the walls at the position, which a packed place rounds.
+                    // The GPU asks the walls at the position, which a packed one rounds.
                     let expected = constrain_density(i, &quantized_m, &case.neighbours[i], &smoothing, &pbf, box_walls);
                     compressed += usize::from(expected.lambda < 0.0);
                     assert_eq!(got.quantized_position, start[i]);
@@ -205,12 +199,7 @@ fn run_correct_from(
     let step_state = bench.uniform("step_state", case.step_state());
     bench.dispatch(
         &CorrectPositions {
-            variant: CorrectPositionsVariant {
-                walls: walls.has_walls(),
-                s_corr,
-                precision: pairs.precision,
-                packed: pairs.packed(),
-            },
+            variant: CorrectPositionsVariant { walls: walls.has_walls(), s_corr, precision: pairs.precision },
             position_lambdas: (!pairs.packed()).then(|| position_lambdas.read()),
             packed_position_lambdas: pairs.packed().then(|| packed_position_lambdas.read()),
             sorted_positions: sorted_positions.read(),
@@ -227,7 +216,7 @@ fn run_correct_from(
     );
     let mut done = bench.run();
     let after: Vec<[u32; 2]> = done.read(&quantized_positions, case.count());
-    let moved = start.iter().zip(&after).map(|(&before, &after)| pairs.quantization.apart(after, before)).collect();
+    let moved = start.iter().zip(&after).map(|(&before, &after)| pairs.quantization.offset(after, before)).collect();
     let counters = done.read(&counters, 1)[0];
     Corrected { after, moved, clamps: counters.correction_clamps, held: counters.displacement_clamps }
 }
@@ -274,11 +263,11 @@ fn correct_positions_matches_its_twin() {
                     let doubt = (1e-4_f64).max(tolerance * expected.terms_m / pbf.max_correction_m);
                     let near = (expected.asked_m / pbf.max_correction_m - 1.0).abs() < doubt;
                     doubtful += u32::from(near);
-                    // The GPU's walls are at the position's own distance, which the place rounds by
+                    // The GPU's walls are at the position's own distance, which the quantized one rounds by
                     // up to half a step an axis; so does the move that is stored.
                     let steps_m = 2.0 * pairs.quantization.step() * smoothing.support_m;
                     let scale = expected.terms_m + quantized_m[i].length() + steps_m / tolerance;
-                    // A case outside narrow walls is moved in by more than a place can tell: the
+                    // A case outside narrow walls is moved in by more than a quantized position can tell: the
                     // position meant is the nearest to the expected one.
                     let got_m = pairs.quantization.near(got.after[i], expected.position_m / smoothing.support_m);
                     let error_m = got_m * smoothing.support_m - expected.position_m;
@@ -394,8 +383,9 @@ fn particles_at_one_point_part_oppositely() {
 #[test]
 fn update_velocity_matches_its_twin() {
     let mut slowed = 0;
-    for quantization in [Quantization::Full, Quantization::Packed] {
-        // A difference of places, exact, a product, a quotient and a sum; then the speed limit.
+    for precision in STORAGES {
+        let quantization = quantization_of(precision);
+        // A difference of quantized positions, exact, a product, a quotient and a sum; then the speed limit.
         let mut worst = Worst::new(UpdateVelocity::STAGE, 20.0 * ROUNDING);
         let mut moves = Worst::new("update_velocity, positions", 4.0 * ROUNDING);
         let mut rng = rng(36);
@@ -408,10 +398,10 @@ fn update_velocity_matches_its_twin() {
             let mut moved_h = || quantization.fixed_point(0.125 * (rng.random::<f64>() - 0.5));
             let corrected: Vec<[u32; 2]> = start
                 .iter()
-                .map(|&place| quantization.pack(quantization.coordinates(place).map(|c| c.wrapping_add(moved_h()))))
+                .map(|&at| quantization.pack(quantization.coordinates(at).map(|c| c.wrapping_add(moved_h()))))
                 .collect();
             let params = case.step_params();
-            let (positions, velocities, counters) = run_update(&case, &corrected, params, quantization);
+            let (positions, velocities, counters) = run_update(&case, &corrected, params, precision);
             let step = step_of(&params, false);
             let mut clamps = 0;
             for i in 0..size {
@@ -422,7 +412,7 @@ fn update_velocity_matches_its_twin() {
                     continue;
                 }
                 let from = vector(case.positions[i].position_m);
-                let to = from + quantization.apart(corrected[i], start[i]) * f64::from(kernel_params().support_m);
+                let to = from + quantization.offset(corrected[i], start[i]) * f64::from(kernel_params().support_m);
                 moves.check3(positions[i].position_m, to, to.length()).unwrap();
                 let before = vector(case.velocities[i].velocity_m_s);
                 let (expected, fast) = update_velocity(from, to, before, &step);
@@ -443,7 +433,7 @@ fn run_update(
     case: &Case,
     corrected: &[[u32; 2]],
     params: StepParams,
-    quantization: Quantization,
+    precision: PrecisionKeyword,
 ) -> (Vec<brooklet_kernels::Position>, Vec<Velocity>, Counters) {
     let mut bench = Bench::new();
     let corrected = bench.input("quantized_positions", corrected);
@@ -457,10 +447,7 @@ fn run_update(
     let step_state = bench.uniform("step_state", step_state(case.count(), params.dt_s));
     bench.dispatch(
         &UpdateVelocity {
-            variant: UpdateVelocityVariant {
-                packed: quantization == Quantization::Packed,
-                periodic: params.period_m != [0.0; 3],
-            },
+            variant: UpdateVelocityVariant { precision, periodic: params.period_m != [0.0; 3] },
             quantized_positions: corrected.read(),
             step_state: step_state.uniform(),
             kernel: kernel.uniform(),

@@ -11,7 +11,8 @@ use brooklet_reference::forces::xsph::xsph;
 use brooklet_reference::shared::quantized_position::Quantization;
 use brooklet_reference::shared::wendland;
 use brooklet_tests::cases::{
-    fluid, force_params, forces_of, kernel_params, precisions, sizes, smoothing_of, step_of, step_state,
+    fluid, force_params, forces_of, kernel_params, precisions, quantization_of, sizes, smoothing_of, step_of,
+    step_state,
 };
 use brooklet_tests::compare::{Worst, tolerance_of_pairs, vector};
 use brooklet_tests::harness::Bench;
@@ -27,20 +28,17 @@ const CONFINE_HALF: f64 = 0.75;
 
 /// Every variant: its precision, how large its roundings are, and its quantized_positions.
 fn variants() -> Vec<(PrecisionKeyword, f64, Quantization)> {
-    let each = |(precision, rounding)| {
-        [Quantization::Full, Quantization::Packed].map(|quantization| (precision, rounding, quantization))
-    };
-    precisions().into_iter().flat_map(each).collect()
+    precisions().into_iter().map(|(precision, rounding)| (precision, rounding, quantization_of(precision))).collect()
 }
 
-fn name(kernel: &str, precision: PrecisionKeyword, quantization: Quantization) -> String {
-    format!("{kernel} {precision:?} {quantization:?}")
+fn name(kernel: &str, precision: PrecisionKeyword) -> String {
+    format!("{kernel} {precision:?}")
 }
 
 #[test]
 fn xsph_matches_its_twin() {
     for (precision, rounding, quantization) in variants() {
-        let mut worst = Worst::new(name(Xsph::STAGE, precision, quantization), tolerance_of_pairs(rounding, XSPH_HALF));
+        let mut worst = Worst::new(name(Xsph::STAGE, precision), tolerance_of_pairs(rounding, XSPH_HALF));
         let mut rng = rng(41);
         let (smoothing, forces) = (smoothing_of(&kernel_params()), forces_of(&force_params()));
         for size in sizes(Xsph::GROUP_SIZE[0] as usize) {
@@ -56,7 +54,7 @@ fn xsph_matches_its_twin() {
             let step_state = bench.uniform("step_state", step_state(size, case.step_params().dt_s));
             bench.dispatch(
                 &Xsph {
-                    variant: XsphVariant { precision, packed: quantization == Quantization::Packed },
+                    variant: XsphVariant { precision },
                     quantized_positions: quantized_buffer.read(),
                     velocities: velocities.read(),
                     neighbours: neighbours.read(),
@@ -84,7 +82,7 @@ fn xsph_matches_its_twin() {
 #[test]
 fn curl_matches_its_twin() {
     for (precision, rounding, quantization) in variants() {
-        let mut worst = Worst::new(name(Curl::STAGE, precision, quantization), tolerance_of_pairs(rounding, CURL_HALF));
+        let mut worst = Worst::new(name(Curl::STAGE, precision), tolerance_of_pairs(rounding, CURL_HALF));
         let mut rng = rng(42);
         let smoothing = smoothing_of(&kernel_params());
         for size in sizes(Curl::GROUP_SIZE[0] as usize) {
@@ -99,7 +97,7 @@ fn curl_matches_its_twin() {
             let step_state = bench.uniform("step_state", step_state(size, case.step_params().dt_s));
             bench.dispatch(
                 &Curl {
-                    variant: CurlVariant { precision, packed: quantization == Quantization::Packed },
+                    variant: CurlVariant { precision },
                     quantized_positions: quantized_buffer.read(),
                     velocities: velocities.read(),
                     neighbours: neighbours.read(),
@@ -136,15 +134,13 @@ fn curl_matches_its_twin() {
 #[test]
 fn confine_vorticity_matches_its_twin() {
     for (precision, rounding, quantization) in variants() {
-        let mut worst = Worst::new(
-            name(ConfineVorticity::STAGE, precision, quantization),
-            tolerance_of_pairs(rounding, CONFINE_HALF),
-        );
+        let mut worst =
+            Worst::new(name(ConfineVorticity::STAGE, precision), tolerance_of_pairs(rounding, CONFINE_HALF));
         let mut rng = rng(43);
         let (smoothing, forces) = (smoothing_of(&kernel_params()), forces_of(&force_params()));
         for size in sizes(ConfineVorticity::GROUP_SIZE[0] as usize) {
             let case = fluid(&mut rng, size);
-            let swirls: Vec<Vorticity> = (0..size)
+            let vorticities_per_s: Vec<Vorticity> = (0..size)
                 .map(|_| {
                     let curl = [0; 3].map(|_| rng.random::<f32>() * 200.0 - 100.0);
                     Vorticity { vorticity_per_s: curl, magnitude_per_s: vector(curl).length() as f32 }
@@ -152,7 +148,7 @@ fn confine_vorticity_matches_its_twin() {
                 .collect();
             let mut bench = Bench::new();
             let quantized_buffer = bench.input("quantized_positions", &case.quantized_positions(quantization));
-            let vorticities = bench.input("vorticities", &swirls);
+            let vorticities = bench.input("vorticities", &vorticities_per_s);
             let (neighbours, list_heads) = case.upload_neighbours(&mut bench);
             let mut velocities = bench.input("velocities", &case.velocities);
             let step_params = bench.uniform("step_params", case.step_params());
@@ -160,7 +156,7 @@ fn confine_vorticity_matches_its_twin() {
             let step_state = bench.uniform("step_state", step_state(size, case.step_params().dt_s));
             bench.dispatch(
                 &ConfineVorticity {
-                    variant: ConfineVorticityVariant { precision, packed: quantization == Quantization::Packed },
+                    variant: ConfineVorticityVariant { precision },
                     quantized_positions: quantized_buffer.read(),
                     vorticities: vorticities.read(),
                     neighbours: neighbours.read(),
@@ -174,24 +170,24 @@ fn confine_vorticity_matches_its_twin() {
             );
             let got = bench.run().read(&velocities, size);
             let (positions_m, velocities_m_s) = (case.quantized_m(quantization), case.velocities_m_s());
-            let swirls: Vec<_> = swirls.iter().map(|s| vector(s.vorticity_per_s)).collect();
+            let vorticities_per_s: Vec<_> = vorticities_per_s.iter().map(|s| vector(s.vorticity_per_s)).collect();
             let step = step_of(&case.step_params(), false);
             for (i, got) in got.iter().enumerate() {
                 let expected = confine_vorticity(
                     i,
                     &positions_m,
                     velocities_m_s[i],
-                    &swirls,
+                    &vorticities_per_s,
                     &case.neighbours[i],
                     &step,
                     &smoothing,
                     &forces,
                 );
                 // The push is along a direction, known as well as its terms are to their sum.
-                let push = forces.vorticity_m_s * swirls[i].length() * step.dt_s;
+                let push = forces.vorticity_m_s * vorticities_per_s[i].length() * step.dt_s;
                 let doubt = match expected.steepness_per_s {
                     0.0 => 1.0,
-                    steepness => 1.0 + (expected.terms_per_s + swirls[i].length()) / steepness,
+                    steepness => 1.0 + (expected.terms_per_s + vorticities_per_s[i].length()) / steepness,
                 };
                 worst
                     .check3(got.velocity_m_s, expected.velocity_m_s, velocities_m_s[i].length() + push * doubt)

@@ -12,7 +12,7 @@ use brooklet_tests::program::{Ended, Workshop};
 use serde_json::Value;
 
 /// Two runs of a second each.
-const SMALL: [&str; 6] = ["study", "error", "--scenes", "elliptical-drop", "--knobs", "packed"];
+const SMALL: [&str; 6] = ["study", "error", "--scenes", "elliptical-drop", "--knobs", "precision"];
 
 fn lines(workshop: &Workshop, path: &str) -> usize {
     fs::read_to_string(workshop.path(path)).map_or(0, |text| text.lines().count())
@@ -100,7 +100,7 @@ fn parts_of_several_machines_are_joined() {
         assert_eq!(part.code, Some(0), "{}", part.stderr);
         assert!(!workshop.path(&out).join("report.html").exists());
     }
-    let merge = ["study", "merge", "--part", "error", "--scenes", "elliptical-drop", "--knobs", "packed", "--quick"];
+    let merge = ["study", "merge", "--part", "error", "--scenes", "elliptical-drop", "--knobs", "precision", "--quick"];
     let whole = ended(&workshop, &with(&merge, &["part-1", "part-2", "--out", "all"]));
     assert_eq!(whole.code, Some(0), "{}", whole.stderr);
     assert_eq!(workshop.json("all/results.json")["runs"].as_array().unwrap().len(), 2);

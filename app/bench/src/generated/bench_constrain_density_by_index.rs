@@ -93,5 +93,5 @@ static CONSTRAIN_DENSITY_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/constrain_density_by_index.compute",
-    hash: "9c16b8dd3a6c5ebb881904d6f58a3d6263e33324cb5ef4bcf6e9f99c1e3fe77a",
+    hash: "5b8a2ad37b9c8e67b9500384255987dbd781163aee03e9cf26345fb6dc663e77",
 };

@@ -57,5 +57,5 @@ static COPY_ELEMENTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/copy.compute",
-    hash: "0d4446e6c750d1dce0a5656bff2c7062b7f27349386132100bead5e2128dfc66",
+    hash: "386e142d8436a2d22d9ed5261a4ceb5c5d82acc0c56b271a6be7389f082c2083",
 };

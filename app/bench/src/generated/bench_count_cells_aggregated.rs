@@ -74,5 +74,5 @@ static COUNT_CELLS_AGGREGATED: Module = Module {
     shared_bytes: 512,
     tier: Tier::Floor,
     source: "bench/count_cells_aggregated.compute",
-    hash: "1881cec4d4185ace1254569af491973997cd4afe9fe0ee036b46ff547e06a66f",
+    hash: "8d96a8a8238090ed399a839f2d92a428c2f499b946b96d2d663caac5d82dc428",
 };

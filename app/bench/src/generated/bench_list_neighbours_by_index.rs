@@ -94,5 +94,5 @@ static LIST_NEIGHBOURS_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/list_neighbours_by_index.compute",
-    hash: "490f756ef029188e0d1ebac2d5d9de94d150c00e85cf27b79bafa1ddd69002de",
+    hash: "8da0ae35da0d488837dbea26d84ea62676b0af38e1766466b6960d96bf372274",
 };

@@ -82,5 +82,5 @@ static REORDER_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/reorder_index.compute",
-    hash: "b7d2818754669d936ccabe0af673d12e072f3f8002270f3529ec03df132466eb",
+    hash: "a142c295d005d703362004d2e9c0b82562e4b8ca1b36f98407494ef75d09cfa5",
 };

@@ -88,7 +88,7 @@ static SCAN_GROUPS_TREE: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "4699c7b42869140d912bffc9684678751be9b7942ca023da1b3122ada3b05a82",
+    hash: "371c5c16695031b06b48a2bd38d9094c224cff407b5b2b648ba698c4abb009c4",
 };
 
 static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
@@ -101,7 +101,7 @@ static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "80b3b274ac96a487058666d81aa7ad7ace3be0e0f69bfb6a095ad8e6af4519cc",
+    hash: "a08eaf9de5fbecea2d3173d3e72fdafb5b9dec2d36d3b35d56ac82b32d74708b",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
@@ -114,7 +114,7 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "13db9a07d90fb466ce9a8f34a9aa97f9636ca249e0d0969a2280b62adbec9068",
+    hash: "c2ecd9bc3c12efbd8a279c9cd35d889a3346de02b0ee41277f102ff5ee35ed7a",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
@@ -127,5 +127,5 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "41a7387927a43d37afb572e046785737fd3d223683a1080759db916f4a523f26",
+    hash: "13af79af2eb0daf365f7b65804d44aba4756f08c57b9d287a86156224547473c",
 };

@@ -54,5 +54,5 @@ static SCAN_STEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/scan_step.compute",
-    hash: "a276c6b7ef16b688310bb25a8a203134b5ed217ae481ba2badbabfc7fd97d84b",
+    hash: "66a2a1e06344ea925e32a98a28a8d9b1c4001dba13d1af4747bf84401fdee26b",
 };

@@ -10,7 +10,7 @@ use brooklet_fluid::{
 use brooklet_gpu::{Engine, Recording, Resources};
 use brooklet_kernels::{
     Buffer, ConstrainDensity, ConstrainDensityVariant, CountCells, CountCellsVariant, GridParams, PbfParams, Position,
-    PositionLambda, SmoothingKernelParams,
+    PositionLambda, PrecisionKeyword, SmoothingKernelParams,
 };
 
 use super::contest::{Names, Outcome, Ring, Ways};
@@ -83,7 +83,7 @@ pub fn locality(
         positions: resources.persistent("sorted_positions", count),
         velocities: resources.persistent("sorted_velocities", count),
         quantized_positions: resources.buffer("quantized_positions", count),
-        packed: false,
+        precision: PrecisionKeyword::Off,
     };
     reorder_everything(&mut baseline, &mut settings, &mut product, &mut sorted, &mut neighbours);
 

@@ -30,7 +30,7 @@ impl VorticityConfinement {
         context.slots.dispatch(
             recording,
             &Curl {
-                variant: CurlVariant { precision: context.precision, packed: sorted.packed },
+                variant: CurlVariant { precision: sorted.precision },
                 quantized_positions: sorted.quantized_positions.read(),
                 velocities: velocities.read(),
                 neighbours: neighbours.deltas.read(),
@@ -44,7 +44,7 @@ impl VorticityConfinement {
         context.slots.dispatch(
             recording,
             &ConfineVorticity {
-                variant: ConfineVorticityVariant { precision: context.precision, packed: sorted.packed },
+                variant: ConfineVorticityVariant { precision: sorted.precision },
                 quantized_positions: sorted.quantized_positions.read(),
                 vorticities: self.vorticities.read(),
                 neighbours: neighbours.deltas.read(),

@@ -17,7 +17,7 @@ pub(super) fn xsph(
     context.slots.dispatch(
         recording,
         &Xsph {
-            variant: XsphVariant { precision: context.precision, packed: search.sorted.packed },
+            variant: XsphVariant { precision: search.sorted.precision },
             quantized_positions: search.sorted.quantized_positions.read(),
             velocities: velocities.read(),
             neighbours: search.neighbours.deltas.read(),

@@ -66,7 +66,7 @@ impl Neighbours {
                 variant: ListNeighboursVariant {
                     wrapped: grid.wrapped,
                     periodic: grid.periodic,
-                    packed: sorted.packed,
+                    precision: sorted.precision,
                 },
                 sorted_positions: sorted.positions.read(),
                 quantized_positions: sorted.quantized_positions.read(),

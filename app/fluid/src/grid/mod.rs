@@ -17,11 +17,11 @@ pub use scan::{SCAN_GROUP, Scan};
 
 use brooklet_gpu::{Recording, Resources};
 use brooklet_kernels::{
-    Buffer, CellSlot, CountActive, CountCells, CountCellsVariant, GridParams, Position, RankById, Reorder,
-    ReorderVariant, ScatterCellMembers, Velocity,
+    Buffer, CellSlot, CountActive, CountCells, CountCellsVariant, GridParams, Position, PrecisionKeyword, RankById,
+    Reorder, ReorderVariant, ScatterCellMembers, Velocity,
 };
 
-use crate::scene::Scene;
+use crate::scene::{Precision, Scene};
 use crate::slots::Slots;
 use crate::step_context::Particles;
 
@@ -181,7 +181,7 @@ impl Grid {
         slots.dispatch(
             recording,
             &Reorder {
-                variant: ReorderVariant { packed: sorted.packed },
+                variant: ReorderVariant { precision: sorted.precision },
                 positions: positions.read(),
                 velocities: velocities.read(),
                 cell_slots: self.cell_slots.read(),
@@ -206,8 +206,9 @@ pub struct Sorted {
     /// 4 h, not relative to a cell: no cell is stored or compared, and the 8 bytes of three unorm16 hold 21 bits an
     /// axis.
     pub quantized_positions: Buffer<[u32; 2]>,
-    /// Whether they are packed into 16 bits an axis.
-    pub packed: bool,
+    /// What all kernels compute with that read `quantized_positions`: with both lower precisions they are packed, 16
+    /// bits an axis.
+    pub precision: PrecisionKeyword,
 }
 
 impl Sorted {
@@ -217,7 +218,11 @@ impl Sorted {
             positions: resources.buffer("sorted_positions", capacity),
             velocities: resources.buffer("sorted_velocities", capacity),
             quantized_positions: resources.buffer("quantized_positions", capacity),
-            packed: scene.solver.packed_positions,
+            precision: match scene.solver.precision {
+                Precision::Full => PrecisionKeyword::Off,
+                Precision::Relaxed => PrecisionKeyword::RelaxedPrecision,
+                Precision::Half => PrecisionKeyword::HalfPrecision,
+            },
         }
     }
 }

@@ -29,7 +29,7 @@ const RATIO_STEP: f32 = 1.0 / 64.0;
 /// (`scene/lattice.rs`); elsewhere it lies as [`super::sample_lattice`] puts a block at the domain's corner.
 ///
 /// What it costs a fluid at rest or in smooth motion (`tests/tests/fluid/resample.rs`, 0.7 to 1.6 times the spacing): no
-/// volume, up to 3.3 % of the momentum, and less than 0.3 spacings of its place where it is two layers thin.
+/// volume, up to 3.3 % of the momentum, and less than 0.3 spacings of its position where it is two layers thin.
 pub fn resample(from: &Scene, particles: &ParticleSet, to: &Scene) -> ParticleSet {
     let [from_m, to_m] = [from, to].map(Scene::fitted_spacing_m);
     let support_m = SUPPORT_RATIO * from_m.max(to_m);
@@ -251,7 +251,7 @@ fn for_each(ranges: [std::ops::Range<i32>; 3], mut visit: impl FnMut([i32; 3])) 
     }
 }
 
-/// A point's place in its block.
+/// A point's index in its block.
 fn index(point: [i32; 3]) -> usize {
     let [x, y, z] = point.map(|number| number.rem_euclid(SIDE));
     ((z * SIDE + y) * SIDE + x) as usize

@@ -4,7 +4,7 @@
 //! reasons of `brooklet plan` and the study's knobs are made from it.
 
 use super::field::{Field, Kind, Limits};
-use super::solver::Method;
+use super::solver::{Method, Precision};
 use super::update::{Update, UpdateRule};
 
 const fn within(least: f64, most: f64, unit: &'static str) -> Limits {
@@ -87,15 +87,10 @@ pub const FIELDS: &[Field] = &[
         &["false", "true"],
         &[0, 1],
     ),
-    Field::new("solver.precision", Kind::Choice(&["full", "relaxed", "half"]), REBUILD).of(WITH_NEIGHBOURS).knob(
+    Field::new("solver.precision", Kind::Choice(Precision::NAMES), REBUILD).of(WITH_NEIGHBOURS).knob(
         "precision",
-        &["full", "relaxed", "half"],
+        Precision::NAMES,
         &[0, 2],
-    ),
-    Field::new("solver.packed_positions", Kind::Switch, REBUILD).of(WITH_NEIGHBOURS).knob(
-        "packed",
-        &["false", "true"],
-        &[0, 1],
     ),
     Field::new("solver.pbf", Kind::Table, REBUILD).of(PBF),
     Field::new("solver.pbf.iterations", whole(0.0, 1000.0, ""), REBUILD).of(PBF).slider(0.0, 16.0).knob(

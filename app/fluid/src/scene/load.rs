@@ -68,10 +68,12 @@ impl Scene {
         source_name: &str,
         from_text: bool,
     ) -> Result<Scene, SceneError> {
-        moved::refuse(table, text, source_name)?;
-        methods::refuse_foreign(table, text, source_name, FIELDS)?;
+        let mut table = table.clone();
+        moved::refuse(&table, text, source_name)?;
+        let from_text = !moved::settle_packing(&mut table, text, source_name)? && from_text;
+        methods::refuse_foreign(&table, text, source_name, FIELDS)?;
         let scene: Scene = serde_path_to_error::deserialize(Value::Table(table.clone()))
-            .map_err(|error| explain::mismatch(&error, table, text, source_name, from_text))?;
+            .map_err(|error| explain::mismatch(&error, &table, text, source_name, from_text))?;
         scene.check(source_name)?;
         Ok(scene)
     }

@@ -37,18 +37,42 @@ impl Method {
     }
 }
 
-/// How the arithmetic for a pair of particles is rounded.
+/// How the arithmetic for a pair of particles is rounded, and the positions that it gathers. Measured errors:
+/// `app/fluid/PRECISION.md`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "lowercase")]
 pub enum Precision {
-    /// f32.
+    /// f32; positions of 21 bits an axis and an f32 lambda, 16 bytes.
     #[default]
     Full,
-    /// f16 where the driver chooses to (SPIR-V's RelaxedPrecision), f32 where not.
+    /// f16 where the driver chooses to (SPIR-V's RelaxedPrecision), f32 where not; positions packed into 16 bits an
+    /// axis with an f16 lambda, 8 bytes.
     Relaxed,
-    /// f16; only on devices of the desktop tier that have it.
+    /// f16, and packed positions: what `relaxed` does at worst. Only on devices of the desktop tier that have f16.
     Half,
+}
+
+impl Precision {
+    /// Every precision by its name.
+    pub const NAMES: &[&str] = &["full", "relaxed", "half"];
+
+    /// Its name in scenes and captures.
+    pub fn name(self) -> &'static str {
+        match self {
+            Precision::Full => "full",
+            Precision::Relaxed => "relaxed",
+            Precision::Half => "half",
+        }
+    }
+
+    /// Whether it packs the positions that are gathered.
+    pub fn packs_positions(self) -> bool {
+        match self {
+            Precision::Full => false,
+            Precision::Relaxed | Precision::Half => true,
+        }
+    }
 }
 
 /// What every solver takes, and a table for each method of what it alone does.
@@ -74,12 +98,9 @@ pub struct Solver {
     /// Sorts the particles of a cell by id, so that runs repeat bit for bit on a device; else they
     /// come in the order that atomics give.
     pub deterministic: bool,
-    /// How what is computed for each pair of particles is rounded. Positions, sums and everything
-    /// outside the pairs stay f32.
+    /// How what is computed for each pair of particles is rounded, and the positions that are gathered for it. Stored
+    /// positions, sums and everything outside the pairs stay f32.
     pub precision: Precision,
-    /// Gathers 16 bits an axis and an f16 lambda, 8 bytes, where otherwise 21 bits an axis and
-    /// an f32 lambda take 16.
-    pub packed_positions: bool,
     /// What Position Based Fluids takes.
     pub pbf: PbfSettings,
     /// What `method = "none"` takes.
@@ -107,7 +128,6 @@ impl Default for Solver {
             neighbour_slots: None,
             deterministic: false,
             precision: Precision::Full,
-            packed_positions: false,
             pbf: PbfSettings::default(),
             none: NoneSettings::default(),
         }

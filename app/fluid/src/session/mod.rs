@@ -162,9 +162,9 @@ impl Session {
     pub fn submit(&mut self, request: &FrameRequest<'_>) -> Result<u64, GpuError> {
         self.order.clear();
         self.readbacks.clear();
-        if let (Some(push), Some(drag)) = (&self.drag, request.drag) {
-            push.write(&mut self.engine, &self.scene, drag);
-            self.order.push(push.recording.id());
+        if let (Some(pass), Some(drag)) = (&self.drag, request.drag) {
+            pass.write(&mut self.engine, &self.scene, drag);
+            self.order.push(pass.recording.id());
         }
         if let (Some(changes), Some(drain)) = (&self.slot_changes, request.deactivate) {
             changes.write_drain(&mut self.engine, drain);

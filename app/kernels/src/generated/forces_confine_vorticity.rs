@@ -12,8 +12,6 @@ use crate::{
 pub struct ConfineVorticityVariant {
     /// Keyword `RELAXED_PRECISION` or `HALF_PRECISION`.
     pub precision: PrecisionKeyword,
-    /// Keyword `PACKED`.
-    pub packed: bool,
 }
 
 /// Vorticity confinement (Fedkiw, Stam & Jensen 2001; Macklin & Muller 2013, eq. 16): gives back
@@ -45,13 +43,10 @@ impl Kernel for ConfineVorticity<'_> {
     const GROUP_SIZE: [u32; 3] = [64, 1, 1];
 
     fn module(&self) -> &'static Module {
-        match (self.variant.precision, self.variant.packed) {
-            (PrecisionKeyword::Off, false) => &CONFINE_VORTICITY,
-            (PrecisionKeyword::Off, true) => &CONFINE_VORTICITY_WITH_PACKED,
-            (PrecisionKeyword::RelaxedPrecision, false) => &CONFINE_VORTICITY_WITH_RELAXED_PRECISION,
-            (PrecisionKeyword::RelaxedPrecision, true) => &CONFINE_VORTICITY_WITH_RELAXED_PRECISION_WITH_PACKED,
-            (PrecisionKeyword::HalfPrecision, false) => &CONFINE_VORTICITY_WITH_HALF_PRECISION,
-            (PrecisionKeyword::HalfPrecision, true) => &CONFINE_VORTICITY_WITH_HALF_PRECISION_WITH_PACKED,
+        match self.variant.precision {
+            PrecisionKeyword::Off => &CONFINE_VORTICITY,
+            PrecisionKeyword::RelaxedPrecision => &CONFINE_VORTICITY_WITH_RELAXED_PRECISION,
+            PrecisionKeyword::HalfPrecision => &CONFINE_VORTICITY_WITH_HALF_PRECISION,
         }
     }
     fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
@@ -72,14 +67,8 @@ impl Kernel for ConfineVorticity<'_> {
 }
 
 /// The modules of this file.
-pub(super) static MODULES: &[&Module] = &[
-    &CONFINE_VORTICITY,
-    &CONFINE_VORTICITY_WITH_PACKED,
-    &CONFINE_VORTICITY_WITH_RELAXED_PRECISION,
-    &CONFINE_VORTICITY_WITH_RELAXED_PRECISION_WITH_PACKED,
-    &CONFINE_VORTICITY_WITH_HALF_PRECISION,
-    &CONFINE_VORTICITY_WITH_HALF_PRECISION_WITH_PACKED,
-];
+pub(super) static MODULES: &[&Module] =
+    &[&CONFINE_VORTICITY, &CONFINE_VORTICITY_WITH_RELAXED_PRECISION, &CONFINE_VORTICITY_WITH_HALF_PRECISION];
 
 static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo {
@@ -110,20 +99,7 @@ static CONFINE_VORTICITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/confine_vorticity.compute",
-    hash: "2a1f155ba740c5ec21ce882886c8ef9e472572c5eb7dbd31d2c0ace66134971c",
-};
-
-static CONFINE_VORTICITY_WITH_PACKED: Module = Module {
-    name: "ConfineVorticity+PACKED",
-    entry: "ConfineVorticity",
-    stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/confine_vorticity+packed.spv"),
-    bindings: BINDINGS_0,
-    group_size: [64, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Floor,
-    source: "forces/confine_vorticity.compute",
-    hash: "b4727e0fda73f2effa9c44315b59697b8b1ec14065b03f22e7ea4a34889392b7",
+    hash: "d68dca3a936090f16487e61f3d18dc623443a8fbf70a463b0f5474a21c133174",
 };
 
 static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -136,20 +112,7 @@ static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/confine_vorticity.compute",
-    hash: "58a2d92722c45a6776af496654e473d35322abd46a336025bd82c65ad180dead",
-};
-
-static CONFINE_VORTICITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
-    name: "ConfineVorticity+RELAXED_PRECISION+PACKED",
-    entry: "ConfineVorticity",
-    stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/confine_vorticity+relaxed_precision+packed.spv"),
-    bindings: BINDINGS_0,
-    group_size: [64, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Floor,
-    source: "forces/confine_vorticity.compute",
-    hash: "d20b7ffc6a7abd894b7cc4fc671fb17f1b48bd3b7f02c5e9123b3f3f386b2daa",
+    hash: "f3ea14b62e2e00baca242fe34feac922165cc81fbf5429d6cfaa83a8cbd18ed6",
 };
 
 static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
@@ -162,18 +125,5 @@ static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/confine_vorticity.compute",
-    hash: "9f41c4305771caae3aef387fb7049467391585c115ee6ff8693175f1a765775d",
-};
-
-static CONFINE_VORTICITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
-    name: "ConfineVorticity+HALF_PRECISION+PACKED",
-    entry: "ConfineVorticity",
-    stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/confine_vorticity+half_precision+packed.spv"),
-    bindings: BINDINGS_0,
-    group_size: [64, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Desktop,
-    source: "forces/confine_vorticity.compute",
-    hash: "fd17ae8b42d3f77d4f1ac443631fe494df851d41b2da8389fea029201289f639",
+    hash: "628f184eecea458cda9e7faba4b68aa3b857bf9031f693f3f110d4de7ba4fbcd",
 };

@@ -12,8 +12,6 @@ use crate::{
 pub struct CurlVariant {
     /// Keyword `RELAXED_PRECISION` or `HALF_PRECISION`.
     pub precision: PrecisionKeyword,
-    /// Keyword `PACKED`.
-    pub packed: bool,
 }
 
 /// Curl of the velocity field (Monaghan 1992; Macklin & Muller 2013, eq. 15).
@@ -44,13 +42,10 @@ impl Kernel for Curl<'_> {
     const GROUP_SIZE: [u32; 3] = [64, 1, 1];
 
     fn module(&self) -> &'static Module {
-        match (self.variant.precision, self.variant.packed) {
-            (PrecisionKeyword::Off, false) => &CURL,
-            (PrecisionKeyword::Off, true) => &CURL_WITH_PACKED,
-            (PrecisionKeyword::RelaxedPrecision, false) => &CURL_WITH_RELAXED_PRECISION,
-            (PrecisionKeyword::RelaxedPrecision, true) => &CURL_WITH_RELAXED_PRECISION_WITH_PACKED,
-            (PrecisionKeyword::HalfPrecision, false) => &CURL_WITH_HALF_PRECISION,
-            (PrecisionKeyword::HalfPrecision, true) => &CURL_WITH_HALF_PRECISION_WITH_PACKED,
+        match self.variant.precision {
+            PrecisionKeyword::Off => &CURL,
+            PrecisionKeyword::RelaxedPrecision => &CURL_WITH_RELAXED_PRECISION,
+            PrecisionKeyword::HalfPrecision => &CURL_WITH_HALF_PRECISION,
         }
     }
     fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
@@ -71,14 +66,7 @@ impl Kernel for Curl<'_> {
 }
 
 /// The modules of this file.
-pub(super) static MODULES: &[&Module] = &[
-    &CURL,
-    &CURL_WITH_PACKED,
-    &CURL_WITH_RELAXED_PRECISION,
-    &CURL_WITH_RELAXED_PRECISION_WITH_PACKED,
-    &CURL_WITH_HALF_PRECISION,
-    &CURL_WITH_HALF_PRECISION_WITH_PACKED,
-];
+pub(super) static MODULES: &[&Module] = &[&CURL, &CURL_WITH_RELAXED_PRECISION, &CURL_WITH_HALF_PRECISION];
 
 static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo {
@@ -109,20 +97,7 @@ static CURL: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/curl.compute",
-    hash: "44b131b7c85f3f2bc704da09442f49f09a20a6657cba3df7bb0c6537ddcb392e",
-};
-
-static CURL_WITH_PACKED: Module = Module {
-    name: "Curl+PACKED",
-    entry: "Curl",
-    stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/curl+packed.spv"),
-    bindings: BINDINGS_0,
-    group_size: [64, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Floor,
-    source: "forces/curl.compute",
-    hash: "cb0e58d0a82b00a379fa7d5b4c2c2d031da7eecbddd2b4172cc4bc9fbfdfcd33",
+    hash: "09a8c02687ac27b401c8aba5e27adb511a3f65049cfcccbb8dbc2ddf6634920c",
 };
 
 static CURL_WITH_RELAXED_PRECISION: Module = Module {
@@ -135,20 +110,7 @@ static CURL_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/curl.compute",
-    hash: "6569e532efbc1d11c702faa036c3d953a6ccdd387ddcbc4b0f7bba963e141a39",
-};
-
-static CURL_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
-    name: "Curl+RELAXED_PRECISION+PACKED",
-    entry: "Curl",
-    stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/curl+relaxed_precision+packed.spv"),
-    bindings: BINDINGS_0,
-    group_size: [64, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Floor,
-    source: "forces/curl.compute",
-    hash: "4cce1a26acbb9fec2ce1f9e8c2cfa157fd3cd8ac84155151fd9ba9f4ce10430c",
+    hash: "ef67d7f2883e032ae4307c6f1320f135528c00478a366716abe0010f48287bed",
 };
 
 static CURL_WITH_HALF_PRECISION: Module = Module {
@@ -161,18 +123,5 @@ static CURL_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/curl.compute",
-    hash: "17a1035c98d52dd4d373d272c870c5aa12be513b66148300bd229fc8bfb5d608",
-};
-
-static CURL_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
-    name: "Curl+HALF_PRECISION+PACKED",
-    entry: "Curl",
-    stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/curl+half_precision+packed.spv"),
-    bindings: BINDINGS_0,
-    group_size: [64, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Desktop,
-    source: "forces/curl.compute",
-    hash: "34fc67cea5f6754784c120b2a695367f3590a6fcf59bac767098d0595727efe9",
+    hash: "ac07fa04c185ad3ba662704e93586fb0658becbc3ad551e64ebfb68a364d02bb",
 };

@@ -12,8 +12,6 @@ use crate::{
 pub struct XsphVariant {
     /// Keyword `RELAXED_PRECISION` or `HALF_PRECISION`.
     pub precision: PrecisionKeyword,
-    /// Keyword `PACKED`.
-    pub packed: bool,
 }
 
 /// XSPH viscosity (Schechter & Bridson 2012; Macklin & Muller 2013, eq. 17): each velocity moves
@@ -47,13 +45,10 @@ impl Kernel for Xsph<'_> {
     const GROUP_SIZE: [u32; 3] = [64, 1, 1];
 
     fn module(&self) -> &'static Module {
-        match (self.variant.precision, self.variant.packed) {
-            (PrecisionKeyword::Off, false) => &XSPH,
-            (PrecisionKeyword::Off, true) => &XSPH_WITH_PACKED,
-            (PrecisionKeyword::RelaxedPrecision, false) => &XSPH_WITH_RELAXED_PRECISION,
-            (PrecisionKeyword::RelaxedPrecision, true) => &XSPH_WITH_RELAXED_PRECISION_WITH_PACKED,
-            (PrecisionKeyword::HalfPrecision, false) => &XSPH_WITH_HALF_PRECISION,
-            (PrecisionKeyword::HalfPrecision, true) => &XSPH_WITH_HALF_PRECISION_WITH_PACKED,
+        match self.variant.precision {
+            PrecisionKeyword::Off => &XSPH,
+            PrecisionKeyword::RelaxedPrecision => &XSPH_WITH_RELAXED_PRECISION,
+            PrecisionKeyword::HalfPrecision => &XSPH_WITH_HALF_PRECISION,
         }
     }
     fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
@@ -75,14 +70,7 @@ impl Kernel for Xsph<'_> {
 }
 
 /// The modules of this file.
-pub(super) static MODULES: &[&Module] = &[
-    &XSPH,
-    &XSPH_WITH_PACKED,
-    &XSPH_WITH_RELAXED_PRECISION,
-    &XSPH_WITH_RELAXED_PRECISION_WITH_PACKED,
-    &XSPH_WITH_HALF_PRECISION,
-    &XSPH_WITH_HALF_PRECISION_WITH_PACKED,
-];
+pub(super) static MODULES: &[&Module] = &[&XSPH, &XSPH_WITH_RELAXED_PRECISION, &XSPH_WITH_HALF_PRECISION];
 
 static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo {
@@ -114,20 +102,7 @@ static XSPH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/xsph.compute",
-    hash: "89e722d540324286430589c4687d2c1c6b1f7d04c2eaf100e7663783b2ad33b3",
-};
-
-static XSPH_WITH_PACKED: Module = Module {
-    name: "Xsph+PACKED",
-    entry: "Xsph",
-    stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/xsph+packed.spv"),
-    bindings: BINDINGS_0,
-    group_size: [64, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Floor,
-    source: "forces/xsph.compute",
-    hash: "ea976b3ada7033446da6466c1bfe9b06ae19d9bd799812276a813e90d5146e8e",
+    hash: "07c562dc974c2a2803c85c8fb374887c3dee9dfee5705066b252dbc6d3ff8c75",
 };
 
 static XSPH_WITH_RELAXED_PRECISION: Module = Module {
@@ -140,20 +115,7 @@ static XSPH_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/xsph.compute",
-    hash: "eaa25882a7b60612dc09eccbbbc5f7cb0580b1f1d538ca6c621e589393882b6e",
-};
-
-static XSPH_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
-    name: "Xsph+RELAXED_PRECISION+PACKED",
-    entry: "Xsph",
-    stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/xsph+relaxed_precision+packed.spv"),
-    bindings: BINDINGS_0,
-    group_size: [64, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Floor,
-    source: "forces/xsph.compute",
-    hash: "5400f4a492186ea0631eb0231b8c7fedca8890d6fed1d06de6a65bcfa9e7a126",
+    hash: "5fcaca0d49cf142d38833f2a8d95c5e3d36708b1ee0714ea68be3a88416f6096",
 };
 
 static XSPH_WITH_HALF_PRECISION: Module = Module {
@@ -166,18 +128,5 @@ static XSPH_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/xsph.compute",
-    hash: "a9be60bd2aca3069b54f2f60afb8e950ce37190ba22ca8d2b006b0bbfb267673",
-};
-
-static XSPH_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
-    name: "Xsph+HALF_PRECISION+PACKED",
-    entry: "Xsph",
-    stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/xsph+half_precision+packed.spv"),
-    bindings: BINDINGS_0,
-    group_size: [64, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Desktop,
-    source: "forces/xsph.compute",
-    hash: "b12bdc3418944b646280c265c89f72c56b28d3d0c7179894af4be3fb4d7d0a10",
+    hash: "2659910079db91e260c88c16cfb74c10ed1bd375ef93d158571f7386accc66d7",
 };

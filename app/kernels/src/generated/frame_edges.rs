@@ -92,7 +92,7 @@ static DRAW_EDGES_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/edges.hlsl",
-    hash: "b140989b1d0fad3b3025094309cbd7931cd3bab9686eb7a5a8b8c4def4d659d7",
+    hash: "1d374f5b29cd9c42b47c96b9f307165c3a9a6c4802661fd63ecfafceb1890536",
 };
 
 static DRAW_EDGES_FRAGMENT: Module = Module {
@@ -105,7 +105,7 @@ static DRAW_EDGES_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/edges.hlsl",
-    hash: "9dc85489baadd720d541e156ffb8637e9cd46fe34cb11f42e914f88fb74ad3b5",
+    hash: "3c7ff2cfdca89b272591dce518a1985a849db6d25bc39c776058a512149b91b4",
 };
 
 static DRAW_EDGES_VERTEX_WITH_BEHIND_WATER: Module = Module {
@@ -118,7 +118,7 @@ static DRAW_EDGES_VERTEX_WITH_BEHIND_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/edges.hlsl",
-    hash: "52282c80291d2b26e334b36d8cde946de18116b9b0bb798a6f395ed218e25075",
+    hash: "450514da4266a3c92d0967d82316727d7f7e72c99334dd41c60e28d290db30e1",
 };
 
 static DRAW_EDGES_FRAGMENT_WITH_BEHIND_WATER: Module = Module {
@@ -131,7 +131,7 @@ static DRAW_EDGES_FRAGMENT_WITH_BEHIND_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/edges.hlsl",
-    hash: "5ac3fc2da60768d1d41bc937eb54576675f6ab4c8a7d42a094a1e49b4f7ea4f0",
+    hash: "fdb28e154a685690fb214433a9b6d44b5e64b93547b5b78354a26e2ef631cecb",
 };
 
 static DRAW_EDGES_FRAGMENT_WITH_BEFORE_WATER: Module = Module {
@@ -144,5 +144,5 @@ static DRAW_EDGES_FRAGMENT_WITH_BEFORE_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/edges.hlsl",
-    hash: "b0fc1cfb6726edd48716f3c5902f898681d3a54be81b26377a138977631b6c53",
+    hash: "a54b05a8201aadc2810cc50409917c29429807e055fd79c4e30af54ee889d27d",
 };

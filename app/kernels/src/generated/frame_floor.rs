@@ -144,7 +144,7 @@ static DRAW_FLOOR_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "c10d9ad0a48a4a993a8779e3ee8d2a8dcaa774d2c7e807667d9cc2d91abc7847",
+    hash: "5d2d7d280bd98d66d5c8c14bfcf64a386044f203972e42837c7b810a081ab839",
 };
 
 static DRAW_FLOOR_FRAGMENT: Module = Module {
@@ -157,7 +157,7 @@ static DRAW_FLOOR_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "65b51430a50b6e2ac04064185ff89d5e34f6157c5ae5126a11c1d304325309ea",
+    hash: "b1d8599e708369fcaabdeed2d909852934e58cbcb3750dca6fa01e680574d38d",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW: Module = Module {
@@ -170,7 +170,7 @@ static DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "554d6dd9beb496985a95c5907bbc432f2acf5283bde35e442c23ad2b154164a4",
+    hash: "4b8d045768e824b78b3441fc9c5dc7f55a5881a73b8b9b4944ce4847ae5b5f46",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW: Module = Module {
@@ -183,7 +183,7 @@ static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "590a466dbb75ac7097cac053560f95a8c7b5f10e8bdfdc6ad4c2b66cd3bce86c",
+    hash: "44013dcaf5d9fe27338fd762d35b20018c855b471aa3769eb16f5f8a491318b5",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW: Module = Module {
@@ -196,7 +196,7 @@ static DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "c8bf433ebbab8df26d50be037c0e94ccf49475abb26dd19f8dcc58b18bf9e33d",
+    hash: "347b4766d2812991ba6b8f4639b40beff519ee736548863071e7a2af7f4de8c6",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW: Module = Module {
@@ -209,7 +209,7 @@ static DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "620753d59e56253031263e534f57ffeed6909b05c0826601c1f38845aa28cef0",
+    hash: "5a65f7cbd41c1d447c484f2a1529eb771c10ecde969bcd61fe1e1fb7165bef40",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW: Module = Module {
@@ -222,5 +222,5 @@ static DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "f235dae659b8c2e57368d11da86c064330e0fc0c5253091b50996863975e2b14",
+    hash: "6a7fb62675b8cf6fe4f95cd127d29d57f7be2fc8d0b428a6486b789bf667542d",
 };

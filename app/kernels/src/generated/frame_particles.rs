@@ -62,7 +62,7 @@ static DRAW_PARTICLES_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "e8da424c21174507114071570a65651ef7808acda7d9ee48ff45b6c1630151a8",
+    hash: "4b731776af019a997b876deb0c052d0ef9ec1c5266f0847db64145c0a52aecce",
 };
 
 static DRAW_PARTICLES_FRAGMENT: Module = Module {
@@ -75,5 +75,5 @@ static DRAW_PARTICLES_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "c54f1ccab5e1f2ee68194cb765885168df1ce18200737a51a7224e060c08ce70",
+    hash: "d459c0f0c68ac6477ff1ab5cfbd8f5f06407f5f77b7a84094a583be34b1bba30",
 };

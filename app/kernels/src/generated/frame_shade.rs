@@ -130,7 +130,7 @@ static DRAW_SHADE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "869b4cf70cc05cfc135fe3348067d8bba26e3b8ab85ed0194339b13481993ac6",
+    hash: "4985a29df5c1973a75aced5bd71a24f45b5eb4d6c9eb3afff09d9070b99d0a5b",
 };
 
 static DRAW_SHADE_FRAGMENT: Module = Module {
@@ -143,7 +143,7 @@ static DRAW_SHADE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "fc03eeaac9bf88151b5f96c8591e89b06f7e6d0d1d0994e3a4b07ff83eb634b0",
+    hash: "cb8032557af36a7b8b7cc732e9c7661004235b56d2ce9897879abe2aaba528ac",
 };
 
 static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
@@ -156,7 +156,7 @@ static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "6e8dae5004da939300965380eb8f6a0a386f49a28b52335739d84036938e9f11",
+    hash: "4092b6db51c6786fd2a5a31613fa6846aec838c013f9abcf5d55b1566a8d0726",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
@@ -169,7 +169,7 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "3e2999d914f0244eea8d4f6cb0c1d561c7e9aee489c0f8d9ce2067811f86b304",
+    hash: "526cfe4bcd9fe210de5d60a1f85c706a869b5473903d63f2ece6f82284d62b24",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
@@ -182,5 +182,5 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "b62fb47a883c8fe9ffb80ff95799cec68d301131599279dda0e623d42897cf22",
+    hash: "0fd174831c4e4879cb1e9a0b7bbfd15c04391f334a4914bea82b851548a7e164",
 };

@@ -55,7 +55,7 @@ static DRAW_SHADOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "6d97f52a7a3ff59a60a3e412f8b48516a80fe8ee65590fdf528deb6fc0cf8f64",
+    hash: "b1c83caf61ed44217f637ad184dec70ec46d3d23e1331372d63af0cf65632693",
 };
 
 static DRAW_SHADOW_FRAGMENT: Module = Module {
@@ -68,5 +68,5 @@ static DRAW_SHADOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "0812cdedf2633f8377ff7cbcd8ac0544de7d9d3e4ebbffaabde97b3c733cf40f",
+    hash: "a7042f483589b8ac2df40a7e85009f109a61040e86f974a96814a9e1bd7818b6",
 };

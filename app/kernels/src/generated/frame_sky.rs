@@ -46,7 +46,7 @@ static DRAW_SKY_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/sky.hlsl",
-    hash: "b4e623e0ba0853feef8e40e6553a1345d2226f4462671e3db3058a6748540e7a",
+    hash: "100860c42b629460f1138d6a80c65f09725410176bb727ab9d297498d9233f66",
 };
 
 static DRAW_SKY_FRAGMENT: Module = Module {
@@ -59,5 +59,5 @@ static DRAW_SKY_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/sky.hlsl",
-    hash: "752ec92eb26bc6f1cf99196db2f67b2b788de566fcc356c7589af35d4666345c",
+    hash: "2b4045ab741eeaf79d0435c09a1b4bc35403606cf9ff09cc70aef6efaca74e59",
 };

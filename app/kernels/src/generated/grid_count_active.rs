@@ -60,5 +60,5 @@ static COUNT_ACTIVE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_active.compute",
-    hash: "ab21f62fb7280400e5d8c1a5f50c5433a85e6a15b2d518c6769f5f5ad0026d19",
+    hash: "a103299117c239fa3d7e4fb3d53aeafa165aa49fe33ffab35724fc2b3ca7aa13",
 };

@@ -90,7 +90,7 @@ static COUNT_CELLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "e962442cc9b84a1e968de3182fdb53ccc7d66fac92bf1316a9830e6cbf008b9b",
+    hash: "0f90fc22dd252e41a871ef7f9235c2b0c28a586338282383542c32d76c0adbff",
 };
 
 static COUNT_CELLS_WITH_PERIODIC: Module = Module {
@@ -103,7 +103,7 @@ static COUNT_CELLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "b76980c40a6ccf5bf84103aedeebc217aeb1908c74520b9513299d29f73efe7d",
+    hash: "4a4e3e8c53f3620ea01f6c5181f8022b6d7f30adfe28e5cb3c11bf091c88b5c9",
 };
 
 static COUNT_CELLS_WITH_WRAPPED: Module = Module {
@@ -116,7 +116,7 @@ static COUNT_CELLS_WITH_WRAPPED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "ac6fbeb06aef16367f97e7418668eed33c880922db5197a1dadc1c2fef580c19",
+    hash: "140f25431de97e3b2a830c1aadb1f7c07a670c57136b8c7756e03619a82e078b",
 };
 
 static COUNT_CELLS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
@@ -129,5 +129,5 @@ static COUNT_CELLS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "9b187190a978ad2743653625c7c290e75d0cbf01f95f37cfd3bd63d39e3a03ab",
+    hash: "c7885275c23bd3ef654bba0ba14631aef7d93dc40f2987b146a543f121486732",
 };

@@ -2,7 +2,7 @@
 // makes it anew from grid/list_neighbours.compute.
 //! Kernels of `grid/list_neighbours.compute`.
 
-use super::{Counters, GridParams, ListHead, Position, StepState};
+use super::{Counters, GridParams, ListHead, Position, PrecisionKeyword, StepState};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
@@ -14,8 +14,8 @@ pub struct ListNeighboursVariant {
     pub wrapped: bool,
     /// Keyword `PERIODIC`.
     pub periodic: bool,
-    /// Keyword `PACKED`.
-    pub packed: bool,
+    /// Keyword `RELAXED_PRECISION` or `HALF_PRECISION`.
+    pub precision: PrecisionKeyword,
 }
 
 /// Lists each particle's neighbours once a substep; every iteration reuses the list.
@@ -46,15 +46,23 @@ impl Kernel for ListNeighbours<'_> {
     const GROUP_SIZE: [u32; 3] = [64, 1, 1];
 
     fn module(&self) -> &'static Module {
-        match (self.variant.wrapped, self.variant.periodic, self.variant.packed) {
-            (false, false, false) => &LIST_NEIGHBOURS,
-            (false, false, true) => &LIST_NEIGHBOURS_WITH_PACKED,
-            (false, true, false) => &LIST_NEIGHBOURS_WITH_PERIODIC,
-            (false, true, true) => &LIST_NEIGHBOURS_WITH_PERIODIC_WITH_PACKED,
-            (true, false, false) => &LIST_NEIGHBOURS_WITH_WRAPPED,
-            (true, false, true) => &LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PACKED,
-            (true, true, false) => &LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC,
-            (true, true, true) => &LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_PACKED,
+        match (self.variant.wrapped, self.variant.periodic, self.variant.precision) {
+            (false, false, PrecisionKeyword::Off) => &LIST_NEIGHBOURS,
+            (false, false, PrecisionKeyword::RelaxedPrecision) => &LIST_NEIGHBOURS_WITH_RELAXED_PRECISION,
+            (false, false, PrecisionKeyword::HalfPrecision) => &LIST_NEIGHBOURS_WITH_RELAXED_PRECISION,
+            (false, true, PrecisionKeyword::Off) => &LIST_NEIGHBOURS_WITH_PERIODIC,
+            (false, true, PrecisionKeyword::RelaxedPrecision) => &LIST_NEIGHBOURS_WITH_PERIODIC_WITH_RELAXED_PRECISION,
+            (false, true, PrecisionKeyword::HalfPrecision) => &LIST_NEIGHBOURS_WITH_PERIODIC_WITH_RELAXED_PRECISION,
+            (true, false, PrecisionKeyword::Off) => &LIST_NEIGHBOURS_WITH_WRAPPED,
+            (true, false, PrecisionKeyword::RelaxedPrecision) => &LIST_NEIGHBOURS_WITH_WRAPPED_WITH_RELAXED_PRECISION,
+            (true, false, PrecisionKeyword::HalfPrecision) => &LIST_NEIGHBOURS_WITH_WRAPPED_WITH_RELAXED_PRECISION,
+            (true, true, PrecisionKeyword::Off) => &LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC,
+            (true, true, PrecisionKeyword::RelaxedPrecision) => {
+                &LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_RELAXED_PRECISION
+            }
+            (true, true, PrecisionKeyword::HalfPrecision) => {
+                &LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_RELAXED_PRECISION
+            }
         }
     }
     fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
@@ -77,13 +85,13 @@ impl Kernel for ListNeighbours<'_> {
 /// The modules of this file.
 pub(super) static MODULES: &[&Module] = &[
     &LIST_NEIGHBOURS,
-    &LIST_NEIGHBOURS_WITH_PACKED,
+    &LIST_NEIGHBOURS_WITH_RELAXED_PRECISION,
     &LIST_NEIGHBOURS_WITH_PERIODIC,
-    &LIST_NEIGHBOURS_WITH_PERIODIC_WITH_PACKED,
+    &LIST_NEIGHBOURS_WITH_PERIODIC_WITH_RELAXED_PRECISION,
     &LIST_NEIGHBOURS_WITH_WRAPPED,
-    &LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PACKED,
+    &LIST_NEIGHBOURS_WITH_WRAPPED_WITH_RELAXED_PRECISION,
     &LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC,
-    &LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_PACKED,
+    &LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_RELAXED_PRECISION,
 ];
 
 static BINDINGS_0: &[BindingInfo] = &[
@@ -127,20 +135,20 @@ static LIST_NEIGHBOURS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "4eca539690168f6762c91209cd1896eb05e7e669097dcc351ccc82bdd07468f4",
+    hash: "52e0fbd2c5ae72e25090354a588f09b4050d4e53ddbd71c7e3d15661456d8212",
 };
 
-static LIST_NEIGHBOURS_WITH_PACKED: Module = Module {
-    name: "ListNeighbours+PACKED",
+static LIST_NEIGHBOURS_WITH_RELAXED_PRECISION: Module = Module {
+    name: "ListNeighbours+RELAXED_PRECISION",
     entry: "ListNeighbours",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/list_neighbours+packed.spv"),
+    spirv: include_bytes!("../../spirv/list_neighbours+relaxed_precision.spv"),
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "66e60f3f3c3e1f91c3f58ccf244866440061232c864657f22961160f792db5b0",
+    hash: "6034225087ca3a751e18177055bcbbe64f562106223fec5be6baf02403644ae6",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
@@ -153,20 +161,20 @@ static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "e36f14d26afb9b848c6345dcebe99c1f63b10b20cc14dddc3ac9aae045732d6d",
+    hash: "49a1dd42b7752183ee24a7b8be96f9bbe8abecbe2b548e43611b7e0c9c274bcd",
 };
 
-static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_PACKED: Module = Module {
-    name: "ListNeighbours+PERIODIC+PACKED",
+static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
+    name: "ListNeighbours+PERIODIC+RELAXED_PRECISION",
     entry: "ListNeighbours",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/list_neighbours+periodic+packed.spv"),
+    spirv: include_bytes!("../../spirv/list_neighbours+periodic+relaxed_precision.spv"),
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "6fc753c8006caa5819a38e93537a9cbc26073826189033aefc62339562fac055",
+    hash: "cdc633f3fcc3f111b3f36abdbc8ec9d9d391205a7d39bb69458edd347373850b",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
@@ -179,20 +187,20 @@ static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "07a1c7c9e36f9999389e41f2b9da72b22aa29dc450375b5d0f1f4258cf7d4cd7",
+    hash: "6508e9cb9714c5b93b085c098d867c1d600ef9fdc42b18887a6696e6a1578f3b",
 };
 
-static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PACKED: Module = Module {
-    name: "ListNeighbours+WRAPPED+PACKED",
+static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_RELAXED_PRECISION: Module = Module {
+    name: "ListNeighbours+WRAPPED+RELAXED_PRECISION",
     entry: "ListNeighbours",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/list_neighbours+wrapped+packed.spv"),
+    spirv: include_bytes!("../../spirv/list_neighbours+wrapped+relaxed_precision.spv"),
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "f91c87b01426eb2c5b38c269aefb005b2dd625b9a5c35a69af09e0466f32864f",
+    hash: "31e83891e66b51a865824793ecd0c62f52a7570653e1d0c3bed8e411186d9972",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
@@ -205,18 +213,18 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "e35a2009d1f6d821b707df68e1bb2f1aaf7bfc4167e51dda0cf5383e66257d38",
+    hash: "4dedb9fb5d9415d5c5334e57912d6d9027cd366b5b4c6235eda17d3296d82c0d",
 };
 
-static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_PACKED: Module = Module {
-    name: "ListNeighbours+WRAPPED+PERIODIC+PACKED",
+static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
+    name: "ListNeighbours+WRAPPED+PERIODIC+RELAXED_PRECISION",
     entry: "ListNeighbours",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/list_neighbours+wrapped+periodic+packed.spv"),
+    spirv: include_bytes!("../../spirv/list_neighbours+wrapped+periodic+relaxed_precision.spv"),
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "bfa209d6bdf023cb9348024e52a1958dc8aa7b042cbad06598bf0c288b156c1e",
+    hash: "5e6691917f93d50f1f711feb22f6a5d7d52151f6af84ea31ca95e88467dc0386",
 };

@@ -77,5 +77,5 @@ static RANK_BY_ID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/rank_by_id.compute",
-    hash: "85071f74eef71f6c6711a2566a684a5b61e1cf2d6484a8ae8756b1e6cfdf1334",
+    hash: "844601c17bf7b52fca20a8985318bb969ba44f1ae491058d2cc6230b033c26c3",
 };

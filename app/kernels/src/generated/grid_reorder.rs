@@ -2,7 +2,7 @@
 // makes it anew from grid/reorder.compute.
 //! Kernels of `grid/reorder.compute`.
 
-use super::{CellSlot, GridParams, Position, StepState, Velocity};
+use super::{CellSlot, GridParams, Position, PrecisionKeyword, StepState, Velocity};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
@@ -10,11 +10,11 @@ use crate::{
 /// Which variant of [`Reorder`] runs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct ReorderVariant {
-    /// Keyword `PACKED`.
-    pub packed: bool,
+    /// Keyword `RELAXED_PRECISION` or `HALF_PRECISION`.
+    pub precision: PrecisionKeyword,
 }
 
-/// Last pass of the counting sort: every attribute moves to its place in cell order, so that the
+/// Last pass of the counting sort: every attribute moves to its slot in cell order, so that the
 /// solver's neighbours lie close together in memory (Hoetzlein 2014; the mobile deck's "locality").
 #[derive(Debug)]
 pub struct Reorder<'a> {
@@ -45,7 +45,11 @@ impl Kernel for Reorder<'_> {
     const GROUP_SIZE: [u32; 3] = [64, 1, 1];
 
     fn module(&self) -> &'static Module {
-        if self.variant.packed { &REORDER_WITH_PACKED } else { &REORDER }
+        match self.variant.precision {
+            PrecisionKeyword::Off => &REORDER,
+            PrecisionKeyword::RelaxedPrecision => &REORDER_WITH_RELAXED_PRECISION,
+            PrecisionKeyword::HalfPrecision => &REORDER_WITH_RELAXED_PRECISION,
+        }
     }
     fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
         bind(
@@ -66,7 +70,7 @@ impl Kernel for Reorder<'_> {
 }
 
 /// The modules of this file.
-pub(super) static MODULES: &[&Module] = &[&REORDER, &REORDER_WITH_PACKED];
+pub(super) static MODULES: &[&Module] = &[&REORDER, &REORDER_WITH_RELAXED_PRECISION];
 
 static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "positions", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
@@ -102,18 +106,18 @@ static REORDER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "603286adc418210b4441f53ad25e4285293285ffa6e371b8bb616a64091b0a5f",
+    hash: "85d982cf33e1721033c1e3aaa7bf002eedef5419d7fa52fb7cffa7389637398f",
 };
 
-static REORDER_WITH_PACKED: Module = Module {
-    name: "Reorder+PACKED",
+static REORDER_WITH_RELAXED_PRECISION: Module = Module {
+    name: "Reorder+RELAXED_PRECISION",
     entry: "Reorder",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/reorder+packed.spv"),
+    spirv: include_bytes!("../../spirv/reorder+relaxed_precision.spv"),
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "fbf04bd842365d5da0d6262040ae62fac6c203543ebb1ae6a463d41254c4c5b8",
+    hash: "7f4bfc9cdabb60756fe65194c5191d8f5e83a59b540a2e2885ecfc4efd1dbcec",
 };

@@ -109,7 +109,7 @@ static REDUCE_GROUPS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "22ee9ddbbec5628f9d1c62866bd335aad6a5f185e8cdd55bab56602f450edbd9",
+    hash: "19d1b311f75eeb79926cd4fa32c8961fae61ad6c022c74f341f2e5930930439e",
 };
 
 static SCAN_GROUPS: Module = Module {
@@ -122,7 +122,7 @@ static SCAN_GROUPS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "8aa72bdffb79afb60d657d0761171ad8db720b4f509d8ce70cac794c44a24159",
+    hash: "e01254017d74fb6ee8a89c7e24a7848b4d5e6936c4bcf6d1b48befc5f75babef",
 };
 
 static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
@@ -135,5 +135,5 @@ static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "bb113339ed7c441f6162ee53b12a1f4155b85d4de7e82ce1a01c8d2eed105796",
+    hash: "392e815b04bea4582a2722e300a9f7e0dd1d20c4ba507d984314f674cf1bfda2",
 };

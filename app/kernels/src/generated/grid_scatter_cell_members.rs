@@ -65,5 +65,5 @@ static SCATTER_CELL_MEMBERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/scatter_cell_members.compute",
-    hash: "b7a422ddf2d4f747fcb141e98354d352c65fd8e126cf973018416aa1e11008e5",
+    hash: "3cb5797f074e2ccbf7acded5822bc76c0190c55ed26647272eb22b8c8799e470",
 };

@@ -97,7 +97,7 @@ static DENSITY_RATIOS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "99cec063a4b9142e3a59e5742fef2a36632407fc7189ba45cd67b2de9d0f730c",
+    hash: "17d18794e823e2803c33824112068198aceaeb1e661664cb466eb4a1792db9d2",
 };
 
 static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
@@ -110,7 +110,7 @@ static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "6dc4cad7747b8eb0807cc7ed8f36d79d4f0dbb972ac6a0e3d307c861aeeef964",
+    hash: "96c7b7e5548d0a445c1d4b413183816ff18124454fa9918ca34849b3fb38924c",
 };
 
 static DENSITY_RATIOS_WITH_WALLS: Module = Module {
@@ -123,7 +123,7 @@ static DENSITY_RATIOS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "7b58999c59b7cf47d61be7a0a9472890c55255af22b93b5d15ea8235a1171407",
+    hash: "37e79be4289a607d736902ff835bf0dfec384af4a8d40a1b5ec58bafa8a53e68",
 };
 
 static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -136,5 +136,5 @@ static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "e18f9edac52d81ee5b9a86088113fd361f87dc3f8bc791be6ea35e3ea5dbeb54",
+    hash: "440f72bc9c6e579a0dabe1c6eb97bae0f1c04e580d8c6bc871467b92da0153bd",
 };

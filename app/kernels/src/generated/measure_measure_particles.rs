@@ -18,7 +18,7 @@ pub struct MeasureParticlesVariant {
     pub periodic: bool,
 }
 
-/// Energy and place of every particle, and with DENSITY, where particles have neighbours, density error and
+/// Energy and position of every particle, and with DENSITY, where particles have neighbours, density error and
 /// compression, summed a group. Percentiles
 /// come from histograms whose bins grow with the value: 32 to an octave, so a percentile is known
 /// within 3 % of itself. A group fills histograms of its own and adds their bins once: in fluid at rest most
@@ -132,7 +132,7 @@ static MEASURE_PARTICLES: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "154159f285443802a5980ed2650705ff19d3dae42726c262165ad1d41e5e7241",
+    hash: "adf499e6e5a8809eb4116cd096a08f5929c2eaef7c7b9e6ddfb88c4a3cb96c89",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
@@ -145,7 +145,7 @@ static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "0f46f05e51ffa7554f1831e79e24784daee59efea91844c1be4ad443ca454305",
+    hash: "8069ebc40d1dc3233dc59cc9bfd0ceb52465d2ce882aa482fded5e07ddc1dfdb",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
@@ -158,7 +158,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "61bf1bdf726fb448f0e4badea508b96582b5f68f69583840f75dba1f5eae3e18",
+    hash: "a96db6733ad314ebd7160f0a5f783d5e2338a6aabd884fa8744843eff4ada820",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
@@ -171,7 +171,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "d0d8bc343004652020146ada2cf807658324fb9caa2de5f4fc0969eaa9b7ee10",
+    hash: "8de90903cfcc0050190e33e1ab212ae674ff880d6641cdd1677ba758eff0152f",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -184,5 +184,5 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module 
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "f78c30d841cf2248c49c0ee1335128137d8bddf5e33b75fb1a2360f72846a168",
+    hash: "29973757eb29109193ef79d025f08aaa799e379038cb768e0517407d2033c630",
 };

@@ -73,5 +73,5 @@ static MEASURE_TOTALS: Module = Module {
     shared_bytes: 4616,
     tier: Tier::Floor,
     source: "measure/measure_totals.compute",
-    hash: "f862db4a42cd381986c321fddfb45993991743df86f96b3aaea2dc70a912e3df",
+    hash: "fbd73ab327443afbcaff4e198bb4fa4a0b207fd68a5283fa4953e7a51a841cbc",
 };

@@ -7,7 +7,7 @@ use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
 
-/// Every stride-th particle by its id, at the place id / stride: a point stays the same particle from
+/// Every stride-th particle by its id, at the index id / stride: a point stays the same particle from
 /// frame to frame, whatever order the sort has put them in.
 #[derive(Debug)]
 pub struct SampleParticles<'a> {
@@ -67,5 +67,5 @@ static SAMPLE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/sample_particles.compute",
-    hash: "b5dc7a98cd7615ea5d6019ac6a8982919389416a0ce8d81a5f771780cc603b5d",
+    hash: "7222d77b433621072c9d7929744fadd36dde590b6de4540bbd68d084aa371cae",
 };

@@ -28,8 +28,8 @@ mod measure_sample_particles;
 mod particles_activate;
 mod particles_begin_substep;
 mod particles_deactivate;
+mod particles_drag;
 mod particles_predict;
-mod particles_push;
 mod shared_layout;
 mod solver_none_integrate_particles;
 mod solver_none_layout;
@@ -78,8 +78,8 @@ pub use measure_sample_particles::*;
 pub use particles_activate::*;
 pub use particles_begin_substep::*;
 pub use particles_deactivate::*;
+pub use particles_drag::*;
 pub use particles_predict::*;
-pub use particles_push::*;
 pub use shared_layout::*;
 pub use solver_none_integrate_particles::*;
 pub use solver_none_layout::*;
@@ -129,8 +129,8 @@ pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
         particles_activate::MODULES,
         particles_begin_substep::MODULES,
         particles_deactivate::MODULES,
+        particles_drag::MODULES,
         particles_predict::MODULES,
-        particles_push::MODULES,
         solver_none_integrate_particles::MODULES,
         solver_pbf_constrain_density::MODULES,
         solver_pbf_correct_positions::MODULES,

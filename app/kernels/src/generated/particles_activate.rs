@@ -114,7 +114,7 @@ static ACTIVATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/activate.compute",
-    hash: "b28ffa54634e1fadad2f220b991684fca86ae7bb583f695a2c42439a69c6d648",
+    hash: "2e4ead8e0a8e4de08a876e76cf6d29ceaf76986cc0abc7d5e64d9193fc887f0b",
 };
 
 static CLAIM_SLOTS: Module = Module {
@@ -127,5 +127,5 @@ static CLAIM_SLOTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/activate.compute",
-    hash: "f8693b6723077f22effdac4ce178a7fe73632851473e96791db06ca38918b88a",
+    hash: "083b91bfe645bb57327d2b4fca2a289059b9866acafe73436621d651250cf920",
 };

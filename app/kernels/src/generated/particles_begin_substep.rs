@@ -50,5 +50,5 @@ static BEGIN_SUBSTEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/begin_substep.compute",
-    hash: "e62777e14b0b462b9dd3a87dc9752b085e1e95c689b21501d6b6283fd0500753",
+    hash: "952c56e8a5942c80ae67b98428a99156ffff76a2f4611c098892f0b74e403628",
 };

@@ -68,5 +68,5 @@ static DEACTIVATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/deactivate.compute",
-    hash: "5a4bd879cae0b2603042163e3213efa2f7583d36f976045c4e5e5b51fb6f8775",
+    hash: "ecc5d2e1d6b8bb053e4464e478874ca788769a52000f487c201d1ce8896c4dc2",
 };

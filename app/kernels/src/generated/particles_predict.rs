@@ -94,7 +94,7 @@ static PREDICT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "21eba067d992c55d355a7e94b5cee048d92d9189c66c531d00254fb6e0e56aae",
+    hash: "8446e969242eaf190fb3a216565e0dd50795ded32873800ce6e97de3fc484fa2",
 };
 
 static PREDICT_WITH_PERIODIC: Module = Module {
@@ -107,7 +107,7 @@ static PREDICT_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "4839a464d2a1956635ddb0093ae20c45076e2062ed7cdb989010f6829eeee7c8",
+    hash: "3a05d8628dcc68049f62663f463a8a2a11bfc59aaea4fbd47fe7d9285dd01d18",
 };
 
 static PREDICT_WITH_WALLS: Module = Module {
@@ -120,7 +120,7 @@ static PREDICT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "af9c22c4e1933247851f0b631c15b5665da678c9a1a35d7883ebfc2b5bc7127c",
+    hash: "2e347a2ef6b7b4d827d64c0a594659e1a7d712a98e49b4b6b852e0dc45d2a729",
 };
 
 static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -133,5 +133,5 @@ static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "60fde97cbd6fddcc1d127dff842ea9b1671cd0025e7c85d41b0eaa270b3490d6",
+    hash: "ae88d5da3611c8daebd3bcb7dd6fed6e7e942796db65fe49d2dad2a18de7ff33",
 };

@@ -55,7 +55,7 @@ const _: () = {
     assert!(size_of::<Position>() == 16);
 };
 
-/// A particle's quantized position (shared/quantized\_position.hlsli) during an iteration, with its constraint's multiplier.
+/// A particle's quantized position (shared/quantized\_position.hlsli) during an iteration, with its constraint's lambda.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct PositionLambda {
@@ -458,7 +458,7 @@ const _: () = {
 /// A drag through the fluid: what is near a ray is drawn toward a velocity.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
-pub struct PushParams {
+pub struct DragParams {
     /// of the ray
     pub origin_m: [f32; 3],
     /// nothing beyond it is touched
@@ -481,17 +481,17 @@ pub struct PushParams {
     pub reserved1: u32,
 }
 const _: () = {
-    assert!(offset_of!(PushParams, origin_m) == 0);
-    assert!(offset_of!(PushParams, radius_m) == 12);
-    assert!(offset_of!(PushParams, direction) == 16);
-    assert!(offset_of!(PushParams, share) == 28);
-    assert!(offset_of!(PushParams, velocity_m_s) == 32);
-    assert!(offset_of!(PushParams, along_z) == 44);
-    assert!(offset_of!(PushParams, near_m) == 48);
-    assert!(offset_of!(PushParams, far_m) == 52);
-    assert!(offset_of!(PushParams, reserved0) == 56);
-    assert!(offset_of!(PushParams, reserved1) == 60);
-    assert!(size_of::<PushParams>() == 64);
+    assert!(offset_of!(DragParams, origin_m) == 0);
+    assert!(offset_of!(DragParams, radius_m) == 12);
+    assert!(offset_of!(DragParams, direction) == 16);
+    assert!(offset_of!(DragParams, share) == 28);
+    assert!(offset_of!(DragParams, velocity_m_s) == 32);
+    assert!(offset_of!(DragParams, along_z) == 44);
+    assert!(offset_of!(DragParams, near_m) == 48);
+    assert!(offset_of!(DragParams, far_m) == 52);
+    assert!(offset_of!(DragParams, reserved0) == 56);
+    assert!(offset_of!(DragParams, reserved1) == 60);
+    assert!(size_of::<DragParams>() == 64);
 };
 
 /// A block of particles to activate, on a lattice.

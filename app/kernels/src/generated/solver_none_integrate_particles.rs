@@ -102,7 +102,7 @@ static INTEGRATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "530ba357810e26cc2fb92b12cc1528abd770c864bc74e763faceb872f9113ac5",
+    hash: "54f6b35d781bcdd9d807e3c8348fe193ce181135defe33168a7f90f9e0176a1b",
 };
 
 static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
@@ -115,7 +115,7 @@ static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "4c4118d0b14845d696ababd4203c9cebc5b27c0b8fb3f315619c488707957227",
+    hash: "f96e9d42cdfe49f39e2dc81515b2c1d850747293b9e52553b870c65ac8312fc9",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
@@ -128,7 +128,7 @@ static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "f8f15b0a06bf1a08ffa1258db896a3c791b1e780cdbb1453b19c21977a4ce076",
+    hash: "55183c6c262c5f962dbea5309929e7025a50c4cf0a1ebe2c6ed596403b06f9c2",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -141,5 +141,5 @@ static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "07bc62e8fae2dea7c49ec718b64458b56a31d11a251dbc946bc2c9d529c223ea",
+    hash: "00075c084b92779ef696a5e1cf1cfc31c2eb8b90594d7d07c000dc94116c87a0",
 };

@@ -16,11 +16,9 @@ pub struct ConstrainDensityVariant {
     pub walls: bool,
     /// Keyword `RELAXED_PRECISION` or `HALF_PRECISION`.
     pub precision: PrecisionKeyword,
-    /// Keyword `PACKED`.
-    pub packed: bool,
 }
 
-/// The density constraint's multiplier lambda of each particle (Macklin & Muller 2013, eq. 8-11).
+/// The density constraint's lambda of each particle (Macklin & Muller 2013, eq. 8-11).
 #[derive(Debug)]
 pub struct ConstrainDensity<'a> {
     /// Its variant.
@@ -52,23 +50,13 @@ impl Kernel for ConstrainDensity<'_> {
     const GROUP_SIZE: [u32; 3] = [64, 1, 1];
 
     fn module(&self) -> &'static Module {
-        match (self.variant.walls, self.variant.precision, self.variant.packed) {
-            (false, PrecisionKeyword::Off, false) => &CONSTRAIN_DENSITY,
-            (false, PrecisionKeyword::Off, true) => &CONSTRAIN_DENSITY_WITH_PACKED,
-            (false, PrecisionKeyword::RelaxedPrecision, false) => &CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION,
-            (false, PrecisionKeyword::RelaxedPrecision, true) => &CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION_WITH_PACKED,
-            (false, PrecisionKeyword::HalfPrecision, false) => &CONSTRAIN_DENSITY_WITH_HALF_PRECISION,
-            (false, PrecisionKeyword::HalfPrecision, true) => &CONSTRAIN_DENSITY_WITH_HALF_PRECISION_WITH_PACKED,
-            (true, PrecisionKeyword::Off, false) => &CONSTRAIN_DENSITY_WITH_WALLS,
-            (true, PrecisionKeyword::Off, true) => &CONSTRAIN_DENSITY_WITH_WALLS_WITH_PACKED,
-            (true, PrecisionKeyword::RelaxedPrecision, false) => &CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION,
-            (true, PrecisionKeyword::RelaxedPrecision, true) => {
-                &CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED
-            }
-            (true, PrecisionKeyword::HalfPrecision, false) => &CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION,
-            (true, PrecisionKeyword::HalfPrecision, true) => {
-                &CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED
-            }
+        match (self.variant.walls, self.variant.precision) {
+            (false, PrecisionKeyword::Off) => &CONSTRAIN_DENSITY,
+            (false, PrecisionKeyword::RelaxedPrecision) => &CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION,
+            (false, PrecisionKeyword::HalfPrecision) => &CONSTRAIN_DENSITY_WITH_HALF_PRECISION,
+            (true, PrecisionKeyword::Off) => &CONSTRAIN_DENSITY_WITH_WALLS,
+            (true, PrecisionKeyword::RelaxedPrecision) => &CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION,
+            (true, PrecisionKeyword::HalfPrecision) => &CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION,
         }
     }
     fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
@@ -93,17 +81,11 @@ impl Kernel for ConstrainDensity<'_> {
 /// The modules of this file.
 pub(super) static MODULES: &[&Module] = &[
     &CONSTRAIN_DENSITY,
-    &CONSTRAIN_DENSITY_WITH_PACKED,
     &CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION,
-    &CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION_WITH_PACKED,
     &CONSTRAIN_DENSITY_WITH_HALF_PRECISION,
-    &CONSTRAIN_DENSITY_WITH_HALF_PRECISION_WITH_PACKED,
     &CONSTRAIN_DENSITY_WITH_WALLS,
-    &CONSTRAIN_DENSITY_WITH_WALLS_WITH_PACKED,
     &CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION,
-    &CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED,
     &CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION,
-    &CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED,
 ];
 
 static BINDINGS_0: &[BindingInfo] = &[
@@ -202,20 +184,7 @@ static CONSTRAIN_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "e0c680800cc845597091e85f5624490ea2501f64417ce0d87e8d74c646fd607b",
-};
-
-static CONSTRAIN_DENSITY_WITH_PACKED: Module = Module {
-    name: "ConstrainDensity+PACKED",
-    entry: "ConstrainDensity",
-    stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/constrain_density+packed.spv"),
-    bindings: BINDINGS_1,
-    group_size: [64, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Floor,
-    source: "solver/pbf/constrain_density.compute",
-    hash: "0e820e8a410ea77eb2db38c867ae88ac3a7f8ce1b52fcaa0ffae5bc52f9b013b",
+    hash: "265277b848039bf4aca4f5903818990eea7ae7a71a40221edd75741d9fb89f39",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -223,25 +192,12 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
     spirv: include_bytes!("../../spirv/constrain_density+relaxed_precision.spv"),
-    bindings: BINDINGS_0,
-    group_size: [64, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Floor,
-    source: "solver/pbf/constrain_density.compute",
-    hash: "35782be39cae7c8d9adace12a88e143351e3fdac09a9f1c85eed899389ff9017",
-};
-
-static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
-    name: "ConstrainDensity+RELAXED_PRECISION+PACKED",
-    entry: "ConstrainDensity",
-    stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/constrain_density+relaxed_precision+packed.spv"),
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "ecfbb8f05c876d0e2d07179849cf3ca83122fdad48f16eb268558ea1c9ac6496",
+    hash: "ae94e84c3b7cdd2d9e7fe6588bba38a7102af4f56193c093a9e81fec133a113e",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -249,25 +205,12 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
     spirv: include_bytes!("../../spirv/constrain_density+half_precision.spv"),
-    bindings: BINDINGS_0,
-    group_size: [64, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Desktop,
-    source: "solver/pbf/constrain_density.compute",
-    hash: "d983cff53850becafba94d5066d2e1eab8d2ebfd1116ecb04860e09e1c3c2475",
-};
-
-static CONSTRAIN_DENSITY_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
-    name: "ConstrainDensity+HALF_PRECISION+PACKED",
-    entry: "ConstrainDensity",
-    stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/constrain_density+half_precision+packed.spv"),
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "599924261bf53f415a2143dd0e836ab893c9a1052f4e7f5461f49bd006d2c110",
+    hash: "9ee9b5fe76e4e474463c4fae1487d6e4279f24d49dbea12778ea0988a545cec1",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
@@ -280,20 +223,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "1ddc9fd53480b8d0d13a798b735f7981fc97eae2bd8fb091d473b8a626b563c8",
-};
-
-static CONSTRAIN_DENSITY_WITH_WALLS_WITH_PACKED: Module = Module {
-    name: "ConstrainDensity+WALLS+PACKED",
-    entry: "ConstrainDensity",
-    stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/constrain_density+walls+packed.spv"),
-    bindings: BINDINGS_3,
-    group_size: [64, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Floor,
-    source: "solver/pbf/constrain_density.compute",
-    hash: "42f886cf5442744fa219145da5bc798f718f7f099020c4a84e940b59552de076",
+    hash: "f1fcba1d46d44f7d72e8820c2b7510bf5da4b7e345f06536592b69496715c5e1",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -301,25 +231,12 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
     spirv: include_bytes!("../../spirv/constrain_density+walls+relaxed_precision.spv"),
-    bindings: BINDINGS_2,
-    group_size: [64, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Floor,
-    source: "solver/pbf/constrain_density.compute",
-    hash: "ddbce9f6e958b624de0780c3c02712384bf31b1914e46e5260298bfedf8eac12",
-};
-
-static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
-    name: "ConstrainDensity+WALLS+RELAXED_PRECISION+PACKED",
-    entry: "ConstrainDensity",
-    stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/constrain_density+walls+relaxed_precision+packed.spv"),
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "6005d3a23b79c5f6f087756cc6cf0d8caf93161b27310269bcd98b3a94a110f0",
+    hash: "b2e3f8544b9510fbeda908414ec7a57a10c1ece12e29642a5bb11a382492f1d6",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -327,23 +244,10 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
     spirv: include_bytes!("../../spirv/constrain_density+walls+half_precision.spv"),
-    bindings: BINDINGS_2,
-    group_size: [64, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Desktop,
-    source: "solver/pbf/constrain_density.compute",
-    hash: "8e9ba4927a809c828a064fb12b6c91afde7aca3d16384acea1832abe9f6c49f3",
-};
-
-static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
-    name: "ConstrainDensity+WALLS+HALF_PRECISION+PACKED",
-    entry: "ConstrainDensity",
-    stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/constrain_density+walls+half_precision+packed.spv"),
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "577f9002a739a3deb04c597e59364e036560fd18be624aadfd53924af978caf8",
+    hash: "b771d3c8ef406da6e0b8c44358b68eccd95c841699315ad34fa3f3ab2a077246",
 };

@@ -19,13 +19,11 @@ pub struct CorrectPositionsVariant {
     pub s_corr: bool,
     /// Keyword `RELAXED_PRECISION` or `HALF_PRECISION`.
     pub precision: PrecisionKeyword,
-    /// Keyword `PACKED`.
-    pub packed: bool,
 }
 
 /// One Jacobi correction of the positions (Macklin & Muller 2013, eq. 12-14), under-relaxed:
 /// plain Jacobi is unstable at ordinary neighbour counts. A wall answers with its particle's own
-/// multiplier, as the fluid mirrored in it would, so that even pressure leaves a wall's layer alone.
+/// lambda, as the fluid mirrored in it would, so that even pressure leaves a wall's layer alone.
 #[derive(Debug)]
 pub struct CorrectPositions<'a> {
     /// Its variant.
@@ -59,52 +57,22 @@ impl Kernel for CorrectPositions<'_> {
     const GROUP_SIZE: [u32; 3] = [64, 1, 1];
 
     fn module(&self) -> &'static Module {
-        match (self.variant.walls, self.variant.s_corr, self.variant.precision, self.variant.packed) {
-            (false, false, PrecisionKeyword::Off, false) => &CORRECT_POSITIONS,
-            (false, false, PrecisionKeyword::Off, true) => &CORRECT_POSITIONS_WITH_PACKED,
-            (false, false, PrecisionKeyword::RelaxedPrecision, false) => &CORRECT_POSITIONS_WITH_RELAXED_PRECISION,
-            (false, false, PrecisionKeyword::RelaxedPrecision, true) => {
-                &CORRECT_POSITIONS_WITH_RELAXED_PRECISION_WITH_PACKED
-            }
-            (false, false, PrecisionKeyword::HalfPrecision, false) => &CORRECT_POSITIONS_WITH_HALF_PRECISION,
-            (false, false, PrecisionKeyword::HalfPrecision, true) => &CORRECT_POSITIONS_WITH_HALF_PRECISION_WITH_PACKED,
-            (false, true, PrecisionKeyword::Off, false) => &CORRECT_POSITIONS_WITH_S_CORR,
-            (false, true, PrecisionKeyword::Off, true) => &CORRECT_POSITIONS_WITH_S_CORR_WITH_PACKED,
-            (false, true, PrecisionKeyword::RelaxedPrecision, false) => {
-                &CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION
-            }
-            (false, true, PrecisionKeyword::RelaxedPrecision, true) => {
-                &CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED
-            }
-            (false, true, PrecisionKeyword::HalfPrecision, false) => &CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION,
-            (false, true, PrecisionKeyword::HalfPrecision, true) => {
-                &CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED
-            }
-            (true, false, PrecisionKeyword::Off, false) => &CORRECT_POSITIONS_WITH_WALLS,
-            (true, false, PrecisionKeyword::Off, true) => &CORRECT_POSITIONS_WITH_WALLS_WITH_PACKED,
-            (true, false, PrecisionKeyword::RelaxedPrecision, false) => {
-                &CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION
-            }
-            (true, false, PrecisionKeyword::RelaxedPrecision, true) => {
-                &CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED
-            }
-            (true, false, PrecisionKeyword::HalfPrecision, false) => &CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION,
-            (true, false, PrecisionKeyword::HalfPrecision, true) => {
-                &CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED
-            }
-            (true, true, PrecisionKeyword::Off, false) => &CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR,
-            (true, true, PrecisionKeyword::Off, true) => &CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_PACKED,
-            (true, true, PrecisionKeyword::RelaxedPrecision, false) => {
+        match (self.variant.walls, self.variant.s_corr, self.variant.precision) {
+            (false, false, PrecisionKeyword::Off) => &CORRECT_POSITIONS,
+            (false, false, PrecisionKeyword::RelaxedPrecision) => &CORRECT_POSITIONS_WITH_RELAXED_PRECISION,
+            (false, false, PrecisionKeyword::HalfPrecision) => &CORRECT_POSITIONS_WITH_HALF_PRECISION,
+            (false, true, PrecisionKeyword::Off) => &CORRECT_POSITIONS_WITH_S_CORR,
+            (false, true, PrecisionKeyword::RelaxedPrecision) => &CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION,
+            (false, true, PrecisionKeyword::HalfPrecision) => &CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION,
+            (true, false, PrecisionKeyword::Off) => &CORRECT_POSITIONS_WITH_WALLS,
+            (true, false, PrecisionKeyword::RelaxedPrecision) => &CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION,
+            (true, false, PrecisionKeyword::HalfPrecision) => &CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION,
+            (true, true, PrecisionKeyword::Off) => &CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR,
+            (true, true, PrecisionKeyword::RelaxedPrecision) => {
                 &CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION
             }
-            (true, true, PrecisionKeyword::RelaxedPrecision, true) => {
-                &CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED
-            }
-            (true, true, PrecisionKeyword::HalfPrecision, false) => {
+            (true, true, PrecisionKeyword::HalfPrecision) => {
                 &CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION
-            }
-            (true, true, PrecisionKeyword::HalfPrecision, true) => {
-                &CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED
             }
         }
     }
@@ -131,29 +99,17 @@ impl Kernel for CorrectPositions<'_> {
 /// The modules of this file.
 pub(super) static MODULES: &[&Module] = &[
     &CORRECT_POSITIONS,
-    &CORRECT_POSITIONS_WITH_PACKED,
     &CORRECT_POSITIONS_WITH_RELAXED_PRECISION,
-    &CORRECT_POSITIONS_WITH_RELAXED_PRECISION_WITH_PACKED,
     &CORRECT_POSITIONS_WITH_HALF_PRECISION,
-    &CORRECT_POSITIONS_WITH_HALF_PRECISION_WITH_PACKED,
     &CORRECT_POSITIONS_WITH_S_CORR,
-    &CORRECT_POSITIONS_WITH_S_CORR_WITH_PACKED,
     &CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION,
-    &CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED,
     &CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION,
-    &CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED,
     &CORRECT_POSITIONS_WITH_WALLS,
-    &CORRECT_POSITIONS_WITH_WALLS_WITH_PACKED,
     &CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION,
-    &CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED,
     &CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION,
-    &CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED,
     &CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR,
-    &CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_PACKED,
     &CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION,
-    &CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED,
     &CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION,
-    &CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED,
 ];
 
 static BINDINGS_0: &[BindingInfo] = &[
@@ -224,20 +180,7 @@ static CORRECT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "ff39a34140c7a65208f353c3dead74e4dfc56d2b9b2413022186f539e3e5b447",
-};
-
-static CORRECT_POSITIONS_WITH_PACKED: Module = Module {
-    name: "CorrectPositions+PACKED",
-    entry: "CorrectPositions",
-    stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/correct_positions+packed.spv"),
-    bindings: BINDINGS_1,
-    group_size: [64, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Floor,
-    source: "solver/pbf/correct_positions.compute",
-    hash: "db3dbd6559e19177265b899a31cf1008aab44aa27107ee54695ea84031db8116",
+    hash: "9334eb2ad8517452cf9bb4e528b41b99971290a7a7f21fe31558034f0b4ad87e",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
@@ -245,25 +188,12 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
     entry: "CorrectPositions",
     stage: StageKind::Compute,
     spirv: include_bytes!("../../spirv/correct_positions+relaxed_precision.spv"),
-    bindings: BINDINGS_0,
-    group_size: [64, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Floor,
-    source: "solver/pbf/correct_positions.compute",
-    hash: "8ac76fd585ddef63a2b1fef3d6efe756ef0352a1233e2070ce5a330156fe6228",
-};
-
-static CORRECT_POSITIONS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
-    name: "CorrectPositions+RELAXED_PRECISION+PACKED",
-    entry: "CorrectPositions",
-    stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/correct_positions+relaxed_precision+packed.spv"),
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "4d15b518d819ddc92cfae7081b0c1ee4e234f92a173f2fe0d60ca03e6ab13b41",
+    hash: "2d8d49bd835e16aeb13e2ce47f3fcb01b7bafd85948cd267c7e37bb41a2ea365",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
@@ -271,25 +201,12 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
     entry: "CorrectPositions",
     stage: StageKind::Compute,
     spirv: include_bytes!("../../spirv/correct_positions+half_precision.spv"),
-    bindings: BINDINGS_0,
-    group_size: [64, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Desktop,
-    source: "solver/pbf/correct_positions.compute",
-    hash: "1759328d9d1fa93191368aa7d21c1774ef0a61aa59022aa6d640e9fa35a65ef9",
-};
-
-static CORRECT_POSITIONS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
-    name: "CorrectPositions+HALF_PRECISION+PACKED",
-    entry: "CorrectPositions",
-    stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/correct_positions+half_precision+packed.spv"),
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "d3840fc4c06db8d6769060c2d66c7ef68dd7048b46276338106a8ce2cd55e756",
+    hash: "9171ec226b11e667ff2178d97f4e6d2d86344fef0f2ebbbff6d8b4c0080adb9c",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
@@ -302,20 +219,7 @@ static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "a3568998d2e6e8fe6fdb8fda63ecae5385db58499fc35c19791739d787ab95bc",
-};
-
-static CORRECT_POSITIONS_WITH_S_CORR_WITH_PACKED: Module = Module {
-    name: "CorrectPositions+S_CORR+PACKED",
-    entry: "CorrectPositions",
-    stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/correct_positions+s_corr+packed.spv"),
-    bindings: BINDINGS_1,
-    group_size: [64, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Floor,
-    source: "solver/pbf/correct_positions.compute",
-    hash: "1e7bc8f1f763cd58e847645033254cc2f7480f2c667fe5e5b99f9e15a6c05dc4",
+    hash: "4eda252383cf7841d43956eae49c055b66661305275d74ec3e38104194c7d053",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -323,25 +227,12 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     entry: "CorrectPositions",
     stage: StageKind::Compute,
     spirv: include_bytes!("../../spirv/correct_positions+s_corr+relaxed_precision.spv"),
-    bindings: BINDINGS_0,
-    group_size: [64, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Floor,
-    source: "solver/pbf/correct_positions.compute",
-    hash: "95099abc5c6944e2bc3d3ecb55efc928461b1cba918b3277c1d5229682aa13e9",
-};
-
-static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
-    name: "CorrectPositions+S_CORR+RELAXED_PRECISION+PACKED",
-    entry: "CorrectPositions",
-    stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/correct_positions+s_corr+relaxed_precision+packed.spv"),
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "18ff6913d9612259b6abdbcb9d41e84a31ab473b7b91b4e090f9a72519e4cb6c",
+    hash: "aa86a9133503887a98828606e188a01d723bec4b716193e5ffbf39e909ba39ad",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -349,25 +240,12 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     entry: "CorrectPositions",
     stage: StageKind::Compute,
     spirv: include_bytes!("../../spirv/correct_positions+s_corr+half_precision.spv"),
-    bindings: BINDINGS_0,
-    group_size: [64, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Desktop,
-    source: "solver/pbf/correct_positions.compute",
-    hash: "4387509a460fc5d588b7cfc381033d086bd2caa1af6a51ebe39717a6d96790b6",
-};
-
-static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
-    name: "CorrectPositions+S_CORR+HALF_PRECISION+PACKED",
-    entry: "CorrectPositions",
-    stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/correct_positions+s_corr+half_precision+packed.spv"),
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "1a3174d499953c43d160d5819d085d31e9738fd9dcec469ea78b049839a05713",
+    hash: "b21b9394bb672d2dcadd148574f37e7fca378e0947f537b0b45659c48204815a",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
@@ -380,20 +258,7 @@ static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "6471e56961a681e88dacfa05f5f067257f325580cb11e147568ff357f20fac2c",
-};
-
-static CORRECT_POSITIONS_WITH_WALLS_WITH_PACKED: Module = Module {
-    name: "CorrectPositions+WALLS+PACKED",
-    entry: "CorrectPositions",
-    stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/correct_positions+walls+packed.spv"),
-    bindings: BINDINGS_1,
-    group_size: [64, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Floor,
-    source: "solver/pbf/correct_positions.compute",
-    hash: "b2b2ac18c2152fe842543c5c46eface08ad634f8a890912147e76013c19f3d9a",
+    hash: "3ade464f0959ff2bdef18b222e4123adbf4bfd4fd9ef59e84005f9450a38ca6d",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -401,25 +266,12 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     entry: "CorrectPositions",
     stage: StageKind::Compute,
     spirv: include_bytes!("../../spirv/correct_positions+walls+relaxed_precision.spv"),
-    bindings: BINDINGS_0,
-    group_size: [64, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Floor,
-    source: "solver/pbf/correct_positions.compute",
-    hash: "1002a4cd7ac5fa1f5c0c924f6b9349d50e644fba67c6d84c744bf1c55ee58700",
-};
-
-static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
-    name: "CorrectPositions+WALLS+RELAXED_PRECISION+PACKED",
-    entry: "CorrectPositions",
-    stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/correct_positions+walls+relaxed_precision+packed.spv"),
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "01abc7d846c9d2dad5674f02d0144524ac3ffc14a94bd82a28b0dfdc1d4643ee",
+    hash: "a710d6fca727a32e71324bef1837e6cbc648bf4a104dd8302079f9e9f88961fb",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -427,25 +279,12 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     entry: "CorrectPositions",
     stage: StageKind::Compute,
     spirv: include_bytes!("../../spirv/correct_positions+walls+half_precision.spv"),
-    bindings: BINDINGS_0,
-    group_size: [64, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Desktop,
-    source: "solver/pbf/correct_positions.compute",
-    hash: "ab1a32ff6f3d060a1d248475dc3c2e4770ae221b008ecf5b0888b186559eb427",
-};
-
-static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
-    name: "CorrectPositions+WALLS+HALF_PRECISION+PACKED",
-    entry: "CorrectPositions",
-    stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/correct_positions+walls+half_precision+packed.spv"),
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "4d3a34614bb2ed5360ea1ea79812920849bf40f528cc7c71a579825355d3df24",
+    hash: "e7f060bffe5af3d12528a16662c1407efac69369b7d5ce4706e8547a2e2f4301",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
@@ -458,20 +297,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "eeccdb13649e28e25bfc00a73e74c8e55e8ef0b4745b93898ef71f55dff78151",
-};
-
-static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_PACKED: Module = Module {
-    name: "CorrectPositions+WALLS+S_CORR+PACKED",
-    entry: "CorrectPositions",
-    stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/correct_positions+walls+s_corr+packed.spv"),
-    bindings: BINDINGS_1,
-    group_size: [64, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Floor,
-    source: "solver/pbf/correct_positions.compute",
-    hash: "b1322048fbe8ce7c83c30083b95e4dd1e6333b445c8d1e1801316bd4ed717890",
+    hash: "0b39c115409edc6620035e6c90caf2b02f6f90ed8ac268be99a31f42b8e15bba",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -479,25 +305,12 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module =
     entry: "CorrectPositions",
     stage: StageKind::Compute,
     spirv: include_bytes!("../../spirv/correct_positions+walls+s_corr+relaxed_precision.spv"),
-    bindings: BINDINGS_0,
-    group_size: [64, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Floor,
-    source: "solver/pbf/correct_positions.compute",
-    hash: "bc9c6a092a285fa4ad1b1634fa28ab45b72193f1f2fe76452ce7c7cf1d29c92b",
-};
-
-static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION_WITH_PACKED: Module = Module {
-    name: "CorrectPositions+WALLS+S_CORR+RELAXED_PRECISION+PACKED",
-    entry: "CorrectPositions",
-    stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/correct_positions+walls+s_corr+relaxed_precision+packed.spv"),
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "f46e9711faede3c52af99bb89ac006fadbaf0d9f6459d8945aff5b07b185e0d6",
+    hash: "8a97b636759ec0b1ebf24f53558a9021818b6d29cda2a8326fbc0d855a60d098",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -505,23 +318,10 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Mo
     entry: "CorrectPositions",
     stage: StageKind::Compute,
     spirv: include_bytes!("../../spirv/correct_positions+walls+s_corr+half_precision.spv"),
-    bindings: BINDINGS_0,
-    group_size: [64, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Desktop,
-    source: "solver/pbf/correct_positions.compute",
-    hash: "a7271e4c43cac5d376d323fa16e41fbc18b8c8ff171f50aec47ed876359feea4",
-};
-
-static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION_WITH_PACKED: Module = Module {
-    name: "CorrectPositions+WALLS+S_CORR+HALF_PRECISION+PACKED",
-    entry: "CorrectPositions",
-    stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/correct_positions+walls+s_corr+half_precision+packed.spv"),
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "9f7e8cbd9d839b5b35d720727e369796f25a508964a7e5ba2d88ec1c3891beb0",
+    hash: "dcd55fed9dabbdf49b28bf45a347ad0decb8ba2a433939c048eaa38773d4370b",
 };

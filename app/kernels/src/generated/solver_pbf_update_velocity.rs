@@ -2,7 +2,7 @@
 // makes it anew from solver/pbf/update_velocity.compute.
 //! Kernels of `solver/pbf/update_velocity.compute`.
 
-use super::{Counters, Position, SmoothingKernelParams, StepParams, StepState, Velocity};
+use super::{Counters, Position, PrecisionKeyword, SmoothingKernelParams, StepParams, StepState, Velocity};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
@@ -10,8 +10,8 @@ use crate::{
 /// Which variant of [`UpdateVelocity`] runs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct UpdateVelocityVariant {
-    /// Keyword `PACKED`.
-    pub packed: bool,
+    /// Keyword `RELAXED_PRECISION` or `HALF_PRECISION`.
+    pub precision: PrecisionKeyword,
     /// Keyword `PERIODIC`.
     pub periodic: bool,
 }
@@ -48,11 +48,13 @@ impl Kernel for UpdateVelocity<'_> {
     const GROUP_SIZE: [u32; 3] = [64, 1, 1];
 
     fn module(&self) -> &'static Module {
-        match (self.variant.packed, self.variant.periodic) {
-            (false, false) => &UPDATE_VELOCITY,
-            (false, true) => &UPDATE_VELOCITY_WITH_PERIODIC,
-            (true, false) => &UPDATE_VELOCITY_WITH_PACKED,
-            (true, true) => &UPDATE_VELOCITY_WITH_PACKED_WITH_PERIODIC,
+        match (self.variant.precision, self.variant.periodic) {
+            (PrecisionKeyword::Off, false) => &UPDATE_VELOCITY,
+            (PrecisionKeyword::Off, true) => &UPDATE_VELOCITY_WITH_PERIODIC,
+            (PrecisionKeyword::RelaxedPrecision, false) => &UPDATE_VELOCITY_WITH_RELAXED_PRECISION,
+            (PrecisionKeyword::RelaxedPrecision, true) => &UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC,
+            (PrecisionKeyword::HalfPrecision, false) => &UPDATE_VELOCITY_WITH_RELAXED_PRECISION,
+            (PrecisionKeyword::HalfPrecision, true) => &UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC,
         }
     }
     fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
@@ -77,8 +79,8 @@ impl Kernel for UpdateVelocity<'_> {
 pub(super) static MODULES: &[&Module] = &[
     &UPDATE_VELOCITY,
     &UPDATE_VELOCITY_WITH_PERIODIC,
-    &UPDATE_VELOCITY_WITH_PACKED,
-    &UPDATE_VELOCITY_WITH_PACKED_WITH_PERIODIC,
+    &UPDATE_VELOCITY_WITH_RELAXED_PRECISION,
+    &UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC,
 ];
 
 static BINDINGS_0: &[BindingInfo] = &[
@@ -127,7 +129,7 @@ static UPDATE_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "1dd7df823ce45c93b6412d7e74a4ff20286da8c4e4d974175f88fbf8c9ebcf6a",
+    hash: "73f59991ac8341963e032cfba97a7370910357d1323713d411be28f7c32a3d37",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
@@ -140,31 +142,31 @@ static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "e30a4ec4fb148615d1513683b3ce5e855b185cd8e12042761f594d111651ad13",
+    hash: "c675fd073f58bad7bf03eadfaa0d3499bbe0ad27996c68333807259566c24825",
 };
 
-static UPDATE_VELOCITY_WITH_PACKED: Module = Module {
-    name: "UpdateVelocity+PACKED",
+static UPDATE_VELOCITY_WITH_RELAXED_PRECISION: Module = Module {
+    name: "UpdateVelocity+RELAXED_PRECISION",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/update_velocity+packed.spv"),
+    spirv: include_bytes!("../../spirv/update_velocity+relaxed_precision.spv"),
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "1a46684b497f2dc1302710e0c8387199e838d84703f9e796a7aa3ec8c1f437ae",
+    hash: "ca135273860849fe5cb02ff8512f315c0ee4ccd820fd7cb6ce517712ed5fd365",
 };
 
-static UPDATE_VELOCITY_WITH_PACKED_WITH_PERIODIC: Module = Module {
-    name: "UpdateVelocity+PACKED+PERIODIC",
+static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC: Module = Module {
+    name: "UpdateVelocity+RELAXED_PRECISION+PERIODIC",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/update_velocity+packed+periodic.spv"),
+    spirv: include_bytes!("../../spirv/update_velocity+relaxed_precision+periodic.spv"),
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "4415e9bc51006338a442309034ca77ec27346c1f587a935cf182a6e0a61eb32a",
+    hash: "346190485228e0171a9dbbd0ccd508ea9ea02452aa465caa5abfaa5cab6ad86f",
 };

@@ -77,5 +77,5 @@ static ANISOTROPY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/anisotropy.compute",
-    hash: "1f9dece3027a0257fed816a0c254047827d68101a4c59060bb27d4f6865540e1",
+    hash: "4ce55a7ce26d12bfadffd585d003f8a55435aa893b3152bb7ab8246c8aa0e342",
 };

@@ -63,7 +63,7 @@ static DRAW_CAUSTICS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/caustics.hlsl",
-    hash: "17e63cebc318e39b29368b65ac5e3ec37f12451754a39b792f1a8b064c7fcfb7",
+    hash: "43b404caf6031cbb579c7d0e2b48c5c506d408a62dd5eedc62f6c6451333e851",
 };
 
 static DRAW_CAUSTICS_FRAGMENT: Module = Module {
@@ -76,5 +76,5 @@ static DRAW_CAUSTICS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/caustics.hlsl",
-    hash: "6ae289bdeae4786d4a8b631d8c64710dc1de384af507698ca224b962b167fc00",
+    hash: "95ceeba2412bed37397432bfe327a1974c979579951324b543ce5bdeee10ce2b",
 };

@@ -15,7 +15,7 @@ pub struct DrawFluidDepthVariant {
 }
 
 /// The nearest of all particles' spheres, or ellipsoids (surface/anisotropy.compute), in each pixel, as
-/// inverse\_depth. At the tank's glass they are cut off: there the water is as flat as the glass.
+/// inverse\_depth. At the walls they are cut off: there the water is as flat as the wall.
 #[derive(Debug)]
 pub struct DrawFluidDepth<'a> {
     /// Its variant.
@@ -112,7 +112,7 @@ static DRAW_FLUID_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "fe56b120f49de8cba7eb1ccda911535a573cf05eabce8ca4b7abcfcd3b359460",
+    hash: "2fe21d4992b46da7799e67d668d83e010746cfddedccda691d994efeca884b15",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
@@ -125,7 +125,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "d4171cf2afe82f929b2a645533b1c7b1836b9cdadf038e8d23c42ee9e00b76c4",
+    hash: "d5a20ac61fef337efbd2fdf4af625df78c806ba88eb4a52ff29df33daba16357",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -138,7 +138,7 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "33ddec42d8babf4521aefa65e84251e7ca35afd092ab589cebdd1c5ea414ff61",
+    hash: "d1adc4117af212f80a1d894edc2b04937a81bd12d81d3aae7d95bb9feb6a6b16",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -151,7 +151,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "da4235a4786b3234048e4c9a0ca4a804c4468f48d33c276148463c647c358b09",
+    hash: "1d7d022e842fc7c28e2b69522d1b94edc17876f3d440ac0d136444472a21623c",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -164,5 +164,5 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "c0647988c9e07f22e71dd11982c4ad551c80e39003c01f179a24e6849d93377a",
+    hash: "58344b9fe046c68c30bd9545c2efcdaa31fadc23563fe53b70cb02a147f263bb",
 };

@@ -68,7 +68,7 @@ const _: () = {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct SurfaceParams {
-    /// a tank's glass: the fluid is cut off outside this box
+    /// the walls' bounds: the fluid is cut off outside this box
     pub wall_min_m: [f32; 3],
     /// of a particle's sphere
     pub radius_m: f32,

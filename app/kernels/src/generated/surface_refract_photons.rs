@@ -7,7 +7,7 @@ use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, BufMut, Kernel, Module, StageKind, Tex, Tier, Uniform, bind,
 };
 
-/// Where sunlight goes through the water: a photon for each place of a grid over the sun's map is bent by
+/// Where sunlight goes through the water: a photon for each cell of a grid over the sun's map is bent by
 /// the surface (Snell) and carried to the floor.
 #[derive(Debug)]
 pub struct RefractPhotons<'a> {
@@ -70,5 +70,5 @@ static REFRACT_PHOTONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refract_photons.compute",
-    hash: "9a591b5f7144d3f36512e992e151710eded1a5bf6b542a1d2a8f7b01ed2be615",
+    hash: "177d9018e43c75fa2b194d3b9a8395f4058785a79ff6f5a0be5d4c251b794f2e",
 };

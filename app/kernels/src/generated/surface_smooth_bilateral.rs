@@ -77,7 +77,7 @@ static DRAW_SMOOTH_BILATERAL_VERTEX_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "603c890c1649416afd4b189f8c8a3f3e188c56c1395ba26073f9a55c76494a01",
+    hash: "a38eea46e60453320abf44184f71195c8482aa37cb0c91a0e99cf40af659353d",
 };
 
 static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_X: Module = Module {
@@ -90,7 +90,7 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "7056f7fc2cd2b637dee35dfed72d4a4d119701f3c66b2d9eac5089322ba068ec",
+    hash: "7b89c97a08ecd8e48487bb053dcc2ba0cc78dce2a7c80a370660ba292a424f17",
 };
 
 static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_Y: Module = Module {
@@ -103,7 +103,7 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "7b05f629bb917b264bf6aa6aca9107e033c089a7ef5ff5b00472482ba753ddb2",
+    hash: "22ed98c26a56dac8395a02f361564f2a4edb0f206aa71cd620aec64f5e848d82",
 };
 
 static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
@@ -116,5 +116,5 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "05c87120ebefc719c54e9c9b0e917ddc6a6f83b71ce095f1aa2fe3c05cc84f63",
+    hash: "f963558c7d6692a1ab4ddec4693a4ab6f62971113e90ac93902ee3b428373b7d",
 };

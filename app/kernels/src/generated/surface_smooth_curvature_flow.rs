@@ -61,7 +61,7 @@ static DRAW_SMOOTH_CURVATURE_FLOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_curvature_flow.hlsl",
-    hash: "c35dbc575861ca2a1070b19c7db2d3ece420229144b4468c1fd91303d53d402c",
+    hash: "d98bcf7243f2d53eda43917f40468acee8ce13ac68ee9395f20fbb373e925a93",
 };
 
 static DRAW_SMOOTH_CURVATURE_FLOW_FRAGMENT: Module = Module {
@@ -74,5 +74,5 @@ static DRAW_SMOOTH_CURVATURE_FLOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_curvature_flow.hlsl",
-    hash: "c5e21efc6cb288a5efe31afb0397dfd92b0d967666c21ba6c8326e99aa22c9ec",
+    hash: "37555426a8abf753599f9c7df109c1acd163be4f0de07e69bf58410adcae4196",
 };

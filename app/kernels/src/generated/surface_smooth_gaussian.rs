@@ -74,7 +74,7 @@ static DRAW_SMOOTH_GAUSSIAN_VERTEX_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_gaussian.hlsl",
-    hash: "88293d2da33bd9111dd69a30ad8f9b38a324dd6d9dfa6b9cd3b41cd353ff20ee",
+    hash: "3c0f62c66bc30283ae206927b74049663c3a5fb7a4f74e9925fd40de973577e1",
 };
 
 static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_X: Module = Module {
@@ -87,7 +87,7 @@ static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_gaussian.hlsl",
-    hash: "9ed7a5e9bf87c9d54e54e9ec143d8503ceb02faea307e42c569ed7da34f31092",
+    hash: "d102210eda18b998e5d2fc3ba78e451b9e1cc468c5dea5fa231bfadf970c32a8",
 };
 
 static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_Y: Module = Module {
@@ -100,5 +100,5 @@ static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_gaussian.hlsl",
-    hash: "c5e257cb8a8ff6a9949b6bce223e5db8cd240b6ee90401e7371f9da40f9aa5e1",
+    hash: "8aa69f40ea312ac1237d1123ff5f5417df919301b0603dcd6778923e027d2394",
 };

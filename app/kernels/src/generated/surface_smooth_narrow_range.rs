@@ -78,7 +78,7 @@ static DRAW_SMOOTH_NARROW_RANGE_VERTEX_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "3ac1806707bc59853f8669579f0373f2a72017db025c476d840fdaa5272235df",
+    hash: "7835d1b313bb536843c8813ce06ffc2a6d02f5902e1f6311df026b356455189a",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_X: Module = Module {
@@ -91,7 +91,7 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "5076716a5fbc7f7f1c65849d4f8aac25fbb65486bf34eb8f17a5df3b37301ef5",
+    hash: "f48fd23d7921802a9e34820862ad03df899baf71c36d030fd37233d4fa4b02ab",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_Y: Module = Module {
@@ -104,7 +104,7 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "3d99c98028ae90cad7a1ee07b9f773a8a416d7bd8f093ed0da10286cb1dfd394",
+    hash: "b5331d394e123867005f162dea910a5ffae375a6bdfd578c67553c5a9f289d69",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
@@ -117,5 +117,5 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "06c7d4f7128db1173c30dc664dbd2e17c5fbd6984009f7ec11d0fefb11fc9b9b",
+    hash: "46a217df0abfdfe218e8c6c892edf8623978019b2766c48fa5938a60c5c909e6",
 };

@@ -13,7 +13,7 @@ pub struct DrawSmoothSunDepthVariant {
 }
 
 /// The surface that sunlight meets without the particles' bumps, which would each be a lens: a Gaussian,
-/// one direction a pass, over pairs of opposite places that lie on one surface. In pairs a plane
+/// one direction a pass, over pairs of opposite texels that lie on one surface. In pairs a plane
 /// stays as it is, however the sun stands to it, up to its edge.
 #[derive(Debug)]
 pub struct DrawSmoothSunDepth<'a> {
@@ -75,7 +75,7 @@ static DRAW_SMOOTH_SUN_DEPTH_VERTEX_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_sun_depth.hlsl",
-    hash: "eadb8090a1abbde9b49a349cc6e3bf9ec933a90f544f5a2666d394d609508c53",
+    hash: "7c065f0a809cf56038c188407fd053dd5f8f9f12d985231d715a23bb73073a82",
 };
 
 static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_X: Module = Module {
@@ -88,7 +88,7 @@ static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_sun_depth.hlsl",
-    hash: "dd1b6b96f7a535db77c101dccaa99c4de940ce6863c7d039d6cec5e33d11c0e7",
+    hash: "54139b869b9b42f1bfabc29f6a48c69dd225d23cc88d27682e884e1c277b1d95",
 };
 
 static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_Y: Module = Module {
@@ -101,5 +101,5 @@ static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_sun_depth.hlsl",
-    hash: "748d480dbf3535e9981f0be61a48ae68530095e7d0347c111d8524d11ff2f95b",
+    hash: "a2addecaa2cd50213619f99ae9f03d57de6588cc2781407ab085759798079659",
 };

@@ -16,7 +16,7 @@ pub struct DrawSunDepthVariant {
 
 /// The surface that sunlight meets: the nearest of all particles' spheres, or ellipsoids, in the sun's
 /// parallel projection, as shadow depth (1 nearest the sun), in which planes are linear; 0 where no
-/// fluid is. At the tank's glass they are cut off, as the eye sees them (surface/fluid\_depth.hlsl). Drops of
+/// fluid is. At the walls they are cut off, as the eye sees them (surface/fluid\_depth.hlsl). Drops of
 /// spray are left out: the map is too coarse for such lenses, which would tear holes into the light below.
 #[derive(Debug)]
 pub struct DrawSunDepth<'a> {
@@ -114,7 +114,7 @@ static DRAW_SUN_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "f15ac734082436c39a1450b427d184aefd25777c7f83ec3e0a76b3b5a08ce4e8",
+    hash: "14ceb5b5213188aca6306d14de3c42b21fbfc78df2985851745ac1c13c4b0a00",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
@@ -127,7 +127,7 @@ static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "be396e2ed776d0447ce7b17eebc6182ed4b7bd5bd0b60d7fff05542dcd9eb922",
+    hash: "d47a72b687616cf867501fa693be8c2b19ce3d4bbdaffeabcbbc62f9b5299d7d",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -140,7 +140,7 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "c5d7e42e1deda2ad8ad4e3df8e831d3ad780619828268b9151a68f1bf4ac4c2e",
+    hash: "dafb8e6d943b29792bbf4c9c75014357f0bfb73664773192e543ccdd464075e8",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -153,7 +153,7 @@ static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "8603d74d3314984806a45360f5db8ff8604458a9d7df8999193589c879be6297",
+    hash: "37145edbbe1e8cb38dd5186d5f0c523e9337fc214d7cf385fd1ce983d5510ccf",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -166,5 +166,5 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "1d6a39e54529c03f1b5b24db66a5812a70187028e312c1b1d2233f8180651f45",
+    hash: "5e52fd7f7bc23ef9e340b299edbda5118267bd63d417720fefac50b773f11343",
 };

@@ -85,7 +85,7 @@ static DRAW_SUN_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "2e059e98d400ff7a430761d49ad25dfc0875c4b48589a8e55cbc550a70f10162",
+    hash: "513d78de638f0f6b40a61c447701b3eb80f30653b154fe532b5089141ef11c10",
 };
 
 static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
@@ -98,7 +98,7 @@ static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "0bb2864a62cb73053ca2267af8716114b1154961fd593cf7054de070eb82374d",
+    hash: "b782c7d9b7bfc93d24a26d6c46a6835cb10942783b11e33a82e59bf7b0a8eff7",
 };
 
 static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -111,5 +111,5 @@ static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "587a44fac4de721080ca2eee4a7ba094e4d81f9f877562cc4b0541a89800706f",
+    hash: "6980cf71bee5a736a44c5f7d1bb72590a02c7ae6cb6fa1c8a19899a6b11cb064",
 };

@@ -58,7 +58,7 @@ static DRAW_SURFACE_NORMALS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/surface_normals.hlsl",
-    hash: "ab9590f46912ddc9e5c594f06c1fa7d7c0e94ee06cb018722916d704c5311ced",
+    hash: "6b799ebd9af8619c7fca320207617892e92f6fb982c1436e9b3954e6702249c1",
 };
 
 static DRAW_SURFACE_NORMALS_FRAGMENT: Module = Module {
@@ -71,5 +71,5 @@ static DRAW_SURFACE_NORMALS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/surface_normals.hlsl",
-    hash: "c23e00790c3f498f23ff073fd6e03aed317828432bf5b03a2cbf8644eedb7f96",
+    hash: "f5c61ae92f342e8334059928ca76c235d931b0c8f8d46951936321ecda8ea56a",
 };

@@ -86,7 +86,7 @@ static DRAW_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "1720455d9fdb71f628c89b9f83e1109142c0d67fc24a65579b8bc7aa3aa7cc59",
+    hash: "23d5eca475e65d73b649e23417723b6b07428966ed9bc678d3552fd21217f474",
 };
 
 static DRAW_THICKNESS_FRAGMENT: Module = Module {
@@ -99,7 +99,7 @@ static DRAW_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "2b374cba695f517fbb694b5154e3dddfc76e94efb34398be90da2f3d3da70028",
+    hash: "b9e25791286cd3c03114530b024a658accec8baa8ee69e06d9f8d8829952feb0",
 };
 
 static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -112,5 +112,5 @@ static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "c3aabfce41c9514885a8307d3e7dbd4f84098aff28982f5ef79ff125080d6503",
+    hash: "08528c4d736416b9c9f2ad44926144c6ac0c0b9e0cd50b1e3df1f175d5d38f38",
 };

@@ -85,7 +85,7 @@ static DRAW_WATER_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "4a81724eb28b7c709ddacda67f5ffe4808e58a6756f11e5f468eb7af48753408",
+    hash: "9c0ad6dfec1d5f8b80a7446a7c2fd0b944fb225c1ecfd6389e4371b3b5abc934",
 };
 
 static DRAW_WATER_FRAGMENT: Module = Module {
@@ -98,5 +98,5 @@ static DRAW_WATER_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "23ddda06f6bcb5641733c9cf8391b6eddadfefc78f67b27c4b758da4dfee4d4d",
+    hash: "420c44c55f13d8279284910e57e7f9094b8536e50eb5992ece2121409ea6c7cd",
 };

@@ -192,10 +192,10 @@ mod tests {
                 let (mut density, mut slope) = (0.0_f64, 0.0_f64);
                 let node = |i: usize| nearest + (1.0 - nearest) * i as f64 / 10.0;
                 for i in 0..11_usize.pow(3) {
-                    let place = DVec3::new(node(i % 11), node(i / 11 % 11), node(i / 121));
-                    let at = walls.sample(place);
-                    density = density.max((at.density - integrals.density(place)).abs());
-                    slope = slope.max((at.gradient - integrals.gradient(place)).abs().max_element());
+                    let position = DVec3::new(node(i % 11), node(i / 11 % 11), node(i / 121));
+                    let at = walls.sample(position);
+                    density = density.max((at.density - integrals.density(position)).abs());
+                    slope = slope.max((at.gradient - integrals.gradient(position)).abs().max_element());
                 }
                 println!("h = {support_ratio} d, from {nearest} h: {density:.4}, gradient {slope:.4} / h");
                 assert!(

@@ -27,19 +27,19 @@ pub fn confine_vorticity(
     smoothing: &Smoothing,
     forces: &Forces,
 ) -> Confined {
-    let here = vorticities_per_s[i];
+    let own = vorticities_per_s[i];
     let mut slope = DVec3::ZERO;
     let mut terms = 0.0;
     for &j in neighbours {
-        let offset = smoothing.apart(positions_m[i], positions_m[j]);
-        let rise = vorticities_per_s[j].length() - here.length();
+        let offset = smoothing.offset(positions_m[i], positions_m[j]);
+        let rise = vorticities_per_s[j].length() - own.length();
         let term = wendland::gradient(offset) * rise;
         slope += term;
         terms += term.length();
     }
     let steepness = slope.length();
-    let push_m_s2 = if steepness > FLAT * here.length() && steepness > 0.0 {
-        (slope / steepness).cross(here) * forces.vorticity_m_s
+    let push_m_s2 = if steepness > FLAT * own.length() && steepness > 0.0 {
+        (slope / steepness).cross(own) * forces.vorticity_m_s
     } else {
         DVec3::ZERO
     };
@@ -58,7 +58,7 @@ mod tests {
     fn pushes_around_the_stronger_swirl() {
         // The neighbour at +x swirls faster: N = +x, and N x z = -y.
         let points = [DVec3::ZERO, DVec3::new(0.5, 0.0, 0.0)];
-        let swirls = [DVec3::Z, DVec3::Z * 2.0];
+        let vorticities = [DVec3::Z, DVec3::Z * 2.0];
         let step = Step {
             gravity_m_s2: DVec3::ZERO,
             dt_s: 0.1,
@@ -70,7 +70,7 @@ mod tests {
         };
         let smoothing = Smoothing::new(1.0, 1.0);
         let forces = Forces { vorticity_m_s: 0.3, ..Forces::default() };
-        let push = confine_vorticity(0, &points, DVec3::ZERO, &swirls, &[1], &step, &smoothing, &forces);
+        let push = confine_vorticity(0, &points, DVec3::ZERO, &vorticities, &[1], &step, &smoothing, &forces);
         assert!((push.velocity_m_s - DVec3::NEG_Y * 0.03).length() < 1e-15);
         let even = [DVec3::Z, DVec3::Z];
         let push = confine_vorticity(0, &points, DVec3::ZERO, &even, &[1], &step, &smoothing, &forces);

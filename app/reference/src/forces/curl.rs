@@ -15,7 +15,7 @@ pub fn curl(
     neighbours
         .iter()
         .map(|&j| {
-            let offset = smoothing.apart(positions_m[j], positions_m[i]);
+            let offset = smoothing.offset(positions_m[j], positions_m[i]);
             let gradient = wendland::gradient(offset) * (smoothing.weight / smoothing.support_m);
             (velocities_m_s[j] - velocities_m_s[i]).cross(gradient)
         })

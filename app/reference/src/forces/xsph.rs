@@ -16,7 +16,7 @@ pub fn xsph(
     let pull: DVec3 = neighbours
         .iter()
         .map(|&j| {
-            let q = smoothing.apart(positions_m[i], positions_m[j]).length();
+            let q = smoothing.offset(positions_m[i], positions_m[j]).length();
             (velocities_m_s[j] - velocities_m_s[i]) * (smoothing.weight * wendland::kernel(q))
         })
         .sum();

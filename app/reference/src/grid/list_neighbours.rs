@@ -21,8 +21,8 @@ pub fn list_images(
     support_m: f64,
     period_m: DVec3,
 ) -> Neighbours {
-    let apart = |i: usize, j: usize| nearest_image(positions_m[i] - positions_m[j], period_m);
-    let near = |i: usize, j: usize| apart(i, j).length_squared() < support_m * support_m;
+    let offset = |i: usize, j: usize| nearest_image(positions_m[i] - positions_m[j], period_m);
+    let near = |i: usize, j: usize| offset(i, j).length_squared() < support_m * support_m;
     (0..positions_m.len())
         .map(|i| {
             let others = 0..positions_m.len();
@@ -38,8 +38,8 @@ pub fn list_by_cells(
     support_m: f64,
     period_m: DVec3,
 ) -> Neighbours {
-    let apart = |i: usize, j: usize| next_image(positions_m[i] - positions_m[j], period_m);
-    let near = |i: usize, j: usize| apart(i, j).length_squared() < support_m * support_m;
+    let offset = |i: usize, j: usize| next_image(positions_m[i] - positions_m[j], period_m);
+    let near = |i: usize, j: usize| offset(i, j).length_squared() < support_m * support_m;
     // Cells along a period, none along other axes.
     let turns = (period_m / support_m).floor();
     let size_m = DVec3::select(turns.cmpgt(DVec3::ZERO), period_m / turns, DVec3::splat(support_m));

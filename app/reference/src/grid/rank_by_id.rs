@@ -7,12 +7,12 @@ pub fn rank_by_id(cells: &[u32], ids: &[u32], outside: u32) -> Vec<Option<u32>> 
     order.sort_by_key(|&i| (cells[i], ids[i]));
     let mut ranks = vec![None; cells.len()];
     let mut first = 0;
-    for (place, &i) in order.iter().enumerate() {
+    for (slot, &i) in order.iter().enumerate() {
         if cells[order[first]] != cells[i] {
-            first = place;
+            first = slot;
         }
         if cells[i] != outside {
-            ranks[i] = Some((place - first) as u32);
+            ranks[i] = Some((slot - first) as u32);
         }
     }
     ranks

@@ -15,6 +15,6 @@ pub fn density_ratio(
     walls: Option<&DomainWalls>,
 ) -> f64 {
     let near: f64 =
-        neighbours.iter().map(|&j| wendland::kernel(smoothing.apart(positions_m[i], positions_m[j]).length())).sum();
+        neighbours.iter().map(|&j| wendland::kernel(smoothing.offset(positions_m[i], positions_m[j]).length())).sum();
     smoothing.weight * (wendland::kernel(0.0) + near) + sample_boundary(positions_m[i], walls).density
 }

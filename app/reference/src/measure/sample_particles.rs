@@ -1,4 +1,4 @@
-//! Every stride-th particle, at a place of its own. (Shader: `measure/sample_particles.compute`.)
+//! Every stride-th particle, at an index of its own. (Shader: `measure/sample_particles.compute`.)
 
 use crate::particles::predict::Particle;
 use glam::DVec3;

@@ -3,5 +3,5 @@
 pub mod activate;
 pub mod begin_substep;
 pub mod deactivate;
+pub mod drag;
 pub mod predict;
-pub mod push;

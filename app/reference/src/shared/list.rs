@@ -3,7 +3,7 @@
 use brooklet_kernels::{LIST_CHUNK, LIST_ESCAPE, LIST_MAX_DELTA, LIST_SLICE, ListHead};
 
 /// Where entry `entry` of particle `i` stands in lists of `chunks` runs: which run, and where in it.
-pub fn place(i: usize, entry: usize, chunks: u32) -> (usize, usize) {
+pub fn entry_slot(i: usize, entry: usize, chunks: u32) -> (usize, usize) {
     let (slice, run) = (LIST_SLICE as usize, LIST_CHUNK as usize);
     ((i / slice * chunks as usize + entry / run) * slice + i % slice, entry % run)
 }
@@ -58,7 +58,7 @@ pub fn encoded(neighbours: &[Vec<usize>], chunks: u32) -> (Vec<[u32; 2]>, Vec<Li
         let deltas = deltas(first, list);
         assert!(deltas.len() <= (chunks * LIST_CHUNK) as usize, "{} entries", deltas.len());
         for (entry, &delta) in deltas.iter().enumerate() {
-            let (at, part) = place(i, entry, chunks);
+            let (at, part) = entry_slot(i, entry, chunks);
             lists[at][part / 2] |= delta << (16 * (part % 2));
         }
         heads.push(ListHead { entries: deltas.len() as u32, first });
@@ -68,7 +68,7 @@ pub fn encoded(neighbours: &[Vec<usize>], chunks: u32) -> (Vec<[u32; 2]>, Vec<Li
 
 /// Entry `entry` of particle `i`.
 pub fn entry(i: usize, entry: usize, lists: &[[u32; 2]], chunks: u32) -> u32 {
-    let (at, part) = place(i, entry, chunks);
+    let (at, part) = entry_slot(i, entry, chunks);
     lists[at][part / 2] >> (16 * (part % 2)) & 0xffff
 }
 

@@ -61,10 +61,10 @@ impl Quantization {
         modulo + 4.0 * ((position_h - modulo) / 4.0).round()
     }
 
-    /// From `there` to `here`, in h, as long as it is less than two along each axis.
-    pub fn apart(self, here: [u32; 2], there: [u32; 2]) -> DVec3 {
-        let [here, there] = [here, there].map(|quantized| self.coordinates(quantized));
-        let difference: [f64; 3] = std::array::from_fn(|axis| f64::from(here[axis].wrapping_sub(there[axis]) as i32));
+    /// From x_j to x_i, in h, as long as it is less than two along each axis.
+    pub fn offset(self, x_i: [u32; 2], x_j: [u32; 2]) -> DVec3 {
+        let [x_i, x_j] = [x_i, x_j].map(|quantized| self.coordinates(quantized));
+        let difference: [f64; 3] = std::array::from_fn(|axis| f64::from(x_i[axis].wrapping_sub(x_j[axis]) as i32));
         DVec3::from_array(difference) / f64::from(1u32 << 30)
     }
 }
@@ -77,12 +77,15 @@ mod tests {
     fn differences_survive_the_wrap() {
         for quantization in [Quantization::Full, Quantization::Packed] {
             // Either side of a multiple of 4 h, and far from the origin.
-            for (here, there) in [([3.9, 0.1, 8.0], [4.3, -0.3, 7.2]), ([103.0, 1.0, 0.0], [102.5, 1.9, 1.0])] {
-                let apart = quantization.apart(quantization.quantize(here), quantization.quantize(there));
+            for (x_i, x_j) in [([3.9, 0.1, 8.0], [4.3, -0.3, 7.2]), ([103.0, 1.0, 0.0], [102.5, 1.9, 1.0])] {
+                let offset = quantization.offset(quantization.quantize(x_i), quantization.quantize(x_j));
                 for axis in 0..3 {
-                    let expected = f64::from(here[axis]) - f64::from(there[axis]);
+                    let expected = f64::from(x_i[axis]) - f64::from(x_j[axis]);
                     // Half a step each.
-                    assert!((apart[axis] - expected).abs() <= quantization.step() * 1.0001, "{quantization:?} {apart}");
+                    assert!(
+                        (offset[axis] - expected).abs() <= quantization.step() * 1.0001,
+                        "{quantization:?} {offset}"
+                    );
                 }
             }
         }

@@ -32,10 +32,10 @@ pub fn anisotropy(
             let (low_m, high_m) = (f64::from(surface.wall_min_m[axis]), f64::from(surface.wall_max_m[axis]));
             let (below_m, above_m) = (here_m[axis] - low_m, high_m - here_m[axis]);
             if below_m.min(above_m) < support_m {
-                let glass_m = if below_m < above_m { low_m } else { high_m };
+                let wall_m = if below_m < above_m { low_m } else { high_m };
                 for image in images.clone() {
                     let mut mirrored = image;
-                    mirrored[axis] = 2.0 * glass_m - image[axis];
+                    mirrored[axis] = 2.0 * wall_m - image[axis];
                     images.push(mirrored);
                 }
             }
@@ -49,8 +49,8 @@ pub fn anisotropy(
     let weights: f64 = seen_m.iter().map(|&at_m| weight(at_m)).sum();
     let mean_m = seen_m.iter().map(|&at_m| weight(at_m) * at_m).sum::<DVec3>() / weights;
     let covariance = seen_m.iter().fold(DMat3::ZERO, |sum, &at_m| {
-        let apart = (at_m - mean_m) / support_m;
-        sum + DMat3::from_cols(apart * apart.x, apart * apart.y, apart * apart.z) * (weight(at_m) / weights)
+        let offset = (at_m - mean_m) / support_m;
+        sum + DMat3::from_cols(offset * offset.x, offset * offset.y, offset * offset.z) * (weight(at_m) / weights)
     });
     let crowd = smooth_step(near / CROWD);
     let (variances, axes) = eigen(covariance);
@@ -124,9 +124,9 @@ mod tests {
     }
 
     #[test]
-    fn at_the_glass_the_fluid_goes_on_in_its_mirror() {
-        let glass = SurfaceParams { wall_max_m: [1e18, 0.5, 1e18], ..open() };
-        let face = at_origin(&lattice(|at| at.y <= 0.0), &glass);
+    fn at_the_wall_the_fluid_goes_on_in_its_mirror() {
+        let wall = SurfaceParams { wall_max_m: [1e18, 0.5, 1e18], ..open() };
+        let face = at_origin(&lattice(|at| at.y <= 0.0), &wall);
         assert!(face.center_m.length() < 1e-12, "{}", face.center_m);
         assert!(face.stretch.abs_diff_eq(DMat3::IDENTITY, 1e-9));
     }

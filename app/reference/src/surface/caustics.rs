@@ -4,7 +4,7 @@ use super::refract_photons::Photon;
 use brooklet_kernels::{FrameLight, SurfaceParams, WaterStyle};
 use glam::{DVec2, DVec3};
 
-/// Neighbours that land so many places apart came through another surface.
+/// Neighbours that land so many cells apart came through another surface.
 const MOST_APART: f64 = 4.0;
 /// A tent is no narrower than so many texels.
 const LEAST_TEXELS: f64 = 1.0;
@@ -25,10 +25,10 @@ pub fn caustics(photons: &[Photon], params: &SurfaceParams, light: &FrameLight, 
         let [low, high] = [photon.uv - reach, photon.uv + reach].map(|corner| corner * texels as f64);
         for y in low.y.max(0.0) as usize..(high.y.max(0.0) as usize + 1).min(texels) {
             for x in low.x.max(0.0) as usize..(high.x.max(0.0) as usize + 1).min(texels) {
-                let apart = DVec2::new(x as f64 + 0.5, y as f64 + 0.5) / texels as f64 - photon.uv;
+                let offset = DVec2::new(x as f64 + 0.5, y as f64 + 0.5) / texels as f64 - photon.uv;
                 let tent = [
-                    apart.perp_dot(along_v) / along_u.perp_dot(along_v),
-                    along_u.perp_dot(apart) / along_u.perp_dot(along_v),
+                    offset.perp_dot(along_v) / along_u.perp_dot(along_v),
+                    along_u.perp_dot(offset) / along_u.perp_dot(along_v),
                 ];
                 let tent = tent.map(|t| (1.0 - t.abs()).max(0.0));
                 map[y * texels + x] += color * (tent[0] * tent[1]);
@@ -49,13 +49,13 @@ fn footprint(photons: &[Photon], side: i64, at: (i64, i64), least: f64) -> [DVec
             .then(|| photons[(y * side + x) as usize])
             .filter(|there| there.share > 0.0 && (there.uv - here.uv).length() < MOST_APART * spacing)
     };
-    let apart = |dx: i64, dy: i64| match (landed(-dx, -dy), landed(dx, dy)) {
+    let offset = |dx: i64, dy: i64| match (landed(-dx, -dy), landed(dx, dy)) {
         (Some(before), Some(after)) => 0.5 * (after.uv - before.uv),
         (Some(before), None) => here.uv - before.uv,
         (None, Some(after)) => after.uv - here.uv,
         (None, None) => DVec2::new(dx as f64, dy as f64) * spacing,
     };
-    let (along_u, along_v) = (apart(1, 0), apart(0, 1));
+    let (along_u, along_v) = (offset(1, 0), offset(0, 1));
     let axis = along_u.normalize_or(DVec2::X);
     let height = axis.perp_dot(along_v);
     let signed = if height < 0.0 { -1.0 } else { 1.0 };

@@ -15,8 +15,8 @@ const WHOLE_WAY: f64 = 1.25;
 const THIN: f64 = 1.5;
 const THICK: f64 = 6.0;
 /// A surface so near a wall of the tank, over the spacing, and so nearly along it, is the wall.
-const AT_GLASS: f64 = 1.0;
-const ALONG_GLASS: f64 = 0.6;
+const AT_WALL: f64 = 1.0;
+const ALONG_WALL: f64 = 0.6;
 /// No photon runs flatter than this.
 const LEAST_FALL: f64 = 0.05;
 
@@ -31,7 +31,7 @@ pub struct Photon {
     pub share: f64,
 }
 
-/// A photon for each place of `sun_depth`. `sun_thickness` is in spacings. (Shader:
+/// A photon for each cell of `sun_depth`. `sun_thickness` is in spacings. (Shader:
 /// `surface/refract_photons.compute`.)
 pub fn refract_photons(
     sun_depth: &SunMap,
@@ -49,7 +49,7 @@ pub fn refract_photons(
         }
         let mut from_m = world_from_shadow(light, uv.extend(here));
         from_m.y = from_m.y.max(0.0);
-        let normal = flat_at_glass(from_m, normal_toward_sun(sun_depth, params, light, x, y), params);
+        let normal = flat_at_wall(from_m, normal_toward_sun(sun_depth, params, light, x, y), params);
         let spacings = even_thickness(sun_thickness, uv, params, light);
         let thick = ((spacings - THIN) / (THICK - THIN)).clamp(0.0, 1.0);
         let bends = thick * thick * (3.0 - 2.0 * thick);
@@ -68,7 +68,7 @@ pub fn refract_photons(
             share: 1.0 - bends * (WATER_F0 + (1.0 - WATER_F0) * grazing.powi(5)),
         }
     };
-    sun_depth.places().map(photon).collect()
+    sun_depth.texels().map(photon).collect()
 }
 
 /// Unit normal of the surface toward the sun.
@@ -82,11 +82,11 @@ fn normal_toward_sun(sun_depth: &SunMap, params: &SurfaceParams, light: &FrameLi
 }
 
 /// The wall is flat, whatever dimples particles leave in it.
-fn flat_at_glass(at_m: DVec3, normal: DVec3, params: &SurfaceParams) -> DVec3 {
+fn flat_at_wall(at_m: DVec3, normal: DVec3, params: &SurfaceParams) -> DVec3 {
     for axis in [0, 2] {
-        let glass_m = if normal[axis] > 0.0 { params.wall_max_m[axis] } else { params.wall_min_m[axis] };
-        let is_near = (f64::from(glass_m) - at_m[axis]).abs() < AT_GLASS * f64::from(params.spacing_m);
-        if normal[axis].abs() > ALONG_GLASS && is_near {
+        let wall_m = if normal[axis] > 0.0 { params.wall_max_m[axis] } else { params.wall_min_m[axis] };
+        let is_near = (f64::from(wall_m) - at_m[axis]).abs() < AT_WALL * f64::from(params.spacing_m);
+        if normal[axis].abs() > ALONG_WALL && is_near {
             return DVec3::AXES[axis] * normal[axis].signum();
         }
     }
@@ -103,11 +103,11 @@ pub fn refract(direction: DVec3, normal: DVec3, ratio: f64) -> Option<DVec3> {
 /// Thickness without the pattern of the particles.
 fn even_thickness(sun_thickness: &SunMap, uv: DVec2, params: &SurfaceParams, light: &FrameLight) -> f64 {
     let texel = 1.0 / f64::from(light.shadow_texels);
-    let apart = (0.5 * f64::from(params.spacing_m) / f64::from(light.shadow_texel_m)).round().max(1.0) * texel;
+    let step = (0.5 * f64::from(params.spacing_m) / f64::from(light.shadow_texel_m)).round().max(1.0) * texel;
     let taps = (0..9).map(|i| (f64::from(i % 3 - 1), f64::from(i / 3 - 1)));
     let weighed = taps.map(|(x, y)| {
         let weight = (2.0 - x.abs()) * (2.0 - y.abs());
-        weight * sun_thickness.bilinear(uv.x + apart * x, uv.y + apart * y)
+        weight * sun_thickness.bilinear(uv.x + step * x, uv.y + step * y)
     });
     weighed.sum::<f64>() / 16.0
 }

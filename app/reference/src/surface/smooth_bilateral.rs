@@ -20,8 +20,8 @@ pub fn smooth_bilateral(from: &InverseDepth, params: &SurfaceParams, view: &Fram
                 let squared = (dx * dx + dy * dy) as f64;
                 let there = from.at(x + dx, y + dy);
                 if (dx, dy) != (0, 0) && squared <= reach * reach && there > 0.0 {
-                    let apart = (there - here) / range;
-                    let weight = spatial_weight(squared, reach) * (-0.5 * apart * apart).exp();
+                    let difference = (there - here) / range;
+                    let weight = spatial_weight(squared, reach) * (-0.5 * difference * difference).exp();
                     sum += weight * there;
                     weights += weight;
                 }

@@ -27,5 +27,5 @@ pub fn smooth_sun_depth(from: &SunMap, params: &SurfaceParams, light: &FrameLigh
         }
         sum / weights
     };
-    SunMap { side: from.side, values: from.places().map(|(x, y)| smoothed(x, y)).collect() }
+    SunMap { side: from.side, values: from.texels().map(|(x, y)| smoothed(x, y)).collect() }
 }

@@ -4,7 +4,7 @@ use super::sun_map::{SunMap, shadow_position, world_from_shadow};
 use brooklet_kernels::{FrameLight, SurfaceParams};
 use glam::{DVec2, DVec3};
 
-/// Shadow depth at each place of the photons' grid, by parallel rays `aside` of the places' middles, in places.
+/// Shadow depth at each cell of the photons' grid, by parallel rays `aside` of the cells' middles, in cells.
 /// (Shader: `surface/sun_depth.hlsl`.)
 pub fn sun_depth(centers_m: &[DVec3], params: &SurfaceParams, light: &FrameLight, aside: DVec2) -> SunMap {
     let side = params.photons as usize;
@@ -28,5 +28,5 @@ pub fn sun_depth(centers_m: &[DVec3], params: &SurfaceParams, light: &FrameLight
         if highest_m.is_finite() { shadow_position(light, from_m + highest_m * to_sun).z } else { 0.0 }
     };
     let empty = SunMap { side, values: Vec::new() };
-    SunMap { side, values: empty.places().map(|(x, y)| along_ray(x, y)).collect() }
+    SunMap { side, values: empty.texels().map(|(x, y)| along_ray(x, y)).collect() }
 }

@@ -13,19 +13,19 @@ pub struct SunMap {
 }
 
 impl SunMap {
-    /// The value at a place, 0 outside.
+    /// The value of a texel, 0 outside.
     pub fn at(&self, x: i64, y: i64) -> f64 {
         let inside = x >= 0 && y >= 0 && x < self.side as i64 && y < self.side as i64;
         if inside { self.values[y as usize * self.side + x as usize] } else { 0.0 }
     }
 
-    /// Column and row of each place.
-    pub fn places(&self) -> impl Iterator<Item = (i64, i64)> {
+    /// Column and row of each texel.
+    pub fn texels(&self) -> impl Iterator<Item = (i64, i64)> {
         let side = self.side;
         (0..side * side).map(move |i| ((i % side) as i64, (i / side) as i64))
     }
 
-    /// Between the middles of four places, as a sampler does it that repeats the border's.
+    /// Between the middles of four texels, as a sampler does it that repeats the border's.
     pub fn bilinear(&self, u: f64, v: f64) -> f64 {
         let [x, y] = [u, v].map(|at| at * self.side as f64 - 0.5);
         let last = self.side as i64 - 1;
@@ -50,7 +50,7 @@ pub fn shadow_position(light: &FrameLight, at_m: DVec3) -> DVec3 {
     DVec3::from_array(rows(light).map(|(row, shift)| row.dot(at_m) + shift))
 }
 
-/// The place in the world that a place in the map is. (Shader: `WorldFromShadow`.)
+/// The position in the world of a point of the map. (Shader: `WorldFromShadow`.)
 pub fn world_from_shadow(light: &FrameLight, at: DVec3) -> DVec3 {
     let parts = rows(light).into_iter().zip(at.to_array());
     parts.map(|((row, shift), at)| row * ((at - shift) / row.length_squared())).sum()

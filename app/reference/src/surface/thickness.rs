@@ -45,5 +45,5 @@ pub fn sun_thickness(centers_m: &[DVec3], params: &SurfaceParams, light: &FrameL
         };
         centers_m.iter().map(of).sum()
     };
-    SunMap { side: texels, values: empty.places().map(through).collect() }
+    SunMap { side: texels, values: empty.texels().map(through).collect() }
 }

@@ -180,7 +180,7 @@ mod tests {
             extent = extent.max((at.truncate() - 0.5).abs());
         }
         assert!(extent.max_element() > 0.4, "most of the map is used: {extent}");
-        // Toward the sun is nearer; along the rays the place in the map stays.
+        // Toward the sun is nearer; along the rays the point in the map stays.
         let sun = glam::Vec3::from(light.to_sun).as_dvec3();
         let (a, b) = (0.5 * size_m, 0.5 * size_m + 0.1 * sun);
         assert!((row(light.shadow_u, a) - row(light.shadow_u, b)).abs() < 1e-6);

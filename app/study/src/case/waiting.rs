@@ -19,7 +19,7 @@ pub const WAITING: &[Waiting] = &[
     Waiting { name: "standing-wave decay", needs: "a solver with a viscosity in m²/s: PBF's own damping is told" },
     Waiting {
         name: "hydrostatic pressure",
-        needs: "a solver with a pressure: PBF has multipliers, held against the column law",
+        needs: "a solver with a pressure: PBF has lambdas, held against the column law",
     },
     Waiting { name: "capillary-drop", needs: "surface tension: artificial pressure is none" },
     Waiting { name: "floating-box", needs: "solids" },

@@ -2,12 +2,12 @@
 //!
 //! The GPU's solver is Jacobi: all particles move by what all saw before. Gauss-Seidel projects one
 //! constraint after the other and sees what the last one did; it converges faster a sweep and does not run
-//! side by side. Both take the same multipliers from the same twins.
+//! side by side. Both take the same lambdas from the same twins.
 
 use brooklet_reference::grid::list_neighbours::{Neighbours, list_neighbours};
 use brooklet_reference::params::{Pbf, Smoothing};
 use brooklet_reference::shared::{lattice, wendland};
-use brooklet_reference::solver::pbf::constrain_density::{Multiplier, constrain_density};
+use brooklet_reference::solver::pbf::constrain_density::{DensityConstraint, constrain_density};
 use glam::DVec3;
 
 use super::JACOBI_PART;
@@ -120,7 +120,7 @@ impl Block {
         Self { positions, neighbours, smoothing, pbf }
     }
 
-    fn multiplier(&self, i: usize) -> Multiplier {
+    fn constraint(&self, i: usize) -> DensityConstraint {
         constrain_density(i, &self.positions, &self.neighbours[i], &self.smoothing, &self.pbf, None)
     }
 
@@ -131,7 +131,7 @@ impl Block {
     }
 
     fn jacobi(&mut self, relaxation: f64) {
-        let lambdas: Vec<f64> = (0..self.positions.len()).map(|i| self.multiplier(i).lambda).collect();
+        let lambdas: Vec<f64> = (0..self.positions.len()).map(|i| self.constraint(i).lambda).collect();
         let moved = |i: usize| {
             let push: DVec3 = self.neighbours[i].iter().map(|&j| (lambdas[i] + lambdas[j]) * self.gradient(i, j)).sum();
             self.positions[i] + relaxation * self.smoothing.support_m * push
@@ -141,7 +141,7 @@ impl Block {
 
     fn gauss_seidel(&mut self, relaxation: f64) {
         for i in 0..self.positions.len() {
-            let lambda = relaxation * self.multiplier(i).lambda * self.smoothing.support_m;
+            let lambda = relaxation * self.constraint(i).lambda * self.smoothing.support_m;
             let pushes: Vec<(usize, DVec3)> =
                 self.neighbours[i].iter().map(|&j| (j, lambda * self.gradient(i, j))).collect();
             for (j, push) in pushes {
@@ -152,7 +152,7 @@ impl Block {
     }
 
     fn compression(&self) -> f64 {
-        let sum: f64 = (0..self.positions.len()).map(|i| self.multiplier(i).constraint.powi(2)).sum();
+        let sum: f64 = (0..self.positions.len()).map(|i| self.constraint(i).constraint.powi(2)).sum();
         (sum / self.positions.len() as f64).sqrt()
     }
 }

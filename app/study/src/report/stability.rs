@@ -53,7 +53,7 @@ pub fn section(quick: bool, store: &Store) -> Markup {
     let found = found(quick, store);
     html! {
         h2 id="stability" { "Stability" }
-        p { "Every pair of extreme case, precision, tier, packing and order meets in at least one run. SILENT would be a run that went wrong without the program's own counts or measurements saying so." }
+        p { "Every pair of extreme case, precision, tier and order meets in at least one run. SILENT would be a run that went wrong without the program's own counts or measurements saying so." }
         div.plots {
             (PreEscaped(heat(Map::Compression, quick, store)))
             (PreEscaped(heat(Map::Relaxation, quick, store)))
@@ -87,9 +87,6 @@ fn run_as(task: &Task) -> String {
         task.settings.iter().find_map(|setting| setting.strip_prefix(path)?.strip_prefix('=')).unwrap_or("")
     };
     let mut text = format!("{}, {}", task.tier, value("solver.precision"));
-    if value("solver.packed_positions") == "true" {
-        text.push_str(", packed");
-    }
     if value("solver.deterministic") == "true" {
         text.push_str(", deterministic");
     }

@@ -1,4 +1,4 @@
-// What a particle's neighbours add up to in its density constraint, and the multiplier that follows
+// What a particle's neighbours add up to in its density constraint, and the lambda that follows
 // (Macklin & Muller 2013, eq. 8-11), with lengths in units of h and the density as its ratio to the
 // rest density. Only compression is a violation: a free surface does not pull.
 #ifndef BROOKLET_DENSITY_SUMS

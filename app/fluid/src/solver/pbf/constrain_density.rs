@@ -16,11 +16,7 @@ pub(super) fn constrain_density(recording: &mut Recording, pbf: &mut Pbf, contex
     context.slots.dispatch(
         recording,
         &ConstrainDensity {
-            variant: ConstrainDensityVariant {
-                walls: context.walls,
-                precision: context.precision,
-                packed: sorted.packed,
-            },
+            variant: ConstrainDensityVariant { walls: context.walls, precision: sorted.precision },
             quantized_positions: sorted.quantized_positions.read(),
             sorted_positions: context.walls.then(|| sorted.positions.read()),
             neighbours: neighbours.deltas.read(),

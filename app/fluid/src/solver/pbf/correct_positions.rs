@@ -15,12 +15,7 @@ pub(super) fn correct_positions(recording: &mut Recording, pbf: &mut Pbf, contex
     context.slots.dispatch(
         recording,
         &CorrectPositions {
-            variant: CorrectPositionsVariant {
-                walls: context.walls,
-                s_corr: pbf.s_corr,
-                precision: context.precision,
-                packed: sorted.packed,
-            },
+            variant: CorrectPositionsVariant { walls: context.walls, s_corr: pbf.s_corr, precision: sorted.precision },
             position_lambdas,
             packed_position_lambdas,
             sorted_positions: sorted.positions.read(),

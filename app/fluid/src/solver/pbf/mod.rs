@@ -5,7 +5,7 @@
 //!
 //! `quantized_positions` and `position_lambdas` are each read by one pass of an iteration and written by the other. A
 //! Jacobi iteration so needs no copy, and a neighbour's position and lambda are one load of 16 bytes, or of 8 with
-//! `solver.packed_positions`.
+//! the lower precisions.
 
 mod constrain_density;
 mod correct_positions;
@@ -70,7 +70,7 @@ impl Pbf {
             forces: Forces::declare(resources, scene, capacity),
             iterations: solver.pbf.iterations,
             s_corr: solver.pbf.s_corr_k > 0.0,
-            lambdas: match solver.packed_positions {
+            lambdas: match solver.precision.packs_positions() {
                 true => Lambdas::Packed(resources.buffer("position_lambdas", capacity)),
                 false => Lambdas::Full(resources.buffer("position_lambdas", capacity)),
             },

@@ -18,7 +18,7 @@ pub(super) fn update_velocity(
     context.slots.dispatch(
         recording,
         &UpdateVelocity {
-            variant: UpdateVelocityVariant { packed: sorted.packed, periodic: context.periodic },
+            variant: UpdateVelocityVariant { precision: sorted.precision, periodic: context.periodic },
             quantized_positions: sorted.quantized_positions.read(),
             sorted_positions: sorted.positions.read(),
             sorted_velocities: sorted.velocities.read(),

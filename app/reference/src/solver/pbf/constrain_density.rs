@@ -10,7 +10,7 @@ use glam::DVec3;
 
 /// lambda = -constraint / (gradients + cfm), and what it is made of.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Multiplier {
+pub struct DensityConstraint {
     /// Times h^2, without unit; never positive.
     pub lambda: f64,
     /// max(rho / rho0 - 1, 0).
@@ -31,21 +31,21 @@ pub fn constrain_density(
     smoothing: &Smoothing,
     pbf: &Pbf,
     walls: Option<&DomainWalls>,
-) -> Multiplier {
+) -> DensityConstraint {
     let ratio = density_ratio(i, positions_m, neighbours, smoothing, walls);
     let constraint = (ratio - 1.0).max(0.0);
     // Moving a neighbour changes C by the negative of what moving i past it does.
     let mut own = sample_boundary(positions_m[i], walls).gradient;
     let mut denominator = pbf.cfm;
     for &j in neighbours {
-        let offset = smoothing.apart(positions_m[i], positions_m[j]);
+        let offset = smoothing.offset(positions_m[i], positions_m[j]);
         let gradient = wendland::gradient(offset) * smoothing.weight;
         own += gradient;
         denominator += gradient.length_squared();
     }
     denominator += own.length_squared();
     let lambda = if constraint > 0.0 { -constraint / denominator } else { 0.0 };
-    Multiplier { lambda, constraint, denominator }
+    DensityConstraint { lambda, constraint, denominator }
 }
 
 #[cfg(test)]

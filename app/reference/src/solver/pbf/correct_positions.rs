@@ -41,38 +41,38 @@ pub fn correct_positions(
     walls: Option<&DomainWalls>,
     separation: impl Fn(usize, usize) -> DVec3,
 ) -> Corrected {
-    let here_m = positions_m[i];
+    let x_i_m = positions_m[i];
     let mut correction = DVec3::ZERO;
     let mut terms = 0.0;
     for &j in neighbours {
-        let mut offset = smoothing.apart(here_m, positions_m[j]);
+        let mut offset = smoothing.offset(x_i_m, positions_m[j]);
         let mut q = offset.length();
         if q < COINCIDENT {
             offset = separation(i, j);
             q = offset.length();
         }
-        let mut multiplier = lambdas[i] + lambdas[j];
+        let mut pair_lambda = lambdas[i] + lambdas[j];
         if pbf.s_corr_k != 0.0 {
             // eq. 13: a repulsion that is k where W is that of the chosen distance.
-            multiplier -= pbf.s_corr_k * (wendland::kernel(q) * pbf.s_corr_inverse_w).powi(4);
+            pair_lambda -= pbf.s_corr_k * (wendland::kernel(q) * pbf.s_corr_inverse_w).powi(4);
         }
         if q < pbf.separation {
-            multiplier -= SEPARATION * (1.0 - q / pbf.separation);
+            pair_lambda -= SEPARATION * (1.0 - q / pbf.separation);
         }
         if q > 0.0 {
-            let slope = wendland::slope(q) * smoothing.weight * multiplier;
+            let slope = wendland::slope(q) * smoothing.weight * pair_lambda;
             correction += offset * (slope / q);
             terms += slope.abs();
         }
     }
-    let boundary = sample_boundary(here_m, walls);
+    let boundary = sample_boundary(x_i_m, walls);
     // A boundary answers with the particle's own lambda, as the fluid mirrored in a wall would.
     let push = boundary.gradient * (lambdas[i] + lambdas[i]);
     correction = correction * boundary.correction_scale + push;
     terms = terms * boundary.correction_scale.max_element() + push.length();
     let correction_m = correction * (pbf.relaxation * smoothing.support_m);
     let asked_m = correction_m.length();
-    let displacement_m = here_m + correction_m.clamp_length_max(pbf.max_correction_m) - predicted_m;
+    let displacement_m = x_i_m + correction_m.clamp_length_max(pbf.max_correction_m) - predicted_m;
     let displacement = displacement_m.length() / smoothing.support_m;
     let held_m = displacement_m.clamp_length_max(MAX_DISPLACEMENT * smoothing.support_m);
     Corrected {
@@ -140,8 +140,9 @@ mod tests {
             .collect();
         let moved: DVec3 = corrected.iter().zip(&points).map(|(a, b)| *a - *b).sum();
         assert!(moved.length() < 1e-12, "equal masses: {moved}");
-        let worst =
-            |m: &[super::super::constrain_density::Multiplier]| m.iter().map(|m| m.constraint).fold(0.0, f64::max);
+        let worst = |m: &[super::super::constrain_density::DensityConstraint]| {
+            m.iter().map(|m| m.constraint).fold(0.0, f64::max)
+        };
         assert!(worst(&solve(&corrected)) < worst(&before));
     }
 }

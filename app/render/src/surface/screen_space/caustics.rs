@@ -15,12 +15,12 @@ use super::{ON_FLUID, Shapes, depth_format};
 /// The light that the sun's map brings to the floor, and what it was made from.
 #[derive(Debug)]
 pub struct Caustics {
-    /// Shadow depth of the particles' shapes that sunlight meets at each place of the photons' grid; 0 where no
+    /// Shadow depth of the particles' shapes that sunlight meets at each cell of the photons' grid; 0 where no
     /// fluid is. `R32Float`.
     pub raw: Texture,
     /// The same after smoothing.
     pub sun_depth: Texture,
-    /// A photon for each place of the grid, rows from the top.
+    /// A photon for each cell of the grid, rows from the top.
     pub photons: Buffer<Photon>,
     /// Light that photons brought, over the sun's own, in the sun's map; `Rgba16Float`. Where no water stands
     /// before the sun its light is to be added.

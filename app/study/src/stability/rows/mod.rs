@@ -10,6 +10,7 @@ mod table;
 
 pub use table::ROWS;
 
+use brooklet_fluid::scene::Precision;
 use brooklet_gpu::{Tier, tier_name};
 use glam::DVec3;
 
@@ -54,21 +55,20 @@ pub enum Also {
     Waits(&'static str),
 }
 
-const PRECISIONS: [&str; 3] = ["full", "relaxed", "half"];
 const SWITCHES: [&str; 2] = ["false", "true"];
 const TIERS: [Tier; 3] = [Tier::Desktop, Tier::Mobile, Tier::Floor];
 
 /// Rows that a quick look takes.
 const QUICK: [u32; 6] = [2, 8, 13, 14, 17, 21];
 
-/// Every pair of row, precision, tier, packing and order; real f16 is of the desktop tier alone.
+/// Every pair of row, precision, tier and order; real f16 is of the desktop tier alone.
 pub fn row_tasks(quick: bool) -> Vec<Task> {
     let rows: Vec<&Row> =
         ROWS.iter().filter(|row| row.setup.is_some() && (!quick || QUICK.contains(&row.number))).collect();
     let allowed = |row: &[Option<usize>]| row[1] != Some(2) || row[2].is_none_or(|tier| TIERS[tier] == Tier::Desktop);
-    let sizes = [rows.len(), PRECISIONS.len(), TIERS.len(), SWITCHES.len(), SWITCHES.len()];
+    let sizes = [rows.len(), Precision::NAMES.len(), TIERS.len(), SWITCHES.len()];
     let combinations = if quick {
-        rows.iter().enumerate().map(|(i, _)| vec![i, i % 3, 0, i % 2, i % 2]).collect()
+        rows.iter().enumerate().map(|(i, _)| vec![i, i % 3, 0, i % 2]).collect()
     } else {
         covering(&sizes, allowed)
     };
@@ -78,9 +78,8 @@ pub fn row_tasks(quick: bool) -> Vec<Task> {
             part: ROWS_PART.into(),
             case: rows[of[0]].name.into(),
             settings: vec![
-                format!("solver.precision={}", PRECISIONS[of[1]]),
-                format!("solver.packed_positions={}", SWITCHES[of[3]]),
-                format!("solver.deterministic={}", SWITCHES[of[4]]),
+                format!("solver.precision={}", Precision::NAMES[of[1]]),
+                format!("solver.deterministic={}", SWITCHES[of[3]]),
             ],
             tier: tier_name(TIERS[of[2]]).into(),
             repeats: 1,
@@ -251,7 +250,7 @@ mod tests {
             for tier in TIERS {
                 assert!(of().any(|task| task.tier == tier_name(tier)), "{} on {tier:?}", row.name);
             }
-            for precision in PRECISIONS {
+            for precision in Precision::NAMES {
                 assert!(of().any(|task| task.settings[0].ends_with(precision)), "{} at {precision}", row.name);
             }
         }

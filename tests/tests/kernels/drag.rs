@@ -4,8 +4,8 @@ use brooklet_fluid::drag::{Drag, record_drag};
 use brooklet_fluid::particles::is_simulated;
 use brooklet_fluid::{Scene, record};
 use brooklet_gpu::{Engine, Plan, Resources};
-use brooklet_kernels::{Kernel, Position, Push, PushParams, Velocity};
-use brooklet_reference::particles::push::{self, push};
+use brooklet_kernels::{DragParams, Kernel, Position, Velocity};
+use brooklet_reference::particles::drag as twin;
 use brooklet_tests::cases::{fluid, out_of_part, sizes, step_state};
 use brooklet_tests::compare::{ROUNDING, Worst, vector};
 use brooklet_tests::harness::Bench;
@@ -13,26 +13,26 @@ use brooklet_tests::{gpu, rng};
 use glam::DVec3;
 use rand::{Rng, RngExt};
 
-fn run(positions: &[Position], velocities: &[Velocity], params: PushParams) -> Vec<Velocity> {
+fn run(positions: &[Position], velocities: &[Velocity], params: DragParams) -> Vec<Velocity> {
     let mut bench = Bench::new();
     let (count, positions) = (positions.len(), bench.input("positions", positions));
     let mut velocities = bench.input("velocities", velocities);
-    let push = bench.uniform("push_params", params);
+    let drag = bench.uniform("drag_params", params);
     let step_state = bench.uniform("step_state", step_state(count, 0.0));
     bench.dispatch(
-        &Push {
+        &brooklet_kernels::Drag {
             positions: positions.read(),
             velocities: velocities.write(),
             step_state: step_state.uniform(),
-            push: push.uniform(),
+            drag: drag.uniform(),
         },
         count,
     );
     bench.run().read(&velocities, count)
 }
 
-fn twin_of(params: &PushParams) -> push::Drag {
-    push::Drag {
+fn twin_of(params: &DragParams) -> twin::Drag {
+    twin::Drag {
         origin_m: vector(params.origin_m),
         direction: vector(params.direction),
         radius_m: f64::from(params.radius_m),
@@ -49,14 +49,14 @@ fn twin_of(params: &PushParams) -> push::Drag {
 /// The weight is a polynomial of the squared distance over the squared radius. With L the largest
 /// distance from the origin, difference and cross product are off by 4 L roundings, the weight with slope
 /// 2 then by 16 L / radius of them, and what follows adds fewer than ten.
-fn check(positions: &[Position], before: &[Velocity], after: &[Velocity], drag: &push::Drag) -> Result<usize, String> {
+fn check(positions: &[Position], before: &[Velocity], after: &[Velocity], drag: &twin::Drag) -> Result<usize, String> {
     let furthest_m = positions.iter().map(|p| (vector(p.position_m) - drag.origin_m).length()).fold(0.0, f64::max);
-    let mut worst = Worst::new(Push::STAGE, (16.0 * furthest_m / drag.radius_m + 10.0) * ROUNDING);
+    let mut worst = Worst::new(brooklet_kernels::Drag::STAGE, (16.0 * furthest_m / drag.radius_m + 10.0) * ROUNDING);
     let mut moved = 0;
     for (i, position) in positions.iter().enumerate() {
         let (at_m, velocity_m_s) = (vector(position.position_m), vector(before[i].velocity_m_s));
         let expected = match is_simulated(position.tag) {
-            true => push(at_m, velocity_m_s, drag),
+            true => twin::drag(at_m, velocity_m_s, drag),
             false => velocity_m_s,
         };
         moved += usize::from(expected != velocity_m_s);
@@ -73,11 +73,11 @@ fn check(positions: &[Position], before: &[Velocity], after: &[Velocity], drag: 
     Ok(moved)
 }
 
-fn drag(rng: &mut impl Rng, size_m: DVec3) -> PushParams {
+fn drag_params(rng: &mut impl Rng, size_m: DVec3) -> DragParams {
     let mut random = || DVec3::new(rng.random(), rng.random(), rng.random());
     let through_m = random() * size_m;
     let direction = (random() - 0.5).normalize();
-    PushParams {
+    DragParams {
         origin_m: (through_m - 1.2 * direction).as_vec3().to_array(),
         radius_m: 0.4 * size_m.max_element() as f32,
         direction: direction.as_vec3().to_array(),
@@ -86,21 +86,21 @@ fn drag(rng: &mut impl Rng, size_m: DVec3) -> PushParams {
         along_z: 1.0,
         near_m: 1.15,
         far_m: 1.5,
-        ..PushParams::default()
+        ..DragParams::default()
     }
 }
 
 #[test]
-fn push_matches_its_twin() {
+fn drag_matches_its_twin() {
     let mut rng = rng(61);
     let mut moved = 0;
-    for size in sizes(Push::GROUP_SIZE[0] as usize) {
+    for size in sizes(brooklet_kernels::Drag::GROUP_SIZE[0] as usize) {
         for along_z in [1.0, 0.0] {
             let mut case = fluid(&mut rng, size);
             for (i, position) in case.positions.iter_mut().enumerate() {
                 position.tag |= out_of_part(i);
             }
-            let params = PushParams { along_z, ..drag(&mut rng, case.size_m) };
+            let params = DragParams { along_z, ..drag_params(&mut rng, case.size_m) };
             let after = run(&case.positions, &case.velocities, params);
             moved += check(&case.positions, &case.velocities, &after, &twin_of(&params)).unwrap();
             let still = |i: usize| after[i].velocity_m_s[2] == case.velocities[i].velocity_m_s[2];
@@ -114,15 +114,15 @@ fn push_matches_its_twin() {
 fn a_drag_of_another_radius_or_velocity_fails() {
     let mut rng = rng(62);
     let case = fluid(&mut rng, 500);
-    let params = drag(&mut rng, case.size_m);
+    let params = drag_params(&mut rng, case.size_m);
     let after = run(&case.positions, &case.velocities, params);
     let right = twin_of(&params);
     check(&case.positions, &case.velocities, &after, &right).unwrap();
     for wrong in [
-        push::Drag { radius_m: 1.001 * right.radius_m, ..right },
-        push::Drag { share: 0.999 * right.share, ..right },
-        push::Drag { velocity_m_s: right.velocity_m_s + DVec3::X * 1e-3, ..right },
-        push::Drag { near_m: right.near_m + 0.01, ..right },
+        twin::Drag { radius_m: 1.001 * right.radius_m, ..right },
+        twin::Drag { share: 0.999 * right.share, ..right },
+        twin::Drag { velocity_m_s: right.velocity_m_s + DVec3::X * 1e-3, ..right },
+        twin::Drag { near_m: right.near_m + 0.01, ..right },
     ] {
         assert!(check(&case.positions, &case.velocities, &after, &wrong).is_err(), "{wrong:?}");
     }
@@ -141,28 +141,30 @@ fn a_scene_is_dragged_only_if_somebody_asks() {
     let plan_of = |dragged: bool| {
         let mut resources = Resources::new();
         let mut recorded = record(&mut resources, &scene);
-        let push = dragged.then(|| record_drag(&mut resources, &mut recorded));
-        let pushes = push.as_ref().map(|push| push.recording.clone());
-        let recordings = recorded.recordings().into_iter().chain(pushes).collect();
+        let pass = dragged.then(|| record_drag(&mut resources, &mut recorded));
+        let drags = pass.as_ref().map(|pass| pass.recording.clone());
+        let recordings = recorded.recordings().into_iter().chain(drags).collect();
         let plan = Plan::sweep(resources, recordings, &[]).unwrap();
-        (plan, recorded, push)
+        (plan, recorded, pass)
     };
-    let has_push = |plan: &Plan| plan.passes().iter().any(|pass| pass.stage == Push::STAGE);
-    let labels = |plan: &Plan| plan.buffers().iter().filter(|buffer| buffer.label == "push_params").count();
+    let has_drag = |plan: &Plan| plan.passes().iter().any(|pass| pass.stage == brooklet_kernels::Drag::STAGE);
+    let labels = |plan: &Plan| plan.buffers().iter().filter(|buffer| buffer.label == "drag_params").count();
     let (without, ..) = plan_of(false);
-    assert!(!has_push(&without) && labels(&without) == 0);
-    let (plan, recorded, push) = plan_of(true);
-    assert!(has_push(&plan) && labels(&plan) == 1);
-    assert!(!plan.commands(recorded.step.id()).iter().any(|command| command.stage() == Some(Push::STAGE)));
+    assert!(!has_drag(&without) && labels(&without) == 0);
+    let (plan, recorded, pass) = plan_of(true);
+    assert!(has_drag(&plan) && labels(&plan) == 1);
+    assert!(
+        !plan.commands(recorded.step.id()).iter().any(|command| command.stage() == Some(brooklet_kernels::Drag::STAGE))
+    );
 
-    let push = push.unwrap();
+    let pass = pass.unwrap();
     let mut engine = Engine::new(&gpu(), plan).unwrap();
-    engine.run(&[recorded.init.id(), push.recording.id()], &[]).unwrap();
+    engine.run(&[recorded.init.id(), pass.recording.id()], &[]).unwrap();
     let positions = engine.read(&recorded.positions).unwrap();
     let before = engine.read(&recorded.velocities).unwrap();
     assert!(before.iter().all(|v| v.velocity_m_s == [0.5, -0.25, 0.0]), "nothing moves before the first drag");
 
-    // An eye a hundred metres away, whose own place in f32 is known to 8 micrometres.
+    // An eye a hundred metres away, whose own position in f32 is known to 8 micrometres.
     let direction = DVec3::new(-0.3, -0.2, -0.9);
     let origin_m = DVec3::new(0.3, 0.25, 0.5) - 100.0 * direction.normalize();
     let drag = Drag {
@@ -184,16 +186,16 @@ fn a_scene_is_dragged_only_if_somebody_asks() {
         Drag { tau_s: -1.0, ..drag },
         Drag { far_m: 50.0, ..drag },
     ] {
-        push.write(&mut engine, &scene, &idle);
-        engine.run(&[push.recording.id()], &[]).unwrap();
+        pass.write(&mut engine, &scene, &idle);
+        engine.run(&[pass.recording.id()], &[]).unwrap();
         assert!(engine.read(&recorded.velocities).unwrap() == before, "{idle:?}");
     }
-    push.write(&mut engine, &scene, &drag);
-    engine.run(&[push.recording.id()], &[]).unwrap();
+    pass.write(&mut engine, &scene, &drag);
+    engine.run(&[pass.recording.id()], &[]).unwrap();
     let after = engine.read(&recorded.velocities).unwrap();
     assert!(engine.read(&recorded.positions).unwrap() == positions);
-    // The twin in f64, from a place on the same ray: what the foot's rounding may be is in the tolerance.
-    let expected = push::Drag {
+    // The twin in f64, from a point on the same ray: what the foot's rounding may be is in the tolerance.
+    let expected = twin::Drag {
         origin_m: DVec3::new(0.3, 0.25, 0.5),
         direction: direction.normalize(),
         radius_m: 0.2,
@@ -208,5 +210,5 @@ fn a_scene_is_dragged_only_if_somebody_asks() {
 
     // In two dimensions z stays 0.
     let flat = block(&["domain.dimensions=2"]);
-    assert_eq!(push.params(&flat, &drag).along_z, 0.0);
+    assert_eq!(pass.params(&flat, &drag).along_z, 0.0);
 }

@@ -1,8 +1,8 @@
 // Written by the shader compiler; do not edit. `cargo run -p brooklet-compiler -- build`
-// makes it anew from particles/push.compute.
-//! Kernels of `particles/push.compute`.
+// makes it anew from particles/drag.compute.
+//! Kernels of `particles/drag.compute`.
 
-use super::{Position, PushParams, StepState, Velocity};
+use super::{DragParams, Position, StepState, Velocity};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
@@ -11,23 +11,23 @@ use crate::{
 /// v += w(q) (1 - exp(-dt/tau)) (u - v) with u the drag's velocity, q the distance from the ray over the radius and
 /// w(q) = (1 - q^2)^2, which ends at q = 1 with slope 0, so that no edge shows in the fluid.
 #[derive(Debug)]
-pub struct Push<'a> {
+pub struct Drag<'a> {
     /// `StructuredBuffer<Position> positions`.
     pub positions: Buf<'a, Position>,
     /// `RWStructuredBuffer<Velocity> velocities`.
     pub velocities: BufMut<'a, Velocity>,
     /// `ConstantBuffer<StepState> step_state`.
     pub step_state: Uniform<'a, StepState>,
-    /// `ConstantBuffer<PushParams> push`.
-    pub push: Uniform<'a, PushParams>,
+    /// `ConstantBuffer<DragParams> drag`.
+    pub drag: Uniform<'a, DragParams>,
 }
 
-impl Kernel for Push<'_> {
-    const STAGE: &'static str = "push";
+impl Kernel for Drag<'_> {
+    const STAGE: &'static str = "drag";
     const GROUP_SIZE: [u32; 3] = [64, 1, 1];
 
     fn module(&self) -> &'static Module {
-        &PUSH
+        &DRAG
     }
     fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
         bind(
@@ -36,14 +36,14 @@ impl Kernel for Push<'_> {
                 ("positions", Some(self.positions.id)),
                 ("velocities", Some(self.velocities.id)),
                 ("step_state", Some(self.step_state.id)),
-                ("push", Some(self.push.id)),
+                ("drag", Some(self.drag.id)),
             ],
         )
     }
 }
 
 /// The modules of this file.
-pub(super) static MODULES: &[&Module] = &[&PUSH];
+pub(super) static MODULES: &[&Module] = &[&DRAG];
 
 static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "positions", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
@@ -53,18 +53,18 @@ static BINDINGS_0: &[BindingInfo] = &[
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
     BindingInfo { name: "step_state", slot: 2, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "push", slot: 3, kind: BindingKind::Uniform { bytes: 64 } },
+    BindingInfo { name: "drag", slot: 3, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
-static PUSH: Module = Module {
-    name: "Push",
-    entry: "Push",
+static DRAG: Module = Module {
+    name: "Drag",
+    entry: "Drag",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/push.spv"),
+    spirv: include_bytes!("../../spirv/drag.spv"),
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
-    source: "particles/push.compute",
-    hash: "73302146340b5d543d32e751d0580a6d4149a610ceb9adf9ff339dce037b1a37",
+    source: "particles/drag.compute",
+    hash: "cecaf8b912af4859fc76d116757b3de2fbb007f354a7bd0273cf3fd8f8d62fcc",
 };

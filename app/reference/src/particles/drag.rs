@@ -1,8 +1,8 @@
-//! Particles near a ray are drawn toward a velocity. (Shader: `particles/push.compute`.)
+//! Particles near a ray are drawn toward a velocity. (Shader: `particles/drag.compute`.)
 
 use glam::DVec3;
 
-/// What is dragged, and where; see `PushParams` of the shaders' layout.
+/// What is dragged, and where; see `DragParams` of the shaders' layout.
 #[derive(Clone, Copy, Debug)]
 pub struct Drag {
     /// Where the ray begins.
@@ -33,8 +33,8 @@ impl Drag {
     }
 }
 
-/// The velocity of a particle after the push.
-pub fn push(position_m: DVec3, velocity_m_s: DVec3, drag: &Drag) -> DVec3 {
+/// The velocity of a particle after the drag.
+pub fn drag(position_m: DVec3, velocity_m_s: DVec3, drag: &Drag) -> DVec3 {
     let mut change_m_s = drag.weight(position_m) * drag.share * (drag.velocity_m_s - velocity_m_s);
     if drag.flat {
         change_m_s.z = 0.0;
@@ -60,12 +60,12 @@ mod tests {
     #[test]
     fn on_the_ray_the_velocity_is_the_drags() {
         let before = DVec3::new(-1.0, 2.0, 0.5);
-        assert_eq!(push(DVec3::new(1.0, 2.0, 0.0), before, &DRAG), DRAG.velocity_m_s);
+        assert_eq!(drag(DVec3::new(1.0, 2.0, 0.0), before, &DRAG), DRAG.velocity_m_s);
         let half = Drag { share: 0.5, flat: true, ..DRAG };
-        assert_eq!(push(DVec3::new(1.0, 2.0, 0.0), before, &half), DVec3::new(1.0, 1.0, 0.5));
+        assert_eq!(drag(DVec3::new(1.0, 2.0, 0.0), before, &half), DVec3::new(1.0, 1.0, 0.5));
         // Before it begins, behind its end, beside it.
         for outside in [DVec3::new(1.0, 2.0, 7.0), DVec3::new(1.0, 2.0, -2.5), DVec3::new(1.51, 2.0, 0.0)] {
-            assert_eq!(push(outside, before, &DRAG), before);
+            assert_eq!(drag(outside, before, &DRAG), before);
         }
     }
 
