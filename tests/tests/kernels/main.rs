@@ -7,6 +7,7 @@ mod drag;
 mod drawn_caustics;
 mod drawn_thickness;
 mod grid;
+mod list;
 mod measure;
 mod none;
 mod particles;
