@@ -88,7 +88,7 @@ static SCAN_GROUPS_TREE: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "371c5c16695031b06b48a2bd38d9094c224cff407b5b2b648ba698c4abb009c4",
+    hash: "d1a10115a4789fcecbcb87108be4b44418f156c89cb093543ee9e5fafdef4192",
 };
 
 static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
@@ -101,7 +101,7 @@ static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "a08eaf9de5fbecea2d3173d3e72fdafb5b9dec2d36d3b35d56ac82b32d74708b",
+    hash: "fcdd87b200916bdfcd8aaa03c31a5731ba8d6cdc5d38863e6c20bf436a7c3370",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
@@ -114,7 +114,7 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "c2ecd9bc3c12efbd8a279c9cd35d889a3346de02b0ee41277f102ff5ee35ed7a",
+    hash: "508464f034c65750472674f5bd42aa39f14e1b16ab21598ba4a19fa8da548246",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
@@ -127,5 +127,5 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "13af79af2eb0daf365f7b65804d44aba4756f08c57b9d287a86156224547473c",
+    hash: "8bf86177036a75571287a644f96205bcf076c996ac646df563a58f9ea621be86",
 };

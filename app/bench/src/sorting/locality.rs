@@ -27,7 +27,7 @@ struct Settings {
     iterations: u32,
 }
 
-/// One way: from particles to their neighbours and their multipliers.
+/// One way: from particles to their neighbours and their lambdas.
 struct Way {
     particles: Particles,
     grid: Grid,
@@ -49,7 +49,7 @@ impl Way {
     }
 }
 
-/// Sorts, lists and finds the multipliers of a step's iterations, without walls. The product's way
+/// Sorts, lists and finds the lambdas of a step's iterations, without walls. The product's way
 /// begins with the particles in the order in which its last step leaves them, `in_order`; the other
 /// never moves them from where they `lie`, so that its lists hold 32 bits a neighbour.
 pub fn locality(
@@ -108,8 +108,8 @@ fn neighbours_by_id(
     list_chunks: u32,
 ) -> Result<Vec<u32>, BenchError> {
     let heads = engine.read(&neighbours.heads).map_err(BenchError::stopped)?;
-    let gaps = engine.read(&neighbours.deltas).map_err(BenchError::stopped)?;
-    let counts = heads.iter().enumerate().map(|(i, &head)| listed(i as u32, head, &gaps, list_chunks).count() as u32);
+    let deltas = engine.read(&neighbours.deltas).map_err(BenchError::stopped)?;
+    let counts = heads.iter().enumerate().map(|(i, &head)| listed(i as u32, head, &deltas, list_chunks).count() as u32);
     Ok(by_id(sorted.iter().zip(counts), sorted.len()))
 }
 
@@ -160,7 +160,7 @@ fn reorder_index(
 ) {
     let count = way.particles.positions.len;
     let mut sorted_indices = resources.buffer("sorted_indices", count);
-    let mut quantized_positions = resources.buffer("unsorted_places", count);
+    let mut quantized_positions = resources.buffer("unsorted_quantized_positions", count);
     let mut listed_indices: Buffer<[u32; 4]> =
         resources.buffer("listed_indices", list_length(count, params.list_chunks));
     sort_index(recording, resources, settings, way, &mut sorted_indices, &mut quantized_positions);

@@ -58,7 +58,7 @@ pub fn run(gpu: &Gpu, options: Options, observer: &dyn Observer) -> Result<Sorti
     let sorted = in_cell_order(&shuffled, &fine);
     let mut outcomes = Vec::new();
     for (lie, positions) in [("where they began", &emitted), ("shuffled", &shuffled)] {
-        let case = format!("sort, list, 4 multipliers; particles without locality lie {lie}");
+        let case = format!("sort, list, 4 lambdas; particles without locality lie {lie}");
         outcomes.push(locality::locality(&ring, case, &scene, &sorted, positions)?);
     }
     for (width, params) in [("h/2", fine), ("h", coarser(&fine))] {

@@ -18,19 +18,19 @@ pub struct DensityField {
     support_m: f64,
     spacing_m: f64,
     weight: f64,
-    /// Side of the box beyond which the fluid goes on, as glass cuts it off.
-    glass_m: Option<f64>,
+    /// Side of the box beyond which the fluid goes on, as a wall cuts it off.
+    wall_m: Option<f64>,
 }
 
 impl DensityField {
-    /// Of particles on average `spacing_m` apart, in glass walls or in the open.
-    pub fn new(particles_m: &[DVec3], spacing_m: f64, glass_m: Option<f64>) -> Self {
+    /// Of particles on average `spacing_m` apart, in walls or in the open.
+    pub fn new(particles_m: &[DVec3], spacing_m: f64, wall_m: Option<f64>) -> Self {
         let support_m = SUPPORT_RATIO * spacing_m;
         let mut cells: HashMap<[i32; 3], Vec<DVec3>> = HashMap::new();
         for &at in particles_m {
             cells.entry(cell(at, support_m)).or_default().push(at);
         }
-        Self { cells, support_m, spacing_m, weight: smoothing_kernel::lattice(3, SUPPORT_RATIO).weight, glass_m }
+        Self { cells, support_m, spacing_m, weight: smoothing_kernel::lattice(3, SUPPORT_RATIO).weight, wall_m }
     }
 
     fn density_ratio(&self, point_m: DVec3) -> f64 {
@@ -45,8 +45,8 @@ impl DensityField {
                 }
             }
         }
-        // What lies beyond glass counts as more of the same.
-        let inside = self.glass_m.map_or(1.0, |side_m| {
+        // What lies beyond a wall counts as more of the same.
+        let inside = self.wall_m.map_or(1.0, |side_m| {
             let beyond =
                 |x_m: f64| beyond_wall(3, x_m / self.support_m) + beyond_wall(3, (side_m - x_m) / self.support_m);
             point_m.to_array().into_iter().map(|x_m| 1.0 - beyond(x_m)).product()
@@ -66,8 +66,8 @@ impl Implicit for DensityField {
     }
 
     fn normal(&self, point_m: DVec3) -> DVec3 {
-        // On the glass itself the surface is the glass.
-        if let Some(side_m) = self.glass_m {
+        // On the wall itself the surface is the wall.
+        if let Some(side_m) = self.wall_m {
             let near_m = 1e-4 * self.spacing_m;
             for axis in 0..3 {
                 let mut normal = DVec3::ZERO;
@@ -99,8 +99,8 @@ mod tests {
     #[test]
     fn the_level_is_near_the_body_s_surface() {
         for shape in [Shape::Sphere, Shape::Pool] {
-            let glass_m = shape.in_glass().then_some(DOMAIN_M);
-            let field = DensityField::new(&shape.particles_m(), SPACING_M, glass_m);
+            let wall_m = shape.in_walls().then_some(DOMAIN_M);
+            let field = DensityField::new(&shape.particles_m(), SPACING_M, wall_m);
             assert!((field.density_ratio(shape.middle_m()) - 1.0).abs() < 0.05);
             let height_m = |inside: bool| if inside { -SPACING_M } else { SPACING_M };
             let top_m = shape.middle_m() + DVec3::Y * if shape == Shape::Pool { 0.12 } else { 0.25 };

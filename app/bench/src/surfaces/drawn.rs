@@ -64,7 +64,7 @@ pub struct Drawn {
 fn scene(shape: Shape, filter: Filter) -> Result<Scene, BenchError> {
     let text = format!(
         "spacing_m = {SPACING_M}\n[domain]\nmin_m = [0, 0, 0]\nmax_m = [{DOMAIN_M}, {DOMAIN_M}, {DOMAIN_M}]\nwalls = {}\n",
-        shape.in_glass()
+        shape.in_walls()
     );
     let mut scene = Scene::from_toml(&text, "bench surfaces", &[]).map_err(BenchError::stopped)?;
     scene.surface.smoothing = filter.smoothing;

@@ -157,7 +157,7 @@ pub fn run(gpu: &Gpu, options: Options, observer: &dyn Observer) -> Result<(Surf
     let mut sheet = Sheet::new(size_px);
     for shape in Shape::ALL {
         let particles_m = shape.particles_m();
-        let field = DensityField::new(&particles_m, SPACING_M, shape.in_glass().then_some(DOMAIN_M));
+        let field = DensityField::new(&particles_m, SPACING_M, shape.in_walls().then_some(DOMAIN_M));
         for distance_m in DISTANCES_M {
             let view = view(shape, distance_m, size_px);
             let spacing_px = SPACING_M / distance_m / view.tan_half().y * 0.5 * f64::from(size_px[1]);

@@ -20,7 +20,7 @@ pub enum Shape {
     Box,
     /// Of radii 0.26 and 0.11 m, tilted.
     Torus,
-    /// 0.24 m deep, from glass to glass.
+    /// 0.24 m deep, from wall to wall.
     Pool,
 }
 
@@ -46,8 +46,8 @@ impl Shape {
         }
     }
 
-    /// Whether the domain's glass cuts the fluid off.
-    pub fn in_glass(self) -> bool {
+    /// Whether the domain's walls cut the fluid off.
+    pub fn in_walls(self) -> bool {
         self == Self::Pool
     }
 
