@@ -180,7 +180,7 @@ static CORRECT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "9334eb2ad8517452cf9bb4e528b41b99971290a7a7f21fe31558034f0b4ad87e",
+    hash: "423144f1ed384ff3471f5c58a1f6f2ff6819691cd05d82e9a5423f92cf362d2f",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
@@ -193,7 +193,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "2d8d49bd835e16aeb13e2ce47f3fcb01b7bafd85948cd267c7e37bb41a2ea365",
+    hash: "476c118e4516b6bfd0cb71cc95d614846cbd6d2de0e5c38e3ff6d5c28f604c58",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
@@ -206,7 +206,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "9171ec226b11e667ff2178d97f4e6d2d86344fef0f2ebbbff6d8b4c0080adb9c",
+    hash: "f9084056b9eb9fc9dc798cbbc99c69716dbc6fc25d8729a8053f01c89b9ed6ba",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
@@ -219,7 +219,7 @@ static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "4eda252383cf7841d43956eae49c055b66661305275d74ec3e38104194c7d053",
+    hash: "2af5e0925613f8ea428e775bd1481eac207b9b89200c02fb02ebb09cbffa4514",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -232,7 +232,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "aa86a9133503887a98828606e188a01d723bec4b716193e5ffbf39e909ba39ad",
+    hash: "951dc21eb86f1448802ef99a83873882199033347fd0899ac3b1db5d70be2cc3",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -245,7 +245,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "b21b9394bb672d2dcadd148574f37e7fca378e0947f537b0b45659c48204815a",
+    hash: "f63784aacaba34e765c9fabfff368c657e8fddcdb7f309394e4293c06fa2a43d",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
@@ -258,7 +258,7 @@ static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "3ade464f0959ff2bdef18b222e4123adbf4bfd4fd9ef59e84005f9450a38ca6d",
+    hash: "7b9046e20d3006cabbbbf5fd0f47214c4b45ceaec3d5eaa0ba827c2db0e1f7f1",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -271,7 +271,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "a710d6fca727a32e71324bef1837e6cbc648bf4a104dd8302079f9e9f88961fb",
+    hash: "3e3ff48ec7f769aca901d509acdb5176d1abbaadc8b37f98eb0f2eb93047dce7",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -284,7 +284,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "e7f060bffe5af3d12528a16662c1407efac69369b7d5ce4706e8547a2e2f4301",
+    hash: "d8fabe3cb890c8e6cf3d9b1f2f9a2f542f1d435baa49ff1ff1d6718bed95963a",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
@@ -297,7 +297,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "0b39c115409edc6620035e6c90caf2b02f6f90ed8ac268be99a31f42b8e15bba",
+    hash: "c866ad9f3d3972ffdd84377b42ec31180142f77d40c8ef4ddf8a2fd09e85964e",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -310,7 +310,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "8a97b636759ec0b1ebf24f53558a9021818b6d29cda2a8326fbc0d855a60d098",
+    hash: "f312499b8db10808cb391f7970e688bc4e257d4fdde114341ebce727810d3628",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -323,5 +323,5 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "dcd55fed9dabbdf49b28bf45a347ad0decb8ba2a433939c048eaa38773d4370b",
+    hash: "8486f626deab58eba0c38d794bb5fd732d843555189383963e181f2764ed1ffa",
 };
