@@ -77,5 +77,5 @@ static ANISOTROPY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/anisotropy.compute",
-    hash: "4ce55a7ce26d12bfadffd585d003f8a55435aa893b3152bb7ab8246c8aa0e342",
+    hash: "4ddbae34edaf4a3db32622cb26735f929d12c57217a5e71bb550d0ce9dbe4e19",
 };

@@ -25,12 +25,12 @@ pub fn anisotropy(
     params: &AnisotropyParams,
     surface: &SurfaceParams,
 ) -> Ellipsoid {
-    let (here_m, support_m) = (positions_m[i], f64::from(params.support_m));
+    let (x_i_m, support_m) = (positions_m[i], f64::from(params.support_m));
     let images = |at_m: DVec3| -> Vec<DVec3> {
         let mut images = vec![at_m];
         for axis in 0..3 {
             let (low_m, high_m) = (f64::from(surface.wall_min_m[axis]), f64::from(surface.wall_max_m[axis]));
-            let (below_m, above_m) = (here_m[axis] - low_m, high_m - here_m[axis]);
+            let (below_m, above_m) = (x_i_m[axis] - low_m, high_m - x_i_m[axis]);
             if below_m.min(above_m) < support_m {
                 let wall_m = if below_m < above_m { low_m } else { high_m };
                 for image in images.clone() {
@@ -42,7 +42,7 @@ pub fn anisotropy(
         }
         images
     };
-    let weight = |at_m: DVec3| (1.0 - ((at_m - here_m).length() / support_m).powi(3)).max(0.0);
+    let weight = |at_m: DVec3| (1.0 - ((at_m - x_i_m).length() / support_m).powi(3)).max(0.0);
     let near: f64 = neighbours.iter().map(|&j| weight(positions_m[j])).sum();
     let seen_m: Vec<DVec3> =
         std::iter::once(i).chain(neighbours.iter().copied()).flat_map(|j| images(positions_m[j])).collect();
@@ -59,11 +59,11 @@ pub fn anisotropy(
     let stretched = clamped / clamped.element_product().cbrt();
     let size = f64::from(SPRAY_RADIUS) + (1.0 - f64::from(SPRAY_RADIUS)) * crowd;
     let diagonal = size * (DVec3::ONE + (stretched - DVec3::ONE) * crowd);
-    let moved = (mean_m - here_m) / support_m;
+    let moved = (mean_m - x_i_m) / support_m;
     let flat = f64::from(FLAT_MEAN);
     let beyond = moved - moved.normalize_or_zero() * flat * smooth_step(moved.length() / flat);
     Ellipsoid {
-        center_m: here_m + beyond * (support_m * crowd * f64::from(SMOOTHED_CENTER)),
+        center_m: x_i_m + beyond * (support_m * crowd * f64::from(SMOOTHED_CENTER)),
         stretch: axes * DMat3::from_diagonal(diagonal) * axes.transpose(),
     }
 }
