@@ -4,7 +4,7 @@ use brooklet_gpu::{PassTimes, Passes, Quantiles};
 use serde::Serialize;
 
 pub use crate::traffic::Traffic;
-use crate::{BenchError, plot, workload::Load};
+use crate::workload::Load;
 
 /// The whole table.
 #[derive(Clone, Debug, Serialize)]
@@ -25,16 +25,6 @@ pub struct Scaling {
     pub left_out: Vec<LeftOut>,
     /// Each target for which there are rows.
     pub targets: Vec<Verdict>,
-}
-
-impl Scaling {
-    /// What a particle's iteration costs, pass by pass, and the rate, as an SVG picture.
-    ///
-    /// # Errors
-    /// What the plot cannot be drawn for: a table without rows.
-    pub fn to_svg(&self) -> Result<String, BenchError> {
-        plot::svg(self)
-    }
 }
 
 /// One load at one size.

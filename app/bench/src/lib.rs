@@ -11,6 +11,7 @@ mod observer;
 pub mod pictures;
 mod plot;
 pub mod scaling;
+mod scene_options;
 pub mod single;
 pub mod sorting;
 mod stepping;

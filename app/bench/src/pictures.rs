@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use crate::{
     BenchError, Observer,
-    single::{self, Options},
+    scene_options::{self, Options},
     stepping::Stepping,
     traffic::drawn_bytes,
 };
@@ -55,7 +55,7 @@ pub(crate) fn picture_cost(
     }
     let mut scene = scene.clone();
     scene.outputs.images = 1;
-    let planned = single::plan(gpu, &scene)?;
+    let planned = scene_options::plan(gpu, &scene)?;
     let Some(draw) = planned.passes.as_ref().map(|passes| passes.draw.id()) else { return Ok(None) };
     let (plan, recorded) = (planned.plan(), &planned.session.recorded);
     let stages = stages(plan.passes().into_iter().filter(|pass| pass.recording == draw));

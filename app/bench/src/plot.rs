@@ -38,8 +38,18 @@ fn color_of(stage: &str) -> RGBColor {
 
 const BETWEEN: &str = "between passes";
 
+impl Scaling {
+    /// What a particle's iteration costs, pass by pass, and the rate, as an SVG picture.
+    ///
+    /// # Errors
+    /// What the plot cannot be drawn for: a table without rows.
+    pub fn to_svg(&self) -> Result<String, BenchError> {
+        svg(self)
+    }
+}
+
 /// Draws the table.
-pub fn svg(scaling: &Scaling) -> Result<String, BenchError> {
+fn svg(scaling: &Scaling) -> Result<String, BenchError> {
     let mut text = String::new();
     draw(scaling, &mut text).map_err(|error| BenchError::stopped(format_args!("the plot cannot be drawn: {error}")))?;
     Ok(text)

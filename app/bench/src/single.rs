@@ -2,25 +2,15 @@
 
 use brooklet_fluid::{FrameRequest, Scene};
 use brooklet_gpu::{Gpu, PassTimes, Passes, Quantiles, TimingStatus, Timings, stages, tier_name};
-use brooklet_render::{ScenePlan, ScenePlanError};
 use serde::{Serialize, Serializer};
 
+pub use crate::scene_options::Options;
 use crate::{
     BenchError, Observer,
     pictures::{PictureCost, picture_cost},
+    scene_options::plan,
     stepping::Stepping,
 };
-
-/// How long a scene is timed.
-#[derive(Clone, Copy, Debug)]
-pub struct Options {
-    /// Steps before those that are timed.
-    pub warm_up: u64,
-    /// Steps that are timed.
-    pub steps: u64,
-    /// Pictures that are timed after them; 0 times none.
-    pub pictures: u32,
-}
 
 /// What a scene costs.
 #[derive(Clone, Debug, Serialize)]
@@ -113,13 +103,5 @@ pub fn run(gpu: &Gpu, scene: &Scene, options: Options, observer: &dyn Observer) 
         timing: timings.status(),
         flagged_spans: timings.flagged_spans(),
         device: Device { name: info.name.clone(), device_type: info.device_type.clone(), tier: tier_name(gpu.tier()) },
-    })
-}
-
-/// A picture's fault is the scene's; a mistake in a recording is the program's.
-pub(crate) fn plan(gpu: &Gpu, scene: &Scene) -> Result<ScenePlan, BenchError> {
-    ScenePlan::new(scene, gpu.tier()).map_err(|error| match error {
-        ScenePlanError::Render { .. } => BenchError::input(error),
-        ScenePlanError::Plan(_) => BenchError::stopped(error),
     })
 }
