@@ -10,10 +10,11 @@ use serde_json::Value;
 const RUN: [&str; 10] = ["run", "scene.toml", "--steps", "8", "--images", "2", "--particles", "ply", "--out", "result"];
 
 /// Every key of `summary.json`, as scripts rely on it.
-const SUMMARY_KEYS: [&str; 27] = [
+const SUMMARY_KEYS: [&str; 28] = [
     "scene",
     "particles",
     "steps",
+    "slots",
     "simulated_s",
     "wall_s",
     "interrupted",

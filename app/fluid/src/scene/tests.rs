@@ -132,6 +132,7 @@ fn the_table_has_every_field() {
     let scene = load(
         &format!("{SMALL}{sphere}{camera}"),
         &[
+            "capacity=5000",
             "solver.max_speed_m_s=5",
             "solver.neighbour_slots=64",
             "surface.iterations=3",

@@ -86,7 +86,8 @@ mod tests {
     #[test]
     fn counts_and_ranks() {
         let cells = [3, 1, 3, 4, 3];
-        assert_eq!(count_cells(&cells, 4), [0, 1, 0, 3, 1]);
+        assert_eq!(count_cells(&cells, 4), [0, 1, 0, 3, 1, 0]);
+        assert_eq!(count_cells(&[5, 4, 5], 4), [0, 0, 0, 0, 1, 2]);
         assert!(check_ranks(&cells, &[2, 0, 0, 0, 1], 4).is_ok());
         assert!(check_ranks(&cells, &[2, 0, 0, 0, 0], 4).is_err());
         assert!(check_ranks(&cells, &[3, 0, 0, 0, 1], 4).is_err());

@@ -275,8 +275,9 @@ mod tests {
 
     #[test]
     fn every_setting_has_a_place_or_a_reason() {
-        // A window has its own size and camera, and no end; names are for people.
-        let elsewhere = ["summary", "camera.", "outputs.seconds", "outputs.images", "outputs.width", "outputs.height"];
+        // A window has its own size and camera, no end, and activates no particles; names are for people.
+        let elsewhere =
+            ["summary", "capacity", "camera.", "outputs.seconds", "outputs.images", "outputs.width", "outputs.height"];
         for scene in ["dam-break", "falling-balls"] {
             for setting in Scene::load(scene, &[]).unwrap().settings() {
                 let sections = SECTIONS.iter().filter(|(.., holds)| holds(&setting.path)).count();
