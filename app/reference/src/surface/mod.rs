@@ -7,6 +7,8 @@
 pub mod anisotropy;
 pub mod caustics;
 pub mod fluid_depth;
+pub mod marching_cubes;
+pub mod marching_cubes_table;
 pub mod refract_photons;
 pub mod smooth_bilateral;
 pub mod smooth_curvature_flow;
@@ -15,6 +17,7 @@ pub mod smooth_narrow_range;
 pub mod smooth_sun_depth;
 pub mod sun_depth;
 pub mod sun_map;
+pub mod surface_field;
 pub mod surface_normals;
 pub mod thickness;
 
