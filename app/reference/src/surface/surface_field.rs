@@ -60,6 +60,35 @@ pub fn surface_field(at_m: DVec3, particles_m: impl Iterator<Item = DVec3>, spac
     (field_m, DVec3::new(gradient(0), gradient(1), gradient(2)))
 }
 
+/// The field between walls at `low_m` and `high_m`: near a wall the particles are seen behind it too, and nothing beyond it
+/// is inside. Walls further apart than twice the reach.
+pub fn surface_field_in_walls(
+    at_m: DVec3,
+    particles_m: &[DVec3],
+    spacing_m: f64,
+    [low_m, high_m]: [DVec3; 2],
+) -> (f64, DVec3) {
+    let wall_m = DVec3::select((at_m - low_m).cmplt(high_m - at_m), low_m, high_m);
+    let near = (at_m - wall_m).abs().cmplt(DVec3::splat(REACH_RATIO * spacing_m));
+    let sets = (0..8_u32).filter(|set| set & !near.bitmask() == 0);
+    let seen = sets.flat_map(|set| {
+        particles_m.iter().map(move |particle_m| {
+            let mirrored = glam::BVec3::new(set & 1 != 0, set & 2 != 0, set & 4 != 0);
+            DVec3::select(mirrored, 2.0 * wall_m - *particle_m, *particle_m)
+        })
+    });
+    let (mut field_m, mut gradient) = surface_field(at_m, seen, spacing_m);
+    for axis in 0..3 {
+        let (above_m, below_m) = (at_m[axis] - low_m[axis], high_m[axis] - at_m[axis]);
+        if above_m.min(below_m) < field_m {
+            field_m = above_m.min(below_m);
+            gradient = DVec3::ZERO;
+            gradient[axis] = if above_m < below_m { 1.0 } else { -1.0 };
+        }
+    }
+    (field_m, gradient)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -116,6 +145,30 @@ mod tests {
         let (value_m, _) = field(middle_m, &both);
         assert!(value_m < 0.0, "{value_m}");
         assert!(field(middle_m - 2.0 * SPACING_M * DVec3::X, &both).0 > 0.0, "the body itself is inside");
+    }
+
+    #[test]
+    fn water_meets_a_wall_squarely() {
+        // Fluid from wall to wall along x and z, its top open.
+        let block: Vec<DVec3> = lattice::points([8, 5, 8], SPACING_M);
+        let half = DVec3::splat(0.5 * SPACING_M);
+        let low_m = block.iter().copied().reduce(DVec3::min).unwrap() - half;
+        let high_m = block.iter().copied().reduce(DVec3::max).unwrap() + half;
+        let walls_m = [low_m, high_m + DVec3::Y];
+        let height_m = |x_m: f64| {
+            let at = |y_m: f64| DVec3::new(x_m, y_m, 0.5 * (low_m.z + high_m.z));
+            let (mut low, mut high) = (high_m.y - SPACING_M, high_m.y + SPACING_M);
+            for _ in 0..50 {
+                let y_m = 0.5 * (low + high);
+                let inside = surface_field_in_walls(at(y_m), &block, SPACING_M, walls_m).0 > 0.0;
+                if inside { low = y_m } else { high = y_m }
+            }
+            low
+        };
+        let (edge_m, middle_m) = (height_m(low_m.x + 1e-3 * SPACING_M), height_m(low_m.x + 3.0 * SPACING_M));
+        assert!((edge_m - middle_m).abs() < 0.05 * SPACING_M, "{edge_m} at the wall, {middle_m} off it");
+        let beyond_m = DVec3::new(low_m.x - 1e-6, low_m.y + SPACING_M, 0.0);
+        assert!(surface_field_in_walls(beyond_m, &block, SPACING_M, walls_m).0 < 0.0, "nothing behind the wall");
     }
 
     #[test]

@@ -4,6 +4,7 @@
 //! and light `Rgba16Float`, both blended and filtered. Pictures are `Rgba8Unorm`. WebGPU's base promises all of that
 //! anywhere, and a test holds every surface against it; `brooklet_gpu::check_formats` asks the driver all the same.
 
+pub mod marching_cubes;
 pub(crate) mod points;
 pub mod screen_space;
 
