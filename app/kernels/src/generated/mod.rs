@@ -48,6 +48,7 @@ mod surface_mesh_gather_field;
 mod surface_mesh_layout;
 mod surface_mesh_list_blocks;
 mod surface_mesh_mark_blocks;
+mod surface_mesh_mesh_depth;
 mod surface_refract_photons;
 mod surface_smooth_bilateral;
 mod surface_smooth_curvature_flow;
@@ -106,6 +107,7 @@ pub use surface_mesh_gather_field::*;
 pub use surface_mesh_layout::*;
 pub use surface_mesh_list_blocks::*;
 pub use surface_mesh_mark_blocks::*;
+pub use surface_mesh_mesh_depth::*;
 pub use surface_refract_photons::*;
 pub use surface_smooth_bilateral::*;
 pub use surface_smooth_curvature_flow::*;
@@ -161,6 +163,7 @@ pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
         surface_mesh_gather_field::MODULES,
         surface_mesh_list_blocks::MODULES,
         surface_mesh_mark_blocks::MODULES,
+        surface_mesh_mesh_depth::MODULES,
         surface_refract_photons::MODULES,
         surface_smooth_bilateral::MODULES,
         surface_smooth_curvature_flow::MODULES,

@@ -82,5 +82,5 @@ static GATHER_FIELD: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/gather_field.compute",
-    hash: "893bd1e587caa303079fc16ed248d8e41d84eb537e55ad9d209651436e938c35",
+    hash: "903dea13d695f4588cba379a2459ec31776b5fa357d586484b8100c2b38d11d9",
 };

@@ -20,7 +20,7 @@ pub const RADIUS_RATIO: f64 = 0.55;
 /// 2.1 and more; between two balls of particles, 2 spacings apart, it is below 0.4.
 pub const LEAST_WEIGHT: f64 = 0.6;
 
-/// The field at a point, m, and its gradient; `spacing_m` under everything where no particle is in reach.
+/// The field at a point, m, and its gradient; where no particle is in reach, what one at its end gives.
 pub fn surface_field(at_m: DVec3, particles_m: impl Iterator<Item = DVec3>, spacing_m: f64) -> (f64, DVec3) {
     let reach_m = REACH_RATIO * spacing_m;
     let (mut weight, mut weight_slope) = (0.0, DVec3::ZERO);
@@ -44,7 +44,7 @@ pub fn surface_field(at_m: DVec3, particles_m: impl Iterator<Item = DVec3>, spac
         }
     }
     if weight <= 0.0 {
-        return (-spacing_m, DVec3::ZERO);
+        return ((RADIUS_RATIO - REACH_RATIO) * spacing_m, DVec3::ZERO);
     }
     let cut_m = (weight - LEAST_WEIGHT) * spacing_m;
     let mean_m = mean / weight;
@@ -77,7 +77,9 @@ pub fn surface_field_in_walls(
             DVec3::select(mirrored, 2.0 * wall_m - *particle_m, *particle_m)
         })
     });
-    let (mut field_m, mut gradient) = surface_field(at_m, seen, spacing_m);
+    let beyond = at_m.cmplt(low_m).any() || at_m.cmpgt(high_m).any();
+    let (mut field_m, mut gradient) =
+        if beyond { (spacing_m, DVec3::ZERO) } else { surface_field(at_m, seen, spacing_m) };
     for axis in 0..3 {
         let (above_m, below_m) = (at_m[axis] - low_m[axis], high_m[axis] - at_m[axis]);
         if above_m.min(below_m) < field_m {
@@ -111,7 +113,7 @@ mod tests {
             }
         }
         let nothing = field(drop[0] + 2.1 * SPACING_M * DVec3::X, &drop);
-        assert_eq!(nothing, (-SPACING_M, DVec3::ZERO));
+        assert_eq!(nothing, (-1.45 * SPACING_M, DVec3::ZERO));
     }
 
     #[test]
@@ -179,8 +181,8 @@ mod tests {
             let at_m =
                 DVec3::new(f64::from(i % 5) * 1.1 - 0.7, f64::from(i / 5 % 4) * 1.3 - 0.6, f64::from(i / 20) - 0.45)
                     * SPACING_M;
-            let (value_m, gradient) = field(at_m, &block);
-            if value_m == -SPACING_M {
+            let (_, gradient) = field(at_m, &block);
+            if gradient == DVec3::ZERO {
                 continue;
             }
             let differences = DVec3::from_array([DVec3::X, DVec3::Y, DVec3::Z].map(|axis| {
