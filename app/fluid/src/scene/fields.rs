@@ -126,7 +126,7 @@ pub const FIELDS: &[Field] = &[
         .slider(0.0, 1.0)
         .term("0", "0.1"),
     Field::new("surface", Kind::Table, REBUILD),
-    Field::new("surface.method", Kind::Choice(&["screen-space", "points", "none"]), REBUILD)
+    Field::new("surface.method", Kind::Choice(&["screen-space", "marching-cubes", "points", "none"]), REBUILD)
         .term("none", "screen-space"),
     Field::new(
         "surface.smoothing",

@@ -14,6 +14,7 @@ use brooklet_fluid::scene::SurfaceMethod;
 use brooklet_fluid::{Recorded, Scene, Slots};
 use brooklet_kernels::{Buffer, Position, Tier, Velocity};
 
+pub use marching_cubes::MarchingCubesOptions;
 pub use screen_space::{ScreenSpaceOptions, SmoothedSurface};
 
 /// The particles that are drawn. Positions are relative to the view's `domain_min_m`.
@@ -54,6 +55,8 @@ pub enum SurfaceOptions {
     Points,
     /// Water, smoothed in screen space.
     ScreenSpace(ScreenSpaceOptions),
+    /// Water with a meshed surface, shaded as the other.
+    MarchingCubes(ScreenSpaceOptions, MarchingCubesOptions),
 }
 
 impl SurfaceOptions {
@@ -63,6 +66,9 @@ impl SurfaceOptions {
             SurfaceMethod::None => Self::None,
             SurfaceMethod::Points => Self::Points,
             SurfaceMethod::ScreenSpace => Self::ScreenSpace(ScreenSpaceOptions::for_scene(scene, tier)),
+            SurfaceMethod::MarchingCubes => {
+                Self::MarchingCubes(ScreenSpaceOptions::for_scene(scene, tier), MarchingCubesOptions::for_scene(scene))
+            }
         }
     }
 }

@@ -5,6 +5,7 @@
 //! The others get the field at their points, count their vertices and triangles, learn by two prefix sums where these go,
 //! and write them. Nothing is read back: what comes after draws as many as `counts` says.
 
+mod drawn;
 mod options;
 pub mod table;
 
@@ -16,6 +17,7 @@ use brooklet_kernels::{
 };
 use std::mem::offset_of;
 
+pub(crate) use drawn::record as record_drawn;
 pub use options::MarchingCubesOptions;
 
 use super::Particles;

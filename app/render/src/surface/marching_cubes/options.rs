@@ -32,8 +32,9 @@ pub struct MarchingCubesOptions {
 }
 
 impl MarchingCubesOptions {
-    /// Cells of half a spacing, with room for a surface of `slots` particles that are a few layers thick.
-    pub fn for_scene(scene: &Scene, slots: u32) -> Self {
+    /// Cells of half a spacing, with room for a surface of its particles that are a few layers thick.
+    pub fn for_scene(scene: &Scene) -> Self {
+        let slots = u32::try_from(scene.particle_count()).unwrap_or(u32::MAX).max(scene.capacity.unwrap_or_default());
         let spacing_m = scene.fitted_spacing_m();
         // A surface particle has two cells squared of surface above it, each with a vertex and two triangles; a splash,
         // where all are at the surface, has four times that.
