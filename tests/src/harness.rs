@@ -3,7 +3,7 @@
 //! `BROOKLET_SMALL=1` leaves out the sizes that take minutes on a driver that interprets its shaders.
 
 use crate::gpu;
-use brooklet_gpu::{Engine, Plan, Recording, Resources};
+use brooklet_gpu::{Engine, Plan, Recording, ResourceId, Resources};
 use brooklet_kernels::{Buffer, Kernel};
 use bytemuck::Pod;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
@@ -24,6 +24,7 @@ pub fn few_cases() -> TestRunner {
 pub struct Bench {
     resources: Resources,
     recording: Recording,
+    wanted: Vec<ResourceId>,
 }
 
 impl Default for Bench {
@@ -37,7 +38,7 @@ impl Bench {
     pub fn new() -> Self {
         let mut resources = Resources::new();
         let recording = resources.recording("bench");
-        Self { resources, recording }
+        Self { resources, recording, wanted: Vec::new() }
     }
 
     /// A buffer that holds `data`. None is shorter than one element: a binding of no bytes does
@@ -71,14 +72,19 @@ impl Bench {
         (&mut self.resources, &mut self.recording)
     }
 
+    /// Keeps a buffer that the recording makes and nobody else reads.
+    pub fn want<T>(&mut self, buffer: &Buffer<T>) {
+        self.wanted.push(buffer.id);
+    }
+
     /// Runs everything, once.
     ///
     /// # Panics
     /// If the recording or the device fails.
     pub fn run(self) -> Done {
         let recording = self.recording.id();
-        let plan =
-            Plan::sweep(self.resources, vec![self.recording], &[]).unwrap_or_else(|error| panic!("plan: {error}"));
+        let plan = Plan::sweep(self.resources, vec![self.recording], &self.wanted)
+            .unwrap_or_else(|error| panic!("plan: {error}"));
         let mut engine = Engine::new(&gpu(), plan).unwrap_or_else(|error| panic!("engine: {error}"));
         engine.run(&[recording], &[]).unwrap_or_else(|error| panic!("run: {error}"));
         Done { engine }

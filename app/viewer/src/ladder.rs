@@ -67,7 +67,7 @@ impl Rung {
         options.supersample = options.supersample.min(self.supersample);
         if self.coarse_fields {
             options.shadow_texels /= 2;
-            if let SurfaceOptions::ScreenSpace(water) = &mut options.surface {
+            if let SurfaceOptions::ScreenSpace(water) | SurfaceOptions::MarchingCubes(water, _) = &mut options.surface {
                 water.thickness_divisor = (2 * water.thickness_divisor).min(8);
                 water.photons /= 2;
             }
@@ -199,7 +199,9 @@ mod tests {
             let cost = if run.solver.precision == Precision::Full { 1.0 } else { 0.8 };
             let side = rung.picture_px([1000, 1000])[0] * drawn.supersample;
             let texels = match drawn.surface {
-                SurfaceOptions::ScreenSpace(water) => f64::from(water.photons),
+                SurfaceOptions::ScreenSpace(water) | SurfaceOptions::MarchingCubes(water, _) => {
+                    f64::from(water.photons)
+                }
                 _ => 0.0,
             };
             particles * rounds * cost + f64::from(side).powi(2) + texels

@@ -2,6 +2,7 @@
 // behind it. Alpha is 1 there. What is opaque and in front stays in front.
 #pragma vertex WaterVertex
 #pragma fragment WaterFragment
+#pragma multi_compile _ MESH_NORMALS
 
 #include "inverse_depth.hlsli"
 #include "normal.hlsli"
@@ -11,6 +12,9 @@ Texture2D<float> inverse_depth;
 Texture2D<float> thickness;
 Texture2D<float4> scene;
 Texture2D<float> scene_depth;
+#if defined(MESH_NORMALS)
+Texture2D<float4> mesh_normals;
+#endif
 SamplerState sampler_linear_clamp;
 ConstantBuffer<FrameView> view;
 ConstantBuffer<FrameLight> light;
@@ -56,7 +60,11 @@ float4 WaterFragment(Varyings input) : SV_Target0
     WaterPoint point_;
     point_.position_m = view.eye_m + input.ray / here;
     point_.to_eye = -normalize(input.ray);
+#if defined(MESH_NORMALS)
+    point_.normal = mesh_normals.Load(int3(pixel, 0)).xyz;
+#else
     point_.normal = NormalAt(inverse_depth, view, pixel, here, surface.range_m);
+#endif
     float2 uv = input.position.xy / view.size_px;
     point_.thickness_m = thickness.SampleLevel(sampler_linear_clamp, uv, 0.0) * surface.spacing_m;
     float3 behind = SceneBehind(RefractedEnd(water, point_), pixel, here);

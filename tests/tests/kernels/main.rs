@@ -8,6 +8,7 @@ mod drawn_caustics;
 mod drawn_thickness;
 mod grid;
 mod list;
+mod marching_cubes;
 mod measure;
 mod none;
 mod particles;

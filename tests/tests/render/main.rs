@@ -1,6 +1,7 @@
 //! Surfaces and pictures against twins and optics.
 
 mod indirect;
+mod mesh;
 mod picture;
 mod picture_water;
 mod support;

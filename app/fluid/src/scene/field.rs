@@ -44,8 +44,8 @@ pub struct Term {
     pub off: &'static str,
     /// One that brings it in.
     pub on: &'static str,
-    /// Another field, and its value without which there is no such term.
-    pub needs: Option<(&'static str, &'static str)>,
+    /// Another field, and its values without one of which there is no such term.
+    pub needs: Option<(&'static str, &'static [&'static str])>,
     /// What is missing without it, where the path does not say it; empty otherwise.
     pub meaning: &'static str,
 }
@@ -104,7 +104,7 @@ impl Field {
         mut self,
         off: &'static str,
         on: &'static str,
-        needs: (&'static str, &'static str),
+        needs: (&'static str, &'static [&'static str]),
     ) -> Self {
         self.term = Some(Term { off, on, needs: Some(needs), meaning: "" });
         self

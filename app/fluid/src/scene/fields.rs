@@ -33,8 +33,9 @@ const NONE: &[&str] = &["none"];
 /// Methods whose particles know their neighbours.
 const WITH_NEIGHBOURS: &[&str] = &["pbf"];
 
-/// What terms of water as a surface need.
-const WATER: (&str, &str) = ("surface.method", "screen-space");
+/// What terms of water as a surface need, and those of one that is smoothed.
+const WATER: (&str, &[&str]) = ("surface.method", &["screen-space", "marching-cubes"]);
+const SMOOTHED: (&str, &[&str]) = ("surface.method", &["screen-space"]);
 
 /// Every field, in the order of scene files.
 ///
@@ -126,14 +127,14 @@ pub const FIELDS: &[Field] = &[
         .slider(0.0, 1.0)
         .term("0", "0.1"),
     Field::new("surface", Kind::Table, REBUILD),
-    Field::new("surface.method", Kind::Choice(&["screen-space", "points", "none"]), REBUILD)
+    Field::new("surface.method", Kind::Choice(&["screen-space", "marching-cubes", "points", "none"]), REBUILD)
         .term("none", "screen-space"),
     Field::new(
         "surface.smoothing",
         Kind::Choice(&["narrow-range", "curvature-flow", "bilateral", "bilateral-2d", "gaussian", "none"]),
         REBUILD,
     )
-    .term_with("none", "narrow-range", WATER),
+    .term_with("none", "narrow-range", SMOOTHED),
     Field::new("surface.iterations", whole(0.0, 1000.0, ""), REBUILD).slider(0.0, 100.0),
     Field::new("surface.smoothing_ratio", number(0.0, 100.0, ""), REBUILD).slider(0.0, 6.0),
     Field::new("surface.radius_ratio", number(0.1, 10.0, ""), REBUILD).slider(0.3, 1.5),

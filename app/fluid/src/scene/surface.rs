@@ -10,6 +10,8 @@ pub enum SurfaceMethod {
     /// Water: the particles' surface, smoothed in screen space (van der Laan, Green & Sainz 2009).
     #[default]
     ScreenSpace,
+    /// Water: the particles' surface as a mesh (Lorensen & Cline 1987).
+    MarchingCubes,
     /// The particles themselves, as balls.
     Points,
     /// Nothing. Safe to choose wherever nobody looks at the fluid.

@@ -30,9 +30,10 @@ impl Scene {
         let values = self.values();
         let is = |path: &str, text: &str| values.get(path).is_some_and(|value| is_same(value, &value_of(text)));
         let left_out = |field: &&Field| {
-            field
-                .term
-                .is_some_and(|term| is(field.path, term.off) && term.needs.is_none_or(|(path, text)| is(path, text)))
+            field.term.is_some_and(|term| {
+                is(field.path, term.off)
+                    && term.needs.is_none_or(|(path, texts)| texts.iter().any(|text| is(path, text)))
+            })
         };
         FIELDS.iter().filter(|field| field.is_of(self.solver.method.name())).filter(left_out).collect()
     }

@@ -40,6 +40,15 @@ mod surface_anisotropy;
 mod surface_caustics;
 mod surface_fluid_depth;
 mod surface_layout;
+mod surface_mesh_count_mesh;
+mod surface_mesh_emit_triangles;
+mod surface_mesh_emit_vertices;
+mod surface_mesh_finish_mesh;
+mod surface_mesh_gather_field;
+mod surface_mesh_layout;
+mod surface_mesh_list_blocks;
+mod surface_mesh_mark_blocks;
+mod surface_mesh_mesh_depth;
 mod surface_refract_photons;
 mod surface_smooth_bilateral;
 mod surface_smooth_curvature_flow;
@@ -90,6 +99,15 @@ pub use surface_anisotropy::*;
 pub use surface_caustics::*;
 pub use surface_fluid_depth::*;
 pub use surface_layout::*;
+pub use surface_mesh_count_mesh::*;
+pub use surface_mesh_emit_triangles::*;
+pub use surface_mesh_emit_vertices::*;
+pub use surface_mesh_finish_mesh::*;
+pub use surface_mesh_gather_field::*;
+pub use surface_mesh_layout::*;
+pub use surface_mesh_list_blocks::*;
+pub use surface_mesh_mark_blocks::*;
+pub use surface_mesh_mesh_depth::*;
 pub use surface_refract_photons::*;
 pub use surface_smooth_bilateral::*;
 pub use surface_smooth_curvature_flow::*;
@@ -138,6 +156,14 @@ pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
         surface_anisotropy::MODULES,
         surface_caustics::MODULES,
         surface_fluid_depth::MODULES,
+        surface_mesh_count_mesh::MODULES,
+        surface_mesh_emit_triangles::MODULES,
+        surface_mesh_emit_vertices::MODULES,
+        surface_mesh_finish_mesh::MODULES,
+        surface_mesh_gather_field::MODULES,
+        surface_mesh_list_blocks::MODULES,
+        surface_mesh_mark_blocks::MODULES,
+        surface_mesh_mesh_depth::MODULES,
         surface_refract_photons::MODULES,
         surface_smooth_bilateral::MODULES,
         surface_smooth_curvature_flow::MODULES,

@@ -5,10 +5,19 @@
 use super::{FrameLight, FrameStyle, FrameView, SurfaceParams, WaterStyle};
 use crate::{BindingError, BindingInfo, BindingKind, Bound, Draw, Module, StageKind, Tex, Tier, Uniform, bind_draw};
 
+/// Which variant of [`DrawWater`] runs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct DrawWaterVariant {
+    /// Keyword `MESH_NORMALS`.
+    pub mesh_normals: bool,
+}
+
 /// The water as it is seen: every pixel that the smoothed surface covers, shaded once, over the scene
 /// behind it. Alpha is 1 there. What is opaque and in front stays in front.
 #[derive(Debug)]
 pub struct DrawWater<'a> {
+    /// Its variant.
+    pub variant: DrawWaterVariant,
     /// `ConstantBuffer<FrameView> view`.
     pub view: Uniform<'a, FrameView>,
     /// `Texture2D<float> inverse_depth`.
@@ -27,16 +36,22 @@ pub struct DrawWater<'a> {
     pub surface: Uniform<'a, SurfaceParams>,
     /// `ConstantBuffer<WaterStyle> water`.
     pub water: Uniform<'a, WaterStyle>,
+    /// `Texture2D<float4> mesh_normals`.
+    pub mesh_normals: Option<Tex<'a>>,
 }
 
 impl Draw for DrawWater<'_> {
     const STAGE: &'static str = "draw_water";
 
     fn vertex(&self) -> &'static Module {
-        &DRAW_WATER_VERTEX
+        if self.variant.mesh_normals { &DRAW_WATER_VERTEX_WITH_MESH_NORMALS } else { &DRAW_WATER_VERTEX }
     }
     fn fragment(&self) -> Option<&'static Module> {
-        Some(&DRAW_WATER_FRAGMENT)
+        if self.variant.mesh_normals {
+            Some(&DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS)
+        } else {
+            Some(&DRAW_WATER_FRAGMENT)
+        }
     }
     fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
         bind_draw(
@@ -52,13 +67,19 @@ impl Draw for DrawWater<'_> {
                 ("style", Some(self.style.id)),
                 ("surface", Some(self.surface.id)),
                 ("water", Some(self.water.id)),
+                ("mesh_normals", self.mesh_normals.as_ref().map(|bound| bound.id)),
             ],
         )
     }
 }
 
 /// The modules of this file.
-pub(super) static MODULES: &[&Module] = &[&DRAW_WATER_VERTEX, &DRAW_WATER_FRAGMENT];
+pub(super) static MODULES: &[&Module] = &[
+    &DRAW_WATER_VERTEX,
+    &DRAW_WATER_FRAGMENT,
+    &DRAW_WATER_VERTEX_WITH_MESH_NORMALS,
+    &DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS,
+];
 
 static BINDINGS_0: &[BindingInfo] = &[BindingInfo { name: "view", slot: 5, kind: BindingKind::Uniform { bytes: 80 } }];
 
@@ -75,6 +96,22 @@ static BINDINGS_1: &[BindingInfo] = &[
     BindingInfo { name: "water", slot: 9, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
+static BINDINGS_2: &[BindingInfo] = &[BindingInfo { name: "view", slot: 6, kind: BindingKind::Uniform { bytes: 80 } }];
+
+static BINDINGS_3: &[BindingInfo] = &[
+    BindingInfo { name: "inverse_depth", slot: 0, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "thickness", slot: 1, kind: BindingKind::Texture { filterable: true } },
+    BindingInfo { name: "scene", slot: 2, kind: BindingKind::Texture { filterable: true } },
+    BindingInfo { name: "scene_depth", slot: 3, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "mesh_normals", slot: 4, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "sampler_linear_clamp", slot: 5, kind: BindingKind::Sampler },
+    BindingInfo { name: "view", slot: 6, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "light", slot: 7, kind: BindingKind::Uniform { bytes: 112 } },
+    BindingInfo { name: "style", slot: 8, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "surface", slot: 9, kind: BindingKind::Uniform { bytes: 64 } },
+    BindingInfo { name: "water", slot: 10, kind: BindingKind::Uniform { bytes: 48 } },
+];
+
 static DRAW_WATER_VERTEX: Module = Module {
     name: "DrawWater.vertex",
     entry: "WaterVertex",
@@ -85,7 +122,7 @@ static DRAW_WATER_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "9c0ad6dfec1d5f8b80a7446a7c2fd0b944fb225c1ecfd6389e4371b3b5abc934",
+    hash: "50059b53dfdc207f6ece67496cb39ee32d8a0c177a77f61c34156efef58cede5",
 };
 
 static DRAW_WATER_FRAGMENT: Module = Module {
@@ -98,5 +135,31 @@ static DRAW_WATER_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "420c44c55f13d8279284910e57e7f9094b8536e50eb5992ece2121409ea6c7cd",
+    hash: "2b473f61f84b67efb2c6f48a9aa1a387e9ae0bd515af1f100d6e50907764830f",
+};
+
+static DRAW_WATER_VERTEX_WITH_MESH_NORMALS: Module = Module {
+    name: "DrawWater.vertex+MESH_NORMALS",
+    entry: "WaterVertex",
+    stage: StageKind::Vertex,
+    spirv: include_bytes!("../../spirv/draw_water.vertex+mesh_normals.spv"),
+    bindings: BINDINGS_2,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "surface/water.hlsl",
+    hash: "97f506629457c0ec108a42f8571d317cd8badced61b2d8ee7db26efa51c7d988",
+};
+
+static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS: Module = Module {
+    name: "DrawWater.fragment+MESH_NORMALS",
+    entry: "WaterFragment",
+    stage: StageKind::Fragment,
+    spirv: include_bytes!("../../spirv/draw_water.fragment+mesh_normals.spv"),
+    bindings: BINDINGS_3,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "surface/water.hlsl",
+    hash: "58cb99d45817dfcbb95e3c52d9792831b10a4d0338423cd2b9d52ef2d618bb49",
 };

@@ -20,7 +20,7 @@ pub const RADIUS_RATIO: f64 = 0.55;
 /// 2.1 and more; between two balls of particles, 2 spacings apart, it is below 0.4.
 pub const LEAST_WEIGHT: f64 = 0.6;
 
-/// The field at a point, m, and its gradient; `spacing_m` under everything where no particle is in reach.
+/// The field at a point, m, and its gradient; where no particle is in reach, what one at its end gives.
 pub fn surface_field(at_m: DVec3, particles_m: impl Iterator<Item = DVec3>, spacing_m: f64) -> (f64, DVec3) {
     let reach_m = REACH_RATIO * spacing_m;
     let (mut weight, mut weight_slope) = (0.0, DVec3::ZERO);
@@ -44,7 +44,7 @@ pub fn surface_field(at_m: DVec3, particles_m: impl Iterator<Item = DVec3>, spac
         }
     }
     if weight <= 0.0 {
-        return (-spacing_m, DVec3::ZERO);
+        return ((RADIUS_RATIO - REACH_RATIO) * spacing_m, DVec3::ZERO);
     }
     let cut_m = (weight - LEAST_WEIGHT) * spacing_m;
     let mean_m = mean / weight;
@@ -58,6 +58,37 @@ pub fn surface_field(at_m: DVec3, particles_m: impl Iterator<Item = DVec3>, spac
         if off_m > 0.0 { -slope.dot(mean_m) / off_m } else { 0.0 }
     };
     (field_m, DVec3::new(gradient(0), gradient(1), gradient(2)))
+}
+
+/// The field between walls at `low_m` and `high_m`: near a wall the particles are seen behind it too, and nothing beyond it
+/// is inside. Walls further apart than twice the reach.
+pub fn surface_field_in_walls(
+    at_m: DVec3,
+    particles_m: &[DVec3],
+    spacing_m: f64,
+    [low_m, high_m]: [DVec3; 2],
+) -> (f64, DVec3) {
+    let wall_m = DVec3::select((at_m - low_m).cmplt(high_m - at_m), low_m, high_m);
+    let near = (at_m - wall_m).abs().cmplt(DVec3::splat(REACH_RATIO * spacing_m));
+    let sets = (0..8_u32).filter(|set| set & !near.bitmask() == 0);
+    let seen = sets.flat_map(|set| {
+        particles_m.iter().map(move |particle_m| {
+            let mirrored = glam::BVec3::new(set & 1 != 0, set & 2 != 0, set & 4 != 0);
+            DVec3::select(mirrored, 2.0 * wall_m - *particle_m, *particle_m)
+        })
+    });
+    let beyond = at_m.cmplt(low_m).any() || at_m.cmpgt(high_m).any();
+    let (mut field_m, mut gradient) =
+        if beyond { (spacing_m, DVec3::ZERO) } else { surface_field(at_m, seen, spacing_m) };
+    for axis in 0..3 {
+        let (above_m, below_m) = (at_m[axis] - low_m[axis], high_m[axis] - at_m[axis]);
+        if above_m.min(below_m) < field_m {
+            field_m = above_m.min(below_m);
+            gradient = DVec3::ZERO;
+            gradient[axis] = if above_m < below_m { 1.0 } else { -1.0 };
+        }
+    }
+    (field_m, gradient)
 }
 
 #[cfg(test)]
@@ -82,7 +113,7 @@ mod tests {
             }
         }
         let nothing = field(drop[0] + 2.1 * SPACING_M * DVec3::X, &drop);
-        assert_eq!(nothing, (-SPACING_M, DVec3::ZERO));
+        assert_eq!(nothing, (-1.45 * SPACING_M, DVec3::ZERO));
     }
 
     #[test]
@@ -119,6 +150,30 @@ mod tests {
     }
 
     #[test]
+    fn water_meets_a_wall_squarely() {
+        // Fluid from wall to wall along x and z, its top open.
+        let block: Vec<DVec3> = lattice::points([8, 5, 8], SPACING_M);
+        let half = DVec3::splat(0.5 * SPACING_M);
+        let low_m = block.iter().copied().reduce(DVec3::min).unwrap() - half;
+        let high_m = block.iter().copied().reduce(DVec3::max).unwrap() + half;
+        let walls_m = [low_m, high_m + DVec3::Y];
+        let height_m = |x_m: f64| {
+            let at = |y_m: f64| DVec3::new(x_m, y_m, 0.5 * (low_m.z + high_m.z));
+            let (mut low, mut high) = (high_m.y - SPACING_M, high_m.y + SPACING_M);
+            for _ in 0..50 {
+                let y_m = 0.5 * (low + high);
+                let inside = surface_field_in_walls(at(y_m), &block, SPACING_M, walls_m).0 > 0.0;
+                if inside { low = y_m } else { high = y_m }
+            }
+            low
+        };
+        let (edge_m, middle_m) = (height_m(low_m.x + 1e-3 * SPACING_M), height_m(low_m.x + 3.0 * SPACING_M));
+        assert!((edge_m - middle_m).abs() < 0.05 * SPACING_M, "{edge_m} at the wall, {middle_m} off it");
+        let beyond_m = DVec3::new(low_m.x - 1e-6, low_m.y + SPACING_M, 0.0);
+        assert!(surface_field_in_walls(beyond_m, &block, SPACING_M, walls_m).0 < 0.0, "nothing behind the wall");
+    }
+
+    #[test]
     fn the_gradient_is_that_of_differences() {
         let block: Vec<DVec3> = lattice::points([5, 4, 3], SPACING_M);
         let step_m = 1e-6 * SPACING_M;
@@ -126,8 +181,8 @@ mod tests {
             let at_m =
                 DVec3::new(f64::from(i % 5) * 1.1 - 0.7, f64::from(i / 5 % 4) * 1.3 - 0.6, f64::from(i / 20) - 0.45)
                     * SPACING_M;
-            let (value_m, gradient) = field(at_m, &block);
-            if value_m == -SPACING_M {
+            let (_, gradient) = field(at_m, &block);
+            if gradient == DVec3::ZERO {
                 continue;
             }
             let differences = DVec3::from_array([DVec3::X, DVec3::Y, DVec3::Z].map(|axis| {

@@ -15,7 +15,7 @@ use brooklet_kernels::{
 };
 
 use crate::surface::screen_space::{self, Caustics, SeenBy, Shapes, Sunlit, Thickness, Water};
-use crate::surface::{Particles, ScreenSpaceOptions, SmoothedSurface, SurfaceOptions, points};
+use crate::surface::{MarchingCubesOptions, Particles, ScreenSpaceOptions, SmoothedSurface, SurfaceOptions, points};
 use crate::{RenderError, View};
 
 /// A picture's recordings and what they draw to.
@@ -95,7 +95,10 @@ pub fn record(
             None
         }
         SurfaceOptions::ScreenSpace(water) => {
-            Some(frame.screen_space(&mut init, (view, water), particles, onto, &color))
+            Some(frame.water(&mut init, (view, water, None), particles, onto, &color))
+        }
+        SurfaceOptions::MarchingCubes(water, mesh) => {
+            Some(frame.water(&mut init, (view, water, Some(mesh)), particles, onto, &color))
         }
     };
     Ok(FramePasses { init, draw, color, depth, water, uniforms })
@@ -207,11 +210,11 @@ impl Frame<'_> {
         );
     }
 
-    /// The smoothed surface, the opaque scene behind it, and the water over that.
-    fn screen_space(
+    /// The surface, smoothed in screen space or meshed, the opaque scene behind it, and the water over that.
+    fn water(
         &mut self,
         init: &mut Recording,
-        (view, options): (&View, &ScreenSpaceOptions),
+        (view, options, mesh): (&View, &ScreenSpaceOptions, Option<&MarchingCubesOptions>),
         particles: &Particles<'_>,
         (radiance, depth): (&Texture, &Texture),
         color: &Texture,
@@ -219,8 +222,14 @@ impl Frame<'_> {
         let uniforms = self.uniforms;
         let tier = self.options.tier;
         let into = (&mut *init, &mut *self.recording);
-        let surface =
-            screen_space::record(self.resources, into, &uniforms.view, particles, radiance.size_px, tier, options);
+        let (resources, view_buffer, size_px) = (&mut *self.resources, &uniforms.view, radiance.size_px);
+        let surface = match mesh {
+            Some(mesh) => {
+                let (size, water) = ((size_px, tier), (options, mesh));
+                screen_space::record_meshed(resources, into, view_buffer, particles, size, water)
+            }
+            None => screen_space::record(resources, into, view_buffer, particles, size_px, tier, options),
+        };
         let mut style = self.resources.persistent("water_style", 1);
         init.upload(&mut style, &[options.water()]);
         let shapes = Shapes::new(particles, surface.ellipsoids.as_ref());

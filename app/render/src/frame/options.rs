@@ -77,7 +77,7 @@ impl FrameOptions {
             return Err(RenderError::not_allowed("shadow_texels", self.shadow_texels, "16 to 4096 are allowed"));
         }
         match &self.surface {
-            SurfaceOptions::ScreenSpace(options) => options.check(),
+            SurfaceOptions::ScreenSpace(options) | SurfaceOptions::MarchingCubes(options, _) => options.check(),
             SurfaceOptions::Points | SurfaceOptions::None => Ok(()),
         }
     }

@@ -4,6 +4,7 @@
 //! and light `Rgba16Float`, both blended and filtered. Pictures are `Rgba8Unorm`. WebGPU's base promises all of that
 //! anywhere, and a test holds every surface against it; `brooklet_gpu::check_formats` asks the driver all the same.
 
+pub mod marching_cubes;
 pub(crate) mod points;
 pub mod screen_space;
 
@@ -13,6 +14,7 @@ use brooklet_fluid::scene::SurfaceMethod;
 use brooklet_fluid::{Recorded, Scene, Slots};
 use brooklet_kernels::{Buffer, Position, Tier, Velocity};
 
+pub use marching_cubes::MarchingCubesOptions;
 pub use screen_space::{ScreenSpaceOptions, SmoothedSurface};
 
 /// The particles that are drawn. Positions are relative to the view's `domain_min_m`.
@@ -53,6 +55,8 @@ pub enum SurfaceOptions {
     Points,
     /// Water, smoothed in screen space.
     ScreenSpace(ScreenSpaceOptions),
+    /// Water with a meshed surface, shaded as the other.
+    MarchingCubes(ScreenSpaceOptions, MarchingCubesOptions),
 }
 
 impl SurfaceOptions {
@@ -62,6 +66,9 @@ impl SurfaceOptions {
             SurfaceMethod::None => Self::None,
             SurfaceMethod::Points => Self::Points,
             SurfaceMethod::ScreenSpace => Self::ScreenSpace(ScreenSpaceOptions::for_scene(scene, tier)),
+            SurfaceMethod::MarchingCubes => {
+                Self::MarchingCubes(ScreenSpaceOptions::for_scene(scene, tier), MarchingCubesOptions::for_scene(scene))
+            }
         }
     }
 }

@@ -19,6 +19,7 @@ use brooklet_kernels::{
 };
 
 use super::Particles;
+use super::marching_cubes::{self, MarchingCubesOptions};
 pub use caustics::Caustics;
 pub(crate) use caustics::{Sunlit, record as record_caustics};
 pub use options::ScreenSpaceOptions;
@@ -44,6 +45,8 @@ pub struct SmoothedSurface {
     pub(crate) covered: Texture,
     /// What the particles are drawn as, where they are stretched.
     pub(crate) ellipsoids: Option<Buffer<Ellipsoid>>,
+    /// Whether `normals` were drawn with the surface and are to be shaded with: a mesh's.
+    pub(crate) has_normals: bool,
     /// The settings on the GPU.
     pub params: Buffer<SurfaceParams>,
 }
@@ -102,7 +105,35 @@ pub fn record(
         3,
         1,
     );
-    SmoothedSurface { raw, inverse_depth, normals, covered, ellipsoids, params }
+    SmoothedSurface { raw, inverse_depth, normals, covered, ellipsoids, has_normals: false, params }
+}
+
+/// Records the surface of a mesh likewise, where `mesh` is wanted instead of smoothed depths.
+pub(crate) fn record_meshed(
+    resources: &mut Resources,
+    (init, recording): (&mut Recording, &mut Recording),
+    view: &Buffer<FrameView>,
+    particles: &Particles<'_>,
+    (size_px, tier): ([u32; 2], Tier),
+    (options, mesh): (&ScreenSpaceOptions, &MarchingCubesOptions),
+) -> SmoothedSurface {
+    let mut params = resources.persistent("surface_params", 1);
+    init.upload(&mut params, &[options.params()]);
+    let ellipsoids = particles
+        .neighbours
+        .filter(|_| options.anisotropic && particles.slots.capacity > 0)
+        .map(|neighbours| anisotropy::record(resources, (init, recording), particles, neighbours, &params, options));
+    let mesh = marching_cubes::record(resources, (init, recording), particles, mesh);
+    let drawn = marching_cubes::record_drawn(resources, recording, view, &mesh, (size_px, depth_format(tier)));
+    SmoothedSurface {
+        raw: drawn.inverse_depth.alias(),
+        inverse_depth: drawn.inverse_depth,
+        normals: drawn.normals,
+        covered: drawn.covered,
+        ellipsoids,
+        has_normals: true,
+        params,
+    }
 }
 
 pub(crate) fn depth_format(tier: Tier) -> Format {

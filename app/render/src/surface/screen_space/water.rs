@@ -1,7 +1,7 @@
 //! The water over the scene behind it.
 
 use brooklet_gpu::{Load, Recording, Resources, Targets};
-use brooklet_kernels::{Buffer, DrawWater, Format, Texture, WaterStyle};
+use brooklet_kernels::{Buffer, DrawWater, DrawWaterVariant, Format, Texture, WaterStyle};
 
 use super::{ON_FLUID, SmoothedSurface};
 use crate::frame::uniforms::FrameUniforms;
@@ -25,6 +25,8 @@ pub(crate) fn record(
     let seen = resources.texture("water", Format::Rgba16Float, scene.size_px);
     recording.draw(
         &DrawWater {
+            variant: DrawWaterVariant { mesh_normals: water.surface.has_normals },
+            mesh_normals: water.surface.has_normals.then(|| water.surface.normals.read()),
             view: uniforms.view.uniform(),
             inverse_depth: water.surface.inverse_depth.read(),
             thickness: water.thickness.read(),

@@ -1,0 +1,104 @@
+// Written by the shader compiler; do not edit. `cargo run -p brooklet-compiler -- build`
+// makes it anew from surface/mesh/count_mesh.compute.
+//! Kernels of `surface/mesh/count_mesh.compute`.
+
+use super::{FieldPoint, MeshCounts, MeshParams};
+use crate::{
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+};
+
+/// How many vertices and triangles each listed block has.
+#[derive(Debug)]
+pub struct CountMesh<'a> {
+    /// `StructuredBuffer<FieldPoint> field_points`.
+    pub field_points: Buf<'a, FieldPoint>,
+    /// `StructuredBuffer<uint> block_entries`.
+    pub block_entries: Buf<'a, u32>,
+    /// `StructuredBuffer<uint> listed_blocks`.
+    pub listed_blocks: Buf<'a, u32>,
+    /// `StructuredBuffer<uint2> triangle_table`.
+    pub triangle_table: Buf<'a, [u32; 2]>,
+    /// `StructuredBuffer<MeshCounts> mesh_counts`.
+    pub mesh_counts: Buf<'a, MeshCounts>,
+    /// `RWStructuredBuffer<uint> vertex_counts`.
+    pub vertex_counts: BufMut<'a, u32>,
+    /// `RWStructuredBuffer<uint> triangle_counts`.
+    pub triangle_counts: BufMut<'a, u32>,
+    /// `ConstantBuffer<MeshParams> mesh`.
+    pub mesh: Uniform<'a, MeshParams>,
+}
+
+impl Kernel for CountMesh<'_> {
+    const STAGE: &'static str = "count_mesh";
+    const GROUP_SIZE: [u32; 3] = [64, 1, 1];
+
+    fn module(&self) -> &'static Module {
+        &COUNT_MESH
+    }
+    fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
+        bind(
+            self.module(),
+            &[
+                ("field_points", Some(self.field_points.id)),
+                ("block_entries", Some(self.block_entries.id)),
+                ("listed_blocks", Some(self.listed_blocks.id)),
+                ("triangle_table", Some(self.triangle_table.id)),
+                ("mesh_counts", Some(self.mesh_counts.id)),
+                ("vertex_counts", Some(self.vertex_counts.id)),
+                ("triangle_counts", Some(self.triangle_counts.id)),
+                ("mesh", Some(self.mesh.id)),
+            ],
+        )
+    }
+}
+
+/// The modules of this file.
+pub(super) static MODULES: &[&Module] = &[&COUNT_MESH];
+
+static BINDINGS_0: &[BindingInfo] = &[
+    BindingInfo {
+        name: "field_points",
+        slot: 0,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+    },
+    BindingInfo {
+        name: "block_entries",
+        slot: 1,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 },
+    },
+    BindingInfo {
+        name: "listed_blocks",
+        slot: 2,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 },
+    },
+    BindingInfo {
+        name: "triangle_table",
+        slot: 3,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 },
+    },
+    BindingInfo { name: "mesh_counts", slot: 4, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 48 } },
+    BindingInfo {
+        name: "vertex_counts",
+        slot: 5,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 },
+    },
+    BindingInfo {
+        name: "triangle_counts",
+        slot: 6,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 },
+    },
+    BindingInfo { name: "mesh", slot: 7, kind: BindingKind::Uniform { bytes: 96 } },
+];
+
+static COUNT_MESH: Module = Module {
+    name: "CountMesh",
+    entry: "CountMesh",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/count_mesh.spv"),
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 756,
+    tier: Tier::Floor,
+    source: "surface/mesh/count_mesh.compute",
+    hash: "5b2fbeff010ee32b5e93f70d8ab362ed5387b3f332b644dee7755c3884be9a48",
+};

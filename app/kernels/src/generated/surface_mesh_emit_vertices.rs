@@ -1,0 +1,107 @@
+// Written by the shader compiler; do not edit. `cargo run -p brooklet-compiler -- build`
+// makes it anew from surface/mesh/emit_vertices.compute.
+//! Kernels of `surface/mesh/emit_vertices.compute`.
+
+use super::{FieldPoint, MeshCounts, MeshParams, MeshVertex};
+use crate::{
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+};
+
+/// The surface's vertices, each where the field is 0 along an edge from its thread's point, with the field's gradient
+/// turned outward as its normal.
+#[derive(Debug)]
+pub struct EmitVertices<'a> {
+    /// `StructuredBuffer<FieldPoint> field_points`.
+    pub field_points: Buf<'a, FieldPoint>,
+    /// `StructuredBuffer<uint> block_entries`.
+    pub block_entries: Buf<'a, u32>,
+    /// `StructuredBuffer<uint> listed_blocks`.
+    pub listed_blocks: Buf<'a, u32>,
+    /// `StructuredBuffer<MeshCounts> mesh_counts`.
+    pub mesh_counts: Buf<'a, MeshCounts>,
+    /// `StructuredBuffer<uint> vertex_starts`.
+    pub vertex_starts: Buf<'a, u32>,
+    /// a point's first vertex, and in the top three bits along which axes it has one
+    ///
+    /// `RWStructuredBuffer<uint> point_vertices`.
+    pub point_vertices: BufMut<'a, u32>,
+    /// `RWStructuredBuffer<MeshVertex> mesh_vertices`.
+    pub mesh_vertices: BufMut<'a, MeshVertex>,
+    /// `ConstantBuffer<MeshParams> mesh`.
+    pub mesh: Uniform<'a, MeshParams>,
+}
+
+impl Kernel for EmitVertices<'_> {
+    const STAGE: &'static str = "emit_vertices";
+    const GROUP_SIZE: [u32; 3] = [64, 1, 1];
+
+    fn module(&self) -> &'static Module {
+        &EMIT_VERTICES
+    }
+    fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
+        bind(
+            self.module(),
+            &[
+                ("field_points", Some(self.field_points.id)),
+                ("block_entries", Some(self.block_entries.id)),
+                ("listed_blocks", Some(self.listed_blocks.id)),
+                ("mesh_counts", Some(self.mesh_counts.id)),
+                ("vertex_starts", Some(self.vertex_starts.id)),
+                ("point_vertices", Some(self.point_vertices.id)),
+                ("mesh_vertices", Some(self.mesh_vertices.id)),
+                ("mesh", Some(self.mesh.id)),
+            ],
+        )
+    }
+}
+
+/// The modules of this file.
+pub(super) static MODULES: &[&Module] = &[&EMIT_VERTICES];
+
+static BINDINGS_0: &[BindingInfo] = &[
+    BindingInfo {
+        name: "field_points",
+        slot: 0,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+    },
+    BindingInfo {
+        name: "block_entries",
+        slot: 1,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 },
+    },
+    BindingInfo {
+        name: "listed_blocks",
+        slot: 2,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 },
+    },
+    BindingInfo { name: "mesh_counts", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 48 } },
+    BindingInfo {
+        name: "vertex_starts",
+        slot: 4,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 },
+    },
+    BindingInfo {
+        name: "point_vertices",
+        slot: 5,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 },
+    },
+    BindingInfo {
+        name: "mesh_vertices",
+        slot: 6,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 32 },
+    },
+    BindingInfo { name: "mesh", slot: 7, kind: BindingKind::Uniform { bytes: 96 } },
+];
+
+static EMIT_VERTICES: Module = Module {
+    name: "EmitVertices",
+    entry: "EmitVertices",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/emit_vertices.spv"),
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 1012,
+    tier: Tier::Floor,
+    source: "surface/mesh/emit_vertices.compute",
+    hash: "bd7c4555566ade6c5f471bb1c5c3080287090d961b099ff9b52ff92fe54f4523",
+};

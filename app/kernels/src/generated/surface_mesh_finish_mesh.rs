@@ -1,0 +1,78 @@
+// Written by the shader compiler; do not edit. `cargo run -p brooklet-compiler -- build`
+// makes it anew from surface/mesh/finish_mesh.compute.
+//! Kernels of `surface/mesh/finish_mesh.compute`.
+
+use super::{MeshCounts, MeshParams};
+use crate::{
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+};
+
+/// What the mesh came to, as a draw reads it.
+#[derive(Debug)]
+pub struct FinishMesh<'a> {
+    /// of every place in the list and one more, which ends them
+    ///
+    /// `StructuredBuffer<uint> vertex_starts`.
+    pub vertex_starts: Buf<'a, u32>,
+    /// `StructuredBuffer<uint> triangle_starts`.
+    pub triangle_starts: Buf<'a, u32>,
+    /// `RWStructuredBuffer<MeshCounts> mesh_counts`.
+    pub mesh_counts: BufMut<'a, MeshCounts>,
+    /// `ConstantBuffer<MeshParams> mesh`.
+    pub mesh: Uniform<'a, MeshParams>,
+}
+
+impl Kernel for FinishMesh<'_> {
+    const STAGE: &'static str = "finish_mesh";
+    const GROUP_SIZE: [u32; 3] = [1, 1, 1];
+
+    fn module(&self) -> &'static Module {
+        &FINISH_MESH
+    }
+    fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
+        bind(
+            self.module(),
+            &[
+                ("vertex_starts", Some(self.vertex_starts.id)),
+                ("triangle_starts", Some(self.triangle_starts.id)),
+                ("mesh_counts", Some(self.mesh_counts.id)),
+                ("mesh", Some(self.mesh.id)),
+            ],
+        )
+    }
+}
+
+/// The modules of this file.
+pub(super) static MODULES: &[&Module] = &[&FINISH_MESH];
+
+static BINDINGS_0: &[BindingInfo] = &[
+    BindingInfo {
+        name: "vertex_starts",
+        slot: 0,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 },
+    },
+    BindingInfo {
+        name: "triangle_starts",
+        slot: 1,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 },
+    },
+    BindingInfo {
+        name: "mesh_counts",
+        slot: 2,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
+    },
+    BindingInfo { name: "mesh", slot: 3, kind: BindingKind::Uniform { bytes: 96 } },
+];
+
+static FINISH_MESH: Module = Module {
+    name: "FinishMesh",
+    entry: "FinishMesh",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/finish_mesh.spv"),
+    bindings: BINDINGS_0,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "surface/mesh/finish_mesh.compute",
+    hash: "6893abf6a0e36dd97e0cac1cc6f8b29c8fab66bea8820fdb60f4ed4ac3d8d03a",
+};

@@ -1,0 +1,83 @@
+//! How finely a surface is meshed, and how much room there is.
+
+use brooklet_fluid::Scene;
+use brooklet_kernels::{BLOCK_CELLS, MeshParams};
+
+/// A particle's reach in the field, over the spacing (twin: `brooklet_reference::surface::surface_field`).
+const REACH_RATIO: f64 = 2.0;
+/// Radius of a particle alone, over the spacing.
+const RADIUS_RATIO: f64 = 0.55;
+/// Sum of weights below which nothing is inside.
+const LEAST_WEIGHT: f64 = 0.6;
+/// Where the walls of an axis without walls stand: finite in f32 even when squared.
+const FAR_M: f64 = 1.0e15;
+
+/// Options of a meshed surface. Lengths in m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MarchingCubesOptions {
+    /// Particle spacing.
+    pub spacing_m: f64,
+    /// Side of a cell: half a spacing or more, as a block of four holds a particle's reach.
+    pub cell_m: f64,
+    /// Size of the domain, from whose lowest corner positions are counted.
+    pub domain_size_m: [f64; 3],
+    /// Where walls cut the surface off; infinite along axes without.
+    pub wall_bounds_m: [[f64; 3]; 2],
+    /// Blocks of 4 x 4 x 4 cells that the surface may cross.
+    pub most_blocks: u32,
+    /// Vertices there is room for.
+    pub most_vertices: u32,
+    /// Triangles there is room for.
+    pub most_triangles: u32,
+}
+
+impl MarchingCubesOptions {
+    /// Cells of half a spacing, with room for a surface of its particles that are a few layers thick.
+    pub fn for_scene(scene: &Scene) -> Self {
+        let slots = u32::try_from(scene.particle_count()).unwrap_or(u32::MAX).max(scene.capacity.unwrap_or_default());
+        let spacing_m = scene.fitted_spacing_m();
+        // A surface particle has two cells squared of surface above it, each with a vertex and two triangles; a splash,
+        // where all are at the surface, has four times that.
+        let most_vertices = slots.saturating_mul(16).clamp(1 << 14, 1 << 22);
+        Self {
+            spacing_m,
+            cell_m: 0.5 * spacing_m,
+            domain_size_m: scene.domain.size_m(),
+            wall_bounds_m: scene.domain.wall_bounds_m(),
+            most_blocks: slots.saturating_mul(2).clamp(1 << 10, 1 << 17),
+            most_vertices,
+            most_triangles: 2 * most_vertices,
+        }
+    }
+
+    /// Blocks that the domain has along each axis.
+    pub fn bins(&self) -> [u32; 3] {
+        let block_m = f64::from(BLOCK_CELLS) * self.cell_m;
+        self.domain_size_m.map(|side_m| (side_m / block_m).ceil().max(1.0) as u32)
+    }
+
+    /// What the shaders are given.
+    pub fn params(&self) -> MeshParams {
+        let bins = self.bins();
+        let blocks = bins.map(|n| n + 2);
+        let block_m = f64::from(BLOCK_CELLS) * self.cell_m;
+        let [wall_min_m, wall_max_m] =
+            self.wall_bounds_m.map(|corner_m| corner_m.map(|m| m.clamp(-FAR_M, FAR_M) as f32));
+        MeshParams {
+            min_m: [-block_m as f32; 3],
+            cell_m: self.cell_m as f32,
+            blocks,
+            block_count: blocks.iter().product(),
+            wall_min_m,
+            spacing_m: self.spacing_m as f32,
+            wall_max_m,
+            reach_m: (REACH_RATIO * self.spacing_m) as f32,
+            bins,
+            radius_m: (RADIUS_RATIO * self.spacing_m) as f32,
+            most_blocks: self.most_blocks,
+            most_vertices: self.most_vertices,
+            most_triangles: self.most_triangles,
+            least_weight: LEAST_WEIGHT as f32,
+        }
+    }
+}

@@ -1,0 +1,46 @@
+// The surface's mesh as the eye sees it: inverse depth, and the normal that the field gave each vertex.
+#pragma vertex MeshDepthVertex
+#pragma fragment MeshDepthFragment
+
+#include "../../shared/layout.hlsli"
+#include "../../frame/camera.hlsli"
+#include "layout.hlsli"
+
+StructuredBuffer<uint> mesh_indices;
+StructuredBuffer<MeshVertex> mesh_vertices;
+ConstantBuffer<FrameView> view;
+
+struct Varyings
+{
+    float4 position : SV_Position;
+    [[vk::location(0)]] float3 offset_m : TEXCOORD0;
+    [[vk::location(1)]] float3 normal : TEXCOORD1;
+};
+
+Varyings MeshDepthVertex(uint vertex : SV_VertexID)
+{
+    MeshVertex corner = mesh_vertices[mesh_indices[vertex]];
+    Varyings output;
+    output.offset_m = corner.position_m - view.eye_m;
+    output.position = ClipFromOffset(view, output.offset_m);
+    output.normal = corner.normal;
+    return output;
+}
+
+struct Surface
+{
+    float inverse_depth_per_m : SV_Target0;
+    float4 normal : SV_Target1;     // toward the eye, alpha 1
+};
+
+Surface MeshDepthFragment(Varyings input)
+{
+    Surface surface;
+    surface.inverse_depth_per_m = 1.0 / dot(input.offset_m, view.forward);
+    float3 normal = normalize(input.normal);
+    // Interpolated, a normal at an outline may look away from the eye: it is turned into the picture's plane.
+    float3 to_eye = -normalize(input.offset_m);
+    float away = min(dot(normal, to_eye), 0.0);
+    surface.normal = float4(normalize(normal - away * to_eye), 1.0);
+    return surface;
+}

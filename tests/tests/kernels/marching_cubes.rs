@@ -1,0 +1,313 @@
+//! `surface/mesh/` against its twins: the blocks that are listed, the field, and the mesh.
+//!
+//! The field is a sum over some 60 particles, each good to a rounding of its offset, over their weight: `FIELD`. What
+//! comes after is decided by the GPU's own field, so counts, triangles and edges are exact.
+
+use std::collections::BTreeSet;
+
+use brooklet_fluid::Slots;
+use brooklet_kernels::{
+    BLOCK_CELLS, BLOCK_INSIDE, BLOCK_LISTED, FieldPoint, GatherField, Kernel, MeshCounts, MeshVertex, Position,
+    Velocity,
+};
+use brooklet_reference::surface::marching_cubes::{FieldGrid, Mesh, check_closed, marching_cubes, volume_m3};
+use brooklet_reference::surface::marching_cubes_table;
+use brooklet_reference::surface::surface_field::surface_field_in_walls;
+use brooklet_render::Particles;
+use brooklet_render::surface::marching_cubes::{self, MarchingCubesOptions, table::TRIANGLE_TABLE};
+use brooklet_tests::cases::{out_of_part, step_state, vectors};
+use brooklet_tests::compare::{ROUNDING, Worst};
+use brooklet_tests::harness::{Bench, small};
+use brooklet_tests::rng;
+use glam::{DVec3, UVec3};
+use rand::{Rng, RngExt};
+
+const SPACING_M: f64 = 0.02;
+/// Roundings that the field may be off by near the surface, over the spacing.
+const FIELD: f64 = 40.0;
+/// Roundings of a gradient, over its length and how far x̄ is off x in spacings.
+const GRADIENT: f64 = 600.0;
+
+/// What the GPU made of particles.
+struct Meshed {
+    counts: MeshCounts,
+    vertices: Vec<MeshVertex>,
+    triangles: Vec<[u32; 3]>,
+    field_points: Vec<FieldPoint>,
+    entries: Vec<u32>,
+    blocks: UVec3,
+}
+
+fn options(size_m: DVec3) -> MarchingCubesOptions {
+    MarchingCubesOptions {
+        spacing_m: SPACING_M,
+        cell_m: 0.5 * SPACING_M,
+        domain_size_m: size_m.to_array(),
+        wall_bounds_m: [[0.0; 3], size_m.to_array()],
+        most_blocks: 4096,
+        most_vertices: 1 << 16,
+        most_triangles: 1 << 17,
+    }
+}
+
+fn run(positions: &[Position], options: &MarchingCubesOptions) -> Meshed {
+    let count = positions.len();
+    let mut bench = Bench::new();
+    let at = bench.input("positions", positions);
+    let velocities = bench.output::<Velocity>("velocities", count);
+    let step = bench.uniform("step", step_state(count, 0.0));
+    let (resources, recording) = bench.parts();
+    let mut slots = Slots::declare(resources, count as u32, false);
+    recording.copy(&step, &mut slots.state);
+    let particles =
+        Particles { positions: &at, velocities: &velocities, slots: &slots, neighbours: None, densities: None };
+    let mut init = resources.recording("unused");
+    let mesh = marching_cubes::record(resources, (&mut init, recording), &particles, options);
+    // The bench has one recording: what comes once, first, is put before the rest.
+    let rest = std::mem::replace(recording, init);
+    recording.append(&rest);
+    bench.want(&mesh.counts);
+    bench.want(&mesh.vertices);
+    bench.want(&mesh.indices);
+    bench.want(&mesh.field_points);
+    bench.want(&mesh.block_entries);
+    let mut done = bench.run();
+    let counts: MeshCounts = done.read(&mesh.counts, 1)[0];
+    let indices: Vec<u32> = done.read(&mesh.indices, counts.index_count as usize);
+    Meshed {
+        counts,
+        vertices: done.read(&mesh.vertices, counts.vertices as usize),
+        triangles: indices.chunks(3).map(|corners| [corners[0], corners[1], corners[2]]).collect(),
+        field_points: done.read(&mesh.field_points, 64 * counts.blocks as usize),
+        entries: done.read(&mesh.block_entries, options.params().block_count as usize),
+        blocks: UVec3::from_array(options.params().blocks),
+    }
+}
+
+impl Meshed {
+    /// The GPU's field at every point of the grid, as what it lists none of is taken.
+    fn grid_values(&self) -> (Vec<f64>, [usize; 3]) {
+        let points = (self.blocks * BLOCK_CELLS).to_array().map(|n| n as usize);
+        let mut values = Vec::new();
+        for z in 0..points[2] {
+            for y in 0..points[1] {
+                for x in 0..points[0] {
+                    let [block, local] = [[x, y, z].map(|n| n / 4), [x, y, z].map(|n| n % 4)];
+                    let blocks = self.blocks.as_usizevec3();
+                    let entry = self.entries[(block[2] * blocks.y + block[1]) * blocks.x + block[0]];
+                    values.push(match entry {
+                        BLOCK_INSIDE => SPACING_M,
+                        listed if listed >= BLOCK_LISTED => {
+                            let first = 64 * (listed - BLOCK_LISTED) as usize;
+                            f64::from(self.field_points[first + (local[2] * 4 + local[1]) * 4 + local[0]].field_m)
+                        }
+                        _ => -SPACING_M,
+                    });
+                }
+            }
+        }
+        (values, points)
+    }
+
+    fn mesh(&self) -> Mesh {
+        Mesh {
+            vertices_m: self.vertices.iter().map(|v| DVec3::from_array(v.position_m.map(f64::from))).collect(),
+            triangles: self.triangles.clone(),
+        }
+    }
+}
+
+fn min_m(options: &MarchingCubesOptions) -> DVec3 {
+    DVec3::from_array(options.params().min_m.map(f64::from))
+}
+
+/// A jittered lattice of `counts` particles from `first_m` on.
+fn lattice(rng: &mut impl Rng, first_m: DVec3, counts: UVec3) -> Vec<Position> {
+    let mut positions = Vec::new();
+    for z in 0..counts.z {
+        for y in 0..counts.y {
+            for x in 0..counts.x {
+                let jitter = DVec3::from_array([0; 3].map(|_| 0.2 * (rng.random::<f64>() - 0.5)));
+                let at_m = first_m + SPACING_M * (DVec3::new(x.into(), y.into(), z.into()) + jitter);
+                positions.push(Position { position_m: at_m.as_vec3().to_array(), tag: positions.len() as u32 });
+            }
+        }
+    }
+    positions
+}
+
+/// Particles of the shapes of fluid that there are: in the open, at walls, alone, scattered, out of part.
+fn cases() -> Vec<(&'static str, DVec3, Vec<Position>)> {
+    let mut rng = rng(81);
+    let size_m = SPACING_M * DVec3::new(17.0, 15.0, 13.0);
+    let half_m = DVec3::splat(0.5 * SPACING_M);
+    let scattered = (0..if small() { 40 } else { 400 }).map(|i| Position {
+        position_m: (size_m * DVec3::new(rng.random(), rng.random(), rng.random())).as_vec3().to_array(),
+        tag: i,
+    });
+    let scattered: Vec<Position> = scattered.collect();
+    let mut parted = lattice(&mut rng, DVec3::splat(4.0 * SPACING_M), UVec3::new(5, 5, 5));
+    parted.iter_mut().enumerate().for_each(|(i, position)| position.tag |= out_of_part(i));
+    vec![
+        ("nothing", size_m, Vec::new()),
+        ("one particle", size_m, lattice(&mut rng, DVec3::splat(5.3 * SPACING_M), UVec3::ONE)),
+        ("a block in the open", size_m, lattice(&mut rng, DVec3::splat(3.5 * SPACING_M), UVec3::new(9, 7, 5))),
+        ("a pool", size_m, lattice(&mut rng, half_m, UVec3::new(17, 8, 13))),
+        ("full", size_m, lattice(&mut rng, half_m, UVec3::new(17, 15, 13))),
+        ("scattered", size_m, scattered),
+        ("all in one point", size_m, vec![Position { position_m: [0.1; 3], tag: 0 }; 100]),
+        ("out of part", size_m, parted),
+    ]
+}
+
+#[test]
+fn the_table_is_the_twin_s() {
+    for (inside, words) in TRIANGLE_TABLE.iter().enumerate() {
+        let corners = marching_cubes_table::triangles(inside as u8).concat();
+        for k in 0..16 {
+            let edge = words[k / 8] >> (4 * (k % 8)) & 15;
+            assert_eq!(edge, corners.get(k).map_or(15, |&edge| edge.into()), "corner {k} of case {inside}");
+        }
+    }
+}
+
+#[test]
+fn gather_field_matches_its_twin() {
+    let mut field = Worst::new(GatherField::STAGE, FIELD * ROUNDING);
+    let mut gradients = Worst::new("its gradient", GRADIENT * ROUNDING);
+    for (name, size_m, positions) in cases() {
+        let options = options(size_m);
+        let got = run(&positions, &options);
+        let taking_part: Vec<Position> = positions.iter().copied().filter(|p| p.tag >> 24 == 0).collect();
+        let particles_m = vectors(&taking_part);
+        let mut checked = 0;
+        for (block, &entry) in got.entries.iter().enumerate() {
+            if entry < BLOCK_LISTED {
+                continue;
+            }
+            let at = UVec3::new(
+                block as u32 % got.blocks.x,
+                block as u32 / got.blocks.x % got.blocks.y,
+                block as u32 / got.blocks.x / got.blocks.y,
+            );
+            let points = &got.field_points[64 * (entry - BLOCK_LISTED) as usize..][..64];
+            if points.iter().all(|point| point.field_m.abs() == SPACING_M as f32) {
+                continue;
+            }
+            for (i, point) in points.iter().enumerate() {
+                let local = UVec3::new(i as u32 % 4, i as u32 / 4 % 4, i as u32 / 16);
+                let at_m = min_m(&options) + options.cell_m * (at * BLOCK_CELLS + local).as_dvec3();
+                // On a wall a rounding decides on which side the point is.
+                if at_m.abs().min((at_m - size_m).abs()).min_element() < 1e-6 * SPACING_M {
+                    continue;
+                }
+                let (expected_m, gradient) =
+                    surface_field_in_walls(at_m, &particles_m, SPACING_M, [DVec3::ZERO, size_m]);
+                // Where little is in reach (nothing that near the surface) weights are tiny, and their quotients off.
+                let scale_m = if expected_m < -0.45 * SPACING_M { 1e3 * SPACING_M } else { SPACING_M };
+                field.check(point.field_m, expected_m, scale_m).unwrap_or_else(|e| panic!("{name}: {e}"));
+                // Where two rules meet, a rounding decides which gradient it is.
+                let got = DVec3::from_array(point.gradient.map(f64::from));
+                if expected_m.abs() < 0.45 * SPACING_M && (got - gradient).length() < 0.1 {
+                    // Where x̄ is near x, its direction is the rounding's.
+                    let off = 0.55 - expected_m / SPACING_M;
+                    let scale = gradient.length().max(1.0) / off.min(1.0);
+                    (0..3).for_each(|axis| gradients.check(point.gradient[axis], gradient[axis], scale).unwrap());
+                    checked += 1;
+                }
+            }
+        }
+        assert!(positions.is_empty() || checked > 4, "{name}: {checked} gradients");
+    }
+    field.report();
+    gradients.report();
+    let mut worst = Worst::new("fed a wrong field", FIELD * ROUNDING);
+    assert!(worst.check(1e-4, 1.1e-4, SPACING_M).is_err());
+}
+
+#[test]
+fn meshes_are_closed_and_those_of_the_twin() {
+    for (name, size_m, positions) in cases() {
+        let options = options(size_m);
+        let got = run(&positions, &options);
+        assert_eq!((got.counts.lost_blocks, got.counts.lost_triangles), (0, 0), "{name}");
+        check_closed(&got.triangles).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let (values, points) = got.grid_values();
+        let grid = FieldGrid { points, min_m: min_m(&options), cell_m: options.cell_m, values: &values };
+        let expected = marching_cubes(&grid);
+        assert_eq!(got.vertices.len(), expected.vertices_m.len(), "{name}");
+        assert_eq!(got.triangles.len(), expected.triangles.len(), "{name}");
+        // The same triangles, whatever the order in which blocks put them.
+        let mesh = got.mesh();
+        let key = |mesh: &Mesh| -> BTreeSet<[[i64; 3]; 3]> {
+            mesh.triangles
+                .iter()
+                .map(|corners| {
+                    let mut at = corners.map(|vertex| {
+                        (mesh.vertices_m[vertex as usize] / (1e-3 * SPACING_M)).round().as_i64vec3().to_array()
+                    });
+                    at.sort_unstable();
+                    at
+                })
+                .collect()
+        };
+        let (one, other) = (key(&mesh), key(&expected));
+        let differ = one.symmetric_difference(&other).count();
+        // A coordinate that rounds to another thousandth of a spacing, in one of nine.
+        assert!(differ <= one.len() / 20, "{name}: {differ} of {} triangles stand elsewhere", one.len());
+        for vertex in &got.vertices {
+            let length = DVec3::from_array(vertex.normal.map(f64::from)).length();
+            assert!((length - 1.0).abs() < 1e-5, "{name}: a normal of length {length}");
+        }
+        let volume = volume_m3(&mesh) / SPACING_M.powi(3);
+        let range = match name {
+            "nothing" => 0.0..1e-9,
+            // A ball of radius 0.55, cut into cells of half a spacing.
+            "one particle" | "all in one point" => 0.2..0.7,
+            // Edges are rounded in the open, and are not at walls.
+            "a block in the open" => 0.88 * 315.0..315.0,
+            "a pool" => 0.98 * 1768.0..1.02 * 1768.0,
+            "full" => 0.99 * 3315.0..1.001 * 3315.0,
+            _ => 1.0..f64::INFINITY,
+        };
+        assert!(range.contains(&volume), "{name}: {volume} spacings cubed");
+        println!("{name}: {} blocks, {} triangles, {volume:.1} spacings cubed", got.counts.blocks, got.triangles.len());
+    }
+}
+
+#[test]
+fn normals_point_out_of_the_fluid() {
+    let (_, size_m, positions) = cases().swap_remove(2);
+    let got = run(&positions, &options(size_m));
+    let middle_m = vectors(&positions).iter().sum::<DVec3>() / positions.len() as f64;
+    let outward = |vertex: &&MeshVertex| {
+        let [at_m, normal] = [vertex.position_m, vertex.normal].map(|v| DVec3::from_array(v.map(f64::from)));
+        normal.dot(at_m - middle_m) > 0.0
+    };
+    let count = got.vertices.iter().filter(outward).count();
+    assert!(count as f64 > 0.99 * got.vertices.len() as f64, "{count} of {}", got.vertices.len());
+}
+
+#[test]
+fn what_finds_no_room_is_counted_and_nothing_is_written_beyond_the_end() {
+    let (_, size_m, positions) = cases().swap_remove(3);
+    let all = run(&positions, &options(size_m)).counts;
+    let half = |n: u32| n / 2;
+    let fewer_triangles = MarchingCubesOptions { most_triangles: half(all.triangles), ..options(size_m) };
+    let got = run(&positions, &fewer_triangles);
+    assert_eq!(
+        (got.counts.triangles, got.counts.lost_triangles),
+        (half(all.triangles), all.triangles - half(all.triangles))
+    );
+    let fewer_vertices = MarchingCubesOptions { most_vertices: half(all.vertices), ..options(size_m) };
+    let got = run(&positions, &fewer_vertices);
+    assert_eq!(got.counts.vertices, half(all.vertices));
+    let degenerate = got.triangles.iter().filter(|corners| **corners == [0; 3]).count();
+    assert!(got.counts.lost_triangles > 0 && degenerate as u32 == got.counts.lost_triangles);
+    assert!(got.triangles.iter().flatten().all(|&vertex| vertex < half(all.vertices)));
+    let fewer_blocks = MarchingCubesOptions { most_blocks: half(all.blocks), ..options(size_m) };
+    let got = run(&positions, &fewer_blocks);
+    assert_eq!((got.counts.blocks, got.counts.lost_blocks), (half(all.blocks), all.blocks - half(all.blocks)));
+    // Where a block is missing, so are the vertices of its edges.
+    assert!(got.counts.triangles > 0 && got.triangles.iter().flatten().all(|&vertex| vertex < got.counts.vertices));
+}
