@@ -77,7 +77,8 @@ impl FrameOptions {
             return Err(RenderError::not_allowed("shadow_texels", self.shadow_texels, "16 to 4096 are allowed"));
         }
         match &self.surface {
-            SurfaceOptions::ScreenSpace(options) | SurfaceOptions::MarchingCubes(options, _) => options.check(),
+            SurfaceOptions::ScreenSpace(options) => options.check(),
+            SurfaceOptions::MarchingCubes(options, mesh) => options.check().and_then(|()| mesh.check()),
             SurfaceOptions::Points | SurfaceOptions::None => Ok(()),
         }
     }

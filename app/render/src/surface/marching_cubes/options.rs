@@ -1,5 +1,6 @@
 //! How finely a surface is meshed, and how much room there is.
 
+use crate::error::RenderError;
 use brooklet_fluid::Scene;
 use brooklet_kernels::{BLOCK_CELLS, MeshParams};
 
@@ -11,6 +12,9 @@ const RADIUS_RATIO: f64 = 0.55;
 const LEAST_WEIGHT: f64 = 0.6;
 /// Where the walls of an axis without walls stand: finite in f32 even when squared.
 const FAR_M: f64 = 1.0e15;
+
+/// Blocks of the whole grid at most: 64 MiB for each table over them.
+const MOST_GRID_BLOCKS: f64 = 16_777_216.0;
 
 /// Options of a meshed surface. Lengths in m.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -54,6 +58,22 @@ impl MarchingCubesOptions {
     pub fn bins(&self) -> [u32; 3] {
         let block_m = f64::from(BLOCK_CELLS) * self.cell_m;
         self.domain_size_m.map(|side_m| (side_m / block_m).ceil().max(1.0) as u32)
+    }
+
+    /// That the grid of blocks has no more than a buffer's worth.
+    ///
+    /// # Errors
+    /// Says how many there are, and how many are allowed.
+    pub(crate) fn check(&self) -> Result<(), RenderError> {
+        let blocks: f64 = self.bins().iter().map(|&n| f64::from(n) + 2.0).product();
+        if blocks <= MOST_GRID_BLOCKS {
+            return Ok(());
+        }
+        Err(RenderError::NotAllowed {
+            field: "surface.method",
+            value: format!("marching-cubes over {blocks:.3e} blocks of cells"),
+            allowed: "16777216 are allowed: make spacing_m larger or the domain smaller, or choose screen-space",
+        })
     }
 
     /// What the shaders are given.
