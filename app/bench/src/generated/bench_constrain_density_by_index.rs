@@ -93,5 +93,5 @@ static CONSTRAIN_DENSITY_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/constrain_density_by_index.compute",
-    hash: "5b8a2ad37b9c8e67b9500384255987dbd781163aee03e9cf26345fb6dc663e77",
+    hash: "aee3986e7c9fd683033538b8f0e2ad794bb9f3c8af488e89a9e5d04e658889db",
 };

@@ -57,5 +57,5 @@ static COPY_ELEMENTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/copy.compute",
-    hash: "386e142d8436a2d22d9ed5261a4ceb5c5d82acc0c56b271a6be7389f082c2083",
+    hash: "4ac4c065b95bac0166b6c6ad1a208599a33009a7f9a0a7d5d09c040ccb0636c6",
 };

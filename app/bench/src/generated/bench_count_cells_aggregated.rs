@@ -74,5 +74,5 @@ static COUNT_CELLS_AGGREGATED: Module = Module {
     shared_bytes: 512,
     tier: Tier::Floor,
     source: "bench/count_cells_aggregated.compute",
-    hash: "8d96a8a8238090ed399a839f2d92a428c2f499b946b96d2d663caac5d82dc428",
+    hash: "0642291153c8c86ef417ee5d8504dd81f291cec1d11f4d57b6f5f2a3a24713bf",
 };

@@ -94,5 +94,5 @@ static LIST_NEIGHBOURS_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/list_neighbours_by_index.compute",
-    hash: "8da0ae35da0d488837dbea26d84ea62676b0af38e1766466b6960d96bf372274",
+    hash: "900c93271d54bb8e4d634072cb05eeffeda0cd062e88bd1c36f24220beba8303",
 };

@@ -82,5 +82,5 @@ static REORDER_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/reorder_index.compute",
-    hash: "a142c295d005d703362004d2e9c0b82562e4b8ca1b36f98407494ef75d09cfa5",
+    hash: "a32ada5fe013ab86338a89ffdb39a30f32ded3d46e8092d4f2a134f0de0d5acd",
 };

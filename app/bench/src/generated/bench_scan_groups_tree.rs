@@ -88,7 +88,7 @@ static SCAN_GROUPS_TREE: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "d1a10115a4789fcecbcb87108be4b44418f156c89cb093543ee9e5fafdef4192",
+    hash: "bc144c1ab0dd04c9f41146b2a44e9513170d43679f91f1e38e90c3aced4ecb73",
 };
 
 static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
@@ -101,7 +101,7 @@ static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "fcdd87b200916bdfcd8aaa03c31a5731ba8d6cdc5d38863e6c20bf436a7c3370",
+    hash: "e3056d07725bdc1df01dcfa06287d60c0a509417d905a8af6281a00d391b026e",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
@@ -114,7 +114,7 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "508464f034c65750472674f5bd42aa39f14e1b16ab21598ba4a19fa8da548246",
+    hash: "12a04e532ccbe4b220fdcc39cd6ee18ebac8178cc450847f60c2fd0739f526ff",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
@@ -127,5 +127,5 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "8bf86177036a75571287a644f96205bcf076c996ac646df563a58f9ea621be86",
+    hash: "4a8aa943773eb5bbd20847eca8da3bc6210509ff93639ef123c0903d58c21021",
 };

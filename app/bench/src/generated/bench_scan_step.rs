@@ -54,5 +54,5 @@ static SCAN_STEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/scan_step.compute",
-    hash: "66a2a1e06344ea925e32a98a28a8d9b1c4001dba13d1af4747bf84401fdee26b",
+    hash: "240cd3e8e91eb6135f7674977869087b07211273b510c4278b1d6e40ae6eaa3c",
 };

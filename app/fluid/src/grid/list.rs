@@ -44,8 +44,8 @@ pub struct Neighbours {
 }
 
 impl Neighbours {
-    /// Declares the lists of so many slots, with room for `list_chunks` runs each. They persist from the step that made them to
-    /// the measurement that reads them.
+    /// Declares the lists of so many slots, with room for `list_chunks` runs each. They persist from the step that made
+    /// them to the measurement that reads them.
     pub fn declare(resources: &mut Resources, capacity: u32, list_chunks: u32) -> Self {
         Self {
             deltas: resources.persistent("neighbours", list_length(capacity, list_chunks)),

@@ -99,7 +99,7 @@ static CONFINE_VORTICITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/confine_vorticity.compute",
-    hash: "d68dca3a936090f16487e61f3d18dc623443a8fbf70a463b0f5474a21c133174",
+    hash: "512f90c9e5f68ed56557f9367b9552bd34bd4da98a25504ff7c3a0c745d9c657",
 };
 
 static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -112,7 +112,7 @@ static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/confine_vorticity.compute",
-    hash: "f3ea14b62e2e00baca242fe34feac922165cc81fbf5429d6cfaa83a8cbd18ed6",
+    hash: "cf923b7f742d0e0a22581f56e9c8f7992df5c27a5b3632ec91d9a21ca8bfc144",
 };
 
 static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
@@ -125,5 +125,5 @@ static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/confine_vorticity.compute",
-    hash: "628f184eecea458cda9e7faba4b68aa3b857bf9031f693f3f110d4de7ba4fbcd",
+    hash: "f500a1114cebe8c6aac27e4e111438dbc5b2b12b560af501f7f3c8ac8b1d1c7a",
 };

@@ -97,7 +97,7 @@ static CURL: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/curl.compute",
-    hash: "09a8c02687ac27b401c8aba5e27adb511a3f65049cfcccbb8dbc2ddf6634920c",
+    hash: "8d3777168079705f0c003a7d59e2057ea8504d8c15eef16254ed6d6345e67b0a",
 };
 
 static CURL_WITH_RELAXED_PRECISION: Module = Module {
@@ -110,7 +110,7 @@ static CURL_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/curl.compute",
-    hash: "ef67d7f2883e032ae4307c6f1320f135528c00478a366716abe0010f48287bed",
+    hash: "9d7707ebb4eb2039c1f0c4ef6789c19a1ceb4a4b979f06b08b8ed37851619776",
 };
 
 static CURL_WITH_HALF_PRECISION: Module = Module {
@@ -123,5 +123,5 @@ static CURL_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/curl.compute",
-    hash: "ac07fa04c185ad3ba662704e93586fb0658becbc3ad551e64ebfb68a364d02bb",
+    hash: "47e3b05e2b05e135675e644fa331fd2c51fe460ec8ab988b16ecd67a5313b77e",
 };

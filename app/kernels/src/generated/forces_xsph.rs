@@ -102,7 +102,7 @@ static XSPH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/xsph.compute",
-    hash: "07c562dc974c2a2803c85c8fb374887c3dee9dfee5705066b252dbc6d3ff8c75",
+    hash: "6b769b736e454edc7020bb7b9594717447d024b79e042f1bd4c813aae085c0a2",
 };
 
 static XSPH_WITH_RELAXED_PRECISION: Module = Module {
@@ -115,7 +115,7 @@ static XSPH_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/xsph.compute",
-    hash: "5fcaca0d49cf142d38833f2a8d95c5e3d36708b1ee0714ea68be3a88416f6096",
+    hash: "cff265d3ee064001a60dcaee18cb6546d37857d03433a4ae6e05eae7c9800c44",
 };
 
 static XSPH_WITH_HALF_PRECISION: Module = Module {
@@ -128,5 +128,5 @@ static XSPH_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/xsph.compute",
-    hash: "2659910079db91e260c88c16cfb74c10ed1bd375ef93d158571f7386accc66d7",
+    hash: "852ce4545ba2a6229ce218240beb3a2dfb8853ea02385193434a775463f2b0ec",
 };

@@ -90,7 +90,7 @@ static COUNT_CELLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "0f90fc22dd252e41a871ef7f9235c2b0c28a586338282383542c32d76c0adbff",
+    hash: "07d4e19b04b774de6a25957d237f755281194f9245f2566a3d687235de195061",
 };
 
 static COUNT_CELLS_WITH_PERIODIC: Module = Module {
@@ -103,7 +103,7 @@ static COUNT_CELLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "4a4e3e8c53f3620ea01f6c5181f8022b6d7f30adfe28e5cb3c11bf091c88b5c9",
+    hash: "c86011b49fe7b92c2e8a528e228d6ca6db8aee71256f80c3dc95f915d7570586",
 };
 
 static COUNT_CELLS_WITH_WRAPPED: Module = Module {
@@ -116,7 +116,7 @@ static COUNT_CELLS_WITH_WRAPPED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "140f25431de97e3b2a830c1aadb1f7c07a670c57136b8c7756e03619a82e078b",
+    hash: "a686538d2122f131dfd1e252b9f0578168c8563f5f31485f984b34168e0f4a67",
 };
 
 static COUNT_CELLS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
@@ -129,5 +129,5 @@ static COUNT_CELLS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "c7885275c23bd3ef654bba0ba14631aef7d93dc40f2987b146a543f121486732",
+    hash: "c7ecee75a4be49b5ce179f12891d4d86e94260ce71177bc924cffb87b03166da",
 };

@@ -135,7 +135,7 @@ static LIST_NEIGHBOURS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "52e0fbd2c5ae72e25090354a588f09b4050d4e53ddbd71c7e3d15661456d8212",
+    hash: "2ad0afe30e2a476620c26a9f97679d27da90492a73c1b1b3cf8ee2fd01bd20f0",
 };
 
 static LIST_NEIGHBOURS_WITH_RELAXED_PRECISION: Module = Module {
@@ -148,7 +148,7 @@ static LIST_NEIGHBOURS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "6034225087ca3a751e18177055bcbbe64f562106223fec5be6baf02403644ae6",
+    hash: "9f168c583348f4ce45fbc77352724a051c13ede57b4578fc232704bef5b4b6bf",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
@@ -161,7 +161,7 @@ static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "49a1dd42b7752183ee24a7b8be96f9bbe8abecbe2b548e43611b7e0c9c274bcd",
+    hash: "f55c13268273f8c20289a36da6a9e0e15e10ce351800f7caaf7eedac19609c69",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
@@ -174,7 +174,7 @@ static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "cdc633f3fcc3f111b3f36abdbc8ec9d9d391205a7d39bb69458edd347373850b",
+    hash: "0644d00934c0542825b4dea185c39fd1033c5dab0ad05e8b03dbe75f3eee6825",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
@@ -187,7 +187,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "6508e9cb9714c5b93b085c098d867c1d600ef9fdc42b18887a6696e6a1578f3b",
+    hash: "ea0d553c97785874dd584d076941f40ff6ba1a8316c9104f1be43951a001acc3",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_RELAXED_PRECISION: Module = Module {
@@ -200,7 +200,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "31e83891e66b51a865824793ecd0c62f52a7570653e1d0c3bed8e411186d9972",
+    hash: "c0dddbd2c945a13ade99d6ce73b23f093c9c00ac6e4d064c3146edf912c0850b",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
@@ -213,7 +213,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "4dedb9fb5d9415d5c5334e57912d6d9027cd366b5b4c6235eda17d3296d82c0d",
+    hash: "213424b97953ba2302d08cb367c6a8f0d301c097bedcaf1796a78df25d2c7909",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
@@ -226,5 +226,5 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "5e6691917f93d50f1f711feb22f6a5d7d52151f6af84ea31ca95e88467dc0386",
+    hash: "ce04787ad3ea6ee168586f12b8f43b65a12b5b8218ecc5672204d81cd32438cf",
 };

@@ -77,5 +77,5 @@ static RANK_BY_ID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/rank_by_id.compute",
-    hash: "844601c17bf7b52fca20a8985318bb969ba44f1ae491058d2cc6230b033c26c3",
+    hash: "00fe08cd7aa74f3496fe3968cf82f5dd26ac570f5a22043d9a51f85fcc139803",
 };

@@ -106,7 +106,7 @@ static REORDER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "85d982cf33e1721033c1e3aaa7bf002eedef5419d7fa52fb7cffa7389637398f",
+    hash: "4abc5078a1480003016d8634cd4b3280f5c2ba885d07b26e919987ed4f8e2b16",
 };
 
 static REORDER_WITH_RELAXED_PRECISION: Module = Module {
@@ -119,5 +119,5 @@ static REORDER_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "7f4bfc9cdabb60756fe65194c5191d8f5e83a59b540a2e2885ecfc4efd1dbcec",
+    hash: "9366ed3449f187bebdd85e35014c87a778831f7c117d8ac6ccc18f6a4226c38a",
 };

@@ -109,7 +109,7 @@ static REDUCE_GROUPS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "19d1b311f75eeb79926cd4fa32c8961fae61ad6c022c74f341f2e5930930439e",
+    hash: "b0ca2afd37036712e3615b5f7a5d646ad9b1c46d3ccc21136890d28408f9f6fa",
 };
 
 static SCAN_GROUPS: Module = Module {
@@ -122,7 +122,7 @@ static SCAN_GROUPS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "e01254017d74fb6ee8a89c7e24a7848b4d5e6936c4bcf6d1b48befc5f75babef",
+    hash: "904a690e45a22ed6fe6c9f22175fe4cfa9906be2cab78e02b8830ffc46407649",
 };
 
 static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
@@ -135,5 +135,5 @@ static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "392e815b04bea4582a2722e300a9f7e0dd1d20c4ba507d984314f674cf1bfda2",
+    hash: "c8abafb41dc2aad7038eeaf0cf04f169a07fc6e65231777fe59f32f0d9e31c3a",
 };

@@ -65,5 +65,5 @@ static SCATTER_CELL_MEMBERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/scatter_cell_members.compute",
-    hash: "3cb5797f074e2ccbf7acded5822bc76c0190c55ed26647272eb22b8c8799e470",
+    hash: "9f9ea9f79146688a4e35160dd5750fb412f1cb34f0ac8ad2d25ef58ae3290b61",
 };

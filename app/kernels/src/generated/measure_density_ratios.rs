@@ -97,7 +97,7 @@ static DENSITY_RATIOS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "17d18794e823e2803c33824112068198aceaeb1e661664cb466eb4a1792db9d2",
+    hash: "49336fe1a9cbd40e7e6a0422664e409a9b14b0a7bf9d2fc987ec367323e84996",
 };
 
 static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
@@ -110,7 +110,7 @@ static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "96c7b7e5548d0a445c1d4b413183816ff18124454fa9918ca34849b3fb38924c",
+    hash: "868ec77a24fea2a92dd4a2f62b886ec65561a7eee4b52e28b2f1784270143079",
 };
 
 static DENSITY_RATIOS_WITH_WALLS: Module = Module {
@@ -123,7 +123,7 @@ static DENSITY_RATIOS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "37e79be4289a607d736902ff835bf0dfec384af4a8d40a1b5ec58bafa8a53e68",
+    hash: "5c95bf648b4ebf28ad6eeb3b8628b85f94b77ca299082f1524f3075f95fba98a",
 };
 
 static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -136,5 +136,5 @@ static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "440f72bc9c6e579a0dabe1c6eb97bae0f1c04e580d8c6bc871467b92da0153bd",
+    hash: "269f659444d9cc3387c28aea3b2c464c73f113fb2380d3c39ee5d73d45cf8643",
 };

@@ -132,7 +132,7 @@ static MEASURE_PARTICLES: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "adf499e6e5a8809eb4116cd096a08f5929c2eaef7c7b9e6ddfb88c4a3cb96c89",
+    hash: "602c349939b3a564ebb0a1d67252170546e551d458e88357015e722ea54d02e2",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
@@ -145,7 +145,7 @@ static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "8069ebc40d1dc3233dc59cc9bfd0ceb52465d2ce882aa482fded5e07ddc1dfdb",
+    hash: "859508ecb2b014a783bbeaf7fbf45cf39e6d02ba071626f9765de684ffcb9e62",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
@@ -158,7 +158,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "a96db6733ad314ebd7160f0a5f783d5e2338a6aabd884fa8744843eff4ada820",
+    hash: "7713ae977fa9bbd265407e22b891a49647df3f761dbc5a8a9ef754e7994c8e2d",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
@@ -171,7 +171,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "8de90903cfcc0050190e33e1ab212ae674ff880d6641cdd1677ba758eff0152f",
+    hash: "0bedd8156384b8d970a1a2289343a189a80846f66c297a9c432719a35bf76b3f",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -184,5 +184,5 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module 
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "29973757eb29109193ef79d025f08aaa799e379038cb768e0517407d2033c630",
+    hash: "db5ec9de840b6fdf4a48aa27715d4b6dacfc94b49e940745644676ed27f8777c",
 };

@@ -73,5 +73,5 @@ static MEASURE_TOTALS: Module = Module {
     shared_bytes: 4616,
     tier: Tier::Floor,
     source: "measure/measure_totals.compute",
-    hash: "fbd73ab327443afbcaff4e198bb4fa4a0b207fd68a5283fa4953e7a51a841cbc",
+    hash: "b83e349e80eab9e3704379d1c17fce972b9277262f28d0f57ca6fb30a673c5b1",
 };

@@ -67,5 +67,5 @@ static SAMPLE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/sample_particles.compute",
-    hash: "7222d77b433621072c9d7929744fadd36dde590b6de4540bbd68d084aa371cae",
+    hash: "f991ca76934164db839e3fa626370fdb6d3a5f7e544dbfa9995eaa5f3a37edbe",
 };

@@ -114,7 +114,7 @@ static ACTIVATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/activate.compute",
-    hash: "2e4ead8e0a8e4de08a876e76cf6d29ceaf76986cc0abc7d5e64d9193fc887f0b",
+    hash: "fcd91698815eb43eb09ebcd0900383b80cd5e3870f8a287e75627d703091042e",
 };
 
 static CLAIM_SLOTS: Module = Module {
@@ -127,5 +127,5 @@ static CLAIM_SLOTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/activate.compute",
-    hash: "083b91bfe645bb57327d2b4fca2a289059b9866acafe73436621d651250cf920",
+    hash: "2671b83e18e6744ca69ea73c1d46d785ca33e87b470a9ebf2b1735b8417b4a1c",
 };

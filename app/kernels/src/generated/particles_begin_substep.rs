@@ -50,5 +50,5 @@ static BEGIN_SUBSTEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/begin_substep.compute",
-    hash: "952c56e8a5942c80ae67b98428a99156ffff76a2f4611c098892f0b74e403628",
+    hash: "5d5f0d1054f22dcf55cfc5155860488d3e49121899b14bad7c01d6252c9e136e",
 };

@@ -68,5 +68,5 @@ static DEACTIVATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/deactivate.compute",
-    hash: "ecc5d2e1d6b8bb053e4464e478874ca788769a52000f487c201d1ce8896c4dc2",
+    hash: "a6c42843531edcefddec042758458a61308843aa424ece8af35f8ab5023ca8a9",
 };

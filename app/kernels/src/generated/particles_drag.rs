@@ -66,5 +66,5 @@ static DRAG: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/drag.compute",
-    hash: "cecaf8b912af4859fc76d116757b3de2fbb007f354a7bd0273cf3fd8f8d62fcc",
+    hash: "5bf05dcaf8de28a85a57e32d311129255fb221aeb710ff7fb301bc0a7a5b5386",
 };

@@ -94,7 +94,7 @@ static PREDICT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "8446e969242eaf190fb3a216565e0dd50795ded32873800ce6e97de3fc484fa2",
+    hash: "89ed91dcdc2367bee71d9111221fe1c837e89324a2a5180c266e8cb96ac37650",
 };
 
 static PREDICT_WITH_PERIODIC: Module = Module {
@@ -107,7 +107,7 @@ static PREDICT_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "3a05d8628dcc68049f62663f463a8a2a11bfc59aaea4fbd47fe7d9285dd01d18",
+    hash: "fa7b7c4cfd854e269a17844518a486b83594faad29e4a2b8531bfcdb1c1dc8d3",
 };
 
 static PREDICT_WITH_WALLS: Module = Module {
@@ -120,7 +120,7 @@ static PREDICT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "2e347a2ef6b7b4d827d64c0a594659e1a7d712a98e49b4b6b852e0dc45d2a729",
+    hash: "6ca2cf3889ec6c4a607384248c3f755139be6691aa4d9244cabb9ea11c61cb3b",
 };
 
 static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -133,5 +133,5 @@ static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "ae88d5da3611c8daebd3bcb7dd6fed6e7e942796db65fe49d2dad2a18de7ff33",
+    hash: "eacd4d54f38644754b100590ed5e37fd38ec72bae1bb7a8c2719f395bb8ea088",
 };

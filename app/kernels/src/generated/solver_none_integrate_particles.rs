@@ -102,7 +102,7 @@ static INTEGRATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "54f6b35d781bcdd9d807e3c8348fe193ce181135defe33168a7f90f9e0176a1b",
+    hash: "b4b2591973643b690693e8bdaa2af7d41de6cbdac444af6f54f6fe59bb9c5a56",
 };
 
 static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
@@ -115,7 +115,7 @@ static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "f96e9d42cdfe49f39e2dc81515b2c1d850747293b9e52553b870c65ac8312fc9",
+    hash: "fda8bda77b5b532f46f87c4b069b5c03d85fd611afbfbc34318fa244b51b9f3b",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
@@ -128,7 +128,7 @@ static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "55183c6c262c5f962dbea5309929e7025a50c4cf0a1ebe2c6ed596403b06f9c2",
+    hash: "648f8538c53983b0beb3eb25a70ba0c54fca92ae70443887feede8bf88954ddc",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -141,5 +141,5 @@ static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "00075c084b92779ef696a5e1cf1cfc31c2eb8b90594d7d07c000dc94116c87a0",
+    hash: "3360a78c36cb02ec6654c5c7c22b83d1761b153225f83a802814b3cebb6300a2",
 };

@@ -184,7 +184,7 @@ static CONSTRAIN_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "265277b848039bf4aca4f5903818990eea7ae7a71a40221edd75741d9fb89f39",
+    hash: "2f2923f3aa5300580182d38efd046a3e031e5de13d91fcd5d7a401973ff83efe",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -197,7 +197,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "ae94e84c3b7cdd2d9e7fe6588bba38a7102af4f56193c093a9e81fec133a113e",
+    hash: "c1a0b5afa4e1bf24101d5acb182187a396ad6e69c345741a708235d893bc67bd",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -210,7 +210,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "9ee9b5fe76e4e474463c4fae1487d6e4279f24d49dbea12778ea0988a545cec1",
+    hash: "3a7c33000b972842e24381587a18a725abfcdad8496508a1807143c45ef215fc",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
@@ -223,7 +223,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "f1fcba1d46d44f7d72e8820c2b7510bf5da4b7e345f06536592b69496715c5e1",
+    hash: "6b12759287b434b7e9de3d30113a0b11f140178f753f7dc5c4da3ae74bee4127",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -236,7 +236,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "b2e3f8544b9510fbeda908414ec7a57a10c1ece12e29642a5bb11a382492f1d6",
+    hash: "b5f04d87305ff0bd767355f97669f4418d98da8dd35177bb71f37e584da2c8c9",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -249,5 +249,5 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "b771d3c8ef406da6e0b8c44358b68eccd95c841699315ad34fa3f3ab2a077246",
+    hash: "5e30e98550481e23d9c9916553ff0c91ddd36a9cd583de3961098d0a63b842d5",
 };

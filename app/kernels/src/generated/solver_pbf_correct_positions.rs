@@ -180,7 +180,7 @@ static CORRECT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "423144f1ed384ff3471f5c58a1f6f2ff6819691cd05d82e9a5423f92cf362d2f",
+    hash: "aea5121e9d4ae6df8fdb1adb589f64996029739ff34f249c15a8f806cfc7e96b",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
@@ -193,7 +193,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "476c118e4516b6bfd0cb71cc95d614846cbd6d2de0e5c38e3ff6d5c28f604c58",
+    hash: "8b1f08795afd5de2dc8437393938d1fa24bd7b1d922f86a4b8115d263f2b371b",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
@@ -206,7 +206,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "f9084056b9eb9fc9dc798cbbc99c69716dbc6fc25d8729a8053f01c89b9ed6ba",
+    hash: "5dd622e12a983f4216dce1c1925f2a362310d70095d87658d77f4aa7ec15644c",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
@@ -219,7 +219,7 @@ static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "2af5e0925613f8ea428e775bd1481eac207b9b89200c02fb02ebb09cbffa4514",
+    hash: "3abf472faf7fa68178b3c69ab43881cf3ba971476e6346a9a48c4413fcb66df8",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -232,7 +232,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "951dc21eb86f1448802ef99a83873882199033347fd0899ac3b1db5d70be2cc3",
+    hash: "75fa57b7c1a96cd57b419acabe45157555338cc8bd093e25cd64bfb99e22fc30",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -245,7 +245,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "f63784aacaba34e765c9fabfff368c657e8fddcdb7f309394e4293c06fa2a43d",
+    hash: "98c4c609a0f1a040d738b464f8378b6119a05b3e19e05124b305371f579f2e38",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
@@ -258,7 +258,7 @@ static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "7b9046e20d3006cabbbbf5fd0f47214c4b45ceaec3d5eaa0ba827c2db0e1f7f1",
+    hash: "e7ad74250fe6ff45dc84981a845918c35e1e3d748df5c1bdd5b30e414c1f36e6",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -271,7 +271,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "3e3ff48ec7f769aca901d509acdb5176d1abbaadc8b37f98eb0f2eb93047dce7",
+    hash: "e6399935107849fb3e363a97f602f9bf745ea097113f36c9d7e54541388cdc29",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -284,7 +284,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "d8fabe3cb890c8e6cf3d9b1f2f9a2f542f1d435baa49ff1ff1d6718bed95963a",
+    hash: "ce8d77b101e778e73751945d791b3bced8976b855ae583f11d60269acf60d698",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
@@ -297,7 +297,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "c866ad9f3d3972ffdd84377b42ec31180142f77d40c8ef4ddf8a2fd09e85964e",
+    hash: "329caefe9c697a7a31b62d52a7d65f597d4907454d0b4457bdf2c513c8f98ca0",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -310,7 +310,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "f312499b8db10808cb391f7970e688bc4e257d4fdde114341ebce727810d3628",
+    hash: "8e98a88e5a579dcd97837e3e1019bb8370aaf5bf9377ec9f97b6a39e60d43f82",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -323,5 +323,5 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "8486f626deab58eba0c38d794bb5fd732d843555189383963e181f2764ed1ffa",
+    hash: "49a700b88c33dab28e795cd31ee54bcf4d15bd3aafcbddbb72897f485b654cff",
 };

@@ -129,7 +129,7 @@ static UPDATE_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "73f59991ac8341963e032cfba97a7370910357d1323713d411be28f7c32a3d37",
+    hash: "6141b3bc0fbc659e04c2cb8bbd1873fcda8a4d7c212aaf5d7380289c6676b4d9",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
@@ -142,7 +142,7 @@ static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "c675fd073f58bad7bf03eadfaa0d3499bbe0ad27996c68333807259566c24825",
+    hash: "3170cc72f99d339e01c2f23e3d2c225123151bc4ff2322ebede16b8fe9757f27",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -155,7 +155,7 @@ static UPDATE_VELOCITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "ca135273860849fe5cb02ff8512f315c0ee4ccd820fd7cb6ce517712ed5fd365",
+    hash: "da8963316b1ea6001fb6d4cdea2d5c2eef4fc8810a6bb6575c3a4f0bc1fc917c",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC: Module = Module {
@@ -168,5 +168,5 @@ static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "346190485228e0171a9dbbd0ccd508ea9ea02452aa465caa5abfaa5cab6ad86f",
+    hash: "bc9121fe7a418cd191a9b1207f7f3b3fbefbc48b6f0e5311c45b0d6253935583",
 };

@@ -77,5 +77,5 @@ static ANISOTROPY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/anisotropy.compute",
-    hash: "4ddbae34edaf4a3db32622cb26735f929d12c57217a5e71bb550d0ce9dbe4e19",
+    hash: "42eddc7dafc304f4d895ebaf8fa867eba98220ed8a32f3e8864590656dab4a11",
 };

@@ -100,5 +100,5 @@ static COUNT_MESH: Module = Module {
     shared_bytes: 756,
     tier: Tier::Floor,
     source: "surface/mesh/count_mesh.compute",
-    hash: "5b2fbeff010ee32b5e93f70d8ab362ed5387b3f332b644dee7755c3884be9a48",
+    hash: "532f9ff1ae5ae1b5d31fb2206ce27a3ba78e34b7e9569b63d7786b5b075db003",
 };

@@ -113,5 +113,5 @@ static EMIT_TRIANGLES: Module = Module {
     shared_bytes: 1012,
     tier: Tier::Floor,
     source: "surface/mesh/emit_triangles.compute",
-    hash: "db74705e4a7eb07794b026ee096db630195836d541dac5bfa7f6bad18bfbff00",
+    hash: "fc04cbafaf2448d265e7f14ea49bac7fc19921dd1137625f6403e4f6f8af3424",
 };

@@ -103,5 +103,5 @@ static EMIT_VERTICES: Module = Module {
     shared_bytes: 1012,
     tier: Tier::Floor,
     source: "surface/mesh/emit_vertices.compute",
-    hash: "bd7c4555566ade6c5f471bb1c5c3080287090d961b099ff9b52ff92fe54f4523",
+    hash: "ed0384513ce845280899e83a2252d3ea185e71938c958c7f3409eb0db3825787",
 };

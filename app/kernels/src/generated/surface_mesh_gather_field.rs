@@ -82,5 +82,5 @@ static GATHER_FIELD: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/gather_field.compute",
-    hash: "903dea13d695f4588cba379a2459ec31776b5fa357d586484b8100c2b38d11d9",
+    hash: "714416fa7f428d54ab547c7280617805ed427382ee2757baa65a6b4ef035ac2c",
 };

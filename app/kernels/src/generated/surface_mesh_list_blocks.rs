@@ -80,5 +80,5 @@ static LIST_BLOCKS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/list_blocks.compute",
-    hash: "8df8c28420967ab56e2d5a46a9113b92daeebf4e3cf560047cee33073e6497a2",
+    hash: "a1b1c70ace9b3a99797447e29c00806218577aec7853738b5f0c03f3e9b6d2d6",
 };

@@ -74,5 +74,5 @@ static MARK_BLOCKS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mark_blocks.compute",
-    hash: "d01c29af4ee3dcab94393d4c189103582325a36e35eb67354098aa2d25b54bfe",
+    hash: "94f04151ee7837d695666abb8e12a2187c7cfb90afc53835b9c53891db888feb",
 };

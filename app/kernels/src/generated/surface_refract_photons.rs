@@ -70,5 +70,5 @@ static REFRACT_PHOTONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refract_photons.compute",
-    hash: "177d9018e43c75fa2b194d3b9a8395f4058785a79ff6f5a0be5d4c251b794f2e",
+    hash: "cb8bbb4b984c56caba4132513e7bc6e5bc5dacd2bf8508d4e16a329528eec5af",
 };

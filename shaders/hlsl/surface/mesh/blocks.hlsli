@@ -25,4 +25,19 @@ uint PointNumber(uint3 at)
     return (at.z * BLOCK_CELLS + at.y) * BLOCK_CELLS + at.x;
 }
 
+// The block of an entry of the list.
+uint BlockOf(uint listed)
+{
+    return listed & ~(BLOCK_UNIFORM | BLOCK_UNIFORM_INSIDE);
+}
+
+// The field at every point of a block that is all inside, or all outside.
+FieldPoint UniformField(bool is_inside, MeshParams mesh)
+{
+    FieldPoint result;
+    result.gradient = 0.0;
+    result.field_m = is_inside ? mesh.spacing_m : -mesh.spacing_m;
+    return result;
+}
+
 #endif

@@ -17,16 +17,21 @@ uint EntryOf(uint3 block, uint3 at)
     return any(owner >= mesh.blocks) ? BLOCK_OUTSIDE : block_entries[BlockNumber(owner, mesh)];
 }
 
+// The field at a point of this block, or the first of the next ones.
+FieldPoint FieldPointAt(uint3 block, uint3 at)
+{
+    uint entry = EntryOf(block, at);
+    if (entry >= BLOCK_LISTED)
+        return field_points[(entry - BLOCK_LISTED) * 64 + PointNumber(at % BLOCK_CELLS)];
+    return UniformField(entry == BLOCK_INSIDE, mesh);
+}
+
 void LoadFields(uint3 block, uint thread)
 {
     for (uint k = thread; k < POINTS; k += 64)
     {
         uint3 at = uint3(k, k / POINTS_A_SIDE, k / POINTS_A_SIDE / POINTS_A_SIDE) % POINTS_A_SIDE;
-        uint entry = EntryOf(block, at);
-        float field_m = entry == BLOCK_INSIDE ? mesh.spacing_m : -mesh.spacing_m;
-        if (entry >= BLOCK_LISTED)
-            field_m = field_points[(entry - BLOCK_LISTED) * 64 + PointNumber(at % BLOCK_CELLS)].field_m;
-        shared_fields[k] = field_m;
+        shared_fields[k] = FieldPointAt(block, at).field_m;
     }
     GroupMemoryBarrierWithGroupSync();
 }

@@ -72,16 +72,11 @@ pub fn record(
     tier: Tier,
     options: &ScreenSpaceOptions,
 ) -> SmoothedSurface {
-    let mut params = resources.persistent("surface_params", 1);
-    init.upload(&mut params, &[options.params()]);
+    let (params, ellipsoids) = settings(resources, (&mut *init, &mut *recording), particles, options);
     // R32Float is renderable on every tier; nobody filters or blends it.
     let raw = resources.texture("fluid_inverse_depth", Format::R32Float, size_px);
     let covered = resources.texture("fluid_depth", depth_format(tier), size_px);
     let view = view.uniform();
-    let ellipsoids = particles
-        .neighbours
-        .filter(|_| options.anisotropic && particles.slots.capacity > 0)
-        .map(|neighbours| anisotropy::record(resources, (init, recording), particles, neighbours, &params, options));
     let shapes = Shapes::new(particles, ellipsoids.as_ref());
     particles.slots.draw(
         recording,
@@ -108,6 +103,22 @@ pub fn record(
     SmoothedSurface { raw, inverse_depth, normals, covered, ellipsoids, has_normals: false, params }
 }
 
+/// Uploads the settings, and records the ellipsoids that particles with neighbours are stretched to.
+fn settings(
+    resources: &mut Resources,
+    (init, recording): (&mut Recording, &mut Recording),
+    particles: &Particles<'_>,
+    options: &ScreenSpaceOptions,
+) -> (Buffer<SurfaceParams>, Option<Buffer<Ellipsoid>>) {
+    let mut params = resources.persistent("surface_params", 1);
+    init.upload(&mut params, &[options.params()]);
+    let ellipsoids = particles
+        .neighbours
+        .filter(|_| options.anisotropic && particles.slots.capacity > 0)
+        .map(|neighbours| anisotropy::record(resources, (init, recording), particles, neighbours, &params, options));
+    (params, ellipsoids)
+}
+
 /// Records the surface of a mesh likewise, where `mesh` is wanted instead of smoothed depths.
 pub(crate) fn record_meshed(
     resources: &mut Resources,
@@ -117,12 +128,7 @@ pub(crate) fn record_meshed(
     (size_px, tier): ([u32; 2], Tier),
     (options, mesh): (&ScreenSpaceOptions, &MarchingCubesOptions),
 ) -> SmoothedSurface {
-    let mut params = resources.persistent("surface_params", 1);
-    init.upload(&mut params, &[options.params()]);
-    let ellipsoids = particles
-        .neighbours
-        .filter(|_| options.anisotropic && particles.slots.capacity > 0)
-        .map(|neighbours| anisotropy::record(resources, (init, recording), particles, neighbours, &params, options));
+    let (params, ellipsoids) = settings(resources, (&mut *init, &mut *recording), particles, options);
     let mesh = marching_cubes::record(resources, (init, recording), particles, mesh);
     let drawn = marching_cubes::record_drawn(resources, recording, view, &mesh, (size_px, depth_format(tier)));
     SmoothedSurface {
