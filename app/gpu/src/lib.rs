@@ -40,7 +40,7 @@ pub use pass_timer::PassTimer;
 pub use plan::{KeptBuffer, LeftOut, LeftOutKind, PassInfo, Plan, PlanError};
 pub use plan_difference::ChangedUpload;
 pub use readback::timestamp_bytes;
-pub use recording::{Command, Groups, IndirectArgs, Instances, RecordError, Recording, RecordingId};
+pub use recording::{Command, Groups, IndirectArgs, Instances, RecordError, Recording, RecordingId, group_grid};
 pub use resources::{ResourceInfo, Resources, Shape};
 pub use run_times::{PassTimes, Passes, Quantiles, Timings, stages, warm_up_frames};
 pub use tier::{Shortfall, TIERS, highest_tier};

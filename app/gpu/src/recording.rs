@@ -446,6 +446,6 @@ impl Recording {
 }
 
 /// Lays `groups` out in rows of [`GROUP_ROW`].
-fn group_grid(groups: u32) -> [u32; 3] {
+pub fn group_grid(groups: u32) -> [u32; 3] {
     if groups <= GROUP_ROW { [groups, 1, 1] } else { [GROUP_ROW, groups.div_ceil(GROUP_ROW), 1] }
 }

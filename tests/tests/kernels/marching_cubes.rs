@@ -7,11 +7,12 @@ use std::collections::BTreeSet;
 
 use brooklet_fluid::Slots;
 use brooklet_kernels::{
-    BLOCK_CELLS, BLOCK_INSIDE, BLOCK_LISTED, FieldPoint, GatherField, Kernel, MeshCounts, MeshVertex, Position,
-    Velocity,
+    BLOCK_CELLS, BLOCK_INSIDE, BLOCK_LISTED, GatherField, Kernel, MeshCounts, MeshNormals, MeshParams, MeshVertex,
+    Position, Velocity,
 };
 use brooklet_reference::surface::marching_cubes::{FieldGrid, Mesh, check_closed, marching_cubes, volume_m3};
 use brooklet_reference::surface::marching_cubes_table;
+use brooklet_reference::surface::mesh_blocks::{block_at, class_of, count_bins, is_listed};
 use brooklet_reference::surface::surface_field::surface_field_in_walls;
 use brooklet_render::Particles;
 use brooklet_render::surface::marching_cubes::{self, MarchingCubesOptions, table::TRIANGLE_TABLE};
@@ -33,15 +34,18 @@ struct Meshed {
     counts: MeshCounts,
     vertices: Vec<MeshVertex>,
     triangles: Vec<[u32; 3]>,
-    field_points: Vec<FieldPoint>,
+    field_m: Vec<f32>,
     entries: Vec<u32>,
+    inside: Vec<[u32; 2]>,
     blocks: UVec3,
+    params: MeshParams,
 }
 
 fn options(size_m: DVec3) -> MarchingCubesOptions {
     MarchingCubesOptions {
         spacing_m: SPACING_M,
         cell_m: 0.5 * SPACING_M,
+        dense: false,
         domain_size_m: size_m.to_array(),
         wall_bounds_m: [[0.0; 3], size_m.to_array()],
         most_blocks: 4096,
@@ -69,7 +73,8 @@ fn run(positions: &[Position], options: &MarchingCubesOptions) -> Meshed {
     bench.want(&mesh.counts);
     bench.want(&mesh.vertices);
     bench.want(&mesh.indices);
-    bench.want(&mesh.field_points);
+    bench.want(&mesh.field_m);
+    bench.want(&mesh.block_inside);
     bench.want(&mesh.block_entries);
     let mut done = bench.run();
     let counts: MeshCounts = done.read(&mesh.counts, 1)[0];
@@ -78,9 +83,11 @@ fn run(positions: &[Position], options: &MarchingCubesOptions) -> Meshed {
         counts,
         vertices: done.read(&mesh.vertices, counts.vertices as usize),
         triangles: indices.chunks(3).map(|corners| [corners[0], corners[1], corners[2]]).collect(),
-        field_points: done.read(&mesh.field_points, 64 * counts.blocks as usize),
+        field_m: done.read(&mesh.field_m, 64 * counts.blocks as usize),
+        inside: done.read(&mesh.block_inside, options.params().block_count as usize),
         entries: done.read(&mesh.block_entries, options.params().block_count as usize),
         blocks: UVec3::from_array(options.params().blocks),
+        params: options.params(),
     }
 }
 
@@ -95,11 +102,13 @@ impl Meshed {
                     let [block, local] = [[x, y, z].map(|n| n / 4), [x, y, z].map(|n| n % 4)];
                     let blocks = self.blocks.as_usizevec3();
                     let entry = self.entries[(block[2] * blocks.y + block[1]) * blocks.x + block[0]];
+                    let beyond = is_beyond(UVec3::new(x as u32, y as u32, z as u32), &self.params);
                     values.push(match entry {
+                        _ if beyond => f64::from(BEYOND_M),
                         BLOCK_INSIDE => SPACING_M,
                         listed if listed >= BLOCK_LISTED => {
                             let first = 64 * (listed - BLOCK_LISTED) as usize;
-                            f64::from(self.field_points[first + (local[2] * 4 + local[1]) * 4 + local[0]].field_m)
+                            f64::from(self.field_m[first + (local[2] * 4 + local[1]) * 4 + local[0]])
                         }
                         _ => -SPACING_M,
                     });
@@ -115,6 +124,14 @@ impl Meshed {
             triangles: self.triangles.clone(),
         }
     }
+}
+
+/// What the field is beyond walls.
+const BEYOND_M: f32 = -1.0e15;
+
+fn is_beyond(grid_point: UVec3, mesh: &MeshParams) -> bool {
+    grid_point.cmplt(UVec3::from_array(mesh.low_point)).any()
+        || grid_point.cmpgt(UVec3::from_array(mesh.high_point)).any()
 }
 
 fn min_m(options: &MarchingCubesOptions) -> DVec3 {
@@ -171,58 +188,121 @@ fn the_table_is_the_twin_s() {
     }
 }
 
+fn taking_part(positions: &[Position]) -> Vec<DVec3> {
+    vectors(&positions.iter().copied().filter(|p| p.tag >> 24 == 0).collect::<Vec<_>>())
+}
+
+#[test]
+fn mark_blocks_lists_what_its_twin_lists() {
+    for (name, size_m, positions) in cases() {
+        let got = run(&positions, &options(size_m));
+        let counts = count_bins(&taking_part(&positions), &got.params);
+        let class = |block| class_of(block, &counts, &got.params);
+        let mut listed = 0;
+        for (block, &entry) in got.entries.iter().enumerate() {
+            let at = block_at(block, &got.params);
+            let expected = is_listed(at, class, &got.params);
+            assert_eq!(entry >= BLOCK_LISTED, expected, "{name}: block {at}");
+            assert!(expected || entry == class(at), "{name}: block {at} is {entry}");
+            listed += u32::from(expected);
+        }
+        assert_eq!(listed, got.counts.blocks, "{name}");
+    }
+}
+
+#[test]
+fn what_is_not_listed_has_no_surface() {
+    for (name, size_m, positions) in cases() {
+        let (sparse, options) = (run(&positions, &options(size_m)), options(size_m));
+        let dense = run(&positions, &MarchingCubesOptions { dense: true, ..options });
+        assert_eq!(dense.counts.blocks, dense.params.block_count, "{name}");
+        assert_eq!(sparse.inside, dense.inside, "{name}: the same points are inside");
+        assert_eq!(sparse.counts.triangles, dense.counts.triangles, "{name}");
+        assert_eq!(sparse.counts.vertices, dense.counts.vertices, "{name}");
+        assert!(dense.counts.blocks > sparse.counts.blocks || name == "full", "{name}: something is left out");
+    }
+}
+
 #[test]
 fn gather_field_matches_its_twin() {
     let mut field = Worst::new(GatherField::STAGE, FIELD * ROUNDING);
-    let mut gradients = Worst::new("its gradient", GRADIENT * ROUNDING);
     for (name, size_m, positions) in cases() {
         let options = options(size_m);
         let got = run(&positions, &options);
-        let taking_part: Vec<Position> = positions.iter().copied().filter(|p| p.tag >> 24 == 0).collect();
-        let particles_m = vectors(&taking_part);
+        let particles_m = taking_part(&positions);
         let mut checked = 0;
         for (block, &entry) in got.entries.iter().enumerate() {
             if entry < BLOCK_LISTED {
                 continue;
             }
-            let at = UVec3::new(
-                block as u32 % got.blocks.x,
-                block as u32 / got.blocks.x % got.blocks.y,
-                block as u32 / got.blocks.x / got.blocks.y,
-            );
-            let points = &got.field_points[64 * (entry - BLOCK_LISTED) as usize..][..64];
-            if points.iter().all(|point| point.field_m.abs() == SPACING_M as f32) {
-                continue;
-            }
-            for (i, point) in points.iter().enumerate() {
+            let at = block_at(block, &got.params).as_uvec3();
+            let points = &got.field_m[64 * (entry - BLOCK_LISTED) as usize..][..64];
+            for (i, &value_m) in points.iter().enumerate() {
                 let local = UVec3::new(i as u32 % 4, i as u32 / 4 % 4, i as u32 / 16);
-                let at_m = min_m(&options) + options.cell_m * (at * BLOCK_CELLS + local).as_dvec3();
-                // On a wall a rounding decides on which side the point is.
-                if at_m.abs().min((at_m - size_m).abs()).min_element() < 1e-6 * SPACING_M {
+                let grid_point = at * BLOCK_CELLS + local;
+                let is_inside = got.inside[block][i / 32] >> (i % 32) & 1 != 0;
+                assert_eq!(is_inside, value_m > 0.0, "{name}: {grid_point}");
+                if is_beyond(grid_point, &got.params) {
+                    assert_eq!(value_m, BEYOND_M, "{name}: {grid_point}");
                     continue;
                 }
-                let (expected_m, gradient) =
-                    surface_field_in_walls(at_m, &particles_m, SPACING_M, [DVec3::ZERO, size_m]);
+                let at_m = (min_m(&options) + options.cell_m * grid_point.as_dvec3()).clamp(DVec3::ZERO, size_m);
+                let (expected_m, _) = surface_field_in_walls(at_m, &particles_m, SPACING_M, [DVec3::ZERO, size_m]);
+                if value_m.abs() == SPACING_M as f32 {
+                    // All of the block is so: it is listed for the cells that end at others.
+                    assert_eq!(value_m > 0.0, expected_m > 0.0, "{name}: {grid_point}");
+                    continue;
+                }
                 // Where little is in reach (nothing that near the surface) weights are tiny, and their quotients off.
                 let scale_m = if expected_m < -0.45 * SPACING_M { 1e3 * SPACING_M } else { SPACING_M };
-                field.check(point.field_m, expected_m, scale_m).unwrap_or_else(|e| panic!("{name}: {e}"));
-                // Where two rules meet, a rounding decides which gradient it is.
-                let got = DVec3::from_array(point.gradient.map(f64::from));
-                if expected_m.abs() < 0.45 * SPACING_M && (got - gradient).length() < 0.1 {
-                    // Where x̄ is near x, its direction is the rounding's.
-                    let off = 0.55 - expected_m / SPACING_M;
-                    let scale = gradient.length().max(1.0) / off.min(1.0);
-                    (0..3).for_each(|axis| gradients.check(point.gradient[axis], gradient[axis], scale).unwrap());
-                    checked += 1;
-                }
+                field.check(value_m, expected_m, scale_m).unwrap_or_else(|e| panic!("{name}: {e}"));
+                checked += 1;
             }
         }
-        assert!(positions.is_empty() || checked > 4, "{name}: {checked} gradients");
+        assert!(matches!(name, "nothing" | "full") || checked > 40, "{name}: {checked} points");
     }
     field.report();
-    gradients.report();
     let mut worst = Worst::new("fed a wrong field", FIELD * ROUNDING);
     assert!(worst.check(1e-4, 1.1e-4, SPACING_M).is_err());
+}
+
+#[test]
+fn mesh_normals_match_their_twin() {
+    let mut normals = Worst::new(MeshNormals::STAGE, GRADIENT * ROUNDING);
+    for (name, size_m, positions) in cases() {
+        let got = run(&positions, &options(size_m));
+        let particles_m = taking_part(&positions);
+        let (mut free, mut at_walls) = (0, 0);
+        for vertex in &got.vertices {
+            let [at_m, normal] = [vertex.position_m, vertex.normal].map(|v| DVec3::from_array(v.map(f64::from)));
+            let on_wall = (0..3).find(|&axis| {
+                let wall_m = if normal[axis] > 0.0 { size_m[axis] } else { 0.0 };
+                normal[axis].abs() == 1.0 && (at_m[axis] - wall_m).abs() < 1e-6 * SPACING_M
+            });
+            if on_wall.is_some() {
+                at_walls += 1;
+                continue;
+            }
+            let inside_m = at_m.clamp(DVec3::ZERO, size_m);
+            let (_, gradient) = surface_field_in_walls(inside_m, &particles_m, SPACING_M, [DVec3::ZERO, size_m]);
+            // Where two rules meet, a rounding decides which gradient it is; where it is small, its direction is the
+            // rounding's.
+            if gradient.length() < 0.1 || (normal + gradient.normalize()).length() > 0.1 {
+                continue;
+            }
+            let expected = -gradient.normalize();
+            for axis in 0..3 {
+                normals.check(vertex.normal[axis], expected[axis], 1.0 / gradient.length().min(1.0)).unwrap();
+            }
+            free += 1;
+        }
+        let all = got.vertices.len();
+        assert!(free + at_walls >= all * 9 / 10, "{name}: {free} and {at_walls} of {all}");
+        assert_eq!(at_walls > 0, ["a pool", "full", "scattered"].contains(&name), "{name}: {at_walls} at walls");
+    }
+    normals.report();
+    let mut worst = Worst::new("fed a wrong normal", GRADIENT * ROUNDING);
+    assert!(worst.check(0.5, 0.501, 1.0).is_err());
 }
 
 #[test]
@@ -233,7 +313,7 @@ fn meshes_are_closed_and_those_of_the_twin() {
         assert_eq!((got.counts.lost_blocks, got.counts.lost_triangles), (0, 0), "{name}");
         check_closed(&got.triangles).unwrap_or_else(|error| panic!("{name}: {error}"));
         let (values, points) = got.grid_values();
-        let grid = FieldGrid { points, min_m: min_m(&options), cell_m: options.cell_m, values: &values };
+        let grid = FieldGrid { points, min_m: min_m(&options), cell_m: DVec3::splat(options.cell_m), values: &values };
         let expected = marching_cubes(&grid);
         assert_eq!(got.vertices.len(), expected.vertices_m.len(), "{name}");
         assert_eq!(got.triangles.len(), expected.triangles.len(), "{name}");

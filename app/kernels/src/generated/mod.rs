@@ -40,6 +40,7 @@ mod surface_anisotropy;
 mod surface_caustics;
 mod surface_fluid_depth;
 mod surface_layout;
+mod surface_mesh_count_bins;
 mod surface_mesh_count_mesh;
 mod surface_mesh_emit_triangles;
 mod surface_mesh_emit_vertices;
@@ -49,6 +50,8 @@ mod surface_mesh_layout;
 mod surface_mesh_list_blocks;
 mod surface_mesh_mark_blocks;
 mod surface_mesh_mesh_depth;
+mod surface_mesh_mesh_normals;
+mod surface_mesh_scatter_bins;
 mod surface_refract_photons;
 mod surface_smooth_bilateral;
 mod surface_smooth_curvature_flow;
@@ -99,6 +102,7 @@ pub use surface_anisotropy::*;
 pub use surface_caustics::*;
 pub use surface_fluid_depth::*;
 pub use surface_layout::*;
+pub use surface_mesh_count_bins::*;
 pub use surface_mesh_count_mesh::*;
 pub use surface_mesh_emit_triangles::*;
 pub use surface_mesh_emit_vertices::*;
@@ -108,6 +112,8 @@ pub use surface_mesh_layout::*;
 pub use surface_mesh_list_blocks::*;
 pub use surface_mesh_mark_blocks::*;
 pub use surface_mesh_mesh_depth::*;
+pub use surface_mesh_mesh_normals::*;
+pub use surface_mesh_scatter_bins::*;
 pub use surface_refract_photons::*;
 pub use surface_smooth_bilateral::*;
 pub use surface_smooth_curvature_flow::*;
@@ -156,6 +162,7 @@ pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
         surface_anisotropy::MODULES,
         surface_caustics::MODULES,
         surface_fluid_depth::MODULES,
+        surface_mesh_count_bins::MODULES,
         surface_mesh_count_mesh::MODULES,
         surface_mesh_emit_triangles::MODULES,
         surface_mesh_emit_vertices::MODULES,
@@ -164,6 +171,8 @@ pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
         surface_mesh_list_blocks::MODULES,
         surface_mesh_mark_blocks::MODULES,
         surface_mesh_mesh_depth::MODULES,
+        surface_mesh_mesh_normals::MODULES,
+        surface_mesh_scatter_bins::MODULES,
         surface_refract_photons::MODULES,
         surface_smooth_bilateral::MODULES,
         surface_smooth_curvature_flow::MODULES,

@@ -2,7 +2,7 @@
 // makes it anew from surface/mesh/count_mesh.compute.
 //! Kernels of `surface/mesh/count_mesh.compute`.
 
-use super::{FieldPoint, MeshCounts, MeshParams};
+use super::{MeshCounts, MeshParams};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
@@ -10,10 +10,8 @@ use crate::{
 /// How many vertices and triangles each listed block has.
 #[derive(Debug)]
 pub struct CountMesh<'a> {
-    /// `StructuredBuffer<FieldPoint> field_points`.
-    pub field_points: Buf<'a, FieldPoint>,
-    /// `StructuredBuffer<uint> block_entries`.
-    pub block_entries: Buf<'a, u32>,
+    /// `StructuredBuffer<uint2> block_inside`.
+    pub block_inside: Buf<'a, [u32; 2]>,
     /// `StructuredBuffer<uint> listed_blocks`.
     pub listed_blocks: Buf<'a, u32>,
     /// `StructuredBuffer<uint2> triangle_table`.
@@ -39,8 +37,7 @@ impl Kernel for CountMesh<'_> {
         bind(
             self.module(),
             &[
-                ("field_points", Some(self.field_points.id)),
-                ("block_entries", Some(self.block_entries.id)),
+                ("block_inside", Some(self.block_inside.id)),
                 ("listed_blocks", Some(self.listed_blocks.id)),
                 ("triangle_table", Some(self.triangle_table.id)),
                 ("mesh_counts", Some(self.mesh_counts.id)),
@@ -56,38 +53,29 @@ impl Kernel for CountMesh<'_> {
 pub(super) static MODULES: &[&Module] = &[&COUNT_MESH];
 
 static BINDINGS_0: &[BindingInfo] = &[
+    BindingInfo { name: "block_inside", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
     BindingInfo {
-        name: "field_points",
-        slot: 0,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
-    },
-    BindingInfo {
-        name: "block_entries",
+        name: "listed_blocks",
         slot: 1,
         kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 },
     },
     BindingInfo {
-        name: "listed_blocks",
-        slot: 2,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 },
-    },
-    BindingInfo {
         name: "triangle_table",
-        slot: 3,
+        slot: 2,
         kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 },
     },
-    BindingInfo { name: "mesh_counts", slot: 4, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 48 } },
+    BindingInfo { name: "mesh_counts", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 80 } },
     BindingInfo {
         name: "vertex_counts",
-        slot: 5,
+        slot: 4,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 },
     },
     BindingInfo {
         name: "triangle_counts",
-        slot: 6,
+        slot: 5,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 },
     },
-    BindingInfo { name: "mesh", slot: 7, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "mesh", slot: 6, kind: BindingKind::Uniform { bytes: 160 } },
 ];
 
 static COUNT_MESH: Module = Module {
@@ -97,8 +85,8 @@ static COUNT_MESH: Module = Module {
     spirv: include_bytes!("../../spirv/count_mesh.spv"),
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
-    shared_bytes: 756,
+    shared_bytes: 320,
     tier: Tier::Floor,
     source: "surface/mesh/count_mesh.compute",
-    hash: "532f9ff1ae5ae1b5d31fb2206ce27a3ba78e34b7e9569b63d7786b5b075db003",
+    hash: "519de6819fa45aa374bcbb35a7dd8337fb1754de61b52468fc68691cc7bad899",
 };

@@ -2,7 +2,7 @@
 // makes it anew from surface/mesh/emit_triangles.compute.
 //! Kernels of `surface/mesh/emit_triangles.compute`.
 
-use super::{FieldPoint, MeshCounts, MeshParams};
+use super::{MeshCounts, MeshParams};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
@@ -11,8 +11,8 @@ use crate::{
 /// counted; nothing is written beyond a buffer's end.
 #[derive(Debug)]
 pub struct EmitTriangles<'a> {
-    /// `StructuredBuffer<FieldPoint> field_points`.
-    pub field_points: Buf<'a, FieldPoint>,
+    /// `StructuredBuffer<uint2> block_inside`.
+    pub block_inside: Buf<'a, [u32; 2]>,
     /// `StructuredBuffer<uint> block_entries`.
     pub block_entries: Buf<'a, u32>,
     /// `StructuredBuffer<uint> listed_blocks`.
@@ -42,7 +42,7 @@ impl Kernel for EmitTriangles<'_> {
         bind(
             self.module(),
             &[
-                ("field_points", Some(self.field_points.id)),
+                ("block_inside", Some(self.block_inside.id)),
                 ("block_entries", Some(self.block_entries.id)),
                 ("listed_blocks", Some(self.listed_blocks.id)),
                 ("triangle_table", Some(self.triangle_table.id)),
@@ -60,11 +60,7 @@ impl Kernel for EmitTriangles<'_> {
 pub(super) static MODULES: &[&Module] = &[&EMIT_TRIANGLES];
 
 static BINDINGS_0: &[BindingInfo] = &[
-    BindingInfo {
-        name: "field_points",
-        slot: 0,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
-    },
+    BindingInfo { name: "block_inside", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
     BindingInfo {
         name: "block_entries",
         slot: 1,
@@ -98,9 +94,9 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo {
         name: "mesh_counts",
         slot: 7,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 80 },
     },
-    BindingInfo { name: "mesh", slot: 8, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "mesh", slot: 8, kind: BindingKind::Uniform { bytes: 160 } },
 ];
 
 static EMIT_TRIANGLES: Module = Module {
@@ -110,8 +106,8 @@ static EMIT_TRIANGLES: Module = Module {
     spirv: include_bytes!("../../spirv/emit_triangles.spv"),
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
-    shared_bytes: 1012,
+    shared_bytes: 576,
     tier: Tier::Floor,
     source: "surface/mesh/emit_triangles.compute",
-    hash: "fc04cbafaf2448d265e7f14ea49bac7fc19921dd1137625f6403e4f6f8af3424",
+    hash: "d1b19fd0a65d9bb13c3e50c09390db2df02cceb940cf5d0c0a523c23e1b7078c",
 };

@@ -2,17 +2,19 @@
 // makes it anew from surface/mesh/emit_vertices.compute.
 //! Kernels of `surface/mesh/emit_vertices.compute`.
 
-use super::{FieldPoint, MeshCounts, MeshParams, MeshVertex};
+use super::{MeshCounts, MeshParams, MeshVertex};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
 
-/// The surface's vertices, each where the field is 0 along an edge from its thread's point, with the field's gradient
-/// turned outward as its normal.
+/// The surface's vertices, each where the field is 0 along an edge from its thread's point. At a wall that is the wall's own
+/// point, which has its normal from the wall; the others get theirs from MeshNormals.
 #[derive(Debug)]
 pub struct EmitVertices<'a> {
-    /// `StructuredBuffer<FieldPoint> field_points`.
-    pub field_points: Buf<'a, FieldPoint>,
+    /// `StructuredBuffer<float> field_m`.
+    pub field_m: Buf<'a, f32>,
+    /// `StructuredBuffer<uint2> block_inside`.
+    pub block_inside: Buf<'a, [u32; 2]>,
     /// `StructuredBuffer<uint> block_entries`.
     pub block_entries: Buf<'a, u32>,
     /// `StructuredBuffer<uint> listed_blocks`.
@@ -42,7 +44,8 @@ impl Kernel for EmitVertices<'_> {
         bind(
             self.module(),
             &[
-                ("field_points", Some(self.field_points.id)),
+                ("field_m", Some(self.field_m.id)),
+                ("block_inside", Some(self.block_inside.id)),
                 ("block_entries", Some(self.block_entries.id)),
                 ("listed_blocks", Some(self.listed_blocks.id)),
                 ("mesh_counts", Some(self.mesh_counts.id)),
@@ -59,38 +62,35 @@ impl Kernel for EmitVertices<'_> {
 pub(super) static MODULES: &[&Module] = &[&EMIT_VERTICES];
 
 static BINDINGS_0: &[BindingInfo] = &[
-    BindingInfo {
-        name: "field_points",
-        slot: 0,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
-    },
+    BindingInfo { name: "field_m", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 } },
+    BindingInfo { name: "block_inside", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
     BindingInfo {
         name: "block_entries",
-        slot: 1,
+        slot: 2,
         kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 },
     },
     BindingInfo {
         name: "listed_blocks",
-        slot: 2,
+        slot: 3,
         kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 },
     },
-    BindingInfo { name: "mesh_counts", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 48 } },
+    BindingInfo { name: "mesh_counts", slot: 4, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 80 } },
     BindingInfo {
         name: "vertex_starts",
-        slot: 4,
+        slot: 5,
         kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 },
     },
     BindingInfo {
         name: "point_vertices",
-        slot: 5,
+        slot: 6,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 },
     },
     BindingInfo {
         name: "mesh_vertices",
-        slot: 6,
+        slot: 7,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 32 },
     },
-    BindingInfo { name: "mesh", slot: 7, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "mesh", slot: 8, kind: BindingKind::Uniform { bytes: 160 } },
 ];
 
 static EMIT_VERTICES: Module = Module {
@@ -100,8 +100,8 @@ static EMIT_VERTICES: Module = Module {
     spirv: include_bytes!("../../spirv/emit_vertices.spv"),
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
-    shared_bytes: 1012,
+    shared_bytes: 576,
     tier: Tier::Floor,
     source: "surface/mesh/emit_vertices.compute",
-    hash: "ed0384513ce845280899e83a2252d3ea185e71938c958c7f3409eb0db3825787",
+    hash: "7ad594f3e0caed5777228b6060bb3fbb728fff4edcda55ac50e1038910829293",
 };

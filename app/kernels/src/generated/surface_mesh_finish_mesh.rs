@@ -7,7 +7,7 @@ use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
 
-/// What the mesh came to, as a draw reads it.
+/// What the mesh came to, as a draw and later dispatches read it.
 #[derive(Debug)]
 pub struct FinishMesh<'a> {
     /// of every place in the list and one more, which ends them
@@ -59,9 +59,9 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo {
         name: "mesh_counts",
         slot: 2,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 80 },
     },
-    BindingInfo { name: "mesh", slot: 3, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "mesh", slot: 3, kind: BindingKind::Uniform { bytes: 160 } },
 ];
 
 static FINISH_MESH: Module = Module {
@@ -74,5 +74,5 @@ static FINISH_MESH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/finish_mesh.compute",
-    hash: "6893abf6a0e36dd97e0cac1cc6f8b29c8fab66bea8820fdb60f4ed4ac3d8d03a",
+    hash: "a05b59c1bdff40b7e994ba5d55a40810c793cc39528642724f04d9e9549e4dac",
 };

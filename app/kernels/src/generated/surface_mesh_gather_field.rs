@@ -2,28 +2,27 @@
 // makes it anew from surface/mesh/gather_field.compute.
 //! Kernels of `surface/mesh/gather_field.compute`.
 
-use super::{FieldPoint, MeshCounts, MeshParams, Position};
+use super::{MeshCounts, MeshParams, Position};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
 
 /// The field at the points of the listed blocks: that of Zhu & Bridson 2005, cut where few particles are, and at walls,
-/// behind which the particles are mirrored (twin and reasons: reference/src/surface/surface\_field.rs). A group makes a
-/// block: all of its threads look at the same particles at the same time, which is one load for a wave.
+/// behind which the particles are mirrored (twin and reasons: reference/src/surface/surface\_field.rs).
 #[derive(Debug)]
 pub struct GatherField<'a> {
-    /// `StructuredBuffer<Position> positions`.
-    pub positions: Buf<'a, Position>,
+    /// `StructuredBuffer<Position> bin_particles`.
+    pub bin_particles: Buf<'a, Position>,
     /// `StructuredBuffer<uint> bin_starts`.
     pub bin_starts: Buf<'a, u32>,
-    /// `StructuredBuffer<uint> bin_members`.
-    pub bin_members: Buf<'a, u32>,
     /// `StructuredBuffer<uint> listed_blocks`.
     pub listed_blocks: Buf<'a, u32>,
     /// `StructuredBuffer<MeshCounts> mesh_counts`.
     pub mesh_counts: Buf<'a, MeshCounts>,
-    /// `RWStructuredBuffer<FieldPoint> field_points`.
-    pub field_points: BufMut<'a, FieldPoint>,
+    /// `RWStructuredBuffer<float> field_m`.
+    pub field_m: BufMut<'a, f32>,
+    /// `RWStructuredBuffer<uint2> block_inside`.
+    pub block_inside: BufMut<'a, [u32; 2]>,
     /// `ConstantBuffer<MeshParams> mesh`.
     pub mesh: Uniform<'a, MeshParams>,
 }
@@ -39,12 +38,12 @@ impl Kernel for GatherField<'_> {
         bind(
             self.module(),
             &[
-                ("positions", Some(self.positions.id)),
+                ("bin_particles", Some(self.bin_particles.id)),
                 ("bin_starts", Some(self.bin_starts.id)),
-                ("bin_members", Some(self.bin_members.id)),
                 ("listed_blocks", Some(self.listed_blocks.id)),
                 ("mesh_counts", Some(self.mesh_counts.id)),
-                ("field_points", Some(self.field_points.id)),
+                ("field_m", Some(self.field_m.id)),
+                ("block_inside", Some(self.block_inside.id)),
                 ("mesh", Some(self.mesh.id)),
             ],
         )
@@ -55,21 +54,25 @@ impl Kernel for GatherField<'_> {
 pub(super) static MODULES: &[&Module] = &[&GATHER_FIELD];
 
 static BINDINGS_0: &[BindingInfo] = &[
-    BindingInfo { name: "positions", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
+    BindingInfo {
+        name: "bin_particles",
+        slot: 0,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+    },
     BindingInfo { name: "bin_starts", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 } },
-    BindingInfo { name: "bin_members", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 } },
     BindingInfo {
         name: "listed_blocks",
-        slot: 3,
+        slot: 2,
         kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 },
     },
-    BindingInfo { name: "mesh_counts", slot: 4, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 48 } },
+    BindingInfo { name: "mesh_counts", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 80 } },
+    BindingInfo { name: "field_m", slot: 4, kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 } },
     BindingInfo {
-        name: "field_points",
+        name: "block_inside",
         slot: 5,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
     },
-    BindingInfo { name: "mesh", slot: 6, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "mesh", slot: 6, kind: BindingKind::Uniform { bytes: 160 } },
 ];
 
 static GATHER_FIELD: Module = Module {
@@ -79,8 +82,8 @@ static GATHER_FIELD: Module = Module {
     spirv: include_bytes!("../../spirv/gather_field.spv"),
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
-    shared_bytes: 0,
+    shared_bytes: 32,
     tier: Tier::Floor,
     source: "surface/mesh/gather_field.compute",
-    hash: "714416fa7f428d54ab547c7280617805ed427382ee2757baa65a6b4ef035ac2c",
+    hash: "33f551346cb7b5480b27859b6e884cf17ef5733616ac04e9f9be146b3c907648",
 };

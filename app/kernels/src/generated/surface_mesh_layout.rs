@@ -9,6 +9,9 @@ use bytemuck::{Pod, Zeroable};
 /// Cells of a block along each axis: a block's 64 points are a group's threads.
 pub const BLOCK_CELLS: u32 = 4;
 
+/// Blocks that a group makes the field of, a thread for each column of four points.
+pub const FIELD_BLOCKS: u32 = 4;
+
 /// What MeshParams::block\_entries says of a block that is not listed; of one that is, its place in the list and this much more.
 pub const BLOCK_OUTSIDE: u32 = 0;
 
@@ -18,80 +21,80 @@ pub const BLOCK_INSIDE: u32 = 1;
 /// `BLOCK_LISTED`.
 pub const BLOCK_LISTED: u32 = 2;
 
-/// The bit of a listed block whose field is the same at all of its points.
+/// The bit of a listed block whose points within the walls are all inside, or all outside.
 pub const BLOCK_UNIFORM: u32 = 0x80000000;
 
-/// And the bit that says that it is inside there.
+/// And the bit that says that they are inside.
 pub const BLOCK_UNIFORM_INSIDE: u32 = 0x40000000;
 
-/// Particles of a block's bin from which on the bin counts as full of fluid: at rest it has 8.
-pub const BIN_FULL: u32 = 5;
-
-/// A grid of cells over the domain and one block beyond it on each side, in blocks of 4 x 4 x 4; a bin of particles for
-/// each block within the domain.
+/// A grid of cells over the domain and one block beyond it on each side, in blocks of 4 x 4 x 4. Walls stand at its
+/// points. Bins of particles are whole cells wide.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct MeshParams {
     /// of the first block, one block below the domain
     pub min_m: [f32; 3],
     /// `float`.
-    pub cell_m: f32,
+    pub spacing_m: f32,
+    /// along each axis: the domain is so many whole cells
+    pub cell_m: [f32; 3],
+    /// of a particle: REACH\_RATIO spacings
+    pub reach_m: f32,
     /// `uint3`.
     pub blocks: [u32; 3],
     /// `uint`.
     pub block_count: u32,
-    /// the walls' bounds: the fluid is cut off there; too far to matter without
-    pub wall_min_m: [f32; 3],
-    /// `float`.
-    pub spacing_m: f32,
-    /// `float3`.
-    pub wall_max_m: [f32; 3],
-    /// of a particle: REACH\_RATIO spacings, at most a block's side
-    pub reach_m: f32,
-    /// blocks less 2 along each axis
+    /// of the domain
+    pub cells: [u32; 3],
+    /// of a bin along each axis
+    pub bin_cells: u32,
+    /// `uint3`.
     pub bins: [u32; 3],
+    /// `uint`.
+    pub bin_count: u32,
+    /// the first point that may be inside, along each axis: a wall, or the grid's second
+    pub low_point: [u32; 3],
     /// of a particle alone
     pub radius_m: f32,
-    /// `uint`.
-    pub most_blocks: u32,
-    /// `uint`.
-    pub most_vertices: u32,
-    /// `uint`.
-    pub most_triangles: u32,
+    /// the last one
+    pub high_point: [u32; 3],
     /// `float`.
     pub least_weight: f32,
+    /// walls behind which particles are mirrored; too far to matter where there are none
+    pub wall_min_m: [f32; 3],
+    /// `uint`.
+    pub most_blocks: u32,
+    /// `float3`.
+    pub wall_max_m: [f32; 3],
+    /// `uint`.
+    pub most_vertices: u32,
+    /// of 4 x 4 x 4 blocks
+    pub mark_groups: [u32; 3],
+    /// `uint`.
+    pub most_triangles: u32,
 }
 const _: () = {
     assert!(offset_of!(MeshParams, min_m) == 0);
-    assert!(offset_of!(MeshParams, cell_m) == 12);
-    assert!(offset_of!(MeshParams, blocks) == 16);
-    assert!(offset_of!(MeshParams, block_count) == 28);
-    assert!(offset_of!(MeshParams, wall_min_m) == 32);
-    assert!(offset_of!(MeshParams, spacing_m) == 44);
-    assert!(offset_of!(MeshParams, wall_max_m) == 48);
-    assert!(offset_of!(MeshParams, reach_m) == 60);
+    assert!(offset_of!(MeshParams, spacing_m) == 12);
+    assert!(offset_of!(MeshParams, cell_m) == 16);
+    assert!(offset_of!(MeshParams, reach_m) == 28);
+    assert!(offset_of!(MeshParams, blocks) == 32);
+    assert!(offset_of!(MeshParams, block_count) == 44);
+    assert!(offset_of!(MeshParams, cells) == 48);
+    assert!(offset_of!(MeshParams, bin_cells) == 60);
     assert!(offset_of!(MeshParams, bins) == 64);
-    assert!(offset_of!(MeshParams, radius_m) == 76);
-    assert!(offset_of!(MeshParams, most_blocks) == 80);
-    assert!(offset_of!(MeshParams, most_vertices) == 84);
-    assert!(offset_of!(MeshParams, most_triangles) == 88);
-    assert!(offset_of!(MeshParams, least_weight) == 92);
-    assert!(size_of::<MeshParams>() == 96);
-};
-
-/// Field and its gradient at a point: above 0 inside.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
-pub struct FieldPoint {
-    /// `float3`.
-    pub gradient: [f32; 3],
-    /// `float`.
-    pub field_m: f32,
-}
-const _: () = {
-    assert!(offset_of!(FieldPoint, gradient) == 0);
-    assert!(offset_of!(FieldPoint, field_m) == 12);
-    assert!(size_of::<FieldPoint>() == 16);
+    assert!(offset_of!(MeshParams, bin_count) == 76);
+    assert!(offset_of!(MeshParams, low_point) == 80);
+    assert!(offset_of!(MeshParams, radius_m) == 92);
+    assert!(offset_of!(MeshParams, high_point) == 96);
+    assert!(offset_of!(MeshParams, least_weight) == 108);
+    assert!(offset_of!(MeshParams, wall_min_m) == 112);
+    assert!(offset_of!(MeshParams, most_blocks) == 124);
+    assert!(offset_of!(MeshParams, wall_max_m) == 128);
+    assert!(offset_of!(MeshParams, most_vertices) == 140);
+    assert!(offset_of!(MeshParams, mark_groups) == 144);
+    assert!(offset_of!(MeshParams, most_triangles) == 156);
+    assert!(size_of::<MeshParams>() == 160);
 };
 
 /// `MeshVertex`.
@@ -115,8 +118,8 @@ const _: () = {
     assert!(size_of::<MeshVertex>() == 32);
 };
 
-/// What a frame's mesh came to. Its first four numbers are a VkDrawIndirectCommand, the next three a
-/// VkDispatchIndirectCommand with a group for each listed block.
+/// What a frame's mesh came to. Its first four numbers are a VkDrawIndirectCommand, each uint3 a
+/// VkDispatchIndirectCommand.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct MeshCounts {
@@ -128,18 +131,26 @@ pub struct MeshCounts {
     pub first_vertex: u32,
     /// `uint`.
     pub first_instance: u32,
-    /// `uint3`.
+    /// one for each listed block
     pub block_groups: [u32; 3],
     /// listed
     pub blocks: u32,
+    /// one for FIELD\_BLOCKS of them
+    pub field_groups: [u32; 3],
+    /// that found no place in the list
+    pub lost_blocks: u32,
+    /// of 64 vertices
+    pub vertex_groups: [u32; 3],
+    /// that found no place among the triangles, or whose vertices did not
+    pub lost_triangles: u32,
     /// `uint`.
     pub vertices: u32,
     /// `uint`.
     pub triangles: u32,
-    /// that found no place in the list
-    pub lost_blocks: u32,
-    /// that found no place among the triangles, or whose vertices did not
-    pub lost_triangles: u32,
+    /// `uint`.
+    pub reserved0: u32,
+    /// `uint`.
+    pub reserved1: u32,
 }
 const _: () = {
     assert!(offset_of!(MeshCounts, index_count) == 0);
@@ -148,9 +159,13 @@ const _: () = {
     assert!(offset_of!(MeshCounts, first_instance) == 12);
     assert!(offset_of!(MeshCounts, block_groups) == 16);
     assert!(offset_of!(MeshCounts, blocks) == 28);
-    assert!(offset_of!(MeshCounts, vertices) == 32);
-    assert!(offset_of!(MeshCounts, triangles) == 36);
-    assert!(offset_of!(MeshCounts, lost_blocks) == 40);
-    assert!(offset_of!(MeshCounts, lost_triangles) == 44);
-    assert!(size_of::<MeshCounts>() == 48);
+    assert!(offset_of!(MeshCounts, field_groups) == 32);
+    assert!(offset_of!(MeshCounts, lost_blocks) == 44);
+    assert!(offset_of!(MeshCounts, vertex_groups) == 48);
+    assert!(offset_of!(MeshCounts, lost_triangles) == 60);
+    assert!(offset_of!(MeshCounts, vertices) == 64);
+    assert!(offset_of!(MeshCounts, triangles) == 68);
+    assert!(offset_of!(MeshCounts, reserved0) == 72);
+    assert!(offset_of!(MeshCounts, reserved1) == 76);
+    assert!(size_of::<MeshCounts>() == 80);
 };

@@ -16,6 +16,8 @@ pub struct ListBlocks<'a> {
     pub block_starts: Buf<'a, u32>,
     /// `RWStructuredBuffer<uint> block_entries`.
     pub block_entries: BufMut<'a, u32>,
+    /// with BLOCK\_UNIFORM and BLOCK\_UNIFORM\_INSIDE
+    ///
     /// `RWStructuredBuffer<uint> listed_blocks`.
     pub listed_blocks: BufMut<'a, u32>,
     /// `RWStructuredBuffer<MeshCounts> mesh_counts`.
@@ -65,9 +67,9 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo {
         name: "mesh_counts",
         slot: 4,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 80 },
     },
-    BindingInfo { name: "mesh", slot: 5, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "mesh", slot: 5, kind: BindingKind::Uniform { bytes: 160 } },
 ];
 
 static LIST_BLOCKS: Module = Module {
@@ -80,5 +82,5 @@ static LIST_BLOCKS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/list_blocks.compute",
-    hash: "a1b1c70ace9b3a99797447e29c00806218577aec7853738b5f0c03f3e9b6d2d6",
+    hash: "d49065734dca2b50835b04a9095d2617eb9ade499734fa0e3fe216c21ee459d9",
 };

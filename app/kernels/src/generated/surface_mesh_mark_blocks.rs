@@ -7,9 +7,9 @@ use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
 
-/// Which blocks the surface may cross, from how many particles there are in and around each: those near some, but for
-/// those that are full all around. A block is listed if it is such a one, or if one above it along some axes is: its
-/// cells end at that one's points.
+/// Which blocks the surface may cross, from how many particles there are in the bins around each: those near some, but
+/// for those that are full all around. A block is listed if it is such a one, or if the first points of those above it,
+/// where its cells end, are not all as its own: at a wall, what is full ends without a field in between.
 #[derive(Debug)]
 pub struct MarkBlocks<'a> {
     /// `StructuredBuffer<uint> bin_starts`.
@@ -22,6 +22,10 @@ pub struct MarkBlocks<'a> {
     ///
     /// `RWStructuredBuffer<uint> block_entries`.
     pub block_entries: BufMut<'a, u32>,
+    /// a bit for each point; of a listed block GatherField says it
+    ///
+    /// `RWStructuredBuffer<uint2> block_inside`.
+    pub block_inside: BufMut<'a, [u32; 2]>,
     /// `ConstantBuffer<MeshParams> mesh`.
     pub mesh: Uniform<'a, MeshParams>,
 }
@@ -40,6 +44,7 @@ impl Kernel for MarkBlocks<'_> {
                 ("bin_starts", Some(self.bin_starts.id)),
                 ("block_listed", Some(self.block_listed.id)),
                 ("block_entries", Some(self.block_entries.id)),
+                ("block_inside", Some(self.block_inside.id)),
                 ("mesh", Some(self.mesh.id)),
             ],
         )
@@ -61,7 +66,12 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 2,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 },
     },
-    BindingInfo { name: "mesh", slot: 3, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo {
+        name: "block_inside",
+        slot: 3,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
+    },
+    BindingInfo { name: "mesh", slot: 4, kind: BindingKind::Uniform { bytes: 160 } },
 ];
 
 static MARK_BLOCKS: Module = Module {
@@ -71,8 +81,8 @@ static MARK_BLOCKS: Module = Module {
     spirv: include_bytes!("../../spirv/mark_blocks.spv"),
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
-    shared_bytes: 0,
+    shared_bytes: 500,
     tier: Tier::Floor,
     source: "surface/mesh/mark_blocks.compute",
-    hash: "94f04151ee7837d695666abb8e12a2187c7cfb90afc53835b9c53891db888feb",
+    hash: "023698d88b6a4c380af27ba3ac052b894246b3faaa45a7818d6ec131fa75d109",
 };

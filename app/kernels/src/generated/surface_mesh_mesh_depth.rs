@@ -2,12 +2,13 @@
 // makes it anew from surface/mesh/mesh_depth.hlsl.
 //! Kernels of `surface/mesh/mesh_depth.hlsl`.
 
-use super::{FrameView, MeshVertex};
+use super::{FrameView, MeshParams, MeshVertex};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, Draw, Module, StageKind, Tier, Uniform, bind_draw,
 };
 
-/// The surface's mesh as the eye sees it: inverse depth, and the normal that the field gave each vertex.
+/// The surface's mesh as the eye sees it: inverse depth, and the normal that the field gave each vertex. What lies in a
+/// wall has the wall's, so that the water's edge at the glass is sharp though its vertices have one normal each.
 #[derive(Debug)]
 pub struct DrawMeshDepth<'a> {
     /// `StructuredBuffer<uint> mesh_indices`.
@@ -16,6 +17,8 @@ pub struct DrawMeshDepth<'a> {
     pub mesh_vertices: Buf<'a, MeshVertex>,
     /// `ConstantBuffer<FrameView> view`.
     pub view: Uniform<'a, FrameView>,
+    /// `ConstantBuffer<MeshParams> mesh`.
+    pub mesh: Uniform<'a, MeshParams>,
 }
 
 impl Draw for DrawMeshDepth<'_> {
@@ -35,6 +38,7 @@ impl Draw for DrawMeshDepth<'_> {
                 ("mesh_indices", Some(self.mesh_indices.id)),
                 ("mesh_vertices", Some(self.mesh_vertices.id)),
                 ("view", Some(self.view.id)),
+                ("mesh", Some(self.mesh.id)),
             ],
         )
     }
@@ -53,7 +57,10 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "view", slot: 2, kind: BindingKind::Uniform { bytes: 80 } },
 ];
 
-static BINDINGS_1: &[BindingInfo] = &[BindingInfo { name: "view", slot: 2, kind: BindingKind::Uniform { bytes: 80 } }];
+static BINDINGS_1: &[BindingInfo] = &[
+    BindingInfo { name: "view", slot: 2, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "mesh", slot: 3, kind: BindingKind::Uniform { bytes: 160 } },
+];
 
 static DRAW_MESH_DEPTH_VERTEX: Module = Module {
     name: "DrawMeshDepth.vertex",
@@ -65,7 +72,7 @@ static DRAW_MESH_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_depth.hlsl",
-    hash: "8a2d3e6ca0e4de8d9657017aa008eba4f06e851cd079a1e366239c654f62efe1",
+    hash: "343ae70975c945a75182016aef217fef6bc7a38d18d62ac190fe1c96bfc31172",
 };
 
 static DRAW_MESH_DEPTH_FRAGMENT: Module = Module {
@@ -78,5 +85,5 @@ static DRAW_MESH_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_depth.hlsl",
-    hash: "b69032391b46e831530c448d1fe601bbbbf9765e531865dbbd9addb7707e4467",
+    hash: "6f466c37427cb30b5f4a0f0769eb575040ec406904227887dacd29fe8aa6af09",
 };

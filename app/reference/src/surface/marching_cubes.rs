@@ -16,8 +16,8 @@ pub struct FieldGrid<'a> {
     pub points: [usize; 3],
     /// Its lowest corner.
     pub min_m: DVec3,
-    /// From point to point.
-    pub cell_m: f64,
+    /// From point to point along each axis.
+    pub cell_m: DVec3,
     /// As many as there are points.
     pub values: &'a [f64],
 }
@@ -132,7 +132,7 @@ mod tests {
     fn a_ball_is_closed_and_has_its_volume() {
         let (points, cell_m, min_m) = ([24; 3], 0.1, DVec3::splat(-1.15));
         let values = grid_of(points, cell_m, min_m, |at_m| 1.0 - at_m.length());
-        let mesh = marching_cubes(&FieldGrid { points, min_m, cell_m, values: &values });
+        let mesh = marching_cubes(&FieldGrid { points, min_m, cell_m: DVec3::splat(cell_m), values: &values });
         check_closed(&mesh.triangles).unwrap();
         let exact_m3 = 4.0 / 3.0 * std::f64::consts::PI;
         assert!((volume_m3(&mesh) / exact_m3 - 1.0).abs() < 0.01, "{}", volume_m3(&mesh));
@@ -162,7 +162,7 @@ mod tests {
                 let outermost = (0..3).any(|axis| at[axis] == 0 || at[axis] == points[axis] - 1);
                 *value = if outermost { -1.0 } else { inside - noise() };
             }
-            let grid = FieldGrid { points, min_m: DVec3::ZERO, cell_m: 1.0, values: &values };
+            let grid = FieldGrid { points, min_m: DVec3::ZERO, cell_m: DVec3::ONE, values: &values };
             for z in 0..points[2] - 1 {
                 for y in 0..points[1] - 1 {
                     (0..points[0] - 1).for_each(|x| cases[corners_inside(&grid, [x, y, z]) as usize] = true);
@@ -183,7 +183,7 @@ mod tests {
         let (points, cell_m) = ([24, 20, 22], 0.5 * SPACING_M);
         let values =
             grid_of(points, cell_m, min_m, |at_m| surface_field(at_m, particles_m.iter().copied(), SPACING_M).0);
-        let mesh = marching_cubes(&FieldGrid { points, min_m, cell_m, values: &values });
+        let mesh = marching_cubes(&FieldGrid { points, min_m, cell_m: DVec3::splat(cell_m), values: &values });
         check_closed(&mesh.triangles).unwrap();
         let particles_m3 = particles_m.len() as f64 * SPACING_M.powi(3);
         // Its edges are rounded: 60 spacings of them lose a fifth of a spacing squared each, a tenth of so small a block.

@@ -9,6 +9,7 @@ pub mod caustics;
 pub mod fluid_depth;
 pub mod marching_cubes;
 pub mod marching_cubes_table;
+pub mod mesh_blocks;
 pub mod refract_photons;
 pub mod smooth_bilateral;
 pub mod smooth_curvature_flow;

@@ -60,35 +60,28 @@ pub fn surface_field(at_m: DVec3, particles_m: impl Iterator<Item = DVec3>, spac
     (field_m, DVec3::new(gradient(0), gradient(1), gradient(2)))
 }
 
-/// The field between walls at `low_m` and `high_m`: near a wall the particles are seen behind it too, and nothing beyond it
-/// is inside. Walls further apart than twice the reach.
+/// Every particle, and as each of the walls at `low_m` and `high_m` mirrors it; walls that are not there are infinite.
+pub fn mirrored(particles_m: &[DVec3], [low_m, high_m]: [DVec3; 2]) -> impl Iterator<Item = DVec3> {
+    (0..27).flat_map(move |image: usize| {
+        let seen = [image % 3, image / 3 % 3, image / 9];
+        let wall_m = DVec3::from_array(std::array::from_fn(|axis| [0.0, low_m[axis], high_m[axis]][seen[axis]]));
+        let sign = DVec3::from_array(seen.map(|seen| if seen == 0 { 1.0 } else { -1.0 }));
+        let exists = wall_m.is_finite();
+        particles_m.iter().filter(move |_| exists).map(move |particle_m| sign * *particle_m + 2.0 * wall_m)
+    })
+}
+
+/// The field between walls: the particles are seen behind them too, and nothing beyond them is inside.
 pub fn surface_field_in_walls(
     at_m: DVec3,
     particles_m: &[DVec3],
     spacing_m: f64,
     [low_m, high_m]: [DVec3; 2],
 ) -> (f64, DVec3) {
-    let wall_m = DVec3::select((at_m - low_m).cmplt(high_m - at_m), low_m, high_m);
-    let near = (at_m - wall_m).abs().cmplt(DVec3::splat(REACH_RATIO * spacing_m));
-    let sets = (0..8_u32).filter(|set| set & !near.bitmask() == 0);
-    let seen = sets.flat_map(|set| {
-        particles_m.iter().map(move |particle_m| {
-            let mirrored = glam::BVec3::new(set & 1 != 0, set & 2 != 0, set & 4 != 0);
-            DVec3::select(mirrored, 2.0 * wall_m - *particle_m, *particle_m)
-        })
-    });
-    let beyond = at_m.cmplt(low_m).any() || at_m.cmpgt(high_m).any();
-    let (mut field_m, mut gradient) =
-        if beyond { (spacing_m, DVec3::ZERO) } else { surface_field(at_m, seen, spacing_m) };
-    for axis in 0..3 {
-        let (above_m, below_m) = (at_m[axis] - low_m[axis], high_m[axis] - at_m[axis]);
-        if above_m.min(below_m) < field_m {
-            field_m = above_m.min(below_m);
-            gradient = DVec3::ZERO;
-            gradient[axis] = if above_m < below_m { 1.0 } else { -1.0 };
-        }
+    if at_m.cmplt(low_m).any() || at_m.cmpgt(high_m).any() {
+        return (f64::NEG_INFINITY, DVec3::ZERO);
     }
-    (field_m, gradient)
+    surface_field(at_m, mirrored(particles_m, [low_m, high_m]), spacing_m)
 }
 
 #[cfg(test)]

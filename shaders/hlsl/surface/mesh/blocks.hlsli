@@ -1,8 +1,11 @@
-// Blocks by number, and the bins of particles around them.
+// Blocks by number, their points, and the field where it is the same throughout.
 #ifndef BROOKLET_MESH_BLOCKS
 #define BROOKLET_MESH_BLOCKS
 
 #include "layout.hlsli"
+
+// The field beyond a wall: so far below 0 that the surface is cut at the wall's own point, in f32 exactly.
+#define BEYOND_M -1.0e15
 
 uint3 BlockAt(uint block, MeshParams mesh)
 {
@@ -31,13 +34,16 @@ uint BlockOf(uint listed)
     return listed & ~(BLOCK_UNIFORM | BLOCK_UNIFORM_INSIDE);
 }
 
-// The field at every point of a block that is all inside, or all outside.
-FieldPoint UniformField(bool is_inside, MeshParams mesh)
+// Whether a point of the grid lies beyond the walls, or is one of the grid's outermost: the fluid ends before it.
+bool IsBeyond(uint3 grid_point, MeshParams mesh)
 {
-    FieldPoint result;
-    result.gradient = 0.0;
-    result.field_m = is_inside ? mesh.spacing_m : -mesh.spacing_m;
-    return result;
+    return any(grid_point < mesh.low_point) || any(grid_point > mesh.high_point);
+}
+
+// The field at a point of a block that is all inside, or all outside.
+float UniformField(bool is_inside, uint3 grid_point, MeshParams mesh)
+{
+    return IsBeyond(grid_point, mesh) ? BEYOND_M : is_inside ? mesh.spacing_m : -mesh.spacing_m;
 }
 
 #endif

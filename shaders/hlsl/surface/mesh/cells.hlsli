@@ -1,44 +1,38 @@
-// The cells of a listed block: a thread has the cell whose lowest corner is its point. The block's points and the first
-// ones of the blocks above it are loaded once, 5 x 5 x 5.
+// The cells of a listed block: a thread has the cell whose lowest corner is its point. Which of its points, and of the
+// first ones of the blocks above it, are inside is loaded once, a bit each.
 #ifndef BROOKLET_MESH_CELLS
 #define BROOKLET_MESH_CELLS
 
 #include "blocks.hlsli"
 
-#define POINTS_A_SIDE (BLOCK_CELLS + 1)
-#define POINTS (POINTS_A_SIDE * POINTS_A_SIDE * POINTS_A_SIDE)
+// Of a block and of the seven above it along some axes, a bit of the number an axis.
+groupshared uint2 shared_inside[8];
 
-groupshared float shared_fields[POINTS];
-
-// The block that a point of this one, or the first of the next ones, belongs to.
-uint EntryOf(uint3 block, uint3 at)
+// Which of these eight blocks a point belongs to.
+uint OwnerOf(uint3 at)
 {
-    uint3 owner = block + at / BLOCK_CELLS;
-    return any(owner >= mesh.blocks) ? BLOCK_OUTSIDE : block_entries[BlockNumber(owner, mesh)];
+    return at.x / BLOCK_CELLS | at.y / BLOCK_CELLS << 1 | at.z / BLOCK_CELLS << 2;
 }
 
-// The field at a point of this block, or the first of the next ones.
-FieldPoint FieldPointAt(uint3 block, uint3 at)
+uint3 OwnerAt(uint3 block, uint owner)
 {
-    uint entry = EntryOf(block, at);
-    if (entry >= BLOCK_LISTED)
-        return field_points[(entry - BLOCK_LISTED) * 64 + PointNumber(at % BLOCK_CELLS)];
-    return UniformField(entry == BLOCK_INSIDE, mesh);
+    return block + uint3(owner & 1, owner >> 1 & 1, owner >> 2);
 }
 
-void LoadFields(uint3 block, uint thread)
+void LoadInside(uint3 block, uint thread)
 {
-    for (uint k = thread; k < POINTS; k += 64)
+    if (thread < 8)
     {
-        uint3 at = uint3(k, k / POINTS_A_SIDE, k / POINTS_A_SIDE / POINTS_A_SIDE) % POINTS_A_SIDE;
-        shared_fields[k] = FieldPointAt(block, at).field_m;
+        uint3 owner = OwnerAt(block, thread);
+        shared_inside[thread] = any(owner >= mesh.blocks) ? uint2(0, 0) : block_inside[BlockNumber(owner, mesh)];
     }
     GroupMemoryBarrierWithGroupSync();
 }
 
-float FieldAt(uint3 at)
+bool IsInside(uint3 at)
 {
-    return shared_fields[(at.z * POINTS_A_SIDE + at.y) * POINTS_A_SIDE + at.x];
+    uint p = PointNumber(at % BLOCK_CELLS);
+    return (shared_inside[OwnerOf(at)][p / 32] >> p % 32 & 1) != 0;
 }
 
 // Which corners of the cell are inside, a bit each.
@@ -47,7 +41,7 @@ uint CornersInside(uint3 cell)
     uint inside = 0;
     [unroll]
     for (uint corner = 0; corner < 8; ++corner)
-        inside |= FieldAt(cell + uint3(corner & 1, corner >> 1 & 1, corner >> 2)) > 0.0 ? 1u << corner : 0u;
+        inside |= IsInside(cell + uint3(corner & 1, corner >> 1 & 1, corner >> 2)) ? 1u << corner : 0u;
     return inside;
 }
 

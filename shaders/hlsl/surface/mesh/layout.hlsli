@@ -5,42 +5,41 @@
 
 // Cells of a block along each axis: a block's 64 points are a group's threads.
 static const uint BLOCK_CELLS = 4;
+// Blocks that a group makes the field of, a thread for each column of four points.
+static const uint FIELD_BLOCKS = 4;
 // What MeshParams::block_entries says of a block that is not listed; of one that is, its place in the list and this much more.
 static const uint BLOCK_OUTSIDE = 0;
 static const uint BLOCK_INSIDE = 1;
 static const uint BLOCK_LISTED = 2;
-// The bit of a listed block whose field is the same at all of its points.
+// The bit of a listed block whose points within the walls are all inside, or all outside.
 static const uint BLOCK_UNIFORM = 0x80000000;
-// And the bit that says that it is inside there.
+// And the bit that says that they are inside.
 static const uint BLOCK_UNIFORM_INSIDE = 0x40000000;
-// Particles of a block's bin from which on the bin counts as full of fluid: at rest it has 8.
-static const uint BIN_FULL = 5;
 
-// A grid of cells over the domain and one block beyond it on each side, in blocks of 4 x 4 x 4; a bin of particles for
-// each block within the domain.
+// A grid of cells over the domain and one block beyond it on each side, in blocks of 4 x 4 x 4. Walls stand at its
+// points. Bins of particles are whole cells wide.
 struct MeshParams
 {
     float3 min_m;               // of the first block, one block below the domain
-    float cell_m;
+    float spacing_m;
+    float3 cell_m;              // along each axis: the domain is so many whole cells
+    float reach_m;              // of a particle: REACH_RATIO spacings
     uint3 blocks;
     uint block_count;
-    float3 wall_min_m;          // the walls' bounds: the fluid is cut off there; too far to matter without
-    float spacing_m;
-    float3 wall_max_m;
-    float reach_m;              // of a particle: REACH_RATIO spacings, at most a block's side
-    uint3 bins;                 // blocks less 2 along each axis
+    uint3 cells;                // of the domain
+    uint bin_cells;             // of a bin along each axis
+    uint3 bins;
+    uint bin_count;
+    uint3 low_point;            // the first point that may be inside, along each axis: a wall, or the grid's second
     float radius_m;             // of a particle alone
-    uint most_blocks;
-    uint most_vertices;
-    uint most_triangles;
+    uint3 high_point;           // the last one
     float least_weight;
-};
-
-// Field and its gradient at a point: above 0 inside.
-struct FieldPoint
-{
-    float3 gradient;
-    float field_m;
+    float3 wall_min_m;          // walls behind which particles are mirrored; too far to matter where there are none
+    uint most_blocks;
+    float3 wall_max_m;
+    uint most_vertices;
+    uint3 mark_groups;          // of 4 x 4 x 4 blocks
+    uint most_triangles;
 };
 
 struct MeshVertex
@@ -51,20 +50,24 @@ struct MeshVertex
     float reserved1;
 };
 
-// What a frame's mesh came to. Its first four numbers are a VkDrawIndirectCommand, the next three a
-// VkDispatchIndirectCommand with a group for each listed block.
+// What a frame's mesh came to. Its first four numbers are a VkDrawIndirectCommand, each uint3 a
+// VkDispatchIndirectCommand.
 struct MeshCounts
 {
     uint index_count;
     uint instance_count;
     uint first_vertex;
     uint first_instance;
-    uint3 block_groups;
+    uint3 block_groups;         // one for each listed block
     uint blocks;                // listed
+    uint3 field_groups;         // one for FIELD_BLOCKS of them
+    uint lost_blocks;           // that found no place in the list
+    uint3 vertex_groups;        // of 64 vertices
+    uint lost_triangles;        // that found no place among the triangles, or whose vertices did not
     uint vertices;
     uint triangles;
-    uint lost_blocks;           // that found no place in the list
-    uint lost_triangles;        // that found no place among the triangles, or whose vertices did not
+    uint reserved0;
+    uint reserved1;
 };
 
 #endif

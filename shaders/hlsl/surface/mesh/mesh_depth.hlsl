@@ -1,4 +1,5 @@
-// The surface's mesh as the eye sees it: inverse depth, and the normal that the field gave each vertex.
+// The surface's mesh as the eye sees it: inverse depth, and the normal that the field gave each vertex. What lies in a
+// wall has the wall's, so that the water's edge at the glass is sharp though its vertices have one normal each.
 #pragma vertex MeshDepthVertex
 #pragma fragment MeshDepthFragment
 
@@ -9,6 +10,10 @@
 StructuredBuffer<uint> mesh_indices;
 StructuredBuffer<MeshVertex> mesh_vertices;
 ConstantBuffer<FrameView> view;
+ConstantBuffer<MeshParams> mesh;
+
+// As near to a wall as f32 places what lies in it, over a cell's side.
+#define IN_WALL 1e-3
 
 struct Varyings
 {
@@ -38,6 +43,11 @@ Surface MeshDepthFragment(Varyings input)
     Surface surface;
     surface.inverse_depth_per_m = 1.0 / dot(input.offset_m, view.forward);
     float3 normal = normalize(input.normal);
+    float3 position_m = view.eye_m + input.offset_m;
+    float3 low = step(abs(position_m - mesh.wall_min_m), IN_WALL * mesh.cell_m);
+    float3 high = step(abs(position_m - mesh.wall_max_m), IN_WALL * mesh.cell_m);
+    if (any(low + high > 0.0))
+        normal = normalize(high - low);
     // Interpolated, a normal at an outline may look away from the eye: it is turned into the picture's plane.
     float3 to_eye = -normalize(input.offset_m);
     float away = min(dot(normal, to_eye), 0.0);

@@ -24,7 +24,12 @@ pub(crate) fn record(
     let normals = resources.texture("mesh_normals", Format::Rgba16Float, size_px);
     let covered = resources.texture("mesh_depth", depth_format, size_px);
     recording.draw_indirect(
-        &DrawMeshDepth { mesh_indices: mesh.indices.read(), mesh_vertices: mesh.vertices.read(), view: view.uniform() },
+        &DrawMeshDepth {
+            mesh_indices: mesh.indices.read(),
+            mesh_vertices: mesh.vertices.read(),
+            view: view.uniform(),
+            mesh: mesh.params.uniform(),
+        },
         &Targets {
             color: vec![(&inverse_depth, Load::Clear([0.0; 4])), (&normals, Load::Clear([0.0; 4]))],
             depth: Some((&covered, Load::Clear(0.0))),

@@ -1,19 +1,21 @@
 //! The surface as an indexed mesh with shared vertices, made on the GPU by marching cubes (Lorensen & Cline 1987) over the
 //! blocks that it may cross. (Shaders: `surface/mesh/`.)
 //!
-//! Particles are sorted into bins of a block's size; blocks that are full all around, or empty, are never looked at again.
-//! The others get the field at their points, count their vertices and triangles, learn by two prefix sums where these go,
-//! and write them. Nothing is read back: what comes after draws as many as `counts` says.
+//! Particles are sorted into bins; blocks that are full all around, or empty, are never looked at again. The others get the
+//! field at their points; those that the surface cuts count their vertices and triangles, learn by two prefix sums where
+//! these go, and write them. Nothing is read back: what comes after draws as many as `counts` says.
 
+mod bins;
+mod blocks;
 mod drawn;
 mod options;
 pub mod table;
 
-use brooklet_fluid::grid::{NO_SEAM, Scan};
+use brooklet_fluid::grid::Scan;
 use brooklet_gpu::{Recording, Resources};
 use brooklet_kernels::{
-    Buffer, CountCells, CountCellsVariant, CountMesh, EmitTriangles, EmitVertices, FieldPoint, FinishMesh, GatherField,
-    GridParams, ListBlocks, MarkBlocks, MeshCounts, MeshParams, MeshVertex, ScatterCellMembers,
+    Buffer, CountMesh, EmitTriangles, EmitVertices, FinishMesh, GatherField, MeshCounts, MeshNormals, MeshParams,
+    MeshVertex,
 };
 use std::mem::offset_of;
 
@@ -31,18 +33,14 @@ pub struct SurfaceMesh {
     pub indices: Buffer<u32>,
     /// What there is of both, and what found no room.
     pub counts: Buffer<MeshCounts>,
-    /// The field at the points of the listed blocks, 64 a block.
-    pub field_points: Buffer<FieldPoint>,
+    /// The field at the points of the listed blocks, m, 64 a block.
+    pub field_m: Buffer<f32>,
     /// Each block's place in the list, or what all of it is.
     pub block_entries: Buffer<u32>,
+    /// Which points of each block are inside, a bit each.
+    pub block_inside: Buffer<[u32; 2]>,
     /// The settings on the GPU.
     pub params: Buffer<MeshParams>,
-}
-
-/// Particles sorted into the bins of a mesh.
-struct Bins {
-    starts: Buffer<u32>,
-    members: Buffer<u32>,
 }
 
 /// Records the mesh of `particles`. `init` uploads the settings and runs once before.
@@ -58,27 +56,29 @@ pub fn record(
     let mut triangle_table = resources.persistent("triangle_table", TRIANGLE_TABLE.len() as u32);
     init.upload(&mut triangle_table, &TRIANGLE_TABLE);
 
-    let bins = bin_particles(resources, (init, recording), particles, &params);
+    let bins = bins::record(resources, recording, particles, (&mesh, &params));
     let mut counts = resources.buffer("mesh_counts", 1);
-    recording.clear(&mut counts);
-    let blocks = list_blocks(resources, recording, &mesh, &bins, &params, &mut counts);
+    let mut blocks = match options.dense {
+        true => blocks::record_dense(resources, (init, &mut *recording), &params, &mut counts),
+        false => blocks::record_sparse(resources, recording, &bins, (&mesh, &params), &mut counts),
+    };
 
     let groups_at = offset_of!(MeshCounts, block_groups) as u32;
     let most = params.most_blocks.saturating_mul(64);
-    let mut field_points = resources.buffer("field_points", most);
+    let mut field_m = resources.buffer("field_m", most);
     recording.dispatch_indirect(
         &GatherField {
-            positions: particles.positions.read(),
+            bin_particles: bins.particles.read(),
             bin_starts: bins.starts.read(),
-            bin_members: bins.members.read(),
             listed_blocks: blocks.listed.read(),
             mesh_counts: counts.read(),
-            field_points: field_points.write(),
+            field_m: field_m.write(),
+            block_inside: blocks.inside.write(),
             mesh: mesh.uniform(),
         },
         &counts,
-        groups_at,
-        most,
+        offset_of!(MeshCounts, field_groups) as u32,
+        most.div_ceil(brooklet_kernels::FIELD_BLOCKS),
     );
 
     // One more than there are places: the scans end with the sums.
@@ -89,8 +89,7 @@ pub fn record(
     recording.clear(&mut triangle_counts);
     recording.dispatch_indirect(
         &CountMesh {
-            field_points: field_points.read(),
-            block_entries: blocks.entries.read(),
+            block_inside: blocks.inside.read(),
             listed_blocks: blocks.listed.read(),
             triangle_table: triangle_table.read(),
             mesh_counts: counts.read(),
@@ -118,7 +117,8 @@ pub fn record(
     let mut vertices = resources.buffer("mesh_vertices", params.most_vertices);
     recording.dispatch_indirect(
         &EmitVertices {
-            field_points: field_points.read(),
+            field_m: field_m.read(),
+            block_inside: blocks.inside.read(),
             block_entries: blocks.entries.read(),
             listed_blocks: blocks.listed.read(),
             mesh_counts: counts.read(),
@@ -131,13 +131,25 @@ pub fn record(
         groups_at,
         most,
     );
+    recording.dispatch_indirect(
+        &MeshNormals {
+            bin_particles: bins.particles.read(),
+            bin_starts: bins.starts.read(),
+            mesh_counts: counts.read(),
+            mesh_vertices: vertices.write(),
+            mesh: mesh.uniform(),
+        },
+        &counts,
+        offset_of!(MeshCounts, vertex_groups) as u32,
+        params.most_vertices,
+    );
     let mut indices = resources.buffer("mesh_indices", params.most_triangles.saturating_mul(3));
     // The counts are written here as well, so the number of groups comes of a copy.
     let mut groups = resources.buffer("mesh_groups", 1);
     recording.copy(&counts, &mut groups);
     recording.dispatch_indirect(
         &EmitTriangles {
-            field_points: field_points.read(),
+            block_inside: blocks.inside.read(),
             block_entries: blocks.entries.read(),
             listed_blocks: blocks.listed.read(),
             triangle_table: triangle_table.read(),
@@ -151,101 +163,15 @@ pub fn record(
         groups_at,
         most,
     );
-    SurfaceMesh { vertices, indices, counts, field_points, block_entries: blocks.entries, params: mesh }
-}
-
-/// Sorts the particles' indices into bins, with the sort's own kernels over a grid of bins.
-fn bin_particles(
-    resources: &mut Resources,
-    (init, recording): (&mut Recording, &mut Recording),
-    particles: &Particles<'_>,
-    params: &MeshParams,
-) -> Bins {
-    let slots = particles.slots;
-    let bin_m = brooklet_kernels::BLOCK_CELLS as f32 * params.cell_m;
-    let grid_params = GridParams {
-        cells: params.bins,
-        cell_count: params.bins.iter().product(),
-        cell_size_m: bin_m,
-        inverse_cell_size_per_m: 1.0 / bin_m,
-        domain_cells: params.bins,
-        seam_cells: [NO_SEAM; 3],
-        ..GridParams::default()
-    };
-    let mut grid = resources.persistent("mesh_grid_params", 1);
-    init.upload(&mut grid, &[grid_params]);
-    let length = grid_params.cell_count + 2;
-    let mut counts = resources.buffer("bin_counts", length);
-    let mut bin_slots = resources.buffer("bin_slots", slots.capacity);
-    recording.clear(&mut counts);
-    slots.dispatch(
-        recording,
-        &CountCells {
-            variant: CountCellsVariant { wrapped: false, periodic: false },
-            positions: particles.positions.read(),
-            cell_counts: counts.write(),
-            cell_slots: bin_slots.write(),
-            step_state: slots.state.uniform(),
-            grid: grid.uniform(),
-        },
-    );
-    let starts = scanned(resources, recording, "bin_starts", &counts);
-    let mut members = resources.buffer("bin_members", slots.capacity);
-    if slots.capacity == 0 {
-        // Nothing else writes it.
-        recording.clear(&mut members);
+    SurfaceMesh {
+        vertices,
+        indices,
+        counts,
+        field_m,
+        block_entries: blocks.entries,
+        block_inside: blocks.inside,
+        params: mesh,
     }
-    slots.dispatch(
-        recording,
-        &ScatterCellMembers {
-            cell_slots: bin_slots.read(),
-            cell_starts: starts.read(),
-            cell_members: members.write(),
-            step_state: slots.state.uniform(),
-        },
-    );
-    Bins { starts, members }
-}
-
-/// The blocks that the surface may cross.
-struct Blocks {
-    entries: Buffer<u32>,
-    listed: Buffer<u32>,
-}
-
-fn list_blocks(
-    resources: &mut Resources,
-    recording: &mut Recording,
-    mesh: &Buffer<MeshParams>,
-    bins: &Bins,
-    params: &MeshParams,
-    counts: &mut Buffer<MeshCounts>,
-) -> Blocks {
-    let mut is_listed = resources.buffer("block_listed", params.block_count);
-    let mut entries = resources.buffer("block_entries", params.block_count);
-    recording.dispatch(
-        &MarkBlocks {
-            bin_starts: bins.starts.read(),
-            block_listed: is_listed.write(),
-            block_entries: entries.write(),
-            mesh: mesh.uniform(),
-        },
-        params.block_count,
-    );
-    let starts = scanned(resources, recording, "block_starts", &is_listed);
-    let mut listed = resources.buffer("listed_blocks", params.most_blocks);
-    recording.dispatch(
-        &ListBlocks {
-            block_listed: is_listed.read(),
-            block_starts: starts.read(),
-            block_entries: entries.write(),
-            listed_blocks: listed.write(),
-            mesh_counts: counts.write(),
-            mesh: mesh.uniform(),
-        },
-        params.block_count,
-    );
-    Blocks { entries, listed }
 }
 
 fn scanned(resources: &mut Resources, recording: &mut Recording, label: &str, values: &Buffer<u32>) -> Buffer<u32> {

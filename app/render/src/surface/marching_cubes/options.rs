@@ -13,6 +13,8 @@ const LEAST_WEIGHT: f64 = 0.6;
 /// Where the walls of an axis without walls stand: finite in f32 even when squared.
 const FAR_M: f64 = 1.0e15;
 
+/// Blocks along each side that a group of `MarkBlocks` has.
+const MARKED_BLOCKS: u32 = 4;
 /// Blocks of the whole grid at most: 64 MiB for each table over them.
 const MOST_GRID_BLOCKS: f64 = 16_777_216.0;
 
@@ -21,8 +23,12 @@ const MOST_GRID_BLOCKS: f64 = 16_777_216.0;
 pub struct MarchingCubesOptions {
     /// Particle spacing.
     pub spacing_m: f64,
-    /// Side of a cell: half a spacing or more, as a block of four holds a particle's reach.
+    /// Least side of a cell. Cells are as many as fit the domain along each axis, so that walls stand between them; a
+    /// quarter of a spacing or more, as the grid ends a block behind the domain.
     pub cell_m: f64,
+    /// Whether the field is made all over the grid, instead of in the blocks that the surface may cross: three passes
+    /// and two prefix sums fewer, for small grids.
+    pub dense: bool,
     /// Size of the domain, from whose lowest corner positions are counted.
     pub domain_size_m: [f64; 3],
     /// Where walls cut the surface off; infinite along axes without.
@@ -46,6 +52,7 @@ impl MarchingCubesOptions {
         Self {
             spacing_m,
             cell_m: 0.5 * spacing_m,
+            dense: false,
             domain_size_m: scene.domain.size_m(),
             wall_bounds_m: scene.domain.wall_bounds_m(),
             most_blocks: slots.saturating_mul(2).clamp(1 << 10, 1 << 17),
@@ -54,10 +61,15 @@ impl MarchingCubesOptions {
         }
     }
 
-    /// Blocks that the domain has along each axis.
-    pub fn bins(&self) -> [u32; 3] {
-        let block_m = f64::from(BLOCK_CELLS) * self.cell_m;
-        self.domain_size_m.map(|side_m| (side_m / block_m).ceil().max(1.0) as u32)
+    /// Cells of the domain along each axis.
+    pub fn cells(&self) -> [u32; 3] {
+        self.domain_size_m.map(|side_m| (side_m / self.cell_m * (1.0 + 1e-9)).floor().max(1.0) as u32)
+    }
+
+    /// Blocks along each axis: over the domain, and one before and behind it.
+    pub fn blocks(&self) -> [u32; 3] {
+        // Cells and the point that ends them.
+        self.cells().map(|cells| (cells + 1).div_ceil(BLOCK_CELLS) + 2)
     }
 
     /// That the grid of blocks has no more than a buffer's worth.
@@ -65,7 +77,7 @@ impl MarchingCubesOptions {
     /// # Errors
     /// Says how many there are, and how many are allowed.
     pub(crate) fn check(&self) -> Result<(), RenderError> {
-        let blocks: f64 = self.bins().iter().map(|&n| f64::from(n) + 2.0).product();
+        let blocks: f64 = self.blocks().iter().map(|&n| f64::from(n)).product();
         if blocks <= MOST_GRID_BLOCKS {
             return Ok(());
         }
@@ -78,26 +90,42 @@ impl MarchingCubesOptions {
 
     /// What the shaders are given.
     pub fn params(&self) -> MeshParams {
-        let bins = self.bins();
-        let blocks = bins.map(|n| n + 2);
-        let block_m = f64::from(BLOCK_CELLS) * self.cell_m;
+        let (cells, blocks) = (self.cells(), self.blocks());
+        let cell_m: [f64; 3] = std::array::from_fn(|axis| self.domain_size_m[axis] / f64::from(cells[axis]));
+        let reach_m = REACH_RATIO * self.spacing_m;
+        // Bins as wide as a particle's reach have eight particles, few enough to be passed over and enough to be counted.
+        let least_m = cell_m.iter().copied().fold(f64::INFINITY, f64::min);
+        let bin_cells = (reach_m / least_m).round().max(1.0) as u32;
+        let bins = cells.map(|cells| cells.div_ceil(bin_cells));
         let [wall_min_m, wall_max_m] =
             self.wall_bounds_m.map(|corner_m| corner_m.map(|m| m.clamp(-FAR_M, FAR_M) as f32));
+        let walls = |axis: usize| self.wall_bounds_m[0][axis].is_finite();
+        let block_count = blocks.iter().product();
         MeshParams {
-            min_m: [-block_m as f32; 3],
-            cell_m: self.cell_m as f32,
-            blocks,
-            block_count: blocks.iter().product(),
-            wall_min_m,
+            min_m: cell_m.map(|side_m| -f64::from(BLOCK_CELLS) as f32 * side_m as f32),
             spacing_m: self.spacing_m as f32,
-            wall_max_m,
-            reach_m: (REACH_RATIO * self.spacing_m) as f32,
+            cell_m: cell_m.map(|side_m| side_m as f32),
+            reach_m: reach_m as f32,
+            blocks,
+            block_count,
+            cells,
+            bin_cells,
             bins,
+            bin_count: bins.iter().product(),
+            // Where no wall is, the grid's outermost points are outside, so that the mesh is closed.
+            low_point: std::array::from_fn(|axis| if walls(axis) { BLOCK_CELLS } else { 1 }),
             radius_m: (RADIUS_RATIO * self.spacing_m) as f32,
-            most_blocks: self.most_blocks,
-            most_vertices: self.most_vertices,
-            most_triangles: self.most_triangles,
+            high_point: std::array::from_fn(|axis| match walls(axis) {
+                true => BLOCK_CELLS + cells[axis],
+                false => BLOCK_CELLS * blocks[axis] - 2,
+            }),
             least_weight: LEAST_WEIGHT as f32,
+            wall_min_m,
+            most_blocks: if self.dense { block_count } else { self.most_blocks },
+            wall_max_m,
+            most_vertices: self.most_vertices,
+            mark_groups: blocks.map(|blocks| blocks.div_ceil(MARKED_BLOCKS)),
+            most_triangles: self.most_triangles,
         }
     }
 }

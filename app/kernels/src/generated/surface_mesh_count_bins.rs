@@ -1,0 +1,79 @@
+// Written by the shader compiler; do not edit. `cargo run -p brooklet-compiler -- build`
+// makes it anew from surface/mesh/count_bins.compute.
+//! Kernels of `surface/mesh/count_bins.compute`.
+
+use super::{CellSlot, MeshParams, Position, StepState};
+use crate::{
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+};
+
+/// How many particles each bin holds, and how many of its bin came before each particle: the counting sort's first pass
+/// over bins that fit the mesh's blocks.
+#[derive(Debug)]
+pub struct CountBins<'a> {
+    /// `StructuredBuffer<Position> positions`.
+    pub positions: Buf<'a, Position>,
+    /// and one more, of those that take no part
+    ///
+    /// `RWStructuredBuffer<uint> bin_counts`.
+    pub bin_counts: BufMut<'a, u32>,
+    /// `RWStructuredBuffer<CellSlot> bin_slots`.
+    pub bin_slots: BufMut<'a, CellSlot>,
+    /// `ConstantBuffer<StepState> step_state`.
+    pub step_state: Uniform<'a, StepState>,
+    /// `ConstantBuffer<MeshParams> mesh`.
+    pub mesh: Uniform<'a, MeshParams>,
+}
+
+impl Kernel for CountBins<'_> {
+    const STAGE: &'static str = "count_bins";
+    const GROUP_SIZE: [u32; 3] = [64, 1, 1];
+
+    fn module(&self) -> &'static Module {
+        &COUNT_BINS
+    }
+    fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
+        bind(
+            self.module(),
+            &[
+                ("positions", Some(self.positions.id)),
+                ("bin_counts", Some(self.bin_counts.id)),
+                ("bin_slots", Some(self.bin_slots.id)),
+                ("step_state", Some(self.step_state.id)),
+                ("mesh", Some(self.mesh.id)),
+            ],
+        )
+    }
+}
+
+/// The modules of this file.
+pub(super) static MODULES: &[&Module] = &[&COUNT_BINS];
+
+static BINDINGS_0: &[BindingInfo] = &[
+    BindingInfo { name: "positions", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
+    BindingInfo {
+        name: "bin_counts",
+        slot: 1,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 },
+    },
+    BindingInfo {
+        name: "bin_slots",
+        slot: 2,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
+    },
+    BindingInfo { name: "step_state", slot: 3, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "mesh", slot: 4, kind: BindingKind::Uniform { bytes: 160 } },
+];
+
+static COUNT_BINS: Module = Module {
+    name: "CountBins",
+    entry: "CountBins",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/count_bins.spv"),
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "surface/mesh/count_bins.compute",
+    hash: "e930e46e0cb8e121b9937b2c1119230fe788aa8bf71a060a401f0f27de34d6e2",
+};
