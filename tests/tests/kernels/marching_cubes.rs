@@ -24,8 +24,9 @@ use glam::{DVec3, UVec3};
 use rand::{Rng, RngExt};
 
 const SPACING_M: f64 = 0.02;
-/// Roundings that the field may be off by near the surface, over the spacing.
-const FIELD: f64 = 40.0;
+/// Roundings that the field may be off by near the surface, over the spacing: a point and a particle 17 spacings from the
+/// domain's corner are each off by 17, and the column's step from point to point by some more.
+const FIELD: f64 = 64.0;
 /// Roundings of a gradient, over its length and how far x̄ is off x in spacings.
 const GRADIENT: f64 = 600.0;
 
@@ -254,7 +255,7 @@ fn gather_field_matches_its_twin() {
                     continue;
                 }
                 // Where little is in reach (nothing that near the surface) weights are tiny, and their quotients off.
-                let scale_m = if expected_m < -0.45 * SPACING_M { 1e3 * SPACING_M } else { SPACING_M };
+                let scale_m = if expected_m < -0.3 * SPACING_M { 1e3 * SPACING_M } else { SPACING_M };
                 field.check(value_m, expected_m, scale_m).unwrap_or_else(|e| panic!("{name}: {e}"));
                 checked += 1;
             }
@@ -352,6 +353,65 @@ fn meshes_are_closed_and_those_of_the_twin() {
         };
         assert!(range.contains(&volume), "{name}: {volume} spacings cubed");
         println!("{name}: {} blocks, {} triangles, {volume:.1} spacings cubed", got.counts.blocks, got.triangles.len());
+    }
+}
+
+#[test]
+fn random_particles_in_random_boxes_give_closed_meshes() {
+    let mut rng = rng(83);
+    for case in 0..if small() { 3 } else { 12 } {
+        let size_m = SPACING_M * DVec3::from_array([0; 3].map(|_| 4.3 + 9.0 * rng.random::<f64>()));
+        let has_wall = [0; 3].map(|_| rng.random::<bool>());
+        let walls_m = [0.0, f64::INFINITY].map(|far| {
+            DVec3::from_array(std::array::from_fn(|axis| match (has_wall[axis], far == 0.0) {
+                (true, low) => {
+                    if low {
+                        0.0
+                    } else {
+                        size_m[axis]
+                    }
+                }
+                (false, low) => {
+                    if low {
+                        -f64::INFINITY
+                    } else {
+                        f64::INFINITY
+                    }
+                }
+            }))
+        });
+        let positions: Vec<Position> = (0..rng.random_range(0..if small() { 60 } else { 600 }))
+            .map(|tag| {
+                let share = DVec3::new(rng.random(), rng.random(), rng.random());
+                Position { position_m: (size_m * share).as_vec3().to_array(), tag }
+            })
+            .collect();
+        let options = MarchingCubesOptions {
+            cell_m: SPACING_M * rng.random_range(0.25..1.2),
+            wall_bounds_m: walls_m.map(|corner_m| corner_m.to_array()),
+            most_blocks: 1 << 14,
+            most_vertices: 1 << 18,
+            most_triangles: 1 << 19,
+            ..options(size_m)
+        };
+        let name = format!("case {case}: {} particles in {size_m}, cells of {}", positions.len(), options.cell_m);
+        let sparse = run(&positions, &options);
+        assert_eq!((sparse.counts.lost_blocks, sparse.counts.lost_triangles), (0, 0), "{name}");
+        check_closed(&sparse.triangles).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let mesh = sparse.mesh();
+        assert!(positions.is_empty() || volume_m3(&mesh) > 0.0, "{name}");
+        let inside_walls = |at_m: &DVec3| {
+            let reach = DVec3::splat(1e-4 * SPACING_M);
+            at_m.cmpge(walls_m[0] - reach).all() && at_m.cmple(walls_m[1] + reach).all()
+        };
+        assert!(mesh.vertices_m.iter().all(inside_walls), "{name}");
+        // Particles at random leave hollows that fluid has none of, and bins that are full pass over; all the same the dense
+        // mesh is closed too.
+        let dense = run(&positions, &MarchingCubesOptions { dense: true, ..options });
+        check_closed(&dense.triangles).unwrap_or_else(|error| panic!("{name}, dense: {error}"));
+        if !sparse.triangles.is_empty() {
+            assert!(check_closed(&sparse.triangles[1..]).is_err(), "{name}: a missing triangle is seen");
+        }
     }
 }
 

@@ -75,5 +75,5 @@ static COUNT_BINS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/count_bins.compute",
-    hash: "e930e46e0cb8e121b9937b2c1119230fe788aa8bf71a060a401f0f27de34d6e2",
+    hash: "388964d2f0286d8bc0bff593a6b26d4351bd15096e2d2811dd723d982d6af2d0",
 };

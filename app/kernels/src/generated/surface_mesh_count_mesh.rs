@@ -85,8 +85,8 @@ static COUNT_MESH: Module = Module {
     spirv: include_bytes!("../../spirv/count_mesh.spv"),
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
-    shared_bytes: 320,
+    shared_bytes: 112,
     tier: Tier::Floor,
     source: "surface/mesh/count_mesh.compute",
-    hash: "519de6819fa45aa374bcbb35a7dd8337fb1754de61b52468fc68691cc7bad899",
+    hash: "493a73cc50d2046a424282ad849f006ec20f18bbce4e011b4ba0fe85d77291b6",
 };

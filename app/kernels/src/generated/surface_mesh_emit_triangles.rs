@@ -106,8 +106,8 @@ static EMIT_TRIANGLES: Module = Module {
     spirv: include_bytes!("../../spirv/emit_triangles.spv"),
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
-    shared_bytes: 576,
+    shared_bytes: 112,
     tier: Tier::Floor,
     source: "surface/mesh/emit_triangles.compute",
-    hash: "d1b19fd0a65d9bb13c3e50c09390db2df02cceb940cf5d0c0a523c23e1b7078c",
+    hash: "1cf84b2156e6bdfd9c29b07b53557123a5e309431af370737c7177f183ac2c92",
 };

@@ -100,8 +100,8 @@ static EMIT_VERTICES: Module = Module {
     spirv: include_bytes!("../../spirv/emit_vertices.spv"),
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
-    shared_bytes: 576,
+    shared_bytes: 112,
     tier: Tier::Floor,
     source: "surface/mesh/emit_vertices.compute",
-    hash: "7ad594f3e0caed5777228b6060bb3fbb728fff4edcda55ac50e1038910829293",
+    hash: "381d76621f5cabfaf8d454723a9976a5bf3e1317250359eb7e40f3cac1e960ad",
 };

@@ -74,5 +74,5 @@ static FINISH_MESH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/finish_mesh.compute",
-    hash: "a05b59c1bdff40b7e994ba5d55a40810c793cc39528642724f04d9e9549e4dac",
+    hash: "143a3e1154fa27ecb6c94b3a5f6f8271d946c0f89b99df903c9ea469eecf3c6c",
 };

@@ -82,8 +82,8 @@ static GATHER_FIELD: Module = Module {
     spirv: include_bytes!("../../spirv/gather_field.spv"),
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
-    shared_bytes: 32,
+    shared_bytes: 64,
     tier: Tier::Floor,
     source: "surface/mesh/gather_field.compute",
-    hash: "33f551346cb7b5480b27859b6e884cf17ef5733616ac04e9f9be146b3c907648",
+    hash: "34cd635b64dcc8be6c577a645c4d5a1e37e435fe6a841b680178fb4bd895fb56",
 };

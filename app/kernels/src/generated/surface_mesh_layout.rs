@@ -9,8 +9,8 @@ use bytemuck::{Pod, Zeroable};
 /// Cells of a block along each axis: a block's 64 points are a group's threads.
 pub const BLOCK_CELLS: u32 = 4;
 
-/// Blocks that a group makes the field of, a thread for each column of four points.
-pub const FIELD_BLOCKS: u32 = 4;
+/// Blocks that a group makes the field of, a thread for two columns of four points each.
+pub const FIELD_BLOCKS: u32 = 8;
 
 /// What MeshParams::block\_entries says of a block that is not listed; of one that is, its place in the list and this much more.
 pub const BLOCK_OUTSIDE: u32 = 0;

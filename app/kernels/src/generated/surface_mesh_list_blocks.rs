@@ -82,5 +82,5 @@ static LIST_BLOCKS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/list_blocks.compute",
-    hash: "d49065734dca2b50835b04a9095d2617eb9ade499734fa0e3fe216c21ee459d9",
+    hash: "fc374b41a782e17806c06bc2dd74176e55834eddfddf5c1ef2ed28bc816290d1",
 };

@@ -84,5 +84,5 @@ static MARK_BLOCKS: Module = Module {
     shared_bytes: 500,
     tier: Tier::Floor,
     source: "surface/mesh/mark_blocks.compute",
-    hash: "023698d88b6a4c380af27ba3ac052b894246b3faaa45a7818d6ec131fa75d109",
+    hash: "f4f577a7065533c0a8976c04b0f00f56376e554fe64f00f7e0df67501c795a2d",
 };

@@ -72,7 +72,7 @@ static DRAW_MESH_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_depth.hlsl",
-    hash: "343ae70975c945a75182016aef217fef6bc7a38d18d62ac190fe1c96bfc31172",
+    hash: "d16e583a0db9074a361a25074e3f6ca689d7f69127d256b44fff977963b8b3bd",
 };
 
 static DRAW_MESH_DEPTH_FRAGMENT: Module = Module {
@@ -85,5 +85,5 @@ static DRAW_MESH_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_depth.hlsl",
-    hash: "6f466c37427cb30b5f4a0f0769eb575040ec406904227887dacd29fe8aa6af09",
+    hash: "a176214dc8060d7e17edff28d61918f1276afdcf71a6f6379cbf368cdc3aa91a",
 };

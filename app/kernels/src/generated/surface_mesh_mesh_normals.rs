@@ -73,5 +73,5 @@ static MESH_NORMALS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_normals.compute",
-    hash: "97b8a634934e7cd11dab02d4acce7d763aaacac76324af5163ad12e781bd2ecc",
+    hash: "9919bd939bca152770192cd637f49f4c69e81e91faf7373ca024d3eef1779513",
 };

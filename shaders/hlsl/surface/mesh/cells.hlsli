@@ -29,6 +29,20 @@ void LoadInside(uint3 block, uint thread)
     GroupMemoryBarrierWithGroupSync();
 }
 
+// Whether these blocks are not all inside, and not all outside.
+bool MayBeCut()
+{
+    uint2 any_inside = 0;
+    uint2 all_inside = 0xffffffff;
+    [unroll]
+    for (uint owner = 0; owner < 8; ++owner)
+    {
+        any_inside |= shared_inside[owner];
+        all_inside &= shared_inside[owner];
+    }
+    return any(any_inside != 0) && any(all_inside != 0xffffffff);
+}
+
 bool IsInside(uint3 at)
 {
     uint p = PointNumber(at % BLOCK_CELLS);

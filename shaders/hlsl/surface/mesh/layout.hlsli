@@ -5,8 +5,8 @@
 
 // Cells of a block along each axis: a block's 64 points are a group's threads.
 static const uint BLOCK_CELLS = 4;
-// Blocks that a group makes the field of, a thread for each column of four points.
-static const uint FIELD_BLOCKS = 4;
+// Blocks that a group makes the field of, a thread for two columns of four points each.
+static const uint FIELD_BLOCKS = 8;
 // What MeshParams::block_entries says of a block that is not listed; of one that is, its place in the list and this much more.
 static const uint BLOCK_OUTSIDE = 0;
 static const uint BLOCK_INSIDE = 1;

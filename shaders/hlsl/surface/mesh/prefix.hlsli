@@ -1,26 +1,42 @@
-// Sums before each thread of a group of 64.
+// Sums over a group of 64 threads of numbers below 8, through one barrier: bit k of every number is in the k-th plane, a
+// bit a thread, and counting bits adds them up.
 #ifndef BROOKLET_MESH_PREFIX
 #define BROOKLET_MESH_PREFIX
 
-groupshared uint shared_sums[2][64];
+#define PLANES 6
 
-// The sum of `count` over the threads before this one (Hillis & Steele 1986).
-uint PrefixOf(uint count, uint thread)
+groupshared uint2 shared_planes[PLANES];
+
+// To be called before a barrier that comes before AddToPlanes.
+void ClearPlanes(uint thread)
 {
-    uint from = 0;
-    shared_sums[0][thread] = count;
-    GroupMemoryBarrierWithGroupSync();
+    if (thread < PLANES)
+        shared_planes[thread] = 0;
+}
+
+// Puts a number into three planes from `first` on. A barrier has to follow.
+void AddToPlanes(uint first, uint number, uint thread)
+{
     [unroll]
-    for (uint reach = 1; reach < 64; reach *= 2)
+    for (uint k = 0; k < 3; ++k)
     {
-        uint sum = shared_sums[from][thread];
-        if (thread >= reach)
-            sum += shared_sums[from][thread - reach];
-        from = 1 - from;
-        shared_sums[from][thread] = sum;
-        GroupMemoryBarrierWithGroupSync();
+        if ((number >> k & 1) != 0)
+            InterlockedOr(shared_planes[first + k][thread / 32], 1u << thread % 32);
     }
-    return shared_sums[from][thread] - count;
+}
+
+// The sum of the numbers in these planes over the threads before `end`, at most 64.
+uint SumBefore(uint first, uint end)
+{
+    uint2 before = uint2(end < 32 ? (1u << end) - 1 : 0xffffffff, end <= 32 ? 0 : end < 64 ? (1u << (end - 32)) - 1 : 0xffffffff);
+    uint sum = 0;
+    [unroll]
+    for (uint k = 0; k < 3; ++k)
+    {
+        uint2 bits = shared_planes[first + k] & before;
+        sum += (countbits(bits.x) + countbits(bits.y)) << k;
+    }
+    return sum;
 }
 
 #endif
