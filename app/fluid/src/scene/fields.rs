@@ -33,9 +33,10 @@ const NONE: &[&str] = &["none"];
 /// Methods whose particles know their neighbours.
 const WITH_NEIGHBOURS: &[&str] = &["pbf"];
 
-/// What terms of water as a surface need, and those of one that is smoothed.
+/// What terms of water as a surface need, those of one that is smoothed, and those of one that is meshed.
 const WATER: (&str, &[&str]) = ("surface.method", &["screen-space", "marching-cubes"]);
 const SMOOTHED: (&str, &[&str]) = ("surface.method", &["screen-space"]);
+const MESHED: (&str, &[&str]) = ("surface.method", &["marching-cubes"]);
 
 /// Every field, in the order of scene files.
 ///
@@ -143,6 +144,11 @@ pub const FIELDS: &[Field] = &[
     Field::new("surface.caustics", Kind::Switch, REBUILD).term_with("false", "true", WATER),
     Field::new("surface.refraction", number(0.0, 2.0, ""), REBUILD).slider(0.0, 2.0),
     Field::new("surface.color_by", Kind::Choice(&["speed", "fluid", "density"]), REBUILD),
+    Field::new("surface.mesh", Kind::Table, REBUILD),
+    Field::new("surface.mesh.smooth_normals", whole(0.0, 16.0, ""), REBUILD)
+        .slider(0.0, 8.0)
+        .term_with("0", "2", MESHED),
+    Field::new("surface.mesh.subdivide", whole(1.0, 3.0, ""), REBUILD).slider(1.0, 3.0).term_with("1", "2", MESHED),
     Field::new("camera", Kind::Table, LIVE),
     Field::new("camera.eye_m", PLACE, LIVE),
     Field::new("camera.target_m", PLACE, LIVE),

@@ -64,6 +64,25 @@ pub enum PointColor {
     Density,
 }
 
+/// How a meshed surface is made (`method = "marching-cubes"`).
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields, default)]
+pub struct MeshSettings {
+    /// How often each normal becomes the mean of those around it, weighted by distance and by how little they differ
+    /// (bilateral: Jones, Durand & Zwicker 2004). Edges stay sharp; 0 leaves it out.
+    pub smooth_normals: u32,
+    /// Into how many parts each side of a triangle is cut, along curves (PN triangles: Vlachos, Peters, Boyd & Mitchell
+    /// 2001); 1 leaves it out.
+    pub subdivide: u32,
+}
+
+impl Default for MeshSettings {
+    fn default() -> Self {
+        Self { smooth_normals: 0, subdivide: 1 }
+    }
+}
+
 /// How the fluid is drawn. What is off has no pass, no buffer and no code.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -95,6 +114,8 @@ pub struct Surface {
     pub refraction: f64,
     /// What the colours of `points` tell.
     pub color_by: PointColor,
+    /// How a meshed surface is made.
+    pub mesh: MeshSettings,
 }
 
 impl Default for Surface {
@@ -110,6 +131,7 @@ impl Default for Surface {
             caustics: None,
             refraction: 1.0,
             color_by: PointColor::default(),
+            mesh: MeshSettings::default(),
         }
     }
 }

@@ -76,6 +76,10 @@ mod tests {
                 continue;
             };
             count += 1;
+            let scene = match term.needs {
+                Some((path, values)) => scene.with_setting(&format!("{path}={}", values[0])).unwrap(),
+                None => scene.clone(),
+            };
             let off = scene.with_setting(&format!("{}={}", field.path, term.off)).unwrap();
             assert!(off.terms_left_out().iter().any(|out| out.path == field.path), "{}", field.path);
             let on = off.with_term(field);
