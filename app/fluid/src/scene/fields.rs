@@ -145,6 +145,8 @@ pub const FIELDS: &[Field] = &[
     Field::new("surface.refraction", number(0.0, 2.0, ""), REBUILD).slider(0.0, 2.0),
     Field::new("surface.color_by", Kind::Choice(&["speed", "fluid", "density"]), REBUILD),
     Field::new("surface.mesh", Kind::Table, REBUILD),
+    Field::new("surface.mesh.cell_ratio", number(0.25, 2.0, ""), REBUILD).slider(0.25, 1.0),
+    Field::new("surface.mesh.dense_cells", whole(0.0, 256.0, ""), REBUILD).slider(0.0, 160.0),
     Field::new("surface.mesh.smooth_normals", whole(0.0, 16.0, ""), REBUILD)
         .slider(0.0, 8.0)
         .term_with("0", "2", MESHED),

@@ -69,6 +69,11 @@ pub enum PointColor {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields, default)]
 pub struct MeshSettings {
+    /// Least side of a cell, over the spacing. Cells are as many as fit the domain, so that walls stand between them.
+    pub cell_ratio: f64,
+    /// Cells along the domain's longest side, for a grid that is looked at everywhere: cheaper where it is small, as the
+    /// 80 x 40 x 40 of phones. 0: cells by `cell_ratio`, looked at where the surface may be.
+    pub dense_cells: u32,
     /// How often each normal becomes the mean of those around it, weighted by distance and by how little they differ
     /// (bilateral: Jones, Durand & Zwicker 2004). Edges stay sharp; 0 leaves it out.
     pub smooth_normals: u32,
@@ -79,7 +84,7 @@ pub struct MeshSettings {
 
 impl Default for MeshSettings {
     fn default() -> Self {
-        Self { smooth_normals: 0, subdivide: 1 }
+        Self { cell_ratio: 0.5, dense_cells: 0, smooth_normals: 0, subdivide: 1 }
     }
 }
 

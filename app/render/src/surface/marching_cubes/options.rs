@@ -42,20 +42,28 @@ pub struct MarchingCubesOptions {
 }
 
 impl MarchingCubesOptions {
-    /// Cells of half a spacing, with room for a surface of its particles that are a few layers thick.
+    /// Cells as the scene asks for, with room for a surface of its particles that are a few layers thick.
     pub fn for_scene(scene: &Scene) -> Self {
         let slots = u32::try_from(scene.particle_count()).unwrap_or(u32::MAX).max(scene.capacity.unwrap_or_default());
         let spacing_m = scene.fitted_spacing_m();
-        // A surface particle has two cells squared of surface above it, each with a vertex and two triangles; a splash,
-        // where all are at the surface, has four times that.
-        let most_vertices = slots.saturating_mul(16).clamp(1 << 14, 1 << 22);
+        let domain_size_m = scene.domain.size_m();
+        let longest_m = domain_size_m.iter().copied().fold(0.0, f64::max);
+        let (cell_m, dense) = match scene.surface.mesh.dense_cells {
+            0 => (scene.surface.mesh.cell_ratio * spacing_m, false),
+            cells => (longest_m / f64::from(cells), true),
+        };
+        // A surface particle has four cells of half a spacing of surface above it, each with a vertex and two triangles; a
+        // splash, where all are at the surface, has four times that.
+        let finer = (0.5 * spacing_m / cell_m).powi(2);
+        let room = |each: f64, least: u32, most: u32| ((f64::from(slots) * each * finer) as u32).clamp(least, most);
+        let most_vertices = room(16.0, 1 << 14, 1 << 22);
         Self {
             spacing_m,
-            cell_m: 0.5 * spacing_m,
-            dense: false,
-            domain_size_m: scene.domain.size_m(),
+            cell_m,
+            dense,
+            domain_size_m,
             wall_bounds_m: scene.domain.wall_bounds_m(),
-            most_blocks: slots.saturating_mul(2).clamp(1 << 10, 1 << 17),
+            most_blocks: room(2.0, 1 << 10, 1 << 17),
             most_vertices,
             most_triangles: 2 * most_vertices,
         }
