@@ -1,5 +1,6 @@
 //! Every kernel against its f64 twin.
 
+mod anisotropic_mesh;
 mod anisotropy;
 mod bench;
 mod boundary;

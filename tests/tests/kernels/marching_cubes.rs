@@ -7,8 +7,8 @@ use std::collections::BTreeSet;
 
 use brooklet_fluid::Slots;
 use brooklet_kernels::{
-    BLOCK_CELLS, BLOCK_INSIDE, BLOCK_LISTED, GatherField, Kernel, MeshCounts, MeshNormals, MeshParams, MeshVertex,
-    Position, Velocity,
+    BLOCK_CELLS, BLOCK_INSIDE, BLOCK_LISTED, Ellipsoid, GatherField, Kernel, MeshCounts, MeshNormals, MeshParams,
+    MeshVertex, Position, Velocity,
 };
 use brooklet_reference::surface::marching_cubes::{FieldGrid, Mesh, check_closed, marching_cubes, volume_m3};
 use brooklet_reference::surface::marching_cubes_table;
@@ -23,7 +23,7 @@ use brooklet_tests::rng;
 use glam::{DVec3, UVec3};
 use rand::{Rng, RngExt};
 
-const SPACING_M: f64 = 0.02;
+pub(super) const SPACING_M: f64 = 0.02;
 /// Roundings that the field may be off by near the surface, over the spacing: a point and a particle 17 spacings from the
 /// domain's corner are each off by 17, and the column's step from point to point by some more.
 const FIELD: f64 = 64.0;
@@ -31,22 +31,23 @@ const FIELD: f64 = 64.0;
 const GRADIENT: f64 = 600.0;
 
 /// What the GPU made of particles.
-struct Meshed {
-    counts: MeshCounts,
-    vertices: Vec<MeshVertex>,
-    triangles: Vec<[u32; 3]>,
-    field_m: Vec<f32>,
-    entries: Vec<u32>,
-    inside: Vec<[u32; 2]>,
-    blocks: UVec3,
-    params: MeshParams,
+pub(super) struct Meshed {
+    pub(super) counts: MeshCounts,
+    pub(super) vertices: Vec<MeshVertex>,
+    pub(super) triangles: Vec<[u32; 3]>,
+    pub(super) field_m: Vec<f32>,
+    pub(super) entries: Vec<u32>,
+    pub(super) inside: Vec<[u32; 2]>,
+    pub(super) blocks: UVec3,
+    pub(super) params: MeshParams,
 }
 
-fn options(size_m: DVec3) -> MarchingCubesOptions {
+pub(super) fn options(size_m: DVec3) -> MarchingCubesOptions {
     MarchingCubesOptions {
         spacing_m: SPACING_M,
         cell_m: 0.5 * SPACING_M,
         dense: false,
+        anisotropic: false,
         domain_size_m: size_m.to_array(),
         wall_bounds_m: [[0.0; 3], size_m.to_array()],
         most_blocks: 4096,
@@ -56,9 +57,19 @@ fn options(size_m: DVec3) -> MarchingCubesOptions {
 }
 
 fn run(positions: &[Position], options: &MarchingCubesOptions) -> Meshed {
+    run_with(positions, None, options)
+}
+
+/// The same of ellipsoids, where there are some.
+pub(super) fn run_with(
+    positions: &[Position],
+    ellipsoids: Option<&[Ellipsoid]>,
+    options: &MarchingCubesOptions,
+) -> Meshed {
     let count = positions.len();
     let mut bench = Bench::new();
     let at = bench.input("positions", positions);
+    let ellipsoids = ellipsoids.map(|ellipsoids| bench.input("ellipsoids", ellipsoids));
     let velocities = bench.output::<Velocity>("velocities", count);
     let step = bench.uniform("step", step_state(count, 0.0));
     let (resources, recording) = bench.parts();
@@ -67,7 +78,7 @@ fn run(positions: &[Position], options: &MarchingCubesOptions) -> Meshed {
     let particles =
         Particles { positions: &at, velocities: &velocities, slots: &slots, neighbours: None, densities: None };
     let mut init = resources.recording("unused");
-    let mesh = marching_cubes::record(resources, (&mut init, recording), &particles, options);
+    let mesh = marching_cubes::record(resources, (&mut init, recording), (&particles, ellipsoids.as_ref()), options);
     // The bench has one recording: what comes once, first, is put before the rest.
     let rest = std::mem::replace(recording, init);
     recording.append(&rest);
@@ -130,17 +141,17 @@ impl Meshed {
 /// What the field is beyond walls.
 const BEYOND_M: f32 = -1.0e15;
 
-fn is_beyond(grid_point: UVec3, mesh: &MeshParams) -> bool {
+pub(super) fn is_beyond(grid_point: UVec3, mesh: &MeshParams) -> bool {
     grid_point.cmplt(UVec3::from_array(mesh.low_point)).any()
         || grid_point.cmpgt(UVec3::from_array(mesh.high_point)).any()
 }
 
-fn min_m(options: &MarchingCubesOptions) -> DVec3 {
+pub(super) fn min_m(options: &MarchingCubesOptions) -> DVec3 {
     DVec3::from_array(options.params().min_m.map(f64::from))
 }
 
 /// A jittered lattice of `counts` particles from `first_m` on.
-fn lattice(rng: &mut impl Rng, first_m: DVec3, counts: UVec3) -> Vec<Position> {
+pub(super) fn lattice(rng: &mut impl Rng, first_m: DVec3, counts: UVec3) -> Vec<Position> {
     let mut positions = Vec::new();
     for z in 0..counts.z {
         for y in 0..counts.y {

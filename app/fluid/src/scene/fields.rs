@@ -147,6 +147,7 @@ pub const FIELDS: &[Field] = &[
     Field::new("surface.mesh", Kind::Table, REBUILD),
     Field::new("surface.mesh.cell_ratio", number(0.25, 2.0, ""), REBUILD).slider(0.25, 1.0),
     Field::new("surface.mesh.dense_cells", whole(0.0, 256.0, ""), REBUILD).slider(0.0, 160.0),
+    Field::new("surface.mesh.anisotropic", Kind::Switch, REBUILD).term_with("false", "true", MESHED),
     Field::new("surface.mesh.smooth_normals", whole(0.0, 16.0, ""), REBUILD)
         .slider(0.0, 8.0)
         .term_with("0", "2", MESHED),

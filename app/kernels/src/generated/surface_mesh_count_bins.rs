@@ -2,17 +2,26 @@
 // makes it anew from surface/mesh/count_bins.compute.
 //! Kernels of `surface/mesh/count_bins.compute`.
 
-use super::{CellSlot, MeshParams, Position, StepState};
+use super::{CellSlot, Ellipsoid, MeshParams, Position, StepState};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
+
+/// Which variant of [`CountBins`] runs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct CountBinsVariant {
+    /// Keyword `ANISOTROPIC`.
+    pub anisotropic: bool,
+}
 
 /// How many particles each bin holds, and how many of its bin came before each particle: the counting sort's first pass
 /// over bins that fit the mesh's blocks.
 #[derive(Debug)]
 pub struct CountBins<'a> {
+    /// Its variant.
+    pub variant: CountBinsVariant,
     /// `StructuredBuffer<Position> positions`.
-    pub positions: Buf<'a, Position>,
+    pub positions: Option<Buf<'a, Position>>,
     /// and one more, of those that take no part
     ///
     /// `RWStructuredBuffer<uint> bin_counts`.
@@ -23,6 +32,8 @@ pub struct CountBins<'a> {
     pub step_state: Uniform<'a, StepState>,
     /// `ConstantBuffer<MeshParams> mesh`.
     pub mesh: Uniform<'a, MeshParams>,
+    /// `StructuredBuffer<Ellipsoid> ellipsoids`.
+    pub ellipsoids: Option<Buf<'a, Ellipsoid>>,
 }
 
 impl Kernel for CountBins<'_> {
@@ -30,27 +41,44 @@ impl Kernel for CountBins<'_> {
     const GROUP_SIZE: [u32; 3] = [64, 1, 1];
 
     fn module(&self) -> &'static Module {
-        &COUNT_BINS
+        if self.variant.anisotropic { &COUNT_BINS_WITH_ANISOTROPIC } else { &COUNT_BINS }
     }
     fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
         bind(
             self.module(),
             &[
-                ("positions", Some(self.positions.id)),
+                ("positions", self.positions.as_ref().map(|bound| bound.id)),
                 ("bin_counts", Some(self.bin_counts.id)),
                 ("bin_slots", Some(self.bin_slots.id)),
                 ("step_state", Some(self.step_state.id)),
                 ("mesh", Some(self.mesh.id)),
+                ("ellipsoids", self.ellipsoids.as_ref().map(|bound| bound.id)),
             ],
         )
     }
 }
 
 /// The modules of this file.
-pub(super) static MODULES: &[&Module] = &[&COUNT_BINS];
+pub(super) static MODULES: &[&Module] = &[&COUNT_BINS, &COUNT_BINS_WITH_ANISOTROPIC];
 
 static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "positions", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
+    BindingInfo {
+        name: "bin_counts",
+        slot: 1,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 },
+    },
+    BindingInfo {
+        name: "bin_slots",
+        slot: 2,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
+    },
+    BindingInfo { name: "step_state", slot: 3, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "mesh", slot: 4, kind: BindingKind::Uniform { bytes: 160 } },
+];
+
+static BINDINGS_1: &[BindingInfo] = &[
+    BindingInfo { name: "ellipsoids", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 32 } },
     BindingInfo {
         name: "bin_counts",
         slot: 1,
@@ -75,5 +103,18 @@ static COUNT_BINS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/count_bins.compute",
-    hash: "388964d2f0286d8bc0bff593a6b26d4351bd15096e2d2811dd723d982d6af2d0",
+    hash: "0c965c3bef60bf1b88823188501dd3ab207d366540be62ccf0ab250adbd65b4d",
+};
+
+static COUNT_BINS_WITH_ANISOTROPIC: Module = Module {
+    name: "CountBins+ANISOTROPIC",
+    entry: "CountBins",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/count_bins+anisotropic.spv"),
+    bindings: BINDINGS_1,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "surface/mesh/count_bins.compute",
+    hash: "a19a9fc31ce2b9555a9fa9ed9352201eb135bd4832b3aa09da58e017f7f92d1b",
 };

@@ -88,5 +88,5 @@ static COUNT_MESH: Module = Module {
     shared_bytes: 112,
     tier: Tier::Floor,
     source: "surface/mesh/count_mesh.compute",
-    hash: "493a73cc50d2046a424282ad849f006ec20f18bbce4e011b4ba0fe85d77291b6",
+    hash: "9a018c4479c942ca1c033b52b861347ea172c352a444d4e477e0fd36b649ba3a",
 };

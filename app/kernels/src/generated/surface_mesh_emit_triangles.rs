@@ -109,5 +109,5 @@ static EMIT_TRIANGLES: Module = Module {
     shared_bytes: 112,
     tier: Tier::Floor,
     source: "surface/mesh/emit_triangles.compute",
-    hash: "1cf84b2156e6bdfd9c29b07b53557123a5e309431af370737c7177f183ac2c92",
+    hash: "08b54c72f6b7cb8ac07c27c5b69acd56cacc79def041c409f33f65aa20f159f8",
 };

@@ -103,5 +103,5 @@ static EMIT_VERTICES: Module = Module {
     shared_bytes: 112,
     tier: Tier::Floor,
     source: "surface/mesh/emit_vertices.compute",
-    hash: "381d76621f5cabfaf8d454723a9976a5bf3e1317250359eb7e40f3cac1e960ad",
+    hash: "a7d45fc3e9e8e067ee590c1cab582e7df288b2dd592e5a4f323cb78f197c1c66",
 };

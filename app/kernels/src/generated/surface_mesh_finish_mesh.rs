@@ -74,5 +74,5 @@ static FINISH_MESH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/finish_mesh.compute",
-    hash: "143a3e1154fa27ecb6c94b3a5f6f8271d946c0f89b99df903c9ea469eecf3c6c",
+    hash: "a6e476d505a0c9e9ebf4e0407ec8e30f07eed8b6213a08b9ca6fcc064ff28bfe",
 };

@@ -2,17 +2,26 @@
 // makes it anew from surface/mesh/gather_field.compute.
 //! Kernels of `surface/mesh/gather_field.compute`.
 
-use super::{MeshCounts, MeshParams, Position};
+use super::{MeshCounts, MeshKernel, MeshParams, Position};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
+
+/// Which variant of [`GatherField`] runs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct GatherFieldVariant {
+    /// Keyword `ANISOTROPIC`.
+    pub anisotropic: bool,
+}
 
 /// The field at the points of the listed blocks: that of Zhu & Bridson 2005, cut where few particles are, and at walls,
 /// behind which the particles are mirrored (twin and reasons: reference/src/surface/surface\_field.rs).
 #[derive(Debug)]
 pub struct GatherField<'a> {
+    /// Its variant.
+    pub variant: GatherFieldVariant,
     /// `StructuredBuffer<Position> bin_particles`.
-    pub bin_particles: Buf<'a, Position>,
+    pub bin_particles: Option<Buf<'a, Position>>,
     /// `StructuredBuffer<uint> bin_starts`.
     pub bin_starts: Buf<'a, u32>,
     /// `StructuredBuffer<uint> listed_blocks`.
@@ -25,6 +34,8 @@ pub struct GatherField<'a> {
     pub block_inside: BufMut<'a, [u32; 2]>,
     /// `ConstantBuffer<MeshParams> mesh`.
     pub mesh: Uniform<'a, MeshParams>,
+    /// `StructuredBuffer<MeshKernel> bin_kernels`.
+    pub bin_kernels: Option<Buf<'a, MeshKernel>>,
 }
 
 impl Kernel for GatherField<'_> {
@@ -32,26 +43,27 @@ impl Kernel for GatherField<'_> {
     const GROUP_SIZE: [u32; 3] = [64, 1, 1];
 
     fn module(&self) -> &'static Module {
-        &GATHER_FIELD
+        if self.variant.anisotropic { &GATHER_FIELD_WITH_ANISOTROPIC } else { &GATHER_FIELD }
     }
     fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
         bind(
             self.module(),
             &[
-                ("bin_particles", Some(self.bin_particles.id)),
+                ("bin_particles", self.bin_particles.as_ref().map(|bound| bound.id)),
                 ("bin_starts", Some(self.bin_starts.id)),
                 ("listed_blocks", Some(self.listed_blocks.id)),
                 ("mesh_counts", Some(self.mesh_counts.id)),
                 ("field_m", Some(self.field_m.id)),
                 ("block_inside", Some(self.block_inside.id)),
                 ("mesh", Some(self.mesh.id)),
+                ("bin_kernels", self.bin_kernels.as_ref().map(|bound| bound.id)),
             ],
         )
     }
 }
 
 /// The modules of this file.
-pub(super) static MODULES: &[&Module] = &[&GATHER_FIELD];
+pub(super) static MODULES: &[&Module] = &[&GATHER_FIELD, &GATHER_FIELD_WITH_ANISOTROPIC];
 
 static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo {
@@ -59,6 +71,24 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 0,
         kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
     },
+    BindingInfo { name: "bin_starts", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 } },
+    BindingInfo {
+        name: "listed_blocks",
+        slot: 2,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 },
+    },
+    BindingInfo { name: "mesh_counts", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 80 } },
+    BindingInfo { name: "field_m", slot: 4, kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 } },
+    BindingInfo {
+        name: "block_inside",
+        slot: 5,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
+    },
+    BindingInfo { name: "mesh", slot: 6, kind: BindingKind::Uniform { bytes: 160 } },
+];
+
+static BINDINGS_1: &[BindingInfo] = &[
+    BindingInfo { name: "bin_kernels", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 48 } },
     BindingInfo { name: "bin_starts", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 } },
     BindingInfo {
         name: "listed_blocks",
@@ -85,5 +115,18 @@ static GATHER_FIELD: Module = Module {
     shared_bytes: 64,
     tier: Tier::Floor,
     source: "surface/mesh/gather_field.compute",
-    hash: "34cd635b64dcc8be6c577a645c4d5a1e37e435fe6a841b680178fb4bd895fb56",
+    hash: "f7f3e772d0bceb0c0e81dec305ee3089c5f305baa3d9ff0339209a0223b9d453",
+};
+
+static GATHER_FIELD_WITH_ANISOTROPIC: Module = Module {
+    name: "GatherField+ANISOTROPIC",
+    entry: "GatherField",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/gather_field+anisotropic.spv"),
+    bindings: BINDINGS_1,
+    group_size: [64, 1, 1],
+    shared_bytes: 64,
+    tier: Tier::Floor,
+    source: "surface/mesh/gather_field.compute",
+    hash: "c1bea1a0dace34ff9eaf197ad177111bd545e89e0beb6aa06cb04ef3f6e304d6",
 };

@@ -38,7 +38,7 @@ pub struct MeshParams {
     pub spacing_m: f32,
     /// along each axis: the domain is so many whole cells
     pub cell_m: [f32; 3],
-    /// of a particle: REACH\_RATIO spacings
+    /// of a particle
     pub reach_m: f32,
     /// `uint3`.
     pub blocks: [u32; 3],
@@ -95,6 +95,33 @@ const _: () = {
     assert!(offset_of!(MeshParams, mark_groups) == 144);
     assert!(offset_of!(MeshParams, most_triangles) == 156);
     assert!(size_of::<MeshParams>() == 160);
+};
+
+/// A particle's part in an anisotropic field (Yu & Turk 2013, eq. 9): weight (1 - |G (x - center)|^2)^3.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+pub struct MeshKernel {
+    /// `float3`.
+    pub center_m: [f32; 3],
+    /// its integral is the particle's volume
+    pub weight: f32,
+    /// of G, symmetric: xx, yy, zz
+    pub diagonal_per_m: [f32; 3],
+    /// `float`.
+    pub reserved0: f32,
+    /// xy, xz, yz
+    pub beside_per_m: [f32; 3],
+    /// `float`.
+    pub reserved1: f32,
+}
+const _: () = {
+    assert!(offset_of!(MeshKernel, center_m) == 0);
+    assert!(offset_of!(MeshKernel, weight) == 12);
+    assert!(offset_of!(MeshKernel, diagonal_per_m) == 16);
+    assert!(offset_of!(MeshKernel, reserved0) == 28);
+    assert!(offset_of!(MeshKernel, beside_per_m) == 32);
+    assert!(offset_of!(MeshKernel, reserved1) == 44);
+    assert!(size_of::<MeshKernel>() == 48);
 };
 
 /// `MeshVertex`.

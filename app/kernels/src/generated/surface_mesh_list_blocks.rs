@@ -82,5 +82,5 @@ static LIST_BLOCKS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/list_blocks.compute",
-    hash: "fc374b41a782e17806c06bc2dd74176e55834eddfddf5c1ef2ed28bc816290d1",
+    hash: "4c2c344960684e8fbd3c916bba0dd975b12ea3f27f63808964a370d46917abf5",
 };

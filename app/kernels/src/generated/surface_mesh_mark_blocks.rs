@@ -84,5 +84,5 @@ static MARK_BLOCKS: Module = Module {
     shared_bytes: 500,
     tier: Tier::Floor,
     source: "surface/mesh/mark_blocks.compute",
-    hash: "f4f577a7065533c0a8976c04b0f00f56376e554fe64f00f7e0df67501c795a2d",
+    hash: "6eeed644861c54530975168ab01a826ef848bd076ae3a0fbdcc17b3f6ba3a8d1",
 };

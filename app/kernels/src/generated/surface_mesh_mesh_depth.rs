@@ -72,7 +72,7 @@ static DRAW_MESH_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_depth.hlsl",
-    hash: "d16e583a0db9074a361a25074e3f6ca689d7f69127d256b44fff977963b8b3bd",
+    hash: "a892800ec41c4e0f0cbb8e97efb7fb356bd891cfc9d629876bb25f8c9d35b356",
 };
 
 static DRAW_MESH_DEPTH_FRAGMENT: Module = Module {
@@ -85,5 +85,5 @@ static DRAW_MESH_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_depth.hlsl",
-    hash: "a176214dc8060d7e17edff28d61918f1276afdcf71a6f6379cbf368cdc3aa91a",
+    hash: "7463d1f25b9353615fc153407afd1f16b19eb1ad623f8ecf25d6b17f2ac697d9",
 };

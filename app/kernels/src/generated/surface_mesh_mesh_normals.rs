@@ -2,17 +2,26 @@
 // makes it anew from surface/mesh/mesh_normals.compute.
 //! Kernels of `surface/mesh/mesh_normals.compute`.
 
-use super::{MeshCounts, MeshParams, MeshVertex, Position};
+use super::{MeshCounts, MeshKernel, MeshParams, MeshVertex, Position};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
+
+/// Which variant of [`MeshNormals`] runs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct MeshNormalsVariant {
+    /// Keyword `ANISOTROPIC`.
+    pub anisotropic: bool,
+}
 
 /// The normal of each vertex that no wall gave one: the field's gradient where the vertex is, turned outward. There are an
 /// eighth as many vertices as points of the field, so it is asked here and not there.
 #[derive(Debug)]
 pub struct MeshNormals<'a> {
+    /// Its variant.
+    pub variant: MeshNormalsVariant,
     /// `StructuredBuffer<Position> bin_particles`.
-    pub bin_particles: Buf<'a, Position>,
+    pub bin_particles: Option<Buf<'a, Position>>,
     /// `StructuredBuffer<uint> bin_starts`.
     pub bin_starts: Buf<'a, u32>,
     /// `StructuredBuffer<MeshCounts> mesh_counts`.
@@ -21,6 +30,8 @@ pub struct MeshNormals<'a> {
     pub mesh_vertices: BufMut<'a, MeshVertex>,
     /// `ConstantBuffer<MeshParams> mesh`.
     pub mesh: Uniform<'a, MeshParams>,
+    /// `StructuredBuffer<MeshKernel> bin_kernels`.
+    pub bin_kernels: Option<Buf<'a, MeshKernel>>,
 }
 
 impl Kernel for MeshNormals<'_> {
@@ -28,24 +39,25 @@ impl Kernel for MeshNormals<'_> {
     const GROUP_SIZE: [u32; 3] = [64, 1, 1];
 
     fn module(&self) -> &'static Module {
-        &MESH_NORMALS
+        if self.variant.anisotropic { &MESH_NORMALS_WITH_ANISOTROPIC } else { &MESH_NORMALS }
     }
     fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
         bind(
             self.module(),
             &[
-                ("bin_particles", Some(self.bin_particles.id)),
+                ("bin_particles", self.bin_particles.as_ref().map(|bound| bound.id)),
                 ("bin_starts", Some(self.bin_starts.id)),
                 ("mesh_counts", Some(self.mesh_counts.id)),
                 ("mesh_vertices", Some(self.mesh_vertices.id)),
                 ("mesh", Some(self.mesh.id)),
+                ("bin_kernels", self.bin_kernels.as_ref().map(|bound| bound.id)),
             ],
         )
     }
 }
 
 /// The modules of this file.
-pub(super) static MODULES: &[&Module] = &[&MESH_NORMALS];
+pub(super) static MODULES: &[&Module] = &[&MESH_NORMALS, &MESH_NORMALS_WITH_ANISOTROPIC];
 
 static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo {
@@ -53,6 +65,18 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 0,
         kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
     },
+    BindingInfo { name: "bin_starts", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 } },
+    BindingInfo { name: "mesh_counts", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 80 } },
+    BindingInfo {
+        name: "mesh_vertices",
+        slot: 3,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 32 },
+    },
+    BindingInfo { name: "mesh", slot: 4, kind: BindingKind::Uniform { bytes: 160 } },
+];
+
+static BINDINGS_1: &[BindingInfo] = &[
+    BindingInfo { name: "bin_kernels", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 48 } },
     BindingInfo { name: "bin_starts", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 } },
     BindingInfo { name: "mesh_counts", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 80 } },
     BindingInfo {
@@ -73,5 +97,18 @@ static MESH_NORMALS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_normals.compute",
-    hash: "9919bd939bca152770192cd637f49f4c69e81e91faf7373ca024d3eef1779513",
+    hash: "16919b8bcc06c36aef37ec4b65552761d270478a477c5addcb85533a8f937478",
+};
+
+static MESH_NORMALS_WITH_ANISOTROPIC: Module = Module {
+    name: "MeshNormals+ANISOTROPIC",
+    entry: "MeshNormals",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/mesh_normals+anisotropic.spv"),
+    bindings: BINDINGS_1,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "surface/mesh/mesh_normals.compute",
+    hash: "8c94d00798bd06e9805c13773a06314943ae88f16de1bc9fb3d8c88d09e13bf4",
 };

@@ -2,26 +2,40 @@
 // makes it anew from surface/mesh/scatter_bins.compute.
 //! Kernels of `surface/mesh/scatter_bins.compute`.
 
-use super::{CellSlot, Position, StepState};
+use super::{CellSlot, Ellipsoid, MeshKernel, MeshParams, Position, StepState};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
 
-/// The particles side by side, bin after bin, each with its slot: what looks at a bin reads from end to end.
+/// Which variant of [`ScatterBins`] runs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct ScatterBinsVariant {
+    /// Keyword `ANISOTROPIC`.
+    pub anisotropic: bool,
+}
+
+/// The particles side by side, bin after bin: what looks at a bin reads from end to end. With ANISOTROPIC their ellipsoids
+/// as kernels of a density (Yu & Turk 2013; twin: reference/src/surface/anisotropic\_field.rs).
 #[derive(Debug)]
 pub struct ScatterBins<'a> {
-    /// `StructuredBuffer<Position> positions`.
-    pub positions: Buf<'a, Position>,
+    /// Its variant.
+    pub variant: ScatterBinsVariant,
     /// `StructuredBuffer<CellSlot> bin_slots`.
     pub bin_slots: Buf<'a, CellSlot>,
     /// `StructuredBuffer<uint> bin_starts`.
     pub bin_starts: Buf<'a, u32>,
-    /// the tag is the slot's number
-    ///
-    /// `RWStructuredBuffer<Position> bin_particles`.
-    pub bin_particles: BufMut<'a, Position>,
     /// `ConstantBuffer<StepState> step_state`.
     pub step_state: Uniform<'a, StepState>,
+    /// `StructuredBuffer<Position> positions`.
+    pub positions: Option<Buf<'a, Position>>,
+    /// `RWStructuredBuffer<Position> bin_particles`.
+    pub bin_particles: Option<BufMut<'a, Position>>,
+    /// `StructuredBuffer<Ellipsoid> ellipsoids`.
+    pub ellipsoids: Option<Buf<'a, Ellipsoid>>,
+    /// `RWStructuredBuffer<MeshKernel> bin_kernels`.
+    pub bin_kernels: Option<BufMut<'a, MeshKernel>>,
+    /// `ConstantBuffer<MeshParams> mesh`.
+    pub mesh: Option<Uniform<'a, MeshParams>>,
 }
 
 impl Kernel for ScatterBins<'_> {
@@ -29,35 +43,51 @@ impl Kernel for ScatterBins<'_> {
     const GROUP_SIZE: [u32; 3] = [64, 1, 1];
 
     fn module(&self) -> &'static Module {
-        &SCATTER_BINS
+        if self.variant.anisotropic { &SCATTER_BINS_WITH_ANISOTROPIC } else { &SCATTER_BINS }
     }
     fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
         bind(
             self.module(),
             &[
-                ("positions", Some(self.positions.id)),
                 ("bin_slots", Some(self.bin_slots.id)),
                 ("bin_starts", Some(self.bin_starts.id)),
-                ("bin_particles", Some(self.bin_particles.id)),
                 ("step_state", Some(self.step_state.id)),
+                ("positions", self.positions.as_ref().map(|bound| bound.id)),
+                ("bin_particles", self.bin_particles.as_ref().map(|bound| bound.id)),
+                ("ellipsoids", self.ellipsoids.as_ref().map(|bound| bound.id)),
+                ("bin_kernels", self.bin_kernels.as_ref().map(|bound| bound.id)),
+                ("mesh", self.mesh.as_ref().map(|bound| bound.id)),
             ],
         )
     }
 }
 
 /// The modules of this file.
-pub(super) static MODULES: &[&Module] = &[&SCATTER_BINS];
+pub(super) static MODULES: &[&Module] = &[&SCATTER_BINS, &SCATTER_BINS_WITH_ANISOTROPIC];
 
 static BINDINGS_0: &[BindingInfo] = &[
-    BindingInfo { name: "positions", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
-    BindingInfo { name: "bin_slots", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
-    BindingInfo { name: "bin_starts", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 } },
+    BindingInfo { name: "bin_slots", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo { name: "bin_starts", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 } },
+    BindingInfo { name: "step_state", slot: 2, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "positions", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
     BindingInfo {
         name: "bin_particles",
-        slot: 3,
+        slot: 4,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
-    BindingInfo { name: "step_state", slot: 4, kind: BindingKind::Uniform { bytes: 48 } },
+];
+
+static BINDINGS_1: &[BindingInfo] = &[
+    BindingInfo { name: "bin_slots", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo { name: "bin_starts", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 } },
+    BindingInfo { name: "step_state", slot: 2, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "ellipsoids", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 32 } },
+    BindingInfo {
+        name: "bin_kernels",
+        slot: 4,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
+    },
+    BindingInfo { name: "mesh", slot: 5, kind: BindingKind::Uniform { bytes: 160 } },
 ];
 
 static SCATTER_BINS: Module = Module {
@@ -70,5 +100,18 @@ static SCATTER_BINS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/scatter_bins.compute",
-    hash: "c2bbca19d0edf65e0e41db0a0dec2e1fdeb030c309003ddfa11e16bc26c966ed",
+    hash: "045eb14e1f357a0e1b93d25c1f9264154a12fe0a8b266de0a5300f8ea86c06dd",
+};
+
+static SCATTER_BINS_WITH_ANISOTROPIC: Module = Module {
+    name: "ScatterBins+ANISOTROPIC",
+    entry: "ScatterBins",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/scatter_bins+anisotropic.spv"),
+    bindings: BINDINGS_1,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "surface/mesh/scatter_bins.compute",
+    hash: "28dc32dd47e2dffd0ed7d354957e1ee19b58828e2f9dda51b79baeeb769ef77f",
 };

@@ -4,6 +4,7 @@
 //! A picture is rows from the top of the inverse depth, 1 / distance along the direction of view, in 1/m; 0 where no fluid
 //! is.
 
+pub mod anisotropic_field;
 pub mod anisotropy;
 pub mod caustics;
 pub mod fluid_depth;

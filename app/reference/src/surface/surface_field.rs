@@ -60,14 +60,14 @@ pub fn surface_field(at_m: DVec3, particles_m: impl Iterator<Item = DVec3>, spac
     (field_m, DVec3::new(gradient(0), gradient(1), gradient(2)))
 }
 
-/// Every particle, and as each of the walls at `low_m` and `high_m` mirrors it; walls that are not there are infinite.
-pub fn mirrored(particles_m: &[DVec3], [low_m, high_m]: [DVec3; 2]) -> impl Iterator<Item = DVec3> {
-    (0..27).flat_map(move |image: usize| {
+/// How a point is seen as it is and behind the walls at `low_m` and `high_m`: sign · x + shift. Walls that are not there are
+/// infinite.
+pub fn images([low_m, high_m]: [DVec3; 2]) -> impl Iterator<Item = (DVec3, DVec3)> {
+    (0..27).filter_map(move |image: usize| {
         let seen = [image % 3, image / 3 % 3, image / 9];
         let wall_m = DVec3::from_array(std::array::from_fn(|axis| [0.0, low_m[axis], high_m[axis]][seen[axis]]));
         let sign = DVec3::from_array(seen.map(|seen| if seen == 0 { 1.0 } else { -1.0 }));
-        let exists = wall_m.is_finite();
-        particles_m.iter().filter(move |_| exists).map(move |particle_m| sign * *particle_m + 2.0 * wall_m)
+        wall_m.is_finite().then_some((sign, 2.0 * wall_m))
     })
 }
 
@@ -81,7 +81,9 @@ pub fn surface_field_in_walls(
     if at_m.cmplt(low_m).any() || at_m.cmpgt(high_m).any() {
         return (f64::NEG_INFINITY, DVec3::ZERO);
     }
-    surface_field(at_m, mirrored(particles_m, [low_m, high_m]), spacing_m)
+    let seen = images([low_m, high_m])
+        .flat_map(|(sign, shift_m)| particles_m.iter().map(move |particle_m| sign * *particle_m + shift_m));
+    surface_field(at_m, seen, spacing_m)
 }
 
 #[cfg(test)]

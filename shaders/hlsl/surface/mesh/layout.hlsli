@@ -23,7 +23,7 @@ struct MeshParams
     float3 min_m;               // of the first block, one block below the domain
     float spacing_m;
     float3 cell_m;              // along each axis: the domain is so many whole cells
-    float reach_m;              // of a particle: REACH_RATIO spacings
+    float reach_m;              // of a particle
     uint3 blocks;
     uint block_count;
     uint3 cells;                // of the domain
@@ -40,6 +40,17 @@ struct MeshParams
     uint most_vertices;
     uint3 mark_groups;          // of 4 x 4 x 4 blocks
     uint most_triangles;
+};
+
+// A particle's part in an anisotropic field (Yu & Turk 2013, eq. 9): weight (1 - |G (x - center)|^2)^3.
+struct MeshKernel
+{
+    float3 center_m;
+    float weight;           // its integral is the particle's volume
+    float3 diagonal_per_m;  // of G, symmetric: xx, yy, zz
+    float reserved0;
+    float3 beside_per_m;    // xy, xz, yz
+    float reserved1;
 };
 
 struct MeshVertex

@@ -1,7 +1,10 @@
 //! Particles sorted into bins that fit the mesh's cells: a counting sort with the scan there is.
 
 use brooklet_gpu::{Recording, Resources};
-use brooklet_kernels::{Buffer, CountBins, MeshParams, Position, ScatterBins};
+use brooklet_kernels::{
+    Buf, Buffer, CountBins, CountBinsVariant, Ellipsoid, MeshKernel, MeshParams, Position, ScatterBins,
+    ScatterBinsVariant,
+};
 
 use super::scanned;
 use crate::surface::Particles;
@@ -10,15 +13,37 @@ use crate::surface::Particles;
 pub(super) struct Bins {
     /// Where each bin begins among them, and what ends the last.
     pub starts: Buffer<u32>,
-    /// The particles; a tag is the slot's number.
-    pub particles: Buffer<Position>,
+    /// The particles, or what their ellipsoids add to the field.
+    pub contents: Contents,
+}
+
+/// What bins hold.
+pub(super) enum Contents {
+    Particles(Buffer<Position>),
+    Kernels(Buffer<MeshKernel>),
+}
+
+impl Contents {
+    pub fn particles(&self) -> Option<Buf<'_, Position>> {
+        match self {
+            Self::Particles(particles) => Some(particles.read()),
+            Self::Kernels(_) => None,
+        }
+    }
+
+    pub fn kernels(&self) -> Option<Buf<'_, MeshKernel>> {
+        match self {
+            Self::Particles(_) => None,
+            Self::Kernels(kernels) => Some(kernels.read()),
+        }
+    }
 }
 
 /// Records the sort.
 pub(super) fn record(
     resources: &mut Resources,
     recording: &mut Recording,
-    particles: &Particles<'_>,
+    (particles, ellipsoids): (&Particles<'_>, Option<&Buffer<Ellipsoid>>),
     (mesh, params): (&Buffer<MeshParams>, &MeshParams),
 ) -> Bins {
     let slots = particles.slots;
@@ -29,7 +54,9 @@ pub(super) fn record(
     slots.dispatch(
         recording,
         &CountBins {
-            positions: particles.positions.read(),
+            variant: CountBinsVariant { anisotropic: ellipsoids.is_some() },
+            positions: ellipsoids.is_none().then(|| particles.positions.read()),
+            ellipsoids: ellipsoids.map(Buffer::read),
             bin_counts: counts.write(),
             bin_slots: bin_slots.write(),
             step_state: slots.state.uniform(),
@@ -37,20 +64,34 @@ pub(super) fn record(
         },
     );
     let starts = scanned(resources, recording, "bin_starts", &counts);
-    let mut sorted = resources.buffer("bin_particles", slots.capacity);
+    let mut contents = match ellipsoids {
+        Some(_) => Contents::Kernels(resources.buffer("bin_kernels", slots.capacity.max(1))),
+        None => Contents::Particles(resources.buffer("bin_particles", slots.capacity)),
+    };
     if slots.capacity == 0 {
-        // Nothing else writes it.
-        recording.clear(&mut sorted);
+        // Nothing else writes them.
+        match &mut contents {
+            Contents::Particles(particles) => recording.clear(particles),
+            Contents::Kernels(kernels) => recording.clear(kernels),
+        }
     }
+    let (bin_particles, bin_kernels) = match &mut contents {
+        Contents::Particles(particles) => (Some(particles.write()), None),
+        Contents::Kernels(kernels) => (None, Some(kernels.write())),
+    };
     slots.dispatch(
         recording,
         &ScatterBins {
-            positions: particles.positions.read(),
+            variant: ScatterBinsVariant { anisotropic: ellipsoids.is_some() },
+            positions: ellipsoids.is_none().then(|| particles.positions.read()),
+            ellipsoids: ellipsoids.map(Buffer::read),
             bin_slots: bin_slots.read(),
             bin_starts: starts.read(),
-            bin_particles: sorted.write(),
+            bin_particles,
+            bin_kernels,
             step_state: slots.state.uniform(),
+            mesh: ellipsoids.map(|_| mesh.uniform()),
         },
     );
-    Bins { starts, particles: sorted }
+    Bins { starts, contents }
 }

@@ -14,8 +14,8 @@ pub mod table;
 use brooklet_fluid::grid::Scan;
 use brooklet_gpu::{Recording, Resources};
 use brooklet_kernels::{
-    Buffer, CountMesh, EmitTriangles, EmitVertices, FinishMesh, GatherField, MeshCounts, MeshNormals, MeshParams,
-    MeshVertex,
+    Buffer, CountMesh, Ellipsoid, EmitTriangles, EmitVertices, FinishMesh, GatherField, GatherFieldVariant, MeshCounts,
+    MeshNormals, MeshNormalsVariant, MeshParams, MeshVertex,
 };
 use std::mem::offset_of;
 
@@ -43,20 +43,23 @@ pub struct SurfaceMesh {
     pub params: Buffer<MeshParams>,
 }
 
-/// Records the mesh of `particles`. `init` uploads the settings and runs once before.
+/// Records the mesh of `particles`, or of their `ellipsoids` where the options want them and there are some. `init` uploads
+/// the settings and runs once before.
 pub fn record(
     resources: &mut Resources,
     (init, recording): (&mut Recording, &mut Recording),
-    particles: &Particles<'_>,
+    (particles, ellipsoids): (&Particles<'_>, Option<&Buffer<Ellipsoid>>),
     options: &MarchingCubesOptions,
 ) -> SurfaceMesh {
+    let ellipsoids = ellipsoids.filter(|_| options.anisotropic);
+    let options = &MarchingCubesOptions { anisotropic: ellipsoids.is_some(), ..*options };
     let params = options.params();
     let mut mesh = resources.persistent("mesh_params", 1);
     init.upload(&mut mesh, &[params]);
     let mut triangle_table = resources.persistent("triangle_table", TRIANGLE_TABLE.len() as u32);
     init.upload(&mut triangle_table, &TRIANGLE_TABLE);
 
-    let bins = bins::record(resources, recording, particles, (&mesh, &params));
+    let bins = bins::record(resources, recording, (particles, ellipsoids), (&mesh, &params));
     let mut counts = resources.buffer("mesh_counts", 1);
     let mut blocks = match options.dense {
         true => blocks::record_dense(resources, (init, &mut *recording), &params, &mut counts),
@@ -68,7 +71,9 @@ pub fn record(
     let mut field_m = resources.buffer("field_m", most);
     recording.dispatch_indirect(
         &GatherField {
-            bin_particles: bins.particles.read(),
+            variant: GatherFieldVariant { anisotropic: options.anisotropic },
+            bin_particles: bins.contents.particles(),
+            bin_kernels: bins.contents.kernels(),
             bin_starts: bins.starts.read(),
             listed_blocks: blocks.listed.read(),
             mesh_counts: counts.read(),
@@ -133,7 +138,9 @@ pub fn record(
     );
     recording.dispatch_indirect(
         &MeshNormals {
-            bin_particles: bins.particles.read(),
+            variant: MeshNormalsVariant { anisotropic: options.anisotropic },
+            bin_particles: bins.contents.particles(),
+            bin_kernels: bins.contents.kernels(),
             bin_starts: bins.starts.read(),
             mesh_counts: counts.read(),
             mesh_vertices: vertices.write(),

@@ -6,6 +6,8 @@ use brooklet_kernels::{BLOCK_CELLS, MeshParams};
 
 /// A particle's reach in the field, over the spacing (twin: `brooklet_reference::surface::surface_field`).
 const REACH_RATIO: f64 = 2.0;
+/// The same of the widest ellipsoid (shader: `surface/mesh/scatter_bins.compute`).
+const WIDEST_REACH_RATIO: f64 = 2.5 * 1.3;
 /// Radius of a particle alone, over the spacing.
 const RADIUS_RATIO: f64 = 0.55;
 /// Sum of weights below which nothing is inside.
@@ -29,6 +31,9 @@ pub struct MarchingCubesOptions {
     /// Whether the field is made all over the grid, instead of in the blocks that the surface may cross: three passes
     /// and two prefix sums fewer, for small grids.
     pub dense: bool,
+    /// Whether the field is the density of the particles' ellipsoids (Yu & Turk 2013), where there are some, instead of
+    /// Zhu & Bridson's of the particles.
+    pub anisotropic: bool,
     /// Size of the domain, from whose lowest corner positions are counted.
     pub domain_size_m: [f64; 3],
     /// Where walls cut the surface off; infinite along axes without.
@@ -61,6 +66,7 @@ impl MarchingCubesOptions {
             spacing_m,
             cell_m,
             dense,
+            anisotropic: scene.surface.mesh.anisotropic,
             domain_size_m,
             wall_bounds_m: scene.domain.wall_bounds_m(),
             most_blocks: room(2.0, 1 << 10, 1 << 17),
@@ -100,10 +106,10 @@ impl MarchingCubesOptions {
     pub fn params(&self) -> MeshParams {
         let (cells, blocks) = (self.cells(), self.blocks());
         let cell_m: [f64; 3] = std::array::from_fn(|axis| self.domain_size_m[axis] / f64::from(cells[axis]));
-        let reach_m = REACH_RATIO * self.spacing_m;
-        // Bins as wide as a particle's reach have eight particles, few enough to be passed over and enough to be counted.
+        let reach_m = self.spacing_m * if self.anisotropic { WIDEST_REACH_RATIO } else { REACH_RATIO };
+        // Bins of two spacings have eight particles, few enough to be passed over and enough to be counted.
         let least_m = cell_m.iter().copied().fold(f64::INFINITY, f64::min);
-        let bin_cells = (reach_m / least_m).round().max(1.0) as u32;
+        let bin_cells = (2.0 * self.spacing_m / least_m).round().max(1.0) as u32;
         let bins = cells.map(|cells| cells.div_ceil(bin_cells));
         let [wall_min_m, wall_max_m] =
             self.wall_bounds_m.map(|corner_m| corner_m.map(|m| m.clamp(-FAR_M, FAR_M) as f32));

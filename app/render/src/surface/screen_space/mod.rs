@@ -128,8 +128,10 @@ pub(crate) fn record_meshed(
     (size_px, tier): ([u32; 2], Tier),
     (options, mesh): (&ScreenSpaceOptions, &MarchingCubesOptions),
 ) -> SmoothedSurface {
+    // A mesh may want ellipsoids where nothing else does.
+    let options = &ScreenSpaceOptions { anisotropic: options.anisotropic || mesh.anisotropic, ..*options };
     let (params, ellipsoids) = settings(resources, (&mut *init, &mut *recording), particles, options);
-    let mesh = marching_cubes::record(resources, (init, recording), particles, mesh);
+    let mesh = marching_cubes::record(resources, (init, recording), (particles, ellipsoids.as_ref()), mesh);
     let drawn = marching_cubes::record_drawn(resources, recording, view, &mesh, (size_px, depth_format(tier)));
     SmoothedSurface {
         raw: drawn.inverse_depth.alias(),
