@@ -66,13 +66,13 @@ fn the_mesh_of_ellipsoids_matches_its_twin() {
     let mut rng = rng(87);
     let mut field = Worst::new(GatherField::STAGE, FIELD * ROUNDING);
     let mut normals = Worst::new(MeshNormals::STAGE, NORMAL * ROUNDING);
-    let size_m = SPACING_M * DVec3::new(12.0, 14.0, 11.0);
+    let size_m = SPACING_M * DVec3::new(8.0, 10.0, 9.0);
     let half_m = DVec3::splat(0.5 * SPACING_M);
     let cases = [
         ("nothing", lattice(&mut rng, half_m, UVec3::ZERO)),
         ("one particle", lattice(&mut rng, DVec3::splat(5.3 * SPACING_M), UVec3::ONE)),
-        ("a block", lattice(&mut rng, DVec3::splat(3.5 * SPACING_M), UVec3::new(5, 4, 3))),
-        ("a pool", lattice(&mut rng, half_m, UVec3::new(12, if small() { 3 } else { 7 }, 11))),
+        ("a block", lattice(&mut rng, DVec3::splat(2.5 * SPACING_M), UVec3::new(4, 3, 3))),
+        ("a pool", lattice(&mut rng, half_m, UVec3::new(8, if small() { 2 } else { 3 }, 9))),
     ];
     for (name, positions) in cases {
         let ellipsoids = ellipsoids(&mut rng, &positions);
