@@ -202,6 +202,38 @@ const TERMS: &[Term] = &[
         variant: None,
     },
     Term {
+        without: "surface={ method = 'marching-cubes', mesh = { smooth_normals = 0 } }",
+        with: "surface={ method = 'marching-cubes', mesh = { smooth_normals = 2 } }",
+        stages: &["size_mesh", "count_rings", "reduce_groups", "list_rings", "sort_rings", "smooth_normals"],
+        buffers: &[
+            "refine_params",
+            "mesh_size",
+            "ring_counts",
+            "ring_places",
+            "ring_starts",
+            "ring_starts_sums_1",
+            "ring_starts_offsets_1",
+            "rings",
+            "smoothed_vertices",
+        ],
+        variant: None,
+    },
+    Term {
+        without: "surface={ method = 'marching-cubes', mesh = { smooth_normals = 2, subdivide = 1 } }",
+        with: "surface={ method = 'marching-cubes', mesh = { smooth_normals = 2, subdivide = 3 } }",
+        stages: &["count_edges", "finish_subdivision", "subdivide_edges", "subdivide_middles", "subdivide_triangles"],
+        buffers: &[
+            "edge_counts",
+            "edge_starts",
+            "edge_starts_sums_1",
+            "edge_starts_offsets_1",
+            "fine_counts",
+            "fine_vertices",
+            "fine_indices",
+        ],
+        variant: None,
+    },
+    Term {
         without: "solver.pbf.iterations=0",
         with: "solver.pbf.iterations=2",
         stages: &["constrain_density", "correct_positions"],
@@ -259,6 +291,14 @@ fn each_optional_term_takes_all_it_brings_along() {
             assert!(!is_timed || full.timed_stages.contains(timed_as(stage)), "{with}: {stage} is not timed");
         }
     }
+}
+
+/// Two parts a side leave nothing within a triangle.
+#[test]
+fn triangles_cut_in_four_have_no_vertices_within() {
+    let settings = |parts: u32| plan(&[&format!("surface={{ method = 'marching-cubes', mesh.subdivide = {parts} }}")]);
+    let (four, nine) = (stages(&settings(2)), stages(&settings(3)));
+    assert_eq!(nine.difference(&four).collect::<Vec<_>>(), [&"subdivide_middles"]);
 }
 
 /// Two dimensions are other parameters, not other code; periodic axes are not in the iterations.

@@ -14,6 +14,7 @@ mod measure;
 mod none;
 mod particles;
 mod periodic;
+mod refine;
 mod sample;
 mod scan;
 mod slots;

@@ -15,7 +15,7 @@ use brooklet_reference::surface::marching_cubes_table;
 use brooklet_reference::surface::mesh_blocks::{block_at, class_of, count_bins, is_listed};
 use brooklet_reference::surface::surface_field::surface_field_in_walls;
 use brooklet_render::Particles;
-use brooklet_render::surface::marching_cubes::{self, MarchingCubesOptions, table::TRIANGLE_TABLE};
+use brooklet_render::surface::marching_cubes::{self, MarchingCubesOptions, RefineOptions, table::TRIANGLE_TABLE};
 use brooklet_tests::cases::{out_of_part, step_state, vectors};
 use brooklet_tests::compare::{ROUNDING, Worst};
 use brooklet_tests::harness::{Bench, small};
@@ -53,10 +53,17 @@ pub(super) fn options(size_m: DVec3) -> MarchingCubesOptions {
         most_blocks: 4096,
         most_vertices: 1 << 16,
         most_triangles: 1 << 17,
+        refine: RefineOptions {
+            smooth_normals: 0,
+            parts: 1,
+            distance_m: SPACING_M,
+            most_vertices: 1 << 18,
+            most_triangles: 1 << 19,
+        },
     }
 }
 
-fn run(positions: &[Position], options: &MarchingCubesOptions) -> Meshed {
+pub(super) fn run(positions: &[Position], options: &MarchingCubesOptions) -> Meshed {
     run_with(positions, None, options)
 }
 
@@ -166,7 +173,7 @@ pub(super) fn lattice(rng: &mut impl Rng, first_m: DVec3, counts: UVec3) -> Vec<
 }
 
 /// Particles of the shapes of fluid that there are: in the open, at walls, alone, scattered, out of part.
-fn cases() -> Vec<(&'static str, DVec3, Vec<Position>)> {
+pub(super) fn cases() -> Vec<(&'static str, DVec3, Vec<Position>)> {
     let mut rng = rng(81);
     let size_m = SPACING_M * DVec3::new(17.0, 15.0, 13.0);
     let half_m = DVec3::splat(0.5 * SPACING_M);

@@ -61,6 +61,16 @@ fn a_plan_shows_what_each_choice_leaves_out() {
         ("surface.caustics=false", "surface.caustics=true", "surface.caustics = false"),
         ("surface.anisotropic=false", "surface.anisotropic=true", "surface.anisotropic = false"),
         ("surface.smoothing=none", "surface.smoothing=narrow-range", "surface.smoothing = none"),
+        (
+            "surface={ method = 'marching-cubes', mesh.smooth_normals = 0 }",
+            "surface={ method = 'marching-cubes', mesh.smooth_normals = 4 }",
+            "surface.mesh.smooth_normals = 0",
+        ),
+        (
+            "surface={ method = 'marching-cubes', mesh.subdivide = 1 }",
+            "surface={ method = 'marching-cubes', mesh.subdivide = 2 }",
+            "surface.mesh.subdivide = 1",
+        ),
     ] {
         let (without, with) = (plan(off), plan(on));
         let list = |plan: &Value| -> Vec<Value> {

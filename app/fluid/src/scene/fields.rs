@@ -150,7 +150,7 @@ pub const FIELDS: &[Field] = &[
     Field::new("surface.mesh.anisotropic", Kind::Switch, REBUILD).term_with("false", "true", MESHED),
     Field::new("surface.mesh.smooth_normals", whole(0.0, 16.0, ""), REBUILD)
         .slider(0.0, 8.0)
-        .term_with("0", "2", MESHED),
+        .term_with("0", "4", MESHED),
     Field::new("surface.mesh.subdivide", whole(1.0, 3.0, ""), REBUILD).slider(1.0, 3.0).term_with("1", "2", MESHED),
     Field::new("camera", Kind::Table, LIVE),
     Field::new("camera.eye_m", PLACE, LIVE),

@@ -87,7 +87,7 @@ pub struct MeshSettings {
 
 impl Default for MeshSettings {
     fn default() -> Self {
-        Self { cell_ratio: 0.5, dense_cells: 0, anisotropic: false, smooth_normals: 0, subdivide: 1 }
+        Self { cell_ratio: 0.5, dense_cells: 0, anisotropic: false, smooth_normals: 4, subdivide: 1 }
     }
 }
 

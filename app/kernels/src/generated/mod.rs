@@ -52,6 +52,17 @@ mod surface_mesh_mark_blocks;
 mod surface_mesh_mesh_depth;
 mod surface_mesh_mesh_normals;
 mod surface_mesh_scatter_bins;
+mod surface_refine_count_edges;
+mod surface_refine_count_rings;
+mod surface_refine_finish_subdivision;
+mod surface_refine_layout;
+mod surface_refine_list_rings;
+mod surface_refine_size_mesh;
+mod surface_refine_smooth_normals;
+mod surface_refine_sort_rings;
+mod surface_refine_subdivide_edges;
+mod surface_refine_subdivide_middles;
+mod surface_refine_subdivide_triangles;
 mod surface_refract_photons;
 mod surface_smooth_bilateral;
 mod surface_smooth_curvature_flow;
@@ -114,6 +125,17 @@ pub use surface_mesh_mark_blocks::*;
 pub use surface_mesh_mesh_depth::*;
 pub use surface_mesh_mesh_normals::*;
 pub use surface_mesh_scatter_bins::*;
+pub use surface_refine_count_edges::*;
+pub use surface_refine_count_rings::*;
+pub use surface_refine_finish_subdivision::*;
+pub use surface_refine_layout::*;
+pub use surface_refine_list_rings::*;
+pub use surface_refine_size_mesh::*;
+pub use surface_refine_smooth_normals::*;
+pub use surface_refine_sort_rings::*;
+pub use surface_refine_subdivide_edges::*;
+pub use surface_refine_subdivide_middles::*;
+pub use surface_refine_subdivide_triangles::*;
 pub use surface_refract_photons::*;
 pub use surface_smooth_bilateral::*;
 pub use surface_smooth_curvature_flow::*;
@@ -173,6 +195,16 @@ pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
         surface_mesh_mesh_depth::MODULES,
         surface_mesh_mesh_normals::MODULES,
         surface_mesh_scatter_bins::MODULES,
+        surface_refine_count_edges::MODULES,
+        surface_refine_count_rings::MODULES,
+        surface_refine_finish_subdivision::MODULES,
+        surface_refine_list_rings::MODULES,
+        surface_refine_size_mesh::MODULES,
+        surface_refine_smooth_normals::MODULES,
+        surface_refine_sort_rings::MODULES,
+        surface_refine_subdivide_edges::MODULES,
+        surface_refine_subdivide_middles::MODULES,
+        surface_refine_subdivide_triangles::MODULES,
         surface_refract_photons::MODULES,
         surface_smooth_bilateral::MODULES,
         surface_smooth_curvature_flow::MODULES,

@@ -9,6 +9,7 @@ mod bins;
 mod blocks;
 mod drawn;
 mod options;
+pub mod refine;
 pub mod table;
 
 use brooklet_fluid::grid::Scan;
@@ -21,8 +22,10 @@ use std::mem::offset_of;
 
 pub(crate) use drawn::record as record_drawn;
 pub use options::MarchingCubesOptions;
+pub use refine::RefineOptions;
 
 use super::Particles;
+use refine::TriangleMesh;
 use table::TRIANGLE_TABLE;
 
 /// A mesh on the GPU.
@@ -170,6 +173,9 @@ pub fn record(
         groups_at,
         most,
     );
+    let coarse = TriangleMesh { vertices, indices, counts };
+    let TriangleMesh { vertices, indices, counts } =
+        refine::record(resources, (init, recording), coarse, &options.refine);
     SurfaceMesh {
         vertices,
         indices,

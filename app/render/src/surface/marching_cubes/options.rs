@@ -1,5 +1,6 @@
 //! How finely a surface is meshed, and how much room there is.
 
+use super::refine::RefineOptions;
 use crate::error::RenderError;
 use brooklet_fluid::Scene;
 use brooklet_kernels::{BLOCK_CELLS, MeshParams};
@@ -44,6 +45,8 @@ pub struct MarchingCubesOptions {
     pub most_vertices: u32,
     /// Triangles there is room for.
     pub most_triangles: u32,
+    /// What is done with the mesh.
+    pub refine: RefineOptions,
 }
 
 impl MarchingCubesOptions {
@@ -72,6 +75,7 @@ impl MarchingCubesOptions {
             most_blocks: room(2.0, 1 << 10, 1 << 17),
             most_vertices,
             most_triangles: 2 * most_vertices,
+            refine: RefineOptions::for_scene(scene, most_vertices),
         }
     }
 

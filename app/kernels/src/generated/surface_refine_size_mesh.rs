@@ -1,0 +1,54 @@
+// Written by the shader compiler; do not edit. `cargo run -p brooklet-compiler -- build`
+// makes it anew from surface/refine/size_mesh.compute.
+//! Kernels of `surface/refine/size_mesh.compute`.
+
+use super::{MeshCounts, MeshSize};
+use crate::{
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, bind,
+};
+
+/// How many groups the stages take that have a thread for each of a mesh's vertices, or triangles.
+#[derive(Debug)]
+pub struct SizeMesh<'a> {
+    /// `StructuredBuffer<MeshCounts> mesh_counts`.
+    pub mesh_counts: Buf<'a, MeshCounts>,
+    /// `RWStructuredBuffer<MeshSize> mesh_size`.
+    pub mesh_size: BufMut<'a, MeshSize>,
+}
+
+impl Kernel for SizeMesh<'_> {
+    const STAGE: &'static str = "size_mesh";
+    const GROUP_SIZE: [u32; 3] = [1, 1, 1];
+
+    fn module(&self) -> &'static Module {
+        &SIZE_MESH
+    }
+    fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
+        bind(self.module(), &[("mesh_counts", Some(self.mesh_counts.id)), ("mesh_size", Some(self.mesh_size.id))])
+    }
+}
+
+/// The modules of this file.
+pub(super) static MODULES: &[&Module] = &[&SIZE_MESH];
+
+static BINDINGS_0: &[BindingInfo] = &[
+    BindingInfo { name: "mesh_counts", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 80 } },
+    BindingInfo {
+        name: "mesh_size",
+        slot: 1,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 32 },
+    },
+];
+
+static SIZE_MESH: Module = Module {
+    name: "SizeMesh",
+    entry: "SizeMesh",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/size_mesh.spv"),
+    bindings: BINDINGS_0,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "surface/refine/size_mesh.compute",
+    hash: "2a5cf3bd3d8b9d7a6517e2388b5c232827abec1bea3db46d2324219643a4b1fa",
+};
