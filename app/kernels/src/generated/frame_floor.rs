@@ -45,7 +45,7 @@ impl Draw for DrawFloor<'_> {
             ShadowKeyword::Off => &DRAW_FLOOR_VERTEX,
             ShadowKeyword::PointsShadow => &DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW,
             ShadowKeyword::WaterShadow => &DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW,
-            ShadowKeyword::CausticsShadow => &DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW,
+            ShadowKeyword::CausticsShadow => &DRAW_FLOOR_VERTEX_WITH_CAUSTICS_SHADOW,
         }
     }
     fn fragment(&self) -> Option<&'static Module> {
@@ -83,6 +83,7 @@ pub(super) static MODULES: &[&Module] = &[
     &DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW,
     &DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW,
     &DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW,
+    &DRAW_FLOOR_VERTEX_WITH_CAUSTICS_SHADOW,
     &DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW,
 ];
 
@@ -144,7 +145,7 @@ static DRAW_FLOOR_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "5d2d7d280bd98d66d5c8c14bfcf64a386044f203972e42837c7b810a081ab839",
+    hash: "43ef1f60a04ea52a1b277a37afb23b0f6041cab8b9d6f304934d67da5a6c2c1d",
 };
 
 static DRAW_FLOOR_FRAGMENT: Module = Module {
@@ -157,7 +158,7 @@ static DRAW_FLOOR_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "b1d8599e708369fcaabdeed2d909852934e58cbcb3750dca6fa01e680574d38d",
+    hash: "ba62e7a56f6de4587b061b88e4a38031e54bba6526e6fa2fb5c49c580f7f245d",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW: Module = Module {
@@ -170,7 +171,7 @@ static DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "4b8d045768e824b78b3441fc9c5dc7f55a5881a73b8b9b4944ce4847ae5b5f46",
+    hash: "97dae76a846ecae520df0ed0283a74924bb16fe8e662d99bdb206061118b17ae",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW: Module = Module {
@@ -183,7 +184,7 @@ static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "44013dcaf5d9fe27338fd762d35b20018c855b471aa3769eb16f5f8a491318b5",
+    hash: "5e235e1790acada17daade63455aa3be5921376735e99c6842a014c74880d972",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW: Module = Module {
@@ -196,7 +197,7 @@ static DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "347b4766d2812991ba6b8f4639b40beff519ee736548863071e7a2af7f4de8c6",
+    hash: "3d6c82f4d47b096dfae06b745fcb8e00e040880c9c91553cea718ca9607eb8e5",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW: Module = Module {
@@ -209,7 +210,20 @@ static DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "5a65f7cbd41c1d447c484f2a1529eb771c10ecde969bcd61fe1e1fb7165bef40",
+    hash: "8ff113f0669130bc871eb2d972a8a7aedd4ef82354e8ae6dd6946e4489dff754",
+};
+
+static DRAW_FLOOR_VERTEX_WITH_CAUSTICS_SHADOW: Module = Module {
+    name: "DrawFloor.vertex+CAUSTICS_SHADOW",
+    entry: "FloorVertex",
+    stage: StageKind::Vertex,
+    spirv: include_bytes!("../../spirv/draw_floor.vertex+caustics_shadow.spv"),
+    bindings: BINDINGS_4,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "frame/floor.hlsl",
+    hash: "5bd187bb11b0a04da765f7c7c28e7d8f9bf05fe36421dd4094f3655bbef2d0bb",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW: Module = Module {
@@ -222,5 +236,5 @@ static DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "6a7fb62675b8cf6fe4f95cd127d29d57f7be2fc8d0b428a6486b789bf667542d",
+    hash: "feea39b8d2c2c23ba1a623bbbbd0ebd22d959a53a1903daaca9c4d2128e67014",
 };

@@ -63,7 +63,7 @@ static DRAW_CAUSTICS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/caustics.hlsl",
-    hash: "43b404caf6031cbb579c7d0e2b48c5c506d408a62dd5eedc62f6c6451333e851",
+    hash: "113958cebb02e0a66c24435cd67d4f0d23b6a6bd616f9d96d302864f84fb7ee7",
 };
 
 static DRAW_CAUSTICS_FRAGMENT: Module = Module {
@@ -76,5 +76,5 @@ static DRAW_CAUSTICS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/caustics.hlsl",
-    hash: "95ceeba2412bed37397432bfe327a1974c979579951324b543ce5bdeee10ce2b",
+    hash: "9556c68fb586fd051795617b8684ba8f91b60a0a95d849c86881f150997b5d4c",
 };

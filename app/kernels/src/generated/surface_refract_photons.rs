@@ -70,5 +70,5 @@ static REFRACT_PHOTONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refract_photons.compute",
-    hash: "cb8bbb4b984c56caba4132513e7bc6e5bc5dacd2bf8508d4e16a329528eec5af",
+    hash: "5626d95e0683f76bfbbe195e29bea1b188d5122b1ea5687c0d63e2f37a0f7e64",
 };

@@ -59,7 +59,10 @@ const SCATTER: f64 = 1.8;
 const ROUGHNESS: f32 = 0.18;
 /// A photon then lights two texels a side of a shadow map of 512.
 const PHOTONS: u32 = 256;
-/// The surface that sunlight meets is smoothed over so many spacings: a bump of a particle is a lens, too.
+/// How often the surface that sunlight meets is smoothed, and over how many spacings in all (two standard deviations): a
+/// bump of a particle is a lens, too. Where it ends a pass along one direction leaves the columns or rows uneven among
+/// themselves, and the next evens that out.
+pub(super) const SUN_SMOOTHINGS: u32 = 3;
 const SUN_SMOOTHING_RATIO: f64 = 4.0;
 
 impl ScreenSpaceOptions {
@@ -144,7 +147,7 @@ impl ScreenSpaceOptions {
             clamp_m: self.clamp_m as f32,
             flow_m2: (self.smoothing_m * self.smoothing_m / (8.0 * f64::from(self.iterations.max(1)))) as f32,
             photons: self.photons as f32,
-            sun_smoothing_m: (SUN_SMOOTHING_RATIO * self.spacing_m) as f32,
+            sun_smoothing_m: (SUN_SMOOTHING_RATIO / f64::from(SUN_SMOOTHINGS).sqrt() * self.spacing_m) as f32,
         }
     }
 
