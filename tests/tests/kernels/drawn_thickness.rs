@@ -6,6 +6,7 @@ use brooklet_fluid::particles::is_simulated;
 use brooklet_fluid::scene::Smoothing;
 use brooklet_gpu::{Engine, Plan, Resources};
 use brooklet_kernels::{FrameView, Position, SurfaceParams};
+use brooklet_reference::surface::InverseDepth;
 use brooklet_reference::surface::fluid_depth::fluid_depth;
 use brooklet_reference::surface::thickness::thickness;
 use brooklet_render::frame::{self, FrameValues};
@@ -37,6 +38,11 @@ fn particles() -> Vec<Position> {
         position_m: [rng.random(), 0.3 + 0.6 * rng.random::<f32>(), rng.random()],
         tag: out_of_part(i),
     }));
+    // Around and below the floor, which hides them.
+    all.extend(
+        (0..80)
+            .map(|i| Position { position_m: [rng.random(), -0.2 + 0.22 * rng.random::<f32>(), rng.random()], tag: i }),
+    );
     all
 }
 
@@ -44,6 +50,8 @@ struct Drawn {
     inverse_depth: Vec<f64>,
     thickness: Vec<f64>,
     thickness_px: [usize; 2],
+    /// What is opaque: the floor.
+    scene: InverseDepth,
     params: SurfaceParams,
     view: FrameView,
 }
@@ -93,20 +101,31 @@ fn draw(size_px: [u32; 2], eye_m: DVec3, positions: &[Position]) -> Drawn {
     let mut init = passes.init;
     init.upload(&mut buffer, positions);
     let ids = [init.id(), passes.draw.id()];
-    let plan = Plan::sweep(resources, vec![init, passes.draw], &[water.surface.raw.id, water.thickness.eye.id])
-        .expect("a plan");
+    let plan = Plan::sweep(
+        resources,
+        vec![init, passes.draw],
+        &[water.surface.raw.id, water.thickness.eye.id, passes.depth.id],
+    )
+    .expect("a plan");
     let mut engine = Engine::new(&gpu(), plan).expect("an engine");
     engine.run(&ids, &[]).expect("it draws");
     let inverse_depth: Vec<f32> =
         bytemuck::pod_collect_to_vec(&engine.read_texture(&water.surface.raw).expect("the nearest spheres"));
     let halves = engine.read_texture(&water.thickness.eye).expect("thickness");
     let halves = halves.chunks_exact(2).map(|pair| half::f16::from_le_bytes([pair[0], pair[1]]));
+    let depth: Vec<f32> = bytemuck::pod_collect_to_vec(&engine.read_texture(&passes.depth).expect("the scene's depth"));
+    let values = FrameValues::new(&view, &options).expect("values").view;
+    let scene = InverseDepth {
+        size_px: size_px.map(|side| side as usize),
+        values: depth.into_iter().map(|depth| f64::from(depth) / f64::from(values.near_m)).collect(),
+    };
     Drawn {
+        scene,
         inverse_depth: inverse_depth.into_iter().map(f64::from).collect(),
         thickness: halves.map(f64::from).collect(),
         thickness_px: water.thickness.eye.size_px.map(|side| side as usize),
         params: surface.params(),
-        view: FrameValues::new(&view, &options).expect("values").view,
+        view: values,
     }
 }
 
@@ -145,7 +164,10 @@ fn the_nearest_spheres_and_their_thickness_are_their_twins() {
             let (_, off, _) = beyond(&drawn.inverse_depth, &depth_of(&wrong), relative);
             assert!(off as f64 > 0.3 * covered as f64, "spheres a hundredth larger must differ: {off} of {covered}");
 
-            let through = |params: &SurfaceParams| thickness(&centers_m, params, &drawn.view, drawn.thickness_px);
+            let before = |scene: &InverseDepth, params: &SurfaceParams| {
+                thickness(&centers_m, params, &drawn.view, drawn.thickness_px, scene)
+            };
+            let through = |params: &SurfaceParams| before(&drawn.scene, params);
             let expected = through(&drawn.params);
             let most = expected.iter().fold(0.0, |most: f64, t| most.max(*t));
             let (covered, off, worst) = beyond(&drawn.thickness, &expected, |_| THICKNESS_TOLERANCE * most);
@@ -157,6 +179,13 @@ fn the_nearest_spheres_and_their_thickness_are_their_twins() {
             let wrong = SurfaceParams { spacing_m: 1.05 * drawn.params.spacing_m, ..drawn.params };
             let (_, off, _) = beyond(&drawn.thickness, &through(&wrong), |_| THICKNESS_TOLERANCE * most);
             assert!(off as f64 > 0.1 * covered as f64, "a twentieth more spacing must differ: {off} of {covered}");
+            let nothing = InverseDepth { values: vec![0.0; drawn.scene.values.len()], ..drawn.scene.clone() };
+            let (_, off, _) =
+                beyond(&drawn.thickness, &before(&nothing, &drawn.params), |_| THICKNESS_TOLERANCE * most);
+            assert!(
+                off as f64 > 0.03 * covered as f64 || !is_large,
+                "without a floor more would be seen: {off} of {covered}"
+            );
         }
     }
 }

@@ -70,5 +70,5 @@ static REFRACT_PHOTONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refract_photons.compute",
-    hash: "5626d95e0683f76bfbbe195e29bea1b188d5122b1ea5687c0d63e2f37a0f7e64",
+    hash: "075bdd593f9daf0e5531b0baa23bf393c69fe1faddc0115ee551db191237eab0",
 };

@@ -58,7 +58,7 @@ static DRAW_SURFACE_NORMALS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/surface_normals.hlsl",
-    hash: "6b799ebd9af8619c7fca320207617892e92f6fb982c1436e9b3954e6702249c1",
+    hash: "218bf600dc90e0b7b5a2fe4c8f7201508c9c4d81f6a5084f13c74516c741b773",
 };
 
 static DRAW_SURFACE_NORMALS_FRAGMENT: Module = Module {
@@ -71,5 +71,5 @@ static DRAW_SURFACE_NORMALS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/surface_normals.hlsl",
-    hash: "f5c61ae92f342e8334059928ca76c235d931b0c8f8d46951936321ecda8ea56a",
+    hash: "b65b640db4e193f3963cc20966196798930bce30de761f827ae9131af1b715cb",
 };

@@ -4,7 +4,7 @@
 
 use super::{Ellipsoid, FrameView, Position, SurfaceParams};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, Draw, Module, StageKind, Tier, Uniform, bind_draw,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, Draw, Module, StageKind, Tex, Tier, Uniform, bind_draw,
 };
 
 /// Which variant of [`DrawThickness`] runs.
@@ -26,6 +26,8 @@ pub struct DrawThickness<'a> {
     pub view: Uniform<'a, FrameView>,
     /// `ConstantBuffer<SurfaceParams> surface`.
     pub surface: Uniform<'a, SurfaceParams>,
+    /// `Texture2D<float> scene_depth`.
+    pub scene_depth: Tex<'a>,
     /// `StructuredBuffer<Ellipsoid> ellipsoids`.
     pub ellipsoids: Option<Buf<'a, Ellipsoid>>,
 }
@@ -51,6 +53,7 @@ impl Draw for DrawThickness<'_> {
                 ("positions", self.positions.as_ref().map(|bound| bound.id)),
                 ("view", Some(self.view.id)),
                 ("surface", Some(self.surface.id)),
+                ("scene_depth", Some(self.scene_depth.id)),
                 ("ellipsoids", self.ellipsoids.as_ref().map(|bound| bound.id)),
             ],
         )
@@ -63,17 +66,20 @@ pub(super) static MODULES: &[&Module] =
 
 static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "positions", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
-    BindingInfo { name: "view", slot: 1, kind: BindingKind::Uniform { bytes: 80 } },
-    BindingInfo { name: "surface", slot: 2, kind: BindingKind::Uniform { bytes: 64 } },
+    BindingInfo { name: "view", slot: 2, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "surface", slot: 3, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
-static BINDINGS_1: &[BindingInfo] =
-    &[BindingInfo { name: "surface", slot: 2, kind: BindingKind::Uniform { bytes: 64 } }];
+static BINDINGS_1: &[BindingInfo] = &[
+    BindingInfo { name: "scene_depth", slot: 1, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "view", slot: 2, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "surface", slot: 3, kind: BindingKind::Uniform { bytes: 64 } },
+];
 
 static BINDINGS_2: &[BindingInfo] = &[
     BindingInfo { name: "ellipsoids", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 32 } },
-    BindingInfo { name: "view", slot: 1, kind: BindingKind::Uniform { bytes: 80 } },
-    BindingInfo { name: "surface", slot: 2, kind: BindingKind::Uniform { bytes: 64 } },
+    BindingInfo { name: "view", slot: 2, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "surface", slot: 3, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
 static DRAW_THICKNESS_VERTEX: Module = Module {
@@ -86,7 +92,7 @@ static DRAW_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "23d5eca475e65d73b649e23417723b6b07428966ed9bc678d3552fd21217f474",
+    hash: "ae13ac4f44e111263ab4e6e0272955017da88465e4f56ab19f21f7b4e2ed9d6c",
 };
 
 static DRAW_THICKNESS_FRAGMENT: Module = Module {
@@ -99,7 +105,7 @@ static DRAW_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "b9e25791286cd3c03114530b024a658accec8baa8ee69e06d9f8d8829952feb0",
+    hash: "5f0ae1a800dffbfac2692fad71ecb8cb522e3444cfa58cdc6227e51d65b0abf3",
 };
 
 static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -112,5 +118,5 @@ static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "08528c4d736416b9c9f2ad44926144c6ac0c0b9e0cd50b1e3df1f175d5d38f38",
+    hash: "e39b16fc01969f90045a5d821011b42a2209661d8fb5879cd2f79137fb2a8403",
 };

@@ -122,7 +122,7 @@ static DRAW_WATER_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "50059b53dfdc207f6ece67496cb39ee32d8a0c177a77f61c34156efef58cede5",
+    hash: "9e68b730ba2ca62b58faf6d03e900b254f9fdb8247e84cdd09c6f66dbb12a852",
 };
 
 static DRAW_WATER_FRAGMENT: Module = Module {
@@ -135,7 +135,7 @@ static DRAW_WATER_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "2b473f61f84b67efb2c6f48a9aa1a387e9ae0bd515af1f100d6e50907764830f",
+    hash: "51c8575bee06dc621edf7c38581f1f87cd039570874befd9107cc847c37e5d3e",
 };
 
 static DRAW_WATER_VERTEX_WITH_MESH_NORMALS: Module = Module {
@@ -148,7 +148,7 @@ static DRAW_WATER_VERTEX_WITH_MESH_NORMALS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "97f506629457c0ec108a42f8571d317cd8badced61b2d8ee7db26efa51c7d988",
+    hash: "3c065885b742305d6bc0ba882b514ac259b3b657e69274b251fdd945500635df",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS: Module = Module {
@@ -161,5 +161,5 @@ static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "58cb99d45817dfcbb95e3c52d9792831b10a4d0338423cd2b9d52ef2d618bb49",
+    hash: "6005d3c7d85095108c7da7bffb2c461c39a9fa9afa278d7793cba02f551433d4",
 };

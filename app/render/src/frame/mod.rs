@@ -14,7 +14,7 @@ use brooklet_kernels::{
     ShadowKeyword, SurfaceParams, Texture, WaterKeyword, WaterStyle,
 };
 
-use crate::surface::screen_space::{self, Caustics, SeenBy, Shapes, Sunlit, Thickness, Water};
+use crate::surface::screen_space::{self, Caustics, Shapes, Sunlit, Thickness, Water};
 use crate::surface::{MarchingCubesOptions, Particles, ScreenSpaceOptions, SmoothedSurface, SurfaceOptions, points};
 use crate::{RenderError, View};
 
@@ -233,30 +233,26 @@ impl Frame<'_> {
         let mut style = self.resources.persistent("water_style", 1);
         init.upload(&mut style, &[options.water()]);
         let shapes = Shapes::new(particles, surface.ellipsoids.as_ref());
-        let seen_by = SeenBy {
-            view: &uniforms.view,
-            size_px: view.size_px.map(|side| side.div_ceil(options.thickness_divisor)),
-            light: &uniforms.light,
-            sun_texels: self.options.shadow_texels,
-        };
-        let thickness =
-            screen_space::record_thickness(self.resources, self.recording, &shapes, &surface.params, &seen_by);
-        let sunlit =
-            Sunlit { light: &uniforms.light, params: &surface.params, water: &style, sun_thickness: &thickness.sun };
+        let sun = (&uniforms.light, self.options.shadow_texels);
+        let sun = screen_space::record_sun_thickness(self.resources, self.recording, &shapes, &surface.params, sun);
+        let sunlit = Sunlit { light: &uniforms.light, params: &surface.params, water: &style, sun_thickness: &sun };
         let grid = (options.photons, tier);
         let caustics = (options.photons > 0)
             .then(|| screen_space::record_caustics(self.resources, self.recording, &shapes, &sunlit, grid));
         let shadow = match &caustics {
             Some(caustics) => ShadowOf::Caustics { caustics, surface: &surface.params },
-            None => ShadowOf::Water { sun_thickness: &thickness.sun, surface: &surface.params, water: &style },
+            None => ShadowOf::Water { sun_thickness: &sun, surface: &surface.params, water: &style },
         };
         self.surroundings((radiance, depth), shadow, false);
         self.edges(radiance, Some(depth), Some((WaterKeyword::BehindWater, &surface.inverse_depth)));
-        let water = Water { surface: &surface, thickness: &thickness.eye, style: &style };
+        let size_px = view.size_px.map(|side| side.div_ceil(options.thickness_divisor));
+        let looks = (&uniforms.view, depth, size_px);
+        let eye = screen_space::record_thickness(self.resources, self.recording, &shapes, &surface.params, looks);
+        let water = Water { surface: &surface, thickness: &eye, style: &style };
         let seen = screen_space::record_water(self.resources, self.recording, uniforms, &water, (radiance, depth));
         self.edges(&seen, None, Some((WaterKeyword::BeforeWater, &surface.inverse_depth)));
         self.resolve(radiance, None, Some(&seen), color);
-        WaterPasses { surface, thickness, caustics }
+        WaterPasses { surface, thickness: Thickness { eye, sun }, caustics }
     }
 }
 
