@@ -156,7 +156,7 @@ const TERMS: &[Term] = &[
     },
     Term {
         without: "surface.method=none",
-        with: "surface={ method = 'screen-space', caustics = false }",
+        with: "surface={ method = 'screen-space', caustics = false, self_shadow = false }",
         stages: &[
             "anisotropy",
             "draw_fluid_depth",
@@ -193,6 +193,13 @@ const TERMS: &[Term] = &[
         stages: &["draw_sun_depth", "draw_smooth_sun_depth", "refract_photons", "draw_caustics"],
         buffers: &["sun_depth", "half_smoothed_sun_depth", "smoothed_sun_depth", "sun_covered", "photons", "caustics"],
         variant: Some("DrawCaustics"),
+    },
+    Term {
+        without: "surface={ method = 'screen-space', self_shadow = false }",
+        with: "surface={ method = 'screen-space', self_shadow = true }",
+        stages: &["count_sun_volume", "sum_sun_volume"],
+        buffers: &["sun_volume_params", "sun_volume_counts", "sun_volume"],
+        variant: Some("SELF_SHADOW"),
     },
     Term {
         without: "surface={ method = 'screen-space', smoothing = 'none' }",

@@ -63,6 +63,7 @@ fn options(photons: u32) -> (ScreenSpaceOptions, FrameOptions) {
         absorption_per_m: DVec3::new(2.0, 0.5, 0.2),
         refraction: 1.0,
         photons,
+        self_shadow: false,
     };
     let frame = FrameOptions {
         tier: gpu().tier(),

@@ -4,7 +4,7 @@
 use brooklet_fluid::Slots;
 use brooklet_fluid::particles::is_simulated;
 use brooklet_fluid::scene::Smoothing;
-use brooklet_gpu::{Engine, Plan, Resources};
+use brooklet_gpu::{Engine, Plan, Resources, Tier};
 use brooklet_kernels::{FrameView, Position, SurfaceParams};
 use brooklet_reference::surface::InverseDepth;
 use brooklet_reference::surface::fluid_depth::fluid_depth;
@@ -46,6 +46,21 @@ fn particles() -> Vec<Position> {
     all
 }
 
+/// Inverse depth of an endless floor.
+fn floor_depth(view: &FrameView, size_px: [usize; 2]) -> InverseDepth {
+    let [width, height] = size_px;
+    let inverse_depth = |i: usize| {
+        let ndc = [(i % width) as f64 + 0.5, (i / width) as f64 + 0.5];
+        let [x, y] = [2.0 * ndc[0] / width as f64 - 1.0, 1.0 - 2.0 * ndc[1] / height as f64];
+        let of = |axis: [f32; 3]| f64::from(axis[1]);
+        let ray_y = of(view.forward)
+            + x * f64::from(view.tan_half_width) * of(view.right)
+            + y * f64::from(view.tan_half_height) * of(view.up);
+        (-ray_y / f64::from(view.eye_m[1])).max(0.0)
+    };
+    InverseDepth { size_px, values: (0..width * height).map(inverse_depth).collect() }
+}
+
 struct Drawn {
     inverse_depth: Vec<f64>,
     thickness: Vec<f64>,
@@ -79,6 +94,7 @@ fn draw(size_px: [u32; 2], eye_m: DVec3, positions: &[Position]) -> Drawn {
         absorption_per_m: DVec3::ONE,
         refraction: 1.0,
         photons: 0,
+        self_shadow: false,
     };
     let options = FrameOptions {
         tier: gpu().tier(),
@@ -113,11 +129,17 @@ fn draw(size_px: [u32; 2], eye_m: DVec3, positions: &[Position]) -> Drawn {
         bytemuck::pod_collect_to_vec(&engine.read_texture(&water.surface.raw).expect("the nearest spheres"));
     let halves = engine.read_texture(&water.thickness.eye).expect("thickness");
     let halves = halves.chunks_exact(2).map(|pair| half::f16::from_le_bytes([pair[0], pair[1]]));
-    let depth: Vec<f32> = bytemuck::pod_collect_to_vec(&engine.read_texture(&passes.depth).expect("the scene's depth"));
     let values = FrameValues::new(&view, &options).expect("values").view;
-    let scene = InverseDepth {
-        size_px: size_px.map(|side| side as usize),
-        values: depth.into_iter().map(|depth| f64::from(depth) / f64::from(values.near_m)).collect(),
+    let size = size_px.map(|side| side as usize);
+    let scene = match options.tier {
+        // Its depth cannot be read back: y = 0.
+        Tier::Floor => floor_depth(&values, size),
+        _ => {
+            let depth: Vec<f32> =
+                bytemuck::pod_collect_to_vec(&engine.read_texture(&passes.depth).expect("the scene's depth"));
+            let values = depth.into_iter().map(|depth| f64::from(depth) / f64::from(values.near_m));
+            InverseDepth { size_px: size, values: values.collect() }
+        }
     };
     Drawn {
         scene,

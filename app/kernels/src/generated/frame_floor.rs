@@ -145,7 +145,7 @@ static DRAW_FLOOR_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "43ef1f60a04ea52a1b277a37afb23b0f6041cab8b9d6f304934d67da5a6c2c1d",
+    hash: "72b8ee7732248e0f3315b41a990d331bda7fcc0e617bc090a5e9d4cbc4535c70",
 };
 
 static DRAW_FLOOR_FRAGMENT: Module = Module {
@@ -158,7 +158,7 @@ static DRAW_FLOOR_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "ba62e7a56f6de4587b061b88e4a38031e54bba6526e6fa2fb5c49c580f7f245d",
+    hash: "949ab5044e77e254a75e8c93a4ca59bc0c274469f05b234f0d6904af6abfd6f0",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW: Module = Module {
@@ -171,7 +171,7 @@ static DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "97dae76a846ecae520df0ed0283a74924bb16fe8e662d99bdb206061118b17ae",
+    hash: "c82389ff27f36c1a9fbb726bbb3fcbeeb3fd8114179752ceb9e41b99354c203f",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW: Module = Module {
@@ -184,7 +184,7 @@ static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "5e235e1790acada17daade63455aa3be5921376735e99c6842a014c74880d972",
+    hash: "04ce8b25b859f5ef82537c4b7ea6233e57a4406ed739282f4db51c2c96d96b5f",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW: Module = Module {
@@ -197,7 +197,7 @@ static DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "3d6c82f4d47b096dfae06b745fcb8e00e040880c9c91553cea718ca9607eb8e5",
+    hash: "ea6d797b0e215fccac6e6a39221420f7ed5c3e3fe1fea5b163fa8abd1896ca40",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW: Module = Module {
@@ -210,7 +210,7 @@ static DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "8ff113f0669130bc871eb2d972a8a7aedd4ef82354e8ae6dd6946e4489dff754",
+    hash: "4f8a402953a2f7e1d0f3314c6bd11bd2c04467c689edfdfdc8110651ef9601ef",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_CAUSTICS_SHADOW: Module = Module {
@@ -223,7 +223,7 @@ static DRAW_FLOOR_VERTEX_WITH_CAUSTICS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "5bd187bb11b0a04da765f7c7c28e7d8f9bf05fe36421dd4094f3655bbef2d0bb",
+    hash: "788fa1aef36fd1966f00d445f7316e9ce1fd62b0a957e7bc4191f7139b911c97",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW: Module = Module {
@@ -236,5 +236,5 @@ static DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "feea39b8d2c2c23ba1a623bbbbd0ebd22d959a53a1903daaca9c4d2128e67014",
+    hash: "00d90a0f962f3781a8d82e5050c0bd76195aa88fab39eb719d75bdabf3315d07",
 };

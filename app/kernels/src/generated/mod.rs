@@ -38,6 +38,7 @@ mod solver_pbf_correct_positions;
 mod solver_pbf_update_velocity;
 mod surface_anisotropy;
 mod surface_caustics;
+mod surface_count_sun_volume;
 mod surface_fluid_depth;
 mod surface_layout;
 mod surface_mesh_count_bins;
@@ -58,6 +59,7 @@ mod surface_smooth_curvature_flow;
 mod surface_smooth_gaussian;
 mod surface_smooth_narrow_range;
 mod surface_smooth_sun_depth;
+mod surface_sum_sun_volume;
 mod surface_sun_depth;
 mod surface_sun_thickness;
 mod surface_surface_normals;
@@ -100,6 +102,7 @@ pub use solver_pbf_correct_positions::*;
 pub use solver_pbf_update_velocity::*;
 pub use surface_anisotropy::*;
 pub use surface_caustics::*;
+pub use surface_count_sun_volume::*;
 pub use surface_fluid_depth::*;
 pub use surface_layout::*;
 pub use surface_mesh_count_bins::*;
@@ -120,6 +123,7 @@ pub use surface_smooth_curvature_flow::*;
 pub use surface_smooth_gaussian::*;
 pub use surface_smooth_narrow_range::*;
 pub use surface_smooth_sun_depth::*;
+pub use surface_sum_sun_volume::*;
 pub use surface_sun_depth::*;
 pub use surface_sun_thickness::*;
 pub use surface_surface_normals::*;
@@ -161,6 +165,7 @@ pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
         solver_pbf_update_velocity::MODULES,
         surface_anisotropy::MODULES,
         surface_caustics::MODULES,
+        surface_count_sun_volume::MODULES,
         surface_fluid_depth::MODULES,
         surface_mesh_count_bins::MODULES,
         surface_mesh_count_mesh::MODULES,
@@ -179,6 +184,7 @@ pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
         surface_smooth_gaussian::MODULES,
         surface_smooth_narrow_range::MODULES,
         surface_smooth_sun_depth::MODULES,
+        surface_sum_sun_volume::MODULES,
         surface_sun_depth::MODULES,
         surface_sun_thickness::MODULES,
         surface_surface_normals::MODULES,

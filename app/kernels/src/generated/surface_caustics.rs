@@ -63,7 +63,7 @@ static DRAW_CAUSTICS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/caustics.hlsl",
-    hash: "113958cebb02e0a66c24435cd67d4f0d23b6a6bd616f9d96d302864f84fb7ee7",
+    hash: "aa45765c9aa98e1ae9239c42841e87c06066954a7605c3d5ecada4121ccd54db",
 };
 
 static DRAW_CAUSTICS_FRAGMENT: Module = Module {
@@ -76,5 +76,5 @@ static DRAW_CAUSTICS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/caustics.hlsl",
-    hash: "9556c68fb586fd051795617b8684ba8f91b60a0a95d849c86881f150997b5d4c",
+    hash: "094ecb9e7039c07e732ab38cc45a3f96c9d3ed930e84bebc98825e831106cb4a",
 };

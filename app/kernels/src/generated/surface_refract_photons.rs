@@ -70,5 +70,5 @@ static REFRACT_PHOTONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refract_photons.compute",
-    hash: "075bdd593f9daf0e5531b0baa23bf393c69fe1faddc0115ee551db191237eab0",
+    hash: "27552ec8e990c5b8a4e23e9094aa8d8413a8d6554f440a616dc5eca3bc118d04",
 };

@@ -76,7 +76,7 @@ static DRAW_SMOOTH_SUN_DEPTH_VERTEX_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_sun_depth.hlsl",
-    hash: "e00df04783c11e081f72f1deb4dbd1663c9b095e56a6d480fd5c09bb72faa96b",
+    hash: "c36367769c444a4b9694d5d247ea4a9e297a54700495e84ec5cbfed72ba9b37e",
 };
 
 static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_X: Module = Module {
@@ -89,7 +89,7 @@ static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_sun_depth.hlsl",
-    hash: "ffc57105d5698b3c66985144ffbe5adfa8f7541892351e34ddfe0110b785238d",
+    hash: "7eb44c0877101da526a8c05cadeb9da014882410a7d287abc2ed8f724ca32663",
 };
 
 static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_Y: Module = Module {
@@ -102,5 +102,5 @@ static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_sun_depth.hlsl",
-    hash: "0eb1209084a708d036080eb4e14a972b5572eb85f75b6744a52d437120162480",
+    hash: "227f61d6e50bf5f92a872be1e02bce8a2fbd626d6fb9f89a2eba1a7e1f994179",
 };

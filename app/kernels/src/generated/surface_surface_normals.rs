@@ -58,7 +58,7 @@ static DRAW_SURFACE_NORMALS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/surface_normals.hlsl",
-    hash: "218bf600dc90e0b7b5a2fe4c8f7201508c9c4d81f6a5084f13c74516c741b773",
+    hash: "833c652a392333397b6470a7d00832d2c1c79c2c14c485bde00ae2d2b23e8bb8",
 };
 
 static DRAW_SURFACE_NORMALS_FRAGMENT: Module = Module {
@@ -71,5 +71,5 @@ static DRAW_SURFACE_NORMALS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/surface_normals.hlsl",
-    hash: "b65b640db4e193f3963cc20966196798930bce30de761f827ae9131af1b715cb",
+    hash: "82b04f590d1455a7d4641427130a6c3c6f507e59ae6f6e381b79acae0a13dcb1",
 };

@@ -92,7 +92,7 @@ static DRAW_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "ae13ac4f44e111263ab4e6e0272955017da88465e4f56ab19f21f7b4e2ed9d6c",
+    hash: "af05ba9816a25d6293de2d3f012e6edd575c333dabb8fbb40da69556cf9d5626",
 };
 
 static DRAW_THICKNESS_FRAGMENT: Module = Module {
@@ -105,7 +105,7 @@ static DRAW_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "5f0ae1a800dffbfac2692fad71ecb8cb522e3444cfa58cdc6227e51d65b0abf3",
+    hash: "f6da31d56e85e5f4d4b529b3007f1a43b78efb8af517ad32921e71c3ae12d79a",
 };
 
 static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -118,5 +118,5 @@ static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "e39b16fc01969f90045a5d821011b42a2209661d8fb5879cd2f79137fb2a8403",
+    hash: "4c4b48916536c1e7d4ab71af63f40e44b9d1b092a94bbb85feba2a41e284a936",
 };

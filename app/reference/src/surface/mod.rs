@@ -19,6 +19,7 @@ pub mod smooth_narrow_range;
 pub mod smooth_sun_depth;
 pub mod sun_depth;
 pub mod sun_map;
+pub mod sun_volume;
 pub mod surface_field;
 pub mod surface_normals;
 pub mod thickness;

@@ -11,10 +11,10 @@ pub use uniforms::{FrameUniforms, FrameValues};
 use brooklet_gpu::{Blend, DepthTest, DrawState, Load, Recording, Resources, Targets};
 use brooklet_kernels::{
     Buffer, DrawEdges, DrawEdgesVariant, DrawFloor, DrawFloorVariant, DrawResolve, DrawResolveVariant, DrawSky, Format,
-    ShadowKeyword, SurfaceParams, Texture, WaterKeyword, WaterStyle,
+    FrameLight, ShadowKeyword, SurfaceParams, Texture, WaterKeyword, WaterStyle,
 };
 
-use crate::surface::screen_space::{self, Caustics, Shapes, Sunlit, Thickness, Water};
+use crate::surface::screen_space::{self, Caustics, Shapes, SunVolume, Sunlit, Thickness, Water, sun_volume};
 use crate::surface::{MarchingCubesOptions, Particles, ScreenSpaceOptions, SmoothedSurface, SurfaceOptions, points};
 use crate::{RenderError, View};
 
@@ -46,6 +46,8 @@ pub struct WaterPasses {
     pub thickness: Thickness,
     /// Sunlight on the floor, where it is carried there photon by photon.
     pub caustics: Option<Caustics>,
+    /// How much water is nearer the sun, where the water shades itself.
+    pub sun_volume: Option<SunVolume>,
 }
 
 /// Records how particles are drawn.
@@ -78,7 +80,7 @@ pub fn record(
     let depth = resources.texture("depth", options.depth_format(), drawn_px);
     let color = resources.texture("picture", Format::Rgba8Unorm, view.size_px);
     let mut draw = resources.recording("draw");
-    let mut frame = Frame { resources, recording: &mut draw, uniforms: &uniforms, options };
+    let mut frame = Frame { resources, recording: &mut draw, uniforms: &uniforms, options, light: values.light };
     let onto = (&radiance, &depth);
     let water = match &options.surface {
         SurfaceOptions::None => {
@@ -118,6 +120,7 @@ struct Frame<'a> {
     recording: &'a mut Recording,
     uniforms: &'a FrameUniforms,
     options: &'a FrameOptions,
+    light: FrameLight,
 }
 
 impl Frame<'_> {
@@ -248,11 +251,16 @@ impl Frame<'_> {
         let size_px = view.size_px.map(|side| side.div_ceil(options.thickness_divisor));
         let looks = (&uniforms.view, depth, size_px);
         let eye = screen_space::record_thickness(self.resources, self.recording, &shapes, &surface.params, looks);
-        let water = Water { surface: &surface, thickness: &eye, style: &style };
+        let volume = options.self_shadow.then(|| {
+            let values = sun_volume::params(options.spacing_m, &self.light);
+            let into = (&mut *init, &mut *self.recording);
+            sun_volume::record(self.resources, into, particles, &uniforms.light, values)
+        });
+        let water = Water { surface: &surface, thickness: &eye, style: &style, sun_volume: volume.as_ref() };
         let seen = screen_space::record_water(self.resources, self.recording, uniforms, &water, (radiance, depth));
         self.edges(&seen, None, Some((WaterKeyword::BeforeWater, &surface.inverse_depth)));
         self.resolve(radiance, None, Some(&seen), color);
-        WaterPasses { surface, thickness: Thickness { eye, sun }, caustics }
+        WaterPasses { surface, thickness: Thickness { eye, sun }, caustics, sun_volume: volume }
     }
 }
 

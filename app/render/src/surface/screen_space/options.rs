@@ -42,6 +42,8 @@ pub struct ScreenSpaceOptions {
     /// Photons a side of the grid over the sun's map that make caustics on the floor, up to 1024; 0 casts a
     /// tinted shadow instead, and no pass, buffer or code of caustics is there.
     pub photons: u32,
+    /// Whether the water shades itself: sunlight that it meets through other water is the weaker.
+    pub self_shadow: bool,
 }
 
 /// A particle's volume is spread as thickness over a disc of so many spacings.
@@ -87,6 +89,7 @@ impl ScreenSpaceOptions {
             absorption_per_m: surface.absorption_per_m.map_or(ABSORPTION / size_m.length(), DVec3::from),
             refraction: surface.refraction,
             photons: if surface.caustics.unwrap_or(tier == Tier::Desktop) { PHOTONS } else { 0 },
+            self_shadow: surface.self_shadow.unwrap_or(tier == Tier::Desktop),
         }
     }
 
