@@ -70,5 +70,5 @@ static REFRACT_PHOTONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refract_photons.compute",
-    hash: "27552ec8e990c5b8a4e23e9094aa8d8413a8d6554f440a616dc5eca3bc118d04",
+    hash: "f4a7f15baea8784a0959678dc12ac7678d670d9425373d9ae139dfff1bbf001d",
 };
