@@ -10,9 +10,8 @@
 
 #include "impostor.hlsli"
 #include "thickness_kernel.hlsli"
-#include "opaque_plane.hlsli"
 
-Texture2D<float> scene_depth;
+Texture2D<float4> opaque_planes;
 ConstantBuffer<FrameView> view;
 ConstantBuffer<SurfaceParams> surface;
 
@@ -20,10 +19,8 @@ struct Varyings
 {
     float4 position : SV_Position;
     [[vk::location(0)]] float2 disc : TEXCOORD0;
-    // Clip position without depth: where in the scene's own, larger picture this is.
-    [[vk::location(1)]] float3 clip : TEXCOORD1;
     // Of the particle, relative to the eye.
-    [[vk::location(2)]] nointerpolation float3 center_m : TEXCOORD2;
+    [[vk::location(1)]] nointerpolation float3 center_m : TEXCOORD1;
 };
 
 Varyings ThicknessVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID)
@@ -34,7 +31,6 @@ Varyings ThicknessVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceI
     Varyings output;
     output.position = ClipFromOffset(view, impostor.ray * impostor.distance_m);
     output.disc = corner;
-    output.clip = output.position.xyw;
     output.center_m = center.at_m - view.eye_m;
     if (!impostor.drawn)
         output.position = float4(0.0, 0.0, 0.0, 1.0);
@@ -43,7 +39,9 @@ Varyings ThicknessVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceI
 
 float4 ThicknessFragment(Varyings input) : SV_Target0
 {
-    int2 pixel = int2((float2(0.5, -0.5) * input.clip.xy / input.clip.z + 0.5) * view.size_px);
-    float3 plane = OpaquePlaneAt(scene_depth, view, pixel, surface.range_m);
-    return ThicknessKernel(input.disc, surface) * ShareBefore(plane, input.center_m, 0.5 * surface.spacing_m);
+    float4 plane = opaque_planes.Load(int3(int2(input.position.xy), 0));
+    // Particles stay outside of what is opaque: one whose center lies on it is all before it. Those behind fade
+    // within half a spacing, so that nothing pops.
+    float before = smoothstep(-1.0, 0.0, plane.w - dot(plane.xyz, input.center_m));
+    return ThicknessKernel(input.disc, surface) * before;
 }

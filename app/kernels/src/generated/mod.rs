@@ -53,6 +53,7 @@ mod surface_mesh_mark_blocks;
 mod surface_mesh_mesh_depth;
 mod surface_mesh_mesh_normals;
 mod surface_mesh_scatter_bins;
+mod surface_opaque_planes;
 mod surface_refract_photons;
 mod surface_smooth_bilateral;
 mod surface_smooth_curvature_flow;
@@ -117,6 +118,7 @@ pub use surface_mesh_mark_blocks::*;
 pub use surface_mesh_mesh_depth::*;
 pub use surface_mesh_mesh_normals::*;
 pub use surface_mesh_scatter_bins::*;
+pub use surface_opaque_planes::*;
 pub use surface_refract_photons::*;
 pub use surface_smooth_bilateral::*;
 pub use surface_smooth_curvature_flow::*;
@@ -178,6 +180,7 @@ pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
         surface_mesh_mesh_depth::MODULES,
         surface_mesh_mesh_normals::MODULES,
         surface_mesh_scatter_bins::MODULES,
+        surface_opaque_planes::MODULES,
         surface_refract_photons::MODULES,
         surface_smooth_bilateral::MODULES,
         surface_smooth_curvature_flow::MODULES,

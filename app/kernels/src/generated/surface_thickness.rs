@@ -26,8 +26,8 @@ pub struct DrawThickness<'a> {
     pub view: Uniform<'a, FrameView>,
     /// `ConstantBuffer<SurfaceParams> surface`.
     pub surface: Uniform<'a, SurfaceParams>,
-    /// `Texture2D<float> scene_depth`.
-    pub scene_depth: Tex<'a>,
+    /// `Texture2D<float4> opaque_planes`.
+    pub opaque_planes: Tex<'a>,
     /// `StructuredBuffer<Ellipsoid> ellipsoids`.
     pub ellipsoids: Option<Buf<'a, Ellipsoid>>,
 }
@@ -53,7 +53,7 @@ impl Draw for DrawThickness<'_> {
                 ("positions", self.positions.as_ref().map(|bound| bound.id)),
                 ("view", Some(self.view.id)),
                 ("surface", Some(self.surface.id)),
-                ("scene_depth", Some(self.scene_depth.id)),
+                ("opaque_planes", Some(self.opaque_planes.id)),
                 ("ellipsoids", self.ellipsoids.as_ref().map(|bound| bound.id)),
             ],
         )
@@ -71,8 +71,7 @@ static BINDINGS_0: &[BindingInfo] = &[
 ];
 
 static BINDINGS_1: &[BindingInfo] = &[
-    BindingInfo { name: "scene_depth", slot: 1, kind: BindingKind::Texture { filterable: false } },
-    BindingInfo { name: "view", slot: 2, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "opaque_planes", slot: 1, kind: BindingKind::Texture { filterable: false } },
     BindingInfo { name: "surface", slot: 3, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
@@ -92,7 +91,7 @@ static DRAW_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "af05ba9816a25d6293de2d3f012e6edd575c333dabb8fbb40da69556cf9d5626",
+    hash: "cbbd587a1a968b8efef6f961671abc0cec969197ef75a9de11e65fdae5793aac",
 };
 
 static DRAW_THICKNESS_FRAGMENT: Module = Module {
@@ -105,7 +104,7 @@ static DRAW_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "f6da31d56e85e5f4d4b529b3007f1a43b78efb8af517ad32921e71c3ae12d79a",
+    hash: "d20dace5cdaf3ab6714881a2ce89c8f976bcd8490a931630ec0640be279aa521",
 };
 
 static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -118,5 +117,5 @@ static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "4c4b48916536c1e7d4ab71af63f40e44b9d1b092a94bbb85feba2a41e284a936",
+    hash: "bef416950e5aeb3e94ea6b88e86f7949c97491597273a2aa64c027e3b3332849",
 };

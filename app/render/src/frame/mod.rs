@@ -250,7 +250,8 @@ impl Frame<'_> {
         self.edges(radiance, Some(depth), Some((WaterKeyword::BehindWater, &surface.inverse_depth)));
         let size_px = view.size_px.map(|side| side.div_ceil(options.thickness_divisor));
         let looks = (&uniforms.view, depth, size_px);
-        let eye = screen_space::record_thickness(self.resources, self.recording, &shapes, &surface.params, looks);
+        let (eye, opaque_planes) =
+            screen_space::record_thickness(self.resources, self.recording, &shapes, &surface.params, looks);
         let volume = options.self_shadow.then(|| {
             let values = sun_volume::params(options.spacing_m, &self.light);
             let into = (&mut *init, &mut *self.recording);
@@ -260,7 +261,7 @@ impl Frame<'_> {
         let seen = screen_space::record_water(self.resources, self.recording, uniforms, &water, (radiance, depth));
         self.edges(&seen, None, Some((WaterKeyword::BeforeWater, &surface.inverse_depth)));
         self.resolve(radiance, None, Some(&seen), color);
-        WaterPasses { surface, thickness: Thickness { eye, sun }, caustics, sun_volume: volume }
+        WaterPasses { surface, thickness: Thickness { eye, opaque_planes, sun }, caustics, sun_volume: volume }
     }
 }
 

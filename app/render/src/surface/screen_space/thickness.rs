@@ -2,8 +2,8 @@
 
 use brooklet_gpu::{Blend, DrawState, Load, Recording, Resources, Targets};
 use brooklet_kernels::{
-    Buffer, DrawSunThickness, DrawSunThicknessVariant, DrawThickness, DrawThicknessVariant, Format, FrameLight,
-    FrameView, SurfaceParams, Texture,
+    Buffer, DrawOpaquePlanes, DrawSunThickness, DrawSunThicknessVariant, DrawThickness, DrawThicknessVariant, Format,
+    FrameLight, FrameView, SurfaceParams, Texture,
 };
 
 use super::Shapes;
@@ -13,36 +13,39 @@ use super::Shapes;
 pub struct Thickness {
     /// In the picture before what is opaque, at `thickness_divisor` pixels a texel; `R16Float`.
     pub eye: Texture,
+    /// The planes that touch what is opaque, in the same texels; `Rgba32Float` (shader: `surface/opaque_planes.hlsl`).
+    pub opaque_planes: Texture,
     /// In the sun's map; `R16Float`.
     pub sun: Texture,
 }
 
-/// Records what the eye looks through in `size_px` texels, with the scene's depth in its picture. `R16Float` blends and
-/// filters on every tier.
+/// Records what the eye looks through in `size_px` texels, with the scene's depth in its picture, and the planes that cut
+/// it. `R16Float` blends and filters on every tier.
 pub(crate) fn record(
     resources: &mut Resources,
     recording: &mut Recording,
     shapes: &Shapes<'_>,
     params: &Buffer<SurfaceParams>,
     (view, scene_depth, size_px): (&Buffer<FrameView>, &Texture, [u32; 2]),
-) -> Texture {
+) -> (Texture, Texture) {
     let (positions, ellipsoids, surface) = (shapes.positions(), shapes.ellipsoids(), params.uniform());
+    let planes = resources.texture("opaque_planes", Format::Rgba32Float, size_px);
+    recording.draw(
+        &DrawOpaquePlanes { scene_depth: scene_depth.read(), view: view.uniform(), surface },
+        &Targets { color: vec![(&planes, Load::Clear([0.0; 4]))], depth: None },
+        DrawState::default(),
+        3,
+        1,
+    );
     let eye = resources.texture("thickness", Format::R16Float, size_px);
     let variant = DrawThicknessVariant { ellipsoid_centers: ellipsoids.is_some() };
     shapes.slots().draw(
         recording,
-        &DrawThickness {
-            variant,
-            positions,
-            ellipsoids,
-            scene_depth: scene_depth.read(),
-            view: view.uniform(),
-            surface,
-        },
+        &DrawThickness { variant, positions, ellipsoids, opaque_planes: planes.read(), view: view.uniform(), surface },
         &Targets { color: vec![(&eye, Load::Clear([0.0; 4]))], depth: None },
         add(),
     );
-    eye
+    (eye, planes)
 }
 
 /// Records what the sun looks through, in its map of `texels` a side.
