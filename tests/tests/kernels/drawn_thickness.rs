@@ -26,7 +26,7 @@ const GRAZING: f64 = 0.005;
 /// Of a distance to a plane, in half spacings, at about 2 m: slopes are differences of neighbours' depths, f32's roundings of
 /// which (24 bits at the floor tier, of the whole range) reach over some hundred pixels.
 fn plane_tolerance() -> f64 {
-    if gpu().tier() == Tier::Floor { 1.0 } else { 1e-3 }
+    if gpu().tier() == Tier::Floor { 0.3 } else { 1e-3 }
 }
 /// Sizes that no block of 2, 4, 8 or 16 pixels divides, and a sliver.
 const SIZES: [[u32; 2]; 3] = [[161, 93], [64, 48], [3, 37]];
@@ -51,17 +51,20 @@ fn particles() -> Vec<Position> {
     all
 }
 
-/// Inverse depth of an endless floor.
-fn floor_depth(view: &FrameView, size_px: [usize; 2]) -> InverseDepth {
+/// Inverse depth of the floor, y = 0, as far as it is drawn around the middle of the domain.
+fn floor_depth(view: &FrameView, size_px: [usize; 2], reach_m: f64) -> InverseDepth {
     let [width, height] = size_px;
+    let vector = |v: [f32; 3]| DVec3::from_array(v.map(f64::from));
     let inverse_depth = |i: usize| {
-        let ndc = [(i % width) as f64 + 0.5, (i / width) as f64 + 0.5];
-        let [x, y] = [2.0 * ndc[0] / width as f64 - 1.0, 1.0 - 2.0 * ndc[1] / height as f64];
-        let of = |axis: [f32; 3]| f64::from(axis[1]);
-        let ray_y = of(view.forward)
-            + x * f64::from(view.tan_half_width) * of(view.right)
-            + y * f64::from(view.tan_half_height) * of(view.up);
-        (-ray_y / f64::from(view.eye_m[1])).max(0.0)
+        let x = 2.0 * ((i % width) as f64 + 0.5) / width as f64 - 1.0;
+        let y = 1.0 - 2.0 * ((i / width) as f64 + 0.5) / height as f64;
+        let ray = vector(view.forward)
+            + x * f64::from(view.tan_half_width) * vector(view.right)
+            + y * f64::from(view.tan_half_height) * vector(view.up);
+        let inverse_depth = -ray.y / f64::from(view.eye_m[1]);
+        let at_m = vector(view.eye_m) + ray / inverse_depth - DVec3::new(0.5, 0.0, 0.5);
+        let is_drawn = inverse_depth > 0.0 && at_m.abs().max_element() < reach_m;
+        if is_drawn { inverse_depth } else { 0.0 }
     };
     InverseDepth { size_px, values: (0..width * height).map(inverse_depth).collect() }
 }
@@ -135,11 +138,11 @@ fn draw(size_px: [u32; 2], eye_m: DVec3, positions: &[Position]) -> Drawn {
         bytemuck::pod_collect_to_vec(&engine.read_texture(&water.surface.raw).expect("the nearest spheres"));
     let halves = engine.read_texture(&water.thickness.eye).expect("thickness");
     let halves = halves.chunks_exact(2).map(|pair| half::f16::from_le_bytes([pair[0], pair[1]]));
-    let values = FrameValues::new(&view, &options).expect("values").view;
+    let FrameValues { view: values, style, .. } = FrameValues::new(&view, &options).expect("values");
     let size = size_px.map(|side| side as usize);
     let scene = match options.tier {
         // Its depth cannot be read back: y = 0.
-        Tier::Floor => floor_depth(&values, size),
+        Tier::Floor => floor_depth(&values, size, 4.0 * f64::from(style.floor_fade_m)),
         _ => {
             let depth: Vec<f32> =
                 bytemuck::pod_collect_to_vec(&engine.read_texture(&passes.depth).expect("the scene's depth"));
@@ -210,9 +213,9 @@ fn the_nearest_spheres_and_their_thickness_are_their_twins() {
                 plane_tolerance()
             );
             assert!(off as f64 <= GRAZING * texels, "{off} of {texels}");
-            let wrong = SurfaceParams { spacing_m: 1.05 * drawn.params.spacing_m, ..drawn.params };
+            let wrong = SurfaceParams { spacing_m: 1.5 * drawn.params.spacing_m, ..drawn.params };
             let (_, off, _) = beyond(&ahead(&drawn.planes), &ahead(&planes_of(&wrong)), |_| plane_tolerance());
-            assert!(off as f64 > 0.3 * texels, "half spacings a twentieth longer must differ: {off} of {texels}");
+            assert!(off as f64 > 0.3 * texels, "half spacings half as long again must differ: {off} of {texels}");
 
             let before = |planes: &[DVec4], params: &SurfaceParams| {
                 thickness(&centers_m, params, &drawn.view, drawn.thickness_px, planes)
