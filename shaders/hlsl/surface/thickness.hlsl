@@ -11,9 +11,9 @@
 #include "impostor.hlsli"
 #include "thickness_kernel.hlsli"
 
-Texture2D<float4> opaque_planes;
 ConstantBuffer<FrameView> view;
 ConstantBuffer<SurfaceParams> surface;
+Texture2D<float4> opaque_planes;
 
 struct Varyings
 {

@@ -66,19 +66,19 @@ pub(super) static MODULES: &[&Module] =
 
 static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "positions", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
-    BindingInfo { name: "view", slot: 2, kind: BindingKind::Uniform { bytes: 80 } },
-    BindingInfo { name: "surface", slot: 3, kind: BindingKind::Uniform { bytes: 64 } },
+    BindingInfo { name: "view", slot: 1, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "surface", slot: 2, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
 static BINDINGS_1: &[BindingInfo] = &[
-    BindingInfo { name: "opaque_planes", slot: 1, kind: BindingKind::Texture { filterable: false } },
-    BindingInfo { name: "surface", slot: 3, kind: BindingKind::Uniform { bytes: 64 } },
+    BindingInfo { name: "surface", slot: 2, kind: BindingKind::Uniform { bytes: 64 } },
+    BindingInfo { name: "opaque_planes", slot: 3, kind: BindingKind::Texture { filterable: false } },
 ];
 
 static BINDINGS_2: &[BindingInfo] = &[
     BindingInfo { name: "ellipsoids", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 32 } },
-    BindingInfo { name: "view", slot: 2, kind: BindingKind::Uniform { bytes: 80 } },
-    BindingInfo { name: "surface", slot: 3, kind: BindingKind::Uniform { bytes: 64 } },
+    BindingInfo { name: "view", slot: 1, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "surface", slot: 2, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
 static DRAW_THICKNESS_VERTEX: Module = Module {
@@ -91,7 +91,7 @@ static DRAW_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "cbbd587a1a968b8efef6f961671abc0cec969197ef75a9de11e65fdae5793aac",
+    hash: "142450b0fa2ba1fb0f0f715584d7b9762e6a9e5c1aa8101a49063119d64d1b69",
 };
 
 static DRAW_THICKNESS_FRAGMENT: Module = Module {
@@ -104,7 +104,7 @@ static DRAW_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "d20dace5cdaf3ab6714881a2ce89c8f976bcd8490a931630ec0640be279aa521",
+    hash: "4dafcb234c7afde3f0e12a9c4be83e755f9f6263ee1beadc60e29bdbcd3fc360",
 };
 
 static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -117,5 +117,5 @@ static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "bef416950e5aeb3e94ea6b88e86f7949c97491597273a2aa64c027e3b3332849",
+    hash: "050a46dde8dc7c2cef1fb35d76a06433d6fa07bef33aca2adbef7b6b5462baef",
 };
