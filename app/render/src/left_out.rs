@@ -27,11 +27,12 @@ pub struct Absent {
     pub reason: String,
 }
 
-/// The scene with what its settings come to on a tier, as the table of settings can compare it: caustics, whose
-/// default is the tier's; walls, which no periodic axis has; and smoothing, which is none without iterations.
+/// The scene with what its settings come to on a tier, as the table of settings can compare it: caustics and
+/// the water's own shadow, whose default is the tier's; walls, which no periodic axis has; and smoothing, which is none without iterations.
 fn come_to(scene: &Scene, tier: Tier) -> Scene {
     let mut scene = scene.clone();
     scene.surface.caustics.get_or_insert(tier == Tier::Desktop);
+    scene.surface.self_shadow.get_or_insert(tier == Tier::Desktop);
     scene.domain.walls = scene.domain.has_walls();
     if scene.surface.iterations() == 0 {
         scene.surface.smoothing = Smoothing::None;
@@ -192,7 +193,7 @@ mod tests {
         ];
         let outputs = ["outputs.images", "outputs.measure_every_steps"];
         assert_eq!(paths(Tier::Desktop), [&both[..], &outputs].concat());
-        assert_eq!(paths(Tier::Mobile), [&both[..], &["surface.caustics"], &outputs].concat());
+        assert_eq!(paths(Tier::Mobile), [&both[..], &["surface.caustics", "surface.self_shadow"], &outputs].concat());
         for field in left_out(&scene, Tier::Mobile) {
             let other = with_term(&scene, field);
             let still = left_out(&other, Tier::Mobile);

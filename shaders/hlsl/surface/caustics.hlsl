@@ -15,7 +15,8 @@ ConstantBuffer<FrameLight> light;
 ConstantBuffer<SurfaceParams> surface;
 ConstantBuffer<WaterStyle> water;
 
-// Neighbours that land so many cells apart came through another surface.
+// Neighbours that land more cells apart came through another surface, or light is torn apart: a tent is no
+// longer than so many.
 static const float MOST_APART = 4.0;
 // A tent is no narrower than so many texels of the map, or texels would miss it.
 static const float LEAST_TEXELS = 1.0;
@@ -27,8 +28,8 @@ struct Varyings
     [[vk::location(1)]] nointerpolation float3 light : TEXCOORD1;
 };
 
-// How far apart photons land along a direction of the grid: the mean of both sides, or the side that is
-// of one surface; the grid's own spacing where none is.
+// How far apart photons land along a direction of the grid: the mean of both sides, or the shorter one where
+// the longer leads to another surface; the grid's own spacing where no neighbour met water.
 float2 LandedApart(int2 at, int2 along, Photon here, float2 unbent)
 {
     int side = int(surface.photons);
@@ -39,12 +40,17 @@ float2 LandedApart(int2 at, int2 along, Photon here, float2 unbent)
     Photon after = photons[index_along + 1 < side ? index + step : index];
     float2 backward = here.uv - before.uv;
     float2 forward = after.uv - here.uv;
+    bool has_before = index_along > 0 && before.share > 0.0;
+    bool has_after = index_along + 1 < side && after.share > 0.0;
     float most = MOST_APART / surface.photons;
-    bool has_before = index_along > 0 && before.share > 0.0 && dot(backward, backward) < most * most;
-    bool has_after = index_along + 1 < side && after.share > 0.0 && dot(forward, forward) < most * most;
-    if (has_before && has_after)
-        return 0.5 * (backward + forward);
-    return has_before ? backward : (has_after ? forward : unbent);
+    float2 apart = unbent;
+    if (has_before && has_after && max(length(backward), length(forward)) < most)
+        apart = 0.5 * (backward + forward);
+    else if (has_before && (!has_after || length(backward) < length(forward)))
+        apart = backward;
+    else if (has_after)
+        apart = forward;
+    return apart * min(1.0, most / max(length(apart), 1e-20));
 }
 
 Varyings CausticsVertex(uint vertex : SV_VertexID)

@@ -58,6 +58,18 @@ struct Photon
     float share;        // of it that entered the water; 0 where there is none
 };
 
+// A grid over the sun's map and along its rays, as many cells along each: how much water is nearer the sun.
+struct SunVolumeParams
+{
+    uint cells;                 // along each side
+    float spacing_m;
+    float cell_m;               // side of a cell across the rays
+    float reserved;
+};
+
+// A particle's volume in SunVolume's counts: weights are kept to 1/128, and 2^24 particles in one cell fit.
+static const uint SUN_VOLUME_UNITS = 128;
+
 // How the water looks: colours in linear light.
 struct WaterStyle
 {

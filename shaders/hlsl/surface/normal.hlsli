@@ -19,6 +19,18 @@ float Slope(float before, float here, float after, float same)
     return abs(smaller) < 1e29 ? smaller : 0.0;
 }
 
+// N / c of the plane N . x = c, x relative to the eye and in world axes, whose inverse_depth is `here` at a
+// pixel and grows by `slopes` to the next one, rightward and upward.
+float3 PlaneFromSlopes(FrameView view, int2 pixel, float here, float2 slopes)
+{
+    float2 ndc = (float2(pixel) + 0.5) / view.size_px * float2(2.0, -2.0) + float2(-1.0, 1.0);
+    float2 ray = ndc * float2(view.tan_half_width, view.tan_half_height);
+    // Pixels are 2 tan_half / size apart in the ray's coordinates.
+    float2 gradient = slopes * (0.5 * view.size_px / float2(view.tan_half_width, view.tan_half_height));
+    float ahead = here - dot(gradient, ray);
+    return gradient.x * view.right + gradient.y * view.up + ahead * view.forward;
+}
+
 // Normal toward the eye at a pixel with inverse_depth `here` above 0, in world axes.
 float3 NormalAt(Texture2D<float> inverse_depth, FrameView view, int2 pixel, float here, float range_m)
 {
@@ -28,13 +40,7 @@ float3 NormalAt(Texture2D<float> inverse_depth, FrameView view, int2 pixel, floa
     // Rows count downward, the picture's y upward.
     float along_y = -Slope(InverseDepthAt(inverse_depth, view.size_px, pixel - int2(0, 1)), here,
                            InverseDepthAt(inverse_depth, view.size_px, pixel + int2(0, 1)), same);
-    float2 ndc = (float2(pixel) + 0.5) / view.size_px * float2(2.0, -2.0) + float2(-1.0, 1.0);
-    float2 ray = ndc * float2(view.tan_half_width, view.tan_half_height);
-    // Pixels are 2 tan_half / size apart in the ray's coordinates.
-    float2 gradient = float2(along_x, along_y)
-        * (0.5 * view.size_px / float2(view.tan_half_width, view.tan_half_height));
-    float ahead = here - dot(gradient, ray);
-    return -normalize(gradient.x * view.right + gradient.y * view.up + ahead * view.forward);
+    return -normalize(PlaneFromSlopes(view, pixel, here, float2(along_x, along_y)));
 }
 
 #endif

@@ -1,6 +1,9 @@
-// The surface that sunlight meets without the particles' bumps, which would each be a lens: a Gaussian,
-// one direction a pass, over pairs of opposite texels that lie on one surface. In pairs a plane
-// stays as it is, however the sun stands to it, up to its edge.
+// The surface that sunlight meets without the particles' bumps, which would each be a lens: a line
+// fitted to the texels of one surface in a Gaussian's window, one direction a pass, several times. A
+// plane stays as it is, up to its edge. A mean of what lies to both sides would smooth nothing there, and
+// at the outline of a body, which the sun grazes, its particles' bumps would comb the light.
+//
+// At the walls the water is as flat as they are, and the surface that meets them ends there.
 #pragma vertex SmoothSunDepthVertex
 #pragma fragment SmoothSunDepthFragment
 #pragma multi_compile ALONG_X ALONG_Y
@@ -37,23 +40,30 @@ float4 SmoothSunDepthFragment(Varyings input) : SV_Target0
     float here = SunDepthAt(sun_depth, surface, texel);
     if (here <= 0.0)
         return 0.0;
+    Entry entry = EntryAt(surface, light, texel);
+    if (IsWall(entry, here))
+        return entry.depth;
     float spacing_m = PhotonSpacingM(surface, light);
     float reach = min(surface.sun_smoothing_m / spacing_m, surface.most_reach_px);
-    float sum = MIDDLE_WEIGHT * here;
-    float weights = MIDDLE_WEIGHT;
+    // Least squares: sums of w, w i, w i^2, and of w and w i times what is above `here`.
+    float3 weights = float3(MIDDLE_WEIGHT, 0.0, 0.0);
+    float2 above = 0.0;
     [loop]
-    for (int i = 1; i <= int(reach); i++)
+    for (int i = -int(reach); i <= int(reach); i++)
     {
-        float before = SunDepthAt(sun_depth, surface, texel - i * ALONG);
-        float after = SunDepthAt(sun_depth, surface, texel + i * ALONG);
+        int2 at = texel + i * ALONG;
+        float there = SunDepthAt(sun_depth, surface, at);
+        float away = float(i);
         // A surface may fall by twice what it goes aside: the sun seldom stands lower.
-        float range = (surface.range_m + 2.0 * float(i) * spacing_m) / light.shadow_range_m;
-        if (min(before, after) > 0.0 && max(abs(before - here), abs(after - here)) < range)
+        float range = (surface.range_m + 2.0 * abs(away) * spacing_m) / light.shadow_range_m;
+        if (i != 0 && there > 0.0 && abs(there - here) < range && !IsWall(EntryAt(surface, light, at), there))
         {
-            float weight = SpatialWeight(float(i * i), reach);
-            sum += weight * (before + after);
-            weights += 2.0 * weight;
+            float weight = SpatialWeight(away * away, reach);
+            weights += weight * float3(1.0, away, away * away);
+            above += weight * (there - here) * float2(1.0, away);
         }
     }
-    return sum / weights;
+    float spread = weights.x * weights.z - weights.y * weights.y;
+    float fit = spread > 0.0 ? (above.x * weights.z - above.y * weights.y) / spread : 0.0;
+    return min(here + fit, entry.depth);
 }

@@ -18,6 +18,7 @@ struct WaterPoint
     float3 normal;          // toward the eye's side
     float3 to_eye;
     float thickness_m;      // of the water along the line of sight
+    float3 sunlight;        // share of the sun's light that arrives through other water (Beer-Lambert)
 };
 
 // A ring of tall soft windows around the scene, as a photographer lights glass: what calm water
@@ -71,7 +72,7 @@ float3 SunHighlight(FrameLight light, WaterStyle water, WaterPoint point_)
     float visibility = 0.25 / ((n_l * (1.0 - k) + k) * (n_v * (1.0 - k) + k));
     float f = Fresnel(WATER_F0, dot(halfway, light.to_sun));
     // No brighter than film can tell: one pixel must not outshine those around it.
-    return min(distribution * visibility * f * n_l * light.sun_color, 12.0);
+    return min(distribution * visibility * f * n_l * light.sun_color, 12.0) * point_.sunlight;
 }
 
 // What the water shows of its own: light of sun and sky scattered back from inside.
@@ -81,7 +82,7 @@ float3 WaterGlow(FrameLight light, FrameStyle style, WaterStyle water, WaterPoin
     float wrapped = saturate(0.6 + 0.4 * dot(point_.normal, light.to_sun));
     // Toward the sun thin crests light up from behind.
     float through = saturate(-dot(point_.to_eye, light.to_sun));
-    return water.scatter_color * (ambient + (0.5 * wrapped + 0.5 * through * through) * light.sun_color);
+    return water.scatter_color * (ambient + (0.5 * wrapped + 0.5 * through * through) * point_.sunlight * light.sun_color);
 }
 
 // `behind` is the radiance that arrives at the refracted line's end.

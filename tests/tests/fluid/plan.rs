@@ -156,11 +156,12 @@ const TERMS: &[Term] = &[
     },
     Term {
         without: "surface.method=none",
-        with: "surface={ method = 'screen-space', caustics = false }",
+        with: "surface={ method = 'screen-space', caustics = false, self_shadow = false }",
         stages: &[
             "anisotropy",
             "draw_fluid_depth",
             "draw_smooth_narrow_range",
+            "draw_opaque_planes",
             "draw_thickness",
             "draw_sun_thickness",
             "draw_water",
@@ -174,6 +175,7 @@ const TERMS: &[Term] = &[
             "smoothed_inverse_depth",
             "half_smoothed_inverse_depth",
             "fluid_depth",
+            "opaque_planes",
             "thickness",
             "sun_thickness",
             "water",
@@ -193,6 +195,13 @@ const TERMS: &[Term] = &[
         stages: &["draw_sun_depth", "draw_smooth_sun_depth", "refract_photons", "draw_caustics"],
         buffers: &["sun_depth", "half_smoothed_sun_depth", "smoothed_sun_depth", "sun_covered", "photons", "caustics"],
         variant: Some("DrawCaustics"),
+    },
+    Term {
+        without: "surface={ method = 'screen-space', self_shadow = false }",
+        with: "surface={ method = 'screen-space', self_shadow = true }",
+        stages: &["count_sun_volume", "sum_sun_volume"],
+        buffers: &["sun_volume_params", "sun_volume_counts", "sun_volume"],
+        variant: Some("SELF_SHADOW"),
     },
     Term {
         without: "surface={ method = 'screen-space', smoothing = 'none' }",

@@ -4,15 +4,16 @@
 use brooklet_fluid::Slots;
 use brooklet_fluid::particles::is_simulated;
 use brooklet_fluid::scene::Smoothing;
-use brooklet_gpu::{Engine, Plan, Resources};
+use brooklet_gpu::{Engine, Plan, Resources, Tier};
 use brooklet_kernels::{FrameView, Position, SurfaceParams};
+use brooklet_reference::surface::InverseDepth;
 use brooklet_reference::surface::fluid_depth::fluid_depth;
-use brooklet_reference::surface::thickness::thickness;
+use brooklet_reference::surface::thickness::{opaque_planes, thickness};
 use brooklet_render::frame::{self, FrameValues};
 use brooklet_render::{Camera, Coloring, FrameOptions, Particles, ScreenSpaceOptions, SurfaceOptions, View};
 use brooklet_tests::cases::{out_of_part, vectors};
 use brooklet_tests::{gpu, rng};
-use glam::DVec3;
+use glam::{DVec3, DVec4};
 use rand::RngExt as _;
 
 /// Of a pixel's inverse_depth: a few roundings, at slopes of up to 10.
@@ -22,6 +23,11 @@ const INVERSE_DEPTH_TOLERANCE: f64 = 1e-5;
 const THICKNESS_TOLERANCE: f64 = 0.02;
 /// Share of the covered pixels whose rays graze a sphere: there no tolerance would do.
 const GRAZING: f64 = 0.005;
+/// Of a distance to a plane, in half spacings, at about 2 m: slopes are differences of neighbours' depths, f32's roundings of
+/// which (24 bits at the floor tier, of the whole range) reach over some hundred pixels.
+fn plane_tolerance() -> f64 {
+    if gpu().tier() == Tier::Floor { 0.3 } else { 1e-3 }
+}
 /// Sizes that no block of 2, 4, 8 or 16 pixels divides, and a sliver.
 const SIZES: [[u32; 2]; 3] = [[161, 93], [64, 48], [3, 37]];
 
@@ -37,13 +43,39 @@ fn particles() -> Vec<Position> {
         position_m: [rng.random(), 0.3 + 0.6 * rng.random::<f32>(), rng.random()],
         tag: out_of_part(i),
     }));
+    // Around and below the floor, which hides them.
+    all.extend(
+        (0..80)
+            .map(|i| Position { position_m: [rng.random(), -0.2 + 0.22 * rng.random::<f32>(), rng.random()], tag: i }),
+    );
     all
+}
+
+/// Inverse depth of the floor, y = 0, as far as it is drawn around the middle of the domain.
+fn floor_depth(view: &FrameView, size_px: [usize; 2], reach_m: f64) -> InverseDepth {
+    let [width, height] = size_px;
+    let vector = |v: [f32; 3]| DVec3::from_array(v.map(f64::from));
+    let inverse_depth = |i: usize| {
+        let x = 2.0 * ((i % width) as f64 + 0.5) / width as f64 - 1.0;
+        let y = 1.0 - 2.0 * ((i / width) as f64 + 0.5) / height as f64;
+        let ray = vector(view.forward)
+            + x * f64::from(view.tan_half_width) * vector(view.right)
+            + y * f64::from(view.tan_half_height) * vector(view.up);
+        let inverse_depth = -ray.y / f64::from(view.eye_m[1]);
+        let at_m = vector(view.eye_m) + ray / inverse_depth - DVec3::new(0.5, 0.0, 0.5);
+        let is_drawn = inverse_depth > 0.0 && at_m.abs().max_element() < reach_m;
+        if is_drawn { inverse_depth } else { 0.0 }
+    };
+    InverseDepth { size_px, values: (0..width * height).map(inverse_depth).collect() }
 }
 
 struct Drawn {
     inverse_depth: Vec<f64>,
     thickness: Vec<f64>,
     thickness_px: [usize; 2],
+    /// What is opaque: the floor.
+    scene: InverseDepth,
+    planes: Vec<DVec4>,
     params: SurfaceParams,
     view: FrameView,
 }
@@ -71,6 +103,7 @@ fn draw(size_px: [u32; 2], eye_m: DVec3, positions: &[Position]) -> Drawn {
         absorption_per_m: DVec3::ONE,
         refraction: 1.0,
         photons: 0,
+        self_shadow: false,
     };
     let options = FrameOptions {
         tier: gpu().tier(),
@@ -93,20 +126,40 @@ fn draw(size_px: [u32; 2], eye_m: DVec3, positions: &[Position]) -> Drawn {
     let mut init = passes.init;
     init.upload(&mut buffer, positions);
     let ids = [init.id(), passes.draw.id()];
-    let plan = Plan::sweep(resources, vec![init, passes.draw], &[water.surface.raw.id, water.thickness.eye.id])
-        .expect("a plan");
+    let plan = Plan::sweep(
+        resources,
+        vec![init, passes.draw],
+        &[water.surface.raw.id, water.thickness.eye.id, water.thickness.opaque_planes.id, passes.depth.id],
+    )
+    .expect("a plan");
     let mut engine = Engine::new(&gpu(), plan).expect("an engine");
     engine.run(&ids, &[]).expect("it draws");
     let inverse_depth: Vec<f32> =
         bytemuck::pod_collect_to_vec(&engine.read_texture(&water.surface.raw).expect("the nearest spheres"));
     let halves = engine.read_texture(&water.thickness.eye).expect("thickness");
     let halves = halves.chunks_exact(2).map(|pair| half::f16::from_le_bytes([pair[0], pair[1]]));
+    let FrameValues { view: values, style, .. } = FrameValues::new(&view, &options).expect("values");
+    let size = size_px.map(|side| side as usize);
+    let scene = match options.tier {
+        // Its depth cannot be read back: y = 0.
+        Tier::Floor => floor_depth(&values, size, 4.0 * f64::from(style.floor_fade_m)),
+        _ => {
+            let depth: Vec<f32> =
+                bytemuck::pod_collect_to_vec(&engine.read_texture(&passes.depth).expect("the scene's depth"));
+            let values = depth.into_iter().map(|depth| f64::from(depth) / f64::from(values.near_m));
+            InverseDepth { size_px: size, values: values.collect() }
+        }
+    };
+    let planes: Vec<[f32; 4]> =
+        bytemuck::pod_collect_to_vec(&engine.read_texture(&water.thickness.opaque_planes).expect("planes"));
     Drawn {
+        planes: planes.into_iter().map(|plane| DVec4::from_array(plane.map(f64::from))).collect(),
+        scene,
         inverse_depth: inverse_depth.into_iter().map(f64::from).collect(),
         thickness: halves.map(f64::from).collect(),
         thickness_px: water.thickness.eye.size_px.map(|side| side as usize),
         params: surface.params(),
-        view: FrameValues::new(&view, &options).expect("values").view,
+        view: values,
     }
 }
 
@@ -145,7 +198,29 @@ fn the_nearest_spheres_and_their_thickness_are_their_twins() {
             let (_, off, _) = beyond(&drawn.inverse_depth, &depth_of(&wrong), relative);
             assert!(off as f64 > 0.3 * covered as f64, "spheres a hundredth larger must differ: {off} of {covered}");
 
-            let through = |params: &SurfaceParams| thickness(&centers_m, params, &drawn.view, drawn.thickness_px);
+            // How far points of the fluid lie before the planes, in half spacings.
+            let ahead = |planes: &[DVec4]| -> Vec<f64> {
+                let middle_m = DVec3::new(0.5, 0.1, 0.5) - DVec3::from_array(drawn.view.eye_m.map(f64::from));
+                planes.iter().map(|plane| plane.w - plane.truncate().dot(middle_m)).collect()
+            };
+            let planes_of =
+                |params: &SurfaceParams| opaque_planes(&drawn.scene, params, &drawn.view, drawn.thickness_px);
+            let (_, off, worst) =
+                beyond(&ahead(&drawn.planes), &ahead(&planes_of(&drawn.params)), |_| plane_tolerance());
+            let texels = drawn.planes.len() as f64;
+            println!(
+                "kernel opaque_planes {size_px:?}: {off} of {texels} texels beyond {:.0e}, the others within {worst:.2} of it",
+                plane_tolerance()
+            );
+            assert!(off as f64 <= GRAZING * texels, "{off} of {texels}");
+            let wrong = SurfaceParams { spacing_m: 1.5 * drawn.params.spacing_m, ..drawn.params };
+            let (_, off, _) = beyond(&ahead(&drawn.planes), &ahead(&planes_of(&wrong)), |_| plane_tolerance());
+            assert!(off as f64 > 0.3 * texels, "half spacings half as long again must differ: {off} of {texels}");
+
+            let before = |planes: &[DVec4], params: &SurfaceParams| {
+                thickness(&centers_m, params, &drawn.view, drawn.thickness_px, planes)
+            };
+            let through = |params: &SurfaceParams| before(&drawn.planes, params);
             let expected = through(&drawn.params);
             let most = expected.iter().fold(0.0, |most: f64, t| most.max(*t));
             let (covered, off, worst) = beyond(&drawn.thickness, &expected, |_| THICKNESS_TOLERANCE * most);
@@ -157,6 +232,13 @@ fn the_nearest_spheres_and_their_thickness_are_their_twins() {
             let wrong = SurfaceParams { spacing_m: 1.05 * drawn.params.spacing_m, ..drawn.params };
             let (_, off, _) = beyond(&drawn.thickness, &through(&wrong), |_| THICKNESS_TOLERANCE * most);
             assert!(off as f64 > 0.1 * covered as f64, "a twentieth more spacing must differ: {off} of {covered}");
+            let nothing = vec![DVec4::W; drawn.planes.len()];
+            let (_, off, _) =
+                beyond(&drawn.thickness, &before(&nothing, &drawn.params), |_| THICKNESS_TOLERANCE * most);
+            assert!(
+                off as f64 > 0.03 * covered as f64 || !is_large,
+                "without a floor more would be seen: {off} of {covered}"
+            );
         }
     }
 }

@@ -6,6 +6,7 @@ mod bench;
 mod boundary;
 mod drag;
 mod drawn_caustics;
+mod drawn_sun_volume;
 mod drawn_thickness;
 mod grid;
 mod list;

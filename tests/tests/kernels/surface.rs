@@ -55,6 +55,7 @@ fn options(smoothing: Smoothing, iterations: u32) -> ScreenSpaceOptions {
         absorption_per_m: DVec3::ONE,
         refraction: 1.0,
         photons: 0,
+        self_shadow: false,
     }
 }
 

@@ -59,6 +59,7 @@ fn a_plan_shows_what_each_choice_leaves_out() {
     for (off, on, reason) in [
         ("surface.method=none", "surface.method=screen-space", "surface.method = none"),
         ("surface.caustics=false", "surface.caustics=true", "surface.caustics = false"),
+        ("surface.self_shadow=false", "surface.self_shadow=true", "surface.self_shadow = false"),
         ("surface.anisotropic=false", "surface.anisotropic=true", "surface.anisotropic = false"),
         ("surface.smoothing=none", "surface.smoothing=narrow-range", "surface.smoothing = none"),
         (

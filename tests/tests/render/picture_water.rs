@@ -34,6 +34,7 @@ fn water(smoothing: Smoothing) -> FrameOptions {
         absorption_per_m: DVec3::new(3.0, 0.8, 0.4),
         refraction: 1.0,
         photons: 128,
+        self_shadow: false,
     };
     FrameOptions { surface: SurfaceOptions::ScreenSpace(surface), supersample: 2, ..options() }
 }

@@ -142,6 +142,7 @@ pub const FIELDS: &[Field] = &[
     Field::new("surface.anisotropic", Kind::Switch, REBUILD).term_with("false", "true", WATER),
     Field::new("surface.absorption_per_m", Kind::Vector(within(0.0, 1.0e6, "1/m")), REBUILD),
     Field::new("surface.caustics", Kind::Switch, REBUILD).term_with("false", "true", WATER),
+    Field::new("surface.self_shadow", Kind::Switch, REBUILD).term_with("false", "true", WATER),
     Field::new("surface.refraction", number(0.0, 2.0, ""), REBUILD).slider(0.0, 2.0),
     Field::new("surface.color_by", Kind::Choice(&["speed", "fluid", "density"]), REBUILD),
     Field::new("surface.mesh", Kind::Table, REBUILD),

@@ -118,6 +118,10 @@ pub struct Surface {
     /// otherwise the fluid only casts a tinted shadow. Default: on at the desktop tier, off at the others.
     /// Safe to drop anywhere: it changes the floor's light alone.
     pub caustics: Option<bool>,
+    /// Whether the water shades itself: where the sun reaches it through other water, below a drop or
+    /// behind a column, it and its highlight are darker (Beer-Lambert). Default: on at the desktop tier, off at
+    /// the others. Safe to drop anywhere: it changes the water's own light alone.
+    pub self_shadow: Option<bool>,
     /// How much of water's refraction bends what is seen through it: 0 none, 1 all.
     pub refraction: f64,
     /// What the colours of `points` tell.
@@ -137,6 +141,7 @@ impl Default for Surface {
             anisotropic: true,
             absorption_per_m: None,
             caustics: None,
+            self_shadow: None,
             refraction: 1.0,
             color_by: PointColor::default(),
             mesh: MeshSettings::default(),

@@ -138,6 +138,7 @@ fn the_table_has_every_field() {
             "surface.iterations=3",
             "surface.absorption_per_m=[3, 1, 0.5]",
             "surface.caustics=true",
+            "surface.self_shadow=true",
         ],
     )
     .unwrap();

@@ -45,7 +45,7 @@ impl Draw for DrawFloor<'_> {
             ShadowKeyword::Off => &DRAW_FLOOR_VERTEX,
             ShadowKeyword::PointsShadow => &DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW,
             ShadowKeyword::WaterShadow => &DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW,
-            ShadowKeyword::CausticsShadow => &DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW,
+            ShadowKeyword::CausticsShadow => &DRAW_FLOOR_VERTEX_WITH_CAUSTICS_SHADOW,
         }
     }
     fn fragment(&self) -> Option<&'static Module> {
@@ -83,6 +83,7 @@ pub(super) static MODULES: &[&Module] = &[
     &DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW,
     &DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW,
     &DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW,
+    &DRAW_FLOOR_VERTEX_WITH_CAUSTICS_SHADOW,
     &DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW,
 ];
 
@@ -144,7 +145,7 @@ static DRAW_FLOOR_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "5d2d7d280bd98d66d5c8c14bfcf64a386044f203972e42837c7b810a081ab839",
+    hash: "72b8ee7732248e0f3315b41a990d331bda7fcc0e617bc090a5e9d4cbc4535c70",
 };
 
 static DRAW_FLOOR_FRAGMENT: Module = Module {
@@ -157,7 +158,7 @@ static DRAW_FLOOR_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "b1d8599e708369fcaabdeed2d909852934e58cbcb3750dca6fa01e680574d38d",
+    hash: "949ab5044e77e254a75e8c93a4ca59bc0c274469f05b234f0d6904af6abfd6f0",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW: Module = Module {
@@ -170,7 +171,7 @@ static DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "4b8d045768e824b78b3441fc9c5dc7f55a5881a73b8b9b4944ce4847ae5b5f46",
+    hash: "c82389ff27f36c1a9fbb726bbb3fcbeeb3fd8114179752ceb9e41b99354c203f",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW: Module = Module {
@@ -183,7 +184,7 @@ static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "44013dcaf5d9fe27338fd762d35b20018c855b471aa3769eb16f5f8a491318b5",
+    hash: "04ce8b25b859f5ef82537c4b7ea6233e57a4406ed739282f4db51c2c96d96b5f",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW: Module = Module {
@@ -196,7 +197,7 @@ static DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "347b4766d2812991ba6b8f4639b40beff519ee736548863071e7a2af7f4de8c6",
+    hash: "ea6d797b0e215fccac6e6a39221420f7ed5c3e3fe1fea5b163fa8abd1896ca40",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW: Module = Module {
@@ -209,7 +210,20 @@ static DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "5a65f7cbd41c1d447c484f2a1529eb771c10ecde969bcd61fe1e1fb7165bef40",
+    hash: "4f8a402953a2f7e1d0f3314c6bd11bd2c04467c689edfdfdc8110651ef9601ef",
+};
+
+static DRAW_FLOOR_VERTEX_WITH_CAUSTICS_SHADOW: Module = Module {
+    name: "DrawFloor.vertex+CAUSTICS_SHADOW",
+    entry: "FloorVertex",
+    stage: StageKind::Vertex,
+    spirv: include_bytes!("../../spirv/draw_floor.vertex+caustics_shadow.spv"),
+    bindings: BINDINGS_4,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "frame/floor.hlsl",
+    hash: "788fa1aef36fd1966f00d445f7316e9ce1fd62b0a957e7bc4191f7139b911c97",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW: Module = Module {
@@ -222,5 +236,5 @@ static DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "6a7fb62675b8cf6fe4f95cd127d29d57f7be2fc8d0b428a6486b789bf667542d",
+    hash: "00d90a0f962f3781a8d82e5050c0bd76195aa88fab39eb719d75bdabf3315d07",
 };

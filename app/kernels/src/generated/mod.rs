@@ -38,6 +38,7 @@ mod solver_pbf_correct_positions;
 mod solver_pbf_update_velocity;
 mod surface_anisotropy;
 mod surface_caustics;
+mod surface_count_sun_volume;
 mod surface_fluid_depth;
 mod surface_layout;
 mod surface_mesh_count_bins;
@@ -52,6 +53,7 @@ mod surface_mesh_mark_blocks;
 mod surface_mesh_mesh_depth;
 mod surface_mesh_mesh_normals;
 mod surface_mesh_scatter_bins;
+mod surface_opaque_planes;
 mod surface_refine_count_edges;
 mod surface_refine_count_rings;
 mod surface_refine_finish_subdivision;
@@ -69,6 +71,7 @@ mod surface_smooth_curvature_flow;
 mod surface_smooth_gaussian;
 mod surface_smooth_narrow_range;
 mod surface_smooth_sun_depth;
+mod surface_sum_sun_volume;
 mod surface_sun_depth;
 mod surface_sun_thickness;
 mod surface_surface_normals;
@@ -111,6 +114,7 @@ pub use solver_pbf_correct_positions::*;
 pub use solver_pbf_update_velocity::*;
 pub use surface_anisotropy::*;
 pub use surface_caustics::*;
+pub use surface_count_sun_volume::*;
 pub use surface_fluid_depth::*;
 pub use surface_layout::*;
 pub use surface_mesh_count_bins::*;
@@ -125,6 +129,7 @@ pub use surface_mesh_mark_blocks::*;
 pub use surface_mesh_mesh_depth::*;
 pub use surface_mesh_mesh_normals::*;
 pub use surface_mesh_scatter_bins::*;
+pub use surface_opaque_planes::*;
 pub use surface_refine_count_edges::*;
 pub use surface_refine_count_rings::*;
 pub use surface_refine_finish_subdivision::*;
@@ -142,6 +147,7 @@ pub use surface_smooth_curvature_flow::*;
 pub use surface_smooth_gaussian::*;
 pub use surface_smooth_narrow_range::*;
 pub use surface_smooth_sun_depth::*;
+pub use surface_sum_sun_volume::*;
 pub use surface_sun_depth::*;
 pub use surface_sun_thickness::*;
 pub use surface_surface_normals::*;
@@ -183,6 +189,7 @@ pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
         solver_pbf_update_velocity::MODULES,
         surface_anisotropy::MODULES,
         surface_caustics::MODULES,
+        surface_count_sun_volume::MODULES,
         surface_fluid_depth::MODULES,
         surface_mesh_count_bins::MODULES,
         surface_mesh_count_mesh::MODULES,
@@ -195,6 +202,7 @@ pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
         surface_mesh_mesh_depth::MODULES,
         surface_mesh_mesh_normals::MODULES,
         surface_mesh_scatter_bins::MODULES,
+        surface_opaque_planes::MODULES,
         surface_refine_count_edges::MODULES,
         surface_refine_count_rings::MODULES,
         surface_refine_finish_subdivision::MODULES,
@@ -211,6 +219,7 @@ pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
         surface_smooth_gaussian::MODULES,
         surface_smooth_narrow_range::MODULES,
         surface_smooth_sun_depth::MODULES,
+        surface_sum_sun_volume::MODULES,
         surface_sun_depth::MODULES,
         surface_sun_thickness::MODULES,
         surface_surface_normals::MODULES,

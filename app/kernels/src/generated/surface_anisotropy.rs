@@ -77,5 +77,5 @@ static ANISOTROPY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/anisotropy.compute",
-    hash: "42eddc7dafc304f4d895ebaf8fa867eba98220ed8a32f3e8864590656dab4a11",
+    hash: "1c68420911bf952a6cbe1dfef85c6e34171c163dbb811e883cb4f6756eeac731",
 };

@@ -63,7 +63,7 @@ static DRAW_CAUSTICS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/caustics.hlsl",
-    hash: "43b404caf6031cbb579c7d0e2b48c5c506d408a62dd5eedc62f6c6451333e851",
+    hash: "aa45765c9aa98e1ae9239c42841e87c06066954a7605c3d5ecada4121ccd54db",
 };
 
 static DRAW_CAUSTICS_FRAGMENT: Module = Module {
@@ -76,5 +76,5 @@ static DRAW_CAUSTICS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/caustics.hlsl",
-    hash: "95ceeba2412bed37397432bfe327a1974c979579951324b543ce5bdeee10ce2b",
+    hash: "094ecb9e7039c07e732ab38cc45a3f96c9d3ed930e84bebc98825e831106cb4a",
 };

@@ -112,7 +112,7 @@ static DRAW_FLUID_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "2fe21d4992b46da7799e67d668d83e010746cfddedccda691d994efeca884b15",
+    hash: "75e14affe68cd119fc899ab3601af03d1fb6f7c3974cede70c35d0f65459dec7",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
@@ -125,7 +125,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "d5a20ac61fef337efbd2fdf4af625df78c806ba88eb4a52ff29df33daba16357",
+    hash: "145a4ca3c0e6d3c8fc6e9774b85e6ff96e91b152f9f7aef25b7d05481ed26cb5",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -138,7 +138,7 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "d1adc4117af212f80a1d894edc2b04937a81bd12d81d3aae7d95bb9feb6a6b16",
+    hash: "b210c35d5aa2be2da2849b0147650691eac19661fab946abb22134af54758a73",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -151,7 +151,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "1d7d022e842fc7c28e2b69522d1b94edc17876f3d440ac0d136444472a21623c",
+    hash: "093fa649576d4a82e5fa9708846a879aa5175ef1f5d88c284311b955f1437926",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -164,5 +164,5 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "58344b9fe046c68c30bd9545c2efcdaa31fadc23563fe53b70cb02a147f263bb",
+    hash: "08ca1de61841fa191eb1fc1b37360aa7e1b5e6295493cfbf7e0cc37b3e8e2a0b",
 };

@@ -22,6 +22,9 @@ pub const MOST_STRETCH: f32 = 4.0;
 /// Variances of neighbours count as at least this, over h^2: those of particles in one point.
 pub const LEAST_VARIANCE: f32 = 1.0e-4;
 
+/// A particle's volume in SunVolume's counts: weights are kept to 1/128, and 2^24 particles in one cell fit.
+pub const SUN_VOLUME_UNITS: u32 = 128;
+
 /// What the ellipsoids are made from: the neighbours within `support_m`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
@@ -125,6 +128,27 @@ const _: () = {
     assert!(offset_of!(Photon, path_m) == 8);
     assert!(offset_of!(Photon, share) == 12);
     assert!(size_of::<Photon>() == 16);
+};
+
+/// A grid over the sun's map and along its rays, as many cells along each: how much water is nearer the sun.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+pub struct SunVolumeParams {
+    /// along each side
+    pub cells: u32,
+    /// `float`.
+    pub spacing_m: f32,
+    /// side of a cell across the rays
+    pub cell_m: f32,
+    /// `float`.
+    pub reserved: f32,
+}
+const _: () = {
+    assert!(offset_of!(SunVolumeParams, cells) == 0);
+    assert!(offset_of!(SunVolumeParams, spacing_m) == 4);
+    assert!(offset_of!(SunVolumeParams, cell_m) == 8);
+    assert!(offset_of!(SunVolumeParams, reserved) == 12);
+    assert!(size_of::<SunVolumeParams>() == 16);
 };
 
 /// How the water looks: colours in linear light.

@@ -103,7 +103,7 @@ static COUNT_BINS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/count_bins.compute",
-    hash: "0c965c3bef60bf1b88823188501dd3ab207d366540be62ccf0ab250adbd65b4d",
+    hash: "16fbc65505516b04022f8b297e8198cef7717e1776cbfa6ac1e914f8509384ac",
 };
 
 static COUNT_BINS_WITH_ANISOTROPIC: Module = Module {
@@ -116,5 +116,5 @@ static COUNT_BINS_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/count_bins.compute",
-    hash: "a19a9fc31ce2b9555a9fa9ed9352201eb135bd4832b3aa09da58e017f7f92d1b",
+    hash: "20eded422f9eeb48e9a95a5aec3f484345b9b0f97dbdb11bbc813e39ff3592c2",
 };

@@ -100,7 +100,7 @@ static SCATTER_BINS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/scatter_bins.compute",
-    hash: "045eb14e1f357a0e1b93d25c1f9264154a12fe0a8b266de0a5300f8ea86c06dd",
+    hash: "f5a1e716a86df350e70aca1148f7aae0a99aa8dd719eeff4da1d730b56700836",
 };
 
 static SCATTER_BINS_WITH_ANISOTROPIC: Module = Module {
@@ -113,5 +113,5 @@ static SCATTER_BINS_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/scatter_bins.compute",
-    hash: "28dc32dd47e2dffd0ed7d354957e1ee19b58828e2f9dda51b79baeeb769ef77f",
+    hash: "9e15b8935bb55984509eda7d221dc2b9ca8d636f523264a837dd7b7cec42ccfb",
 };

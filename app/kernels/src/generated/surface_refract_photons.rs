@@ -70,5 +70,5 @@ static REFRACT_PHOTONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refract_photons.compute",
-    hash: "cb8bbb4b984c56caba4132513e7bc6e5bc5dacd2bf8508d4e16a329528eec5af",
+    hash: "f4a7f15baea8784a0959678dc12ac7678d670d9425373d9ae139dfff1bbf001d",
 };

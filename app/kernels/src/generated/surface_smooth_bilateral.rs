@@ -77,7 +77,7 @@ static DRAW_SMOOTH_BILATERAL_VERTEX_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "a38eea46e60453320abf44184f71195c8482aa37cb0c91a0e99cf40af659353d",
+    hash: "fe8ad151ca5afc1a29e7442e06a0b74c31dddcbb3dba2fce8735c45b6bd41c75",
 };
 
 static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_X: Module = Module {
@@ -90,7 +90,7 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "7b89c97a08ecd8e48487bb053dcc2ba0cc78dce2a7c80a370660ba292a424f17",
+    hash: "cc4109bbc8fe9558c2ff0d8e61fe296327b516079dab3cba2c950059acbaf8ca",
 };
 
 static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_Y: Module = Module {
@@ -103,7 +103,7 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "22ed98c26a56dac8395a02f361564f2a4edb0f206aa71cd620aec64f5e848d82",
+    hash: "c5b2e034b95583f1aae2c295c9e1b1113deb522cb0fdae50e601438803b391ff",
 };
 
 static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
@@ -116,5 +116,5 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "f963558c7d6692a1ab4ddec4693a4ab6f62971113e90ac93902ee3b428373b7d",
+    hash: "21cc09667407b6274ac124348da33e9d0a359b94c324c1637b2bc977e6640cc0",
 };

@@ -61,7 +61,7 @@ static DRAW_SMOOTH_CURVATURE_FLOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_curvature_flow.hlsl",
-    hash: "d98bcf7243f2d53eda43917f40468acee8ce13ac68ee9395f20fbb373e925a93",
+    hash: "4561560a47f0e802e29a775a8b8366eb10f50aed7131184d3307df8500e84bcd",
 };
 
 static DRAW_SMOOTH_CURVATURE_FLOW_FRAGMENT: Module = Module {
@@ -74,5 +74,5 @@ static DRAW_SMOOTH_CURVATURE_FLOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_curvature_flow.hlsl",
-    hash: "37555426a8abf753599f9c7df109c1acd163be4f0de07e69bf58410adcae4196",
+    hash: "52a1d374570670a6e888519ca9ed9bc44ce9eeb3b9a3fbed2ca8b7ee077324a2",
 };

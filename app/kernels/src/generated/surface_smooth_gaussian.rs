@@ -74,7 +74,7 @@ static DRAW_SMOOTH_GAUSSIAN_VERTEX_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_gaussian.hlsl",
-    hash: "3c0f62c66bc30283ae206927b74049663c3a5fb7a4f74e9925fd40de973577e1",
+    hash: "817fe7e49eed2f519f88644a19fd1b3da1a841507b89e01d7c0cfd943277bdd1",
 };
 
 static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_X: Module = Module {
@@ -87,7 +87,7 @@ static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_gaussian.hlsl",
-    hash: "d102210eda18b998e5d2fc3ba78e451b9e1cc468c5dea5fa231bfadf970c32a8",
+    hash: "1d06856884734666a6b9624dd20176af9cf475caf677bef3032ee999800e6606",
 };
 
 static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_Y: Module = Module {
@@ -100,5 +100,5 @@ static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_gaussian.hlsl",
-    hash: "8aa69f40ea312ac1237d1123ff5f5417df919301b0603dcd6778923e027d2394",
+    hash: "c8a66d73dd4402ee2eb0e0974665649f908534e0fbc9862abfd1dcf42f456396",
 };

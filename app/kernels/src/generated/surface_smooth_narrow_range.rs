@@ -78,7 +78,7 @@ static DRAW_SMOOTH_NARROW_RANGE_VERTEX_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "7835d1b313bb536843c8813ce06ffc2a6d02f5902e1f6311df026b356455189a",
+    hash: "3a35f697cdb243f1f7fadf30bf0df53eea223e45c673df2d77224f6521dfeed1",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_X: Module = Module {
@@ -91,7 +91,7 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "f48fd23d7921802a9e34820862ad03df899baf71c36d030fd37233d4fa4b02ab",
+    hash: "dff83c437492078fe3709d3c2f65ac08a20d6e702052281a1954d4d4536e9115",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_Y: Module = Module {
@@ -104,7 +104,7 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "b5331d394e123867005f162dea910a5ffae375a6bdfd578c67553c5a9f289d69",
+    hash: "9b3c725598cc2c58b907e2e5cee8a39f3613337559330a52f726d6ebcb0eb6a7",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
@@ -117,5 +117,5 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "46a217df0abfdfe218e8c6c892edf8623978019b2766c48fa5938a60c5c909e6",
+    hash: "94b025848664c3e21df86e321d5af90fe7329b1c3e1c85f3027fdf95ecc711f0",
 };

@@ -12,9 +12,10 @@ pub struct DrawSmoothSunDepthVariant {
     pub along: AlongKeyword,
 }
 
-/// The surface that sunlight meets without the particles' bumps, which would each be a lens: a Gaussian,
-/// one direction a pass, over pairs of opposite texels that lie on one surface. In pairs a plane
-/// stays as it is, however the sun stands to it, up to its edge.
+/// The surface that sunlight meets without the particles' bumps, which would each be a lens: a line
+/// fitted to the texels of one surface in a Gaussian's window, one direction a pass, several times. A
+/// plane stays as it is, up to its edge. A mean of what lies to both sides would smooth nothing there, and
+/// at the outline of a body, which the sun grazes, its particles' bumps would comb the light.
 #[derive(Debug)]
 pub struct DrawSmoothSunDepth<'a> {
     /// Its variant.
@@ -75,7 +76,7 @@ static DRAW_SMOOTH_SUN_DEPTH_VERTEX_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_sun_depth.hlsl",
-    hash: "7c065f0a809cf56038c188407fd053dd5f8f9f12d985231d715a23bb73073a82",
+    hash: "c36367769c444a4b9694d5d247ea4a9e297a54700495e84ec5cbfed72ba9b37e",
 };
 
 static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_X: Module = Module {
@@ -88,7 +89,7 @@ static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_sun_depth.hlsl",
-    hash: "54139b869b9b42f1bfabc29f6a48c69dd225d23cc88d27682e884e1c277b1d95",
+    hash: "7eb44c0877101da526a8c05cadeb9da014882410a7d287abc2ed8f724ca32663",
 };
 
 static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_Y: Module = Module {
@@ -101,5 +102,5 @@ static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_sun_depth.hlsl",
-    hash: "a2addecaa2cd50213619f99ae9f03d57de6588cc2781407ab085759798079659",
+    hash: "227f61d6e50bf5f92a872be1e02bce8a2fbd626d6fb9f89a2eba1a7e1f994179",
 };

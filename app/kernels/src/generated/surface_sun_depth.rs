@@ -114,7 +114,7 @@ static DRAW_SUN_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "14ceb5b5213188aca6306d14de3c42b21fbfc78df2985851745ac1c13c4b0a00",
+    hash: "a68e65869ff871e55981b1dad21f0187e2f1164bda48f1926a1860f8a3b59506",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
@@ -127,7 +127,7 @@ static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "d47a72b687616cf867501fa693be8c2b19ce3d4bbdaffeabcbbc62f9b5299d7d",
+    hash: "be3ae6151596409ada6c4199a79e6e0d955c2a2e3c8f5f1230fb6f394ae9e609",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -140,7 +140,7 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "dafb8e6d943b29792bbf4c9c75014357f0bfb73664773192e543ccdd464075e8",
+    hash: "10afd35e743b6d4e4beeaab1e46452e0d3f5e778b75f6b5b5607ee95f2ad2770",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -153,7 +153,7 @@ static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "37145edbbe1e8cb38dd5186d5f0c523e9337fc214d7cf385fd1ce983d5510ccf",
+    hash: "0566c81b59904129471601d89f4a926c231f5632022708fede702c23c9f9687b",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -166,5 +166,5 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "5e52fd7f7bc23ef9e340b299edbda5118267bd63d417720fefac50b773f11343",
+    hash: "778999c76ab4c5954004ae62366d6638289aade8bb48f27fc1ff16f97c610a24",
 };

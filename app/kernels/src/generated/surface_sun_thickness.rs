@@ -85,7 +85,7 @@ static DRAW_SUN_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "513d78de638f0f6b40a61c447701b3eb80f30653b154fe532b5089141ef11c10",
+    hash: "a15aea585d0d2d88da7c3cbb239f2df7499851f091eb464204302370362c130d",
 };
 
 static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
@@ -98,7 +98,7 @@ static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "b782c7d9b7bfc93d24a26d6c46a6835cb10942783b11e33a82e59bf7b0a8eff7",
+    hash: "d7f719e6c0f0afc1d15a6499c72a03989e7c50496059ca835a4bc787ce83d57b",
 };
 
 static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -111,5 +111,5 @@ static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "6980cf71bee5a736a44c5f7d1bb72590a02c7ae6cb6fa1c8a19899a6b11cb064",
+    hash: "6edef7fc0670c60f7b29b77345ac84007cd8c51d94292c7682a16e164b2f5fd6",
 };

@@ -58,7 +58,7 @@ static DRAW_SURFACE_NORMALS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/surface_normals.hlsl",
-    hash: "6b799ebd9af8619c7fca320207617892e92f6fb982c1436e9b3954e6702249c1",
+    hash: "833c652a392333397b6470a7d00832d2c1c79c2c14c485bde00ae2d2b23e8bb8",
 };
 
 static DRAW_SURFACE_NORMALS_FRAGMENT: Module = Module {
@@ -71,5 +71,5 @@ static DRAW_SURFACE_NORMALS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/surface_normals.hlsl",
-    hash: "f5c61ae92f342e8334059928ca76c235d931b0c8f8d46951936321ecda8ea56a",
+    hash: "82b04f590d1455a7d4641427130a6c3c6f507e59ae6f6e381b79acae0a13dcb1",
 };

@@ -4,7 +4,7 @@
 
 use super::{Ellipsoid, FrameView, Position, SurfaceParams};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, Draw, Module, StageKind, Tier, Uniform, bind_draw,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, Draw, Module, StageKind, Tex, Tier, Uniform, bind_draw,
 };
 
 /// Which variant of [`DrawThickness`] runs.
@@ -26,6 +26,8 @@ pub struct DrawThickness<'a> {
     pub view: Uniform<'a, FrameView>,
     /// `ConstantBuffer<SurfaceParams> surface`.
     pub surface: Uniform<'a, SurfaceParams>,
+    /// `Texture2D<float4> opaque_planes`.
+    pub opaque_planes: Tex<'a>,
     /// `StructuredBuffer<Ellipsoid> ellipsoids`.
     pub ellipsoids: Option<Buf<'a, Ellipsoid>>,
 }
@@ -51,6 +53,7 @@ impl Draw for DrawThickness<'_> {
                 ("positions", self.positions.as_ref().map(|bound| bound.id)),
                 ("view", Some(self.view.id)),
                 ("surface", Some(self.surface.id)),
+                ("opaque_planes", Some(self.opaque_planes.id)),
                 ("ellipsoids", self.ellipsoids.as_ref().map(|bound| bound.id)),
             ],
         )
@@ -67,8 +70,10 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "surface", slot: 2, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
-static BINDINGS_1: &[BindingInfo] =
-    &[BindingInfo { name: "surface", slot: 2, kind: BindingKind::Uniform { bytes: 64 } }];
+static BINDINGS_1: &[BindingInfo] = &[
+    BindingInfo { name: "surface", slot: 2, kind: BindingKind::Uniform { bytes: 64 } },
+    BindingInfo { name: "opaque_planes", slot: 3, kind: BindingKind::Texture { filterable: false } },
+];
 
 static BINDINGS_2: &[BindingInfo] = &[
     BindingInfo { name: "ellipsoids", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 32 } },
@@ -86,7 +91,7 @@ static DRAW_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "23d5eca475e65d73b649e23417723b6b07428966ed9bc678d3552fd21217f474",
+    hash: "142450b0fa2ba1fb0f0f715584d7b9762e6a9e5c1aa8101a49063119d64d1b69",
 };
 
 static DRAW_THICKNESS_FRAGMENT: Module = Module {
@@ -99,7 +104,7 @@ static DRAW_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "b9e25791286cd3c03114530b024a658accec8baa8ee69e06d9f8d8829952feb0",
+    hash: "4dafcb234c7afde3f0e12a9c4be83e755f9f6263ee1beadc60e29bdbcd3fc360",
 };
 
 static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -112,5 +117,5 @@ static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "08528c4d736416b9c9f2ad44926144c6ac0c0b9e0cd50b1e3df1f175d5d38f38",
+    hash: "050a46dde8dc7c2cef1fb35d76a06433d6fa07bef33aca2adbef7b6b5462baef",
 };

@@ -4,7 +4,7 @@ use super::refract_photons::Photon;
 use brooklet_kernels::{FrameLight, SurfaceParams, WaterStyle};
 use glam::{DVec2, DVec3};
 
-/// Neighbours that land so many cells apart came through another surface.
+/// Neighbours that land more cells apart came through another surface; no tent is longer.
 const MOST_APART: f64 = 4.0;
 /// A tent is no narrower than so many texels.
 const LEAST_TEXELS: f64 = 1.0;
@@ -38,22 +38,26 @@ pub fn caustics(photons: &[Photon], params: &SurfaceParams, light: &FrameLight, 
     map
 }
 
-/// The parallelogram that a photon and its neighbours make where they land, as wide as `least`.
+/// The parallelogram that a photon and its neighbours make where they land, at least as wide as `least`.
 fn footprint(photons: &[Photon], side: i64, at: (i64, i64), least: f64) -> [DVec2; 2] {
     let spacing = 1.0 / side as f64;
     let here = photons[(at.1 * side + at.0) as usize];
     let landed = |dx: i64, dy: i64| {
         let (x, y) = (at.0 + dx, at.1 + dy);
         let inside = x >= 0 && y >= 0 && x < side && y < side;
-        inside
-            .then(|| photons[(y * side + x) as usize])
-            .filter(|there| there.share > 0.0 && (there.uv - here.uv).length() < MOST_APART * spacing)
+        let there = inside.then(|| photons[(y * side + x) as usize]).filter(|there| there.share > 0.0);
+        there.map(|there| there.uv - here.uv)
     };
-    let offset = |dx: i64, dy: i64| match (landed(-dx, -dy), landed(dx, dy)) {
-        (Some(before), Some(after)) => 0.5 * (after.uv - before.uv),
-        (Some(before), None) => here.uv - before.uv,
-        (None, Some(after)) => after.uv - here.uv,
-        (None, None) => DVec2::new(dx as f64, dy as f64) * spacing,
+    let most = MOST_APART * spacing;
+    let offset = |dx: i64, dy: i64| {
+        let (before, after) = (landed(-dx, -dy).map(|apart| -apart), landed(dx, dy));
+        let apart = match (before, after) {
+            (Some(before), Some(after)) if before.length().max(after.length()) < most => 0.5 * (before + after),
+            (Some(before), Some(after)) if before.length() < after.length() => before,
+            (_, Some(one)) | (Some(one), None) => one,
+            (None, None) => DVec2::new(dx as f64, dy as f64) * spacing,
+        };
+        apart.clamp_length_max(most)
     };
     let (along_u, along_v) = (offset(1, 0), offset(0, 1));
     let axis = along_u.normalize_or(DVec2::X);

@@ -21,6 +21,7 @@ pub mod smooth_sun_depth;
 pub mod subdivide;
 pub mod sun_depth;
 pub mod sun_map;
+pub mod sun_volume;
 pub mod surface_field;
 pub mod surface_normals;
 pub mod thickness;

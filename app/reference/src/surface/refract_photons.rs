@@ -1,6 +1,6 @@
 //! Photons bent by the water's surface, and carried to the floor.
 
-use super::sun_map::{SunMap, photon_spacing_m, rows, shadow_position, world_from_shadow};
+use super::sun_map::{SunMap, entry_at, photon_spacing_m, rows, shadow_position, world_from_shadow};
 use super::surface_normals::slope;
 use brooklet_kernels::{FrameLight, SurfaceParams};
 use glam::{DVec2, DVec3};
@@ -14,9 +14,10 @@ const WHOLE_WAY: f64 = 1.25;
 /// Water less than so many spacings thick has no surface to trust, and more than so many has.
 const THIN: f64 = 1.5;
 const THICK: f64 = 6.0;
-/// A surface so near a wall of the tank, over the spacing, and so nearly along it, is the wall.
-const AT_WALL: f64 = 1.0;
-const ALONG_WALL: f64 = 0.6;
+/// Share of a surface around a point of it above which it bends light, and from which it does so wholly.
+const OUTLINE: f64 = 0.6;
+const INSIDE: f64 = 1.0;
+const BINOMIAL: [f64; 5] = [1.0, 4.0, 6.0, 4.0, 1.0];
 /// No photon runs flatter than this.
 const LEAST_FALL: f64 = 0.05;
 
@@ -49,10 +50,16 @@ pub fn refract_photons(
         }
         let mut from_m = world_from_shadow(light, uv.extend(here));
         from_m.y = from_m.y.max(0.0);
-        let normal = flat_at_wall(from_m, normal_toward_sun(sun_depth, params, light, x, y), params);
         let spacings = even_thickness(sun_thickness, uv, params, light);
-        let thick = ((spacings - THIN) / (THICK - THIN)).clamp(0.0, 1.0);
-        let bends = thick * thick * (3.0 - 2.0 * thick);
+        let entry = entry_at(params, light, x, y);
+        let (normal, bends) = match entry.is_wall(here) {
+            true => (entry.outward, 1.0),
+            false => {
+                let around = surface_around(sun_depth, params, light, x, y);
+                let bends = smooth_step(THIN, THICK, spacings) * smooth_step(OUTLINE, INSIDE, around);
+                (normal_toward_sun(sun_depth, params, light, x, y), bends)
+            }
+        };
         let bent = refract(-to_sun, normal, AIR_OVER_WATER).unwrap_or(-normal);
         let bent = (-to_sun).lerp(bent, bends).normalize();
         let fall = (-bent.y).max(LEAST_FALL);
@@ -71,26 +78,18 @@ pub fn refract_photons(
     sun_depth.texels().map(photon).collect()
 }
 
-/// Unit normal of the surface toward the sun.
+/// Unit normal toward the sun of a surface that is no wall. A wall ends the surface that meets it.
 fn normal_toward_sun(sun_depth: &SunMap, params: &SurfaceParams, light: &FrameLight, x: i64, y: i64) -> DVec3 {
-    let same = (f64::from(params.range_m) + photon_spacing_m(params, light)) / f64::from(light.shadow_range_m);
     let here = sun_depth.at(x, y);
-    let along_u = slope(sun_depth.at(x - 1, y), here, sun_depth.at(x + 1, y), same);
-    let along_v = slope(sun_depth.at(x, y - 1), here, sun_depth.at(x, y + 1), same);
+    let same = (f64::from(params.range_m) + photon_spacing_m(params, light)) / f64::from(light.shadow_range_m);
+    let free = |x: i64, y: i64| {
+        let there = sun_depth.at(x, y);
+        if entry_at(params, light, x, y).is_wall(there) { 0.0 } else { there }
+    };
+    let along_u = slope(free(x - 1, y), here, free(x + 1, y), same);
+    let along_v = slope(free(x, y - 1), here, free(x, y + 1), same);
     let [u, v, depth] = rows(light).map(|(row, _)| row);
     (depth - f64::from(params.photons) * (along_u * u + along_v * v)).normalize()
-}
-
-/// The wall is flat, whatever dimples particles leave in it.
-fn flat_at_wall(at_m: DVec3, normal: DVec3, params: &SurfaceParams) -> DVec3 {
-    for axis in [0, 2] {
-        let wall_m = if normal[axis] > 0.0 { params.wall_max_m[axis] } else { params.wall_min_m[axis] };
-        let is_near = (f64::from(wall_m) - at_m[axis]).abs() < AT_WALL * f64::from(params.spacing_m);
-        if normal[axis].abs() > ALONG_WALL && is_near {
-            return DVec3::AXES[axis] * normal[axis].signum();
-        }
-    }
-    normal
 }
 
 /// Snell's law; `None` where everything is reflected. `ratio` is the index before over the one behind.
@@ -100,14 +99,32 @@ pub fn refract(direction: DVec3, normal: DVec3, ratio: f64) -> Option<DVec3> {
     (squared >= 0.0).then(|| ratio * direction + (ratio * cosine - squared.sqrt()) * normal)
 }
 
+fn smooth_step(from: f64, to: f64, x: f64) -> f64 {
+    let t = ((x - from) / (to - from)).clamp(0.0, 1.0);
+    t * t * (3.0 - 2.0 * t)
+}
+
+/// How much of what is around a cell, two spacings to each side, is not far below it.
+fn surface_around(sun_depth: &SunMap, params: &SurfaceParams, light: &FrameLight, x: i64, y: i64) -> f64 {
+    let photon_m = photon_spacing_m(params, light);
+    let apart = (f64::from(params.spacing_m) / photon_m).round().max(1.0) as i64;
+    let taps = (0..25i64).map(|i| (i % 5, i / 5)).filter(|&(i, j)| {
+        let [across, down] = [i, j].map(|at| apart * (at - 2));
+        let range_m = f64::from(params.range_m) + 2.0 * photon_m * across.abs().max(down.abs()) as f64;
+        let least = sun_depth.at(x, y) - range_m / f64::from(light.shadow_range_m);
+        sun_depth.at(x + across, y + down) > least.max(0.0)
+    });
+    taps.map(|(i, j)| BINOMIAL[i as usize] * BINOMIAL[j as usize]).sum::<f64>() / 256.0
+}
+
 /// Thickness without the pattern of the particles.
 fn even_thickness(sun_thickness: &SunMap, uv: DVec2, params: &SurfaceParams, light: &FrameLight) -> f64 {
     let texel = 1.0 / f64::from(light.shadow_texels);
-    let step = (0.5 * f64::from(params.spacing_m) / f64::from(light.shadow_texel_m)).round().max(1.0) * texel;
-    let taps = (0..9).map(|i| (f64::from(i % 3 - 1), f64::from(i / 3 - 1)));
+    let step = (0.75 * f64::from(params.spacing_m) / f64::from(light.shadow_texel_m)).round().max(1.0) * texel;
+    let taps = (0..25).map(|i| (i % 5, i / 5));
     let weighed = taps.map(|(x, y)| {
-        let weight = (2.0 - x.abs()) * (2.0 - y.abs());
-        weight * sun_thickness.bilinear(uv.x + step * x, uv.y + step * y)
+        let weight = BINOMIAL[x] * BINOMIAL[y];
+        weight * sun_thickness.bilinear(uv.x + step * (x as f64 - 2.0), uv.y + step * (y as f64 - 2.0))
     });
-    weighed.sum::<f64>() / 16.0
+    weighed.sum::<f64>() / 256.0
 }

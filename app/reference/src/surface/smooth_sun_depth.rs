@@ -1,6 +1,6 @@
 //! The surface that sunlight meets, without the particles' bumps.
 
-use super::sun_map::{SunMap, photon_spacing_m};
+use super::sun_map::{SunMap, entry_at, photon_spacing_m};
 use super::{Along, middle_weight, spatial_weight};
 use brooklet_kernels::{FrameLight, SurfaceParams};
 
@@ -15,17 +15,26 @@ pub fn smooth_sun_depth(from: &SunMap, params: &SurfaceParams, light: &FrameLigh
         if here <= 0.0 {
             return 0.0;
         }
-        let (mut sum, mut weights) = (middle_weight() * here, middle_weight());
-        for i in 1..=reach as i64 {
-            let (before, after) = (from.at(x - i * dx, y - i * dy), from.at(x + i * dx, y + i * dy));
-            let range = (f64::from(params.range_m) + 2.0 * i as f64 * spacing_m) / f64::from(light.shadow_range_m);
-            if before.min(after) > 0.0 && (before - here).abs().max((after - here).abs()) < range {
-                let weight = spatial_weight((i * i) as f64, reach);
-                sum += weight * (before + after);
-                weights += 2.0 * weight;
+        let entry = entry_at(params, light, x, y);
+        if entry.is_wall(here) {
+            return entry.depth;
+        }
+        // Least squares: sums of w, w i, w i^2, and of w and w i times what is above `here`.
+        let (mut weights, mut above) = ([middle_weight(), 0.0, 0.0], [0.0; 2]);
+        for i in (-(reach as i64)..=reach as i64).filter(|&i| i != 0) {
+            let (x, y) = (x + i * dx, y + i * dy);
+            let there = from.at(x, y);
+            let range_m = f64::from(params.range_m) + 2.0 * i.abs() as f64 * spacing_m;
+            let is_same = there > 0.0 && (there - here).abs() < range_m / f64::from(light.shadow_range_m);
+            if is_same && !entry_at(params, light, x, y).is_wall(there) {
+                let (weight, i) = (spatial_weight((i * i) as f64, reach), i as f64);
+                weights = [weights[0] + weight, weights[1] + weight * i, weights[2] + weight * i * i];
+                above = [above[0] + weight * (there - here), above[1] + weight * i * (there - here)];
             }
         }
-        sum / weights
+        let spread = weights[0] * weights[2] - weights[1] * weights[1];
+        let fit = if spread > 0.0 { (above[0] * weights[2] - above[1] * weights[1]) / spread } else { 0.0 };
+        (here + fit).min(entry.depth)
     };
     SunMap { side: from.side, values: from.texels().map(|(x, y)| smoothed(x, y)).collect() }
 }

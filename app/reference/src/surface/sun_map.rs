@@ -3,6 +3,9 @@
 use brooklet_kernels::{FrameLight, SurfaceParams};
 use glam::{DVec3, DVec4};
 
+/// Surfaces within so many spacings of a wall are the wall.
+const AT_WALL: f64 = 0.5;
+
 /// Numbers over the sun's map: rows from the top, as many as columns.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SunMap {
@@ -59,4 +62,38 @@ pub fn world_from_shadow(light: &FrameLight, at: DVec3) -> DVec3 {
 /// Distance between two photons of the grid, m.
 pub(crate) fn photon_spacing_m(params: &SurfaceParams, light: &FrameLight) -> f64 {
     f64::from(light.shadow_texel_m) * f64::from(light.shadow_texels) / f64::from(params.photons)
+}
+
+/// Where a ray of the sun enters the box of the walls.
+pub(crate) struct Entry {
+    /// Shadow depth there.
+    pub depth: f64,
+    /// Outward normal of the wall.
+    pub outward: DVec3,
+    /// What lies so much deeper, or less, is the wall.
+    wall_depth: f64,
+}
+
+impl Entry {
+    /// Whether a surface at this shadow depth is the wall's own.
+    pub fn is_wall(&self, depth: f64) -> bool {
+        depth > self.depth - self.wall_depth
+    }
+}
+
+/// The entry of the ray through a cell of the photons' grid. (Shader: `EntryAt`.)
+pub(crate) fn entry_at(params: &SurfaceParams, light: &FrameLight, x: i64, y: i64) -> Entry {
+    let side = f64::from(params.photons);
+    let vector = |v: [f32; 3]| DVec3::from_array(v.map(f64::from));
+    let to_sun = vector(light.to_sun);
+    let from_m = world_from_shadow(light, DVec3::new((x as f64 + 0.5) / side, (y as f64 + 0.5) / side, 0.0));
+    let high_m = ((vector(params.wall_min_m) - from_m) / to_sun).max((vector(params.wall_max_m) - from_m) / to_sun);
+    let along_m = high_m.min_element();
+    let axis = (0..3).find(|&axis| high_m[axis] == along_m).unwrap_or(1);
+    let range_m = f64::from(light.shadow_range_m);
+    Entry {
+        depth: along_m / range_m,
+        outward: DVec3::AXES[axis] * to_sun[axis].signum(),
+        wall_depth: AT_WALL * f64::from(params.spacing_m) / (to_sun[axis].abs() * range_m),
+    }
 }

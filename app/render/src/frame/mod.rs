@@ -11,10 +11,10 @@ pub use uniforms::{FrameUniforms, FrameValues};
 use brooklet_gpu::{Blend, DepthTest, DrawState, Load, Recording, Resources, Targets};
 use brooklet_kernels::{
     Buffer, DrawEdges, DrawEdgesVariant, DrawFloor, DrawFloorVariant, DrawResolve, DrawResolveVariant, DrawSky, Format,
-    ShadowKeyword, SurfaceParams, Texture, WaterKeyword, WaterStyle,
+    FrameLight, ShadowKeyword, SurfaceParams, Texture, WaterKeyword, WaterStyle,
 };
 
-use crate::surface::screen_space::{self, Caustics, SeenBy, Shapes, Sunlit, Thickness, Water};
+use crate::surface::screen_space::{self, Caustics, Shapes, SunVolume, Sunlit, Thickness, Water, sun_volume};
 use crate::surface::{MarchingCubesOptions, Particles, ScreenSpaceOptions, SmoothedSurface, SurfaceOptions, points};
 use crate::{RenderError, View};
 
@@ -46,6 +46,8 @@ pub struct WaterPasses {
     pub thickness: Thickness,
     /// Sunlight on the floor, where it is carried there photon by photon.
     pub caustics: Option<Caustics>,
+    /// How much water is nearer the sun, where the water shades itself.
+    pub sun_volume: Option<SunVolume>,
 }
 
 /// Records how particles are drawn.
@@ -78,7 +80,7 @@ pub fn record(
     let depth = resources.texture("depth", options.depth_format(), drawn_px);
     let color = resources.texture("picture", Format::Rgba8Unorm, view.size_px);
     let mut draw = resources.recording("draw");
-    let mut frame = Frame { resources, recording: &mut draw, uniforms: &uniforms, options };
+    let mut frame = Frame { resources, recording: &mut draw, uniforms: &uniforms, options, light: values.light };
     let onto = (&radiance, &depth);
     let water = match &options.surface {
         SurfaceOptions::None => {
@@ -118,6 +120,7 @@ struct Frame<'a> {
     recording: &'a mut Recording,
     uniforms: &'a FrameUniforms,
     options: &'a FrameOptions,
+    light: FrameLight,
 }
 
 impl Frame<'_> {
@@ -233,30 +236,32 @@ impl Frame<'_> {
         let mut style = self.resources.persistent("water_style", 1);
         init.upload(&mut style, &[options.water()]);
         let shapes = Shapes::new(particles, surface.ellipsoids.as_ref());
-        let seen_by = SeenBy {
-            view: &uniforms.view,
-            size_px: view.size_px.map(|side| side.div_ceil(options.thickness_divisor)),
-            light: &uniforms.light,
-            sun_texels: self.options.shadow_texels,
-        };
-        let thickness =
-            screen_space::record_thickness(self.resources, self.recording, &shapes, &surface.params, &seen_by);
-        let sunlit =
-            Sunlit { light: &uniforms.light, params: &surface.params, water: &style, sun_thickness: &thickness.sun };
+        let sun = (&uniforms.light, self.options.shadow_texels);
+        let sun = screen_space::record_sun_thickness(self.resources, self.recording, &shapes, &surface.params, sun);
+        let sunlit = Sunlit { light: &uniforms.light, params: &surface.params, water: &style, sun_thickness: &sun };
         let grid = (options.photons, tier);
         let caustics = (options.photons > 0)
             .then(|| screen_space::record_caustics(self.resources, self.recording, &shapes, &sunlit, grid));
         let shadow = match &caustics {
             Some(caustics) => ShadowOf::Caustics { caustics, surface: &surface.params },
-            None => ShadowOf::Water { sun_thickness: &thickness.sun, surface: &surface.params, water: &style },
+            None => ShadowOf::Water { sun_thickness: &sun, surface: &surface.params, water: &style },
         };
         self.surroundings((radiance, depth), shadow, false);
         self.edges(radiance, Some(depth), Some((WaterKeyword::BehindWater, &surface.inverse_depth)));
-        let water = Water { surface: &surface, thickness: &thickness.eye, style: &style };
+        let size_px = view.size_px.map(|side| side.div_ceil(options.thickness_divisor));
+        let looks = (&uniforms.view, depth, size_px);
+        let (eye, opaque_planes) =
+            screen_space::record_thickness(self.resources, self.recording, &shapes, &surface.params, looks);
+        let volume = options.self_shadow.then(|| {
+            let values = sun_volume::params(options.spacing_m, &self.light);
+            let into = (&mut *init, &mut *self.recording);
+            sun_volume::record(self.resources, into, particles, &uniforms.light, values)
+        });
+        let water = Water { surface: &surface, thickness: &eye, style: &style, sun_volume: volume.as_ref() };
         let seen = screen_space::record_water(self.resources, self.recording, uniforms, &water, (radiance, depth));
         self.edges(&seen, None, Some((WaterKeyword::BeforeWater, &surface.inverse_depth)));
         self.resolve(radiance, None, Some(&seen), color);
-        WaterPasses { surface, thickness, caustics }
+        WaterPasses { surface, thickness: Thickness { eye, opaque_planes, sun }, caustics, sun_volume: volume }
     }
 }
 

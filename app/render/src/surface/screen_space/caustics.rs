@@ -10,6 +10,7 @@ use brooklet_kernels::{
     DrawSunDepthVariant, Format, FrameLight, Photon, RefractPhotons, SurfaceParams, Texture, Tier, WaterStyle,
 };
 
+use super::options::SUN_SMOOTHINGS;
 use super::{ON_FLUID, Shapes, depth_format};
 
 /// The light that the sun's map brings to the floor, and what it was made from.
@@ -63,17 +64,19 @@ pub(crate) fn record(
         &Targets { color: vec![(&raw, Load::Clear([0.0; 4]))], depth: Some((&covered, Load::Clear(0.0))) },
         DrawState { depth_test: DepthTest::Greater, depth_write: true, ..DrawState::default() },
     );
-    for (along, from, to) in
-        [(AlongKeyword::AlongX, &raw, &half_smoothed), (AlongKeyword::AlongY, &half_smoothed, &smoothed)]
-    {
-        let variant = DrawSmoothSunDepthVariant { along };
-        recording.draw(
-            &DrawSmoothSunDepth { variant, sun_depth: from.read(), light, surface },
-            &Targets { color: vec![(to, Load::Clear([0.0; 4]))], depth: Some((&covered, Load::Keep)) },
-            ON_FLUID,
-            3,
-            1,
-        );
+    let mut from = &raw;
+    for _ in 0..SUN_SMOOTHINGS {
+        for (along, to) in [(AlongKeyword::AlongX, &half_smoothed), (AlongKeyword::AlongY, &smoothed)] {
+            let variant = DrawSmoothSunDepthVariant { along };
+            recording.draw(
+                &DrawSmoothSunDepth { variant, sun_depth: from.read(), light, surface },
+                &Targets { color: vec![(to, Load::Clear([0.0; 4]))], depth: Some((&covered, Load::Keep)) },
+                ON_FLUID,
+                3,
+                1,
+            );
+            from = to;
+        }
     }
     let count = photons * photons;
     let mut bent = resources.buffer("photons", count);

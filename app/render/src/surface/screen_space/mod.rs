@@ -9,6 +9,7 @@ mod caustics;
 mod options;
 mod shapes;
 mod smoothing;
+pub mod sun_volume;
 mod thickness;
 mod water;
 
@@ -24,8 +25,9 @@ pub use caustics::Caustics;
 pub(crate) use caustics::{Sunlit, record as record_caustics};
 pub use options::ScreenSpaceOptions;
 pub(crate) use shapes::Shapes;
+pub use sun_volume::SunVolume;
 pub use thickness::Thickness;
-pub(crate) use thickness::{SeenBy, record as record_thickness};
+pub(crate) use thickness::{record as record_thickness, record_sun as record_sun_thickness};
 pub(crate) use water::{Water, record as record_water};
 
 /// The surface as the eye sees it.

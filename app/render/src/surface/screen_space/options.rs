@@ -42,6 +42,8 @@ pub struct ScreenSpaceOptions {
     /// Photons a side of the grid over the sun's map that make caustics on the floor, up to 1024; 0 casts a
     /// tinted shadow instead, and no pass, buffer or code of caustics is there.
     pub photons: u32,
+    /// Whether the water shades itself: sunlight that it meets through other water is the weaker.
+    pub self_shadow: bool,
 }
 
 /// A particle's volume is spread as thickness over a disc of so many spacings.
@@ -59,7 +61,10 @@ const SCATTER: f64 = 1.8;
 const ROUGHNESS: f32 = 0.18;
 /// A photon then lights two texels a side of a shadow map of 512.
 const PHOTONS: u32 = 256;
-/// The surface that sunlight meets is smoothed over so many spacings: a bump of a particle is a lens, too.
+/// How often the surface that sunlight meets is smoothed, and over how many spacings in all (two standard deviations): a
+/// bump of a particle is a lens, too. Where it ends a pass along one direction leaves the columns or rows uneven among
+/// themselves, and the next evens that out.
+pub(super) const SUN_SMOOTHINGS: u32 = 3;
 const SUN_SMOOTHING_RATIO: f64 = 4.0;
 
 impl ScreenSpaceOptions {
@@ -84,6 +89,7 @@ impl ScreenSpaceOptions {
             absorption_per_m: surface.absorption_per_m.map_or(ABSORPTION / size_m.length(), DVec3::from),
             refraction: surface.refraction,
             photons: if surface.caustics.unwrap_or(tier == Tier::Desktop) { PHOTONS } else { 0 },
+            self_shadow: surface.self_shadow.unwrap_or(tier == Tier::Desktop),
         }
     }
 
@@ -144,7 +150,7 @@ impl ScreenSpaceOptions {
             clamp_m: self.clamp_m as f32,
             flow_m2: (self.smoothing_m * self.smoothing_m / (8.0 * f64::from(self.iterations.max(1)))) as f32,
             photons: self.photons as f32,
-            sun_smoothing_m: (SUN_SMOOTHING_RATIO * self.spacing_m) as f32,
+            sun_smoothing_m: (SUN_SMOOTHING_RATIO / f64::from(SUN_SMOOTHINGS).sqrt() * self.spacing_m) as f32,
         }
     }
 

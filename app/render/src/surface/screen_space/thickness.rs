@@ -2,8 +2,8 @@
 
 use brooklet_gpu::{Blend, DrawState, Load, Recording, Resources, Targets};
 use brooklet_kernels::{
-    Buffer, DrawSunThickness, DrawSunThicknessVariant, DrawThickness, DrawThicknessVariant, Format, FrameLight,
-    FrameView, SurfaceParams, Texture,
+    Buffer, DrawOpaquePlanes, DrawSunThickness, DrawSunThicknessVariant, DrawThickness, DrawThicknessVariant, Format,
+    FrameLight, FrameView, SurfaceParams, Texture,
 };
 
 use super::Shapes;
@@ -11,46 +11,63 @@ use super::Shapes;
 /// How much fluid the eye and the sun look through, in spacings.
 #[derive(Debug)]
 pub struct Thickness {
-    /// In the picture, at `thickness_divisor` pixels a texel; `R16Float`.
+    /// In the picture before what is opaque, at `thickness_divisor` pixels a texel; `R16Float`.
     pub eye: Texture,
+    /// The planes that touch what is opaque, in the same texels; `Rgba32Float` (shader: `surface/opaque_planes.hlsl`).
+    pub opaque_planes: Texture,
     /// In the sun's map; `R16Float`.
     pub sun: Texture,
 }
 
-/// From where thickness is looked at, and how finely.
-pub(crate) struct SeenBy<'a> {
-    pub view: &'a Buffer<FrameView>,
-    pub size_px: [u32; 2],
-    pub light: &'a Buffer<FrameLight>,
-    pub sun_texels: u32,
-}
-
-/// Records both. `R16Float` blends and filters on every tier.
+/// Records what the eye looks through in `size_px` texels, with the scene's depth in its picture, and the planes that cut
+/// it. `R16Float` blends and filters on every tier.
 pub(crate) fn record(
     resources: &mut Resources,
     recording: &mut Recording,
     shapes: &Shapes<'_>,
     params: &Buffer<SurfaceParams>,
-    seen_by: &SeenBy<'_>,
-) -> Thickness {
+    (view, scene_depth, size_px): (&Buffer<FrameView>, &Texture, [u32; 2]),
+) -> (Texture, Texture) {
     let (positions, ellipsoids, surface) = (shapes.positions(), shapes.ellipsoids(), params.uniform());
-    let add = DrawState { blend: Blend::Additive, ..DrawState::default() };
-    let ellipsoid_centers = ellipsoids.is_some();
-    let eye = resources.texture("thickness", Format::R16Float, seen_by.size_px);
-    let variant = DrawThicknessVariant { ellipsoid_centers };
+    let planes = resources.texture("opaque_planes", Format::Rgba32Float, size_px);
+    recording.draw(
+        &DrawOpaquePlanes { scene_depth: scene_depth.read(), view: view.uniform(), surface },
+        &Targets { color: vec![(&planes, Load::Clear([0.0; 4]))], depth: None },
+        DrawState::default(),
+        3,
+        1,
+    );
+    let eye = resources.texture("thickness", Format::R16Float, size_px);
+    let variant = DrawThicknessVariant { ellipsoid_centers: ellipsoids.is_some() };
     shapes.slots().draw(
         recording,
-        &DrawThickness { variant, positions, ellipsoids, view: seen_by.view.uniform(), surface },
+        &DrawThickness { variant, positions, ellipsoids, opaque_planes: planes.read(), view: view.uniform(), surface },
         &Targets { color: vec![(&eye, Load::Clear([0.0; 4]))], depth: None },
-        add,
+        add(),
     );
-    let sun = resources.texture("sun_thickness", Format::R16Float, [seen_by.sun_texels; 2]);
-    let variant = DrawSunThicknessVariant { ellipsoid_centers };
+    (eye, planes)
+}
+
+/// Records what the sun looks through, in its map of `texels` a side.
+pub(crate) fn record_sun(
+    resources: &mut Resources,
+    recording: &mut Recording,
+    shapes: &Shapes<'_>,
+    params: &Buffer<SurfaceParams>,
+    (light, texels): (&Buffer<FrameLight>, u32),
+) -> Texture {
+    let (positions, ellipsoids, surface) = (shapes.positions(), shapes.ellipsoids(), params.uniform());
+    let sun = resources.texture("sun_thickness", Format::R16Float, [texels; 2]);
+    let variant = DrawSunThicknessVariant { ellipsoid_centers: ellipsoids.is_some() };
     shapes.slots().draw(
         recording,
-        &DrawSunThickness { variant, positions, ellipsoids, light: seen_by.light.uniform(), surface },
+        &DrawSunThickness { variant, positions, ellipsoids, light: light.uniform(), surface },
         &Targets { color: vec![(&sun, Load::Clear([0.0; 4]))], depth: None },
-        add,
+        add(),
     );
-    Thickness { eye, sun }
+    sun
+}
+
+fn add() -> DrawState {
+    DrawState { blend: Blend::Additive, ..DrawState::default() }
 }

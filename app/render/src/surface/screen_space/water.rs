@@ -3,7 +3,7 @@
 use brooklet_gpu::{Load, Recording, Resources, Targets};
 use brooklet_kernels::{Buffer, DrawWater, DrawWaterVariant, Format, Texture, WaterStyle};
 
-use super::{ON_FLUID, SmoothedSurface};
+use super::{ON_FLUID, SmoothedSurface, SunVolume};
 use crate::frame::uniforms::FrameUniforms;
 
 /// What the water is drawn from.
@@ -11,6 +11,8 @@ pub(crate) struct Water<'a> {
     pub surface: &'a SmoothedSurface,
     pub thickness: &'a Texture,
     pub style: &'a Buffer<WaterStyle>,
+    /// What shades it, where it shades itself.
+    pub sun_volume: Option<&'a SunVolume>,
 }
 
 /// Records the water over `scene`, whose depth is `scene_depth`: a texture whose alpha is 1 where
@@ -25,8 +27,13 @@ pub(crate) fn record(
     let seen = resources.texture("water", Format::Rgba16Float, scene.size_px);
     recording.draw(
         &DrawWater {
-            variant: DrawWaterVariant { mesh_normals: water.surface.has_normals },
+            variant: DrawWaterVariant {
+                mesh_normals: water.surface.has_normals,
+                self_shadow: water.sun_volume.is_some(),
+            },
             mesh_normals: water.surface.has_normals.then(|| water.surface.normals.read()),
+            sun_volume: water.sun_volume.map(|volume| volume.above_m.read()),
+            volume: water.sun_volume.map(|volume| volume.params.uniform()),
             view: uniforms.view.uniform(),
             inverse_depth: water.surface.inverse_depth.read(),
             thickness: water.thickness.read(),

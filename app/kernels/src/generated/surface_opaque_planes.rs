@@ -1,0 +1,75 @@
+// Written by the shader compiler; do not edit. `cargo run -p brooklet-compiler -- build`
+// makes it anew from surface/opaque_planes.hlsl.
+//! Kernels of `surface/opaque_planes.hlsl`.
+
+use super::{FrameView, SurfaceParams};
+use crate::{BindingError, BindingInfo, BindingKind, Bound, Draw, Module, StageKind, Tex, Tier, Uniform, bind_draw};
+
+/// What is opaque behind the water, as the plane that touches it in each texel of the thickness: worked out once
+/// and not for each of the discs that cover the texel.
+#[derive(Debug)]
+pub struct DrawOpaquePlanes<'a> {
+    /// `Texture2D<float> scene_depth`.
+    pub scene_depth: Tex<'a>,
+    /// `ConstantBuffer<FrameView> view`.
+    pub view: Uniform<'a, FrameView>,
+    /// `ConstantBuffer<SurfaceParams> surface`.
+    pub surface: Uniform<'a, SurfaceParams>,
+}
+
+impl Draw for DrawOpaquePlanes<'_> {
+    const STAGE: &'static str = "draw_opaque_planes";
+
+    fn vertex(&self) -> &'static Module {
+        &DRAW_OPAQUE_PLANES_VERTEX
+    }
+    fn fragment(&self) -> Option<&'static Module> {
+        Some(&DRAW_OPAQUE_PLANES_FRAGMENT)
+    }
+    fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
+        bind_draw(
+            self.vertex(),
+            self.fragment(),
+            &[
+                ("scene_depth", Some(self.scene_depth.id)),
+                ("view", Some(self.view.id)),
+                ("surface", Some(self.surface.id)),
+            ],
+        )
+    }
+}
+
+/// The modules of this file.
+pub(super) static MODULES: &[&Module] = &[&DRAW_OPAQUE_PLANES_VERTEX, &DRAW_OPAQUE_PLANES_FRAGMENT];
+
+static BINDINGS_0: &[BindingInfo] = &[
+    BindingInfo { name: "scene_depth", slot: 0, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "view", slot: 1, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "surface", slot: 2, kind: BindingKind::Uniform { bytes: 64 } },
+];
+
+static DRAW_OPAQUE_PLANES_VERTEX: Module = Module {
+    name: "DrawOpaquePlanes.vertex",
+    entry: "OpaquePlanesVertex",
+    stage: StageKind::Vertex,
+    spirv: include_bytes!("../../spirv/draw_opaque_planes.vertex.spv"),
+    bindings: &[],
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "surface/opaque_planes.hlsl",
+    hash: "8d891afdb8dc73fa056c7e482970d77bdf7d048e9581d01d2031bbaef22bd5da",
+};
+
+static DRAW_OPAQUE_PLANES_FRAGMENT: Module = Module {
+    name: "DrawOpaquePlanes.fragment",
+    entry: "OpaquePlanesFragment",
+    stage: StageKind::Fragment,
+    spirv: include_bytes!("../../spirv/draw_opaque_planes.fragment.spv"),
+    bindings: BINDINGS_0,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "surface/opaque_planes.hlsl",
+    hash: "e082da13356090dea0ed2e210be14b4d76df4868a08b43fb9c0394ec34642793",
+};

@@ -1,0 +1,68 @@
+// Written by the shader compiler; do not edit. `cargo run -p brooklet-compiler -- build`
+// makes it anew from surface/sum_sun_volume.compute.
+//! Kernels of `surface/sum_sun_volume.compute`.
+
+use super::SunVolumeParams;
+use crate::{
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+};
+
+/// Second of the sun's volume: the water between the sun and the middle of each cell, m.
+#[derive(Debug)]
+pub struct SumSunVolume<'a> {
+    /// `StructuredBuffer<uint> sun_volume_counts`.
+    pub sun_volume_counts: Buf<'a, u32>,
+    /// `RWStructuredBuffer<float> sun_volume`.
+    pub sun_volume: BufMut<'a, f32>,
+    /// `ConstantBuffer<SunVolumeParams> volume`.
+    pub volume: Uniform<'a, SunVolumeParams>,
+}
+
+impl Kernel for SumSunVolume<'_> {
+    const STAGE: &'static str = "sum_sun_volume";
+    const GROUP_SIZE: [u32; 3] = [64, 1, 1];
+
+    fn module(&self) -> &'static Module {
+        &SUM_SUN_VOLUME
+    }
+    fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
+        bind(
+            self.module(),
+            &[
+                ("sun_volume_counts", Some(self.sun_volume_counts.id)),
+                ("sun_volume", Some(self.sun_volume.id)),
+                ("volume", Some(self.volume.id)),
+            ],
+        )
+    }
+}
+
+/// The modules of this file.
+pub(super) static MODULES: &[&Module] = &[&SUM_SUN_VOLUME];
+
+static BINDINGS_0: &[BindingInfo] = &[
+    BindingInfo {
+        name: "sun_volume_counts",
+        slot: 0,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 },
+    },
+    BindingInfo {
+        name: "sun_volume",
+        slot: 1,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 },
+    },
+    BindingInfo { name: "volume", slot: 2, kind: BindingKind::Uniform { bytes: 16 } },
+];
+
+static SUM_SUN_VOLUME: Module = Module {
+    name: "SumSunVolume",
+    entry: "SumSunVolume",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/sum_sun_volume.spv"),
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "surface/sum_sun_volume.compute",
+    hash: "3636fdc6fd6eb1ae8bc691aea978e5d1bba44b0609bd029135869d46d8ae86ef",
+};
