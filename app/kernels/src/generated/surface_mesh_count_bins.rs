@@ -103,7 +103,7 @@ static COUNT_BINS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/count_bins.compute",
-    hash: "0c965c3bef60bf1b88823188501dd3ab207d366540be62ccf0ab250adbd65b4d",
+    hash: "5fb70e2e855faef305ea87d52f5ca485cf3c55f136af0823fb6fa4bbfb7e1ce4",
 };
 
 static COUNT_BINS_WITH_ANISOTROPIC: Module = Module {
@@ -116,5 +116,5 @@ static COUNT_BINS_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/count_bins.compute",
-    hash: "a19a9fc31ce2b9555a9fa9ed9352201eb135bd4832b3aa09da58e017f7f92d1b",
+    hash: "67e793283b052aa1c497b12aaf8a4443a717f5c45cf8666b28e9d0dde709e0c6",
 };

@@ -100,7 +100,7 @@ static SCATTER_BINS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/scatter_bins.compute",
-    hash: "045eb14e1f357a0e1b93d25c1f9264154a12fe0a8b266de0a5300f8ea86c06dd",
+    hash: "0df660322ee530c54fa8e71eecb7120b3e0e26bbc898a4773c2c815fb7d4374d",
 };
 
 static SCATTER_BINS_WITH_ANISOTROPIC: Module = Module {
@@ -113,5 +113,5 @@ static SCATTER_BINS_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/scatter_bins.compute",
-    hash: "28dc32dd47e2dffd0ed7d354957e1ee19b58828e2f9dda51b79baeeb769ef77f",
+    hash: "71cd12cdade7de51401e93e52225def82d309523e4b192be140c48b5234f1686",
 };
