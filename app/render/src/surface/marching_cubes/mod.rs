@@ -7,8 +7,11 @@
 
 mod bins;
 mod blocks;
+mod counted;
 mod drawn;
+pub mod export;
 mod options;
+mod room;
 pub mod table;
 
 use brooklet_fluid::grid::Scan;
@@ -19,8 +22,10 @@ use brooklet_kernels::{
 };
 use std::mem::offset_of;
 
+pub use counted::{MESH_FIELDS, is_whole, mesh_values};
 pub(crate) use drawn::record as record_drawn;
 pub use options::MarchingCubesOptions;
+pub use room::MeshRoom;
 
 use super::Particles;
 use table::TRIANGLE_TABLE;
