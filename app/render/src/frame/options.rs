@@ -6,6 +6,7 @@ use brooklet_kernels::{Format, Tier};
 
 use crate::RenderError;
 use crate::surface::SurfaceOptions;
+use crate::surface::marching_cubes::MeshRoom;
 use crate::surface::screen_space::depth_format;
 
 /// What a particle's colour tells.
@@ -58,6 +59,22 @@ impl FrameOptions {
             supersample: if scene.outputs.width_px.max(scene.outputs.height_px) > 2048 { 1 } else { 2 },
             shadow_texels: 512,
             edges: true,
+        }
+    }
+
+    /// The same with at least so much room for the surface's mesh, where one is drawn.
+    pub fn with_mesh_room(mut self, room: MeshRoom) -> Self {
+        if let SurfaceOptions::MarchingCubes(_, mesh) = &mut self.surface {
+            *mesh = mesh.with_room(mesh.room().max(room));
+        }
+        self
+    }
+
+    /// The room for the surface's mesh, where one is drawn.
+    pub fn mesh_room(&self) -> Option<MeshRoom> {
+        match &self.surface {
+            SurfaceOptions::MarchingCubes(_, mesh) => Some(mesh.room()),
+            _ => None,
         }
     }
 
