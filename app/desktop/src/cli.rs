@@ -10,6 +10,8 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use crate::bench_options::BenchOptions;
 #[cfg(feature = "captures")]
 use crate::capture::CaptureCommand;
+use crate::mesh_file::MeshFormat;
+use crate::mesh_options::MeshOptions;
 use crate::shared_options::{DeviceOptions, SceneOptions, TierName, seconds, steps_from};
 #[cfg(feature = "study")]
 use crate::study_options::{StudyOptions, TuneOptions};
@@ -35,6 +37,8 @@ pub enum Command {
     View(ViewOptions),
     /// Show what a run would do: its passes, buffers and bytes, and what is left out and why
     Plan(PlanOptions),
+    /// Mesh the surface of particles from a PLY file, on the GPU
+    Mesh(MeshOptions),
     /// List the shipped scenes, or print the schema of scene files
     Scenes(ScenesOptions),
     /// Time every pass: of one scene, or of the same workload at rising numbers of particles
@@ -79,6 +83,9 @@ pub struct OutputOptions {
     /// Also write the particles, whenever a picture is due and at the end
     #[arg(long, value_name = "FORMAT", value_enum)]
     pub particles: Option<ParticleFormat>,
+    /// Also write the fluid's surface at the end, as triangles
+    #[arg(long, value_name = "FORMAT", value_enum)]
+    pub mesh: Option<MeshFormat>,
     /// Write no timing capture; the summary has medians all the same
     #[arg(long)]
     pub no_capture: bool,

@@ -15,19 +15,26 @@ mod capture;
 mod cli;
 mod commit;
 mod doctor;
+mod drawn_meshes;
+mod estimate_spacing;
 mod failure;
 mod interrupt;
 mod job;
 #[cfg(not(all(feature = "window", feature = "bench", feature = "study", feature = "captures")))]
 mod left_out;
 mod measured;
+mod mesh;
+mod mesh_file;
+mod mesh_options;
 mod out_dir;
 mod pictures;
 mod plan;
 mod ply;
+mod point_cloud;
 mod progress;
 mod recorder;
 mod run;
+mod run_mesh;
 mod running;
 mod scenes;
 mod shared_options;
@@ -58,6 +65,7 @@ fn main() -> ExitCode {
         #[cfg(feature = "window")]
         Command::View(options) => view::view(options),
         Command::Plan(options) => plan::plan(options),
+        Command::Mesh(options) => mesh::mesh(options),
         Command::Scenes(options) => scenes::scenes(options),
         #[cfg(feature = "bench")]
         Command::Bench(options) => bench::bench(options),

@@ -1,8 +1,8 @@
 //! The folder a run writes to, and files that are there whole or not at all.
 
 use std::{
-    fs,
-    io::{self, ErrorKind, Write},
+    fmt, fs,
+    io::{self, BufWriter, ErrorKind, Write},
     path::{Path, PathBuf},
 };
 
@@ -86,19 +86,42 @@ fn numbered(wanted: &Path, number: u32) -> PathBuf {
 
 /// Writes a file under a temporary name and renames it: nobody ever sees half of it.
 pub fn write_file(path: &Path, content: &[u8]) -> Result<(), Failure> {
-    let folder = match path.parent() {
-        Some(parent) if !parent.as_os_str().is_empty() => parent,
-        _ => Path::new("."),
-    };
+    write_with(path, |to| to.write_all(content))
+}
+
+/// [`write_file`] for what need not be in memory whole.
+pub fn write_with(path: &Path, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Failure> {
     let write = || -> io::Result<()> {
-        let mut file = tempfile::Builder::new().prefix(".brooklet-").tempfile_in(folder)?;
+        let mut file = temporary_beside(path)?;
         // Through the file itself: the other way, an error names the temporary file.
-        file.as_file_mut().write_all(content)?;
+        let mut to = BufWriter::new(file.as_file_mut());
+        content(&mut to)?;
+        to.flush()?;
+        drop(to);
         make_readable(file.as_file())?;
         file.persist(path)?;
         Ok(())
     };
     write().map_err(|error| Failure::stopped(format_args!("{}: cannot be written: {error}", path.display())))
+}
+
+/// That a file can be written at `path` later on, as far as that can be known; `option` asked for it.
+pub fn check_writable(option: &str, path: &Path) -> Result<(), Failure> {
+    let refused = |why: &dyn fmt::Display| Failure::Input(format!("{option} {}: {why}", path.display()));
+    if path.is_dir() {
+        return Err(refused(&"is a folder; name a file, which is created"));
+    }
+    temporary_beside(path).map(drop).map_err(|error| refused(&format_args!("cannot be written: {error}")))
+}
+
+fn temporary_beside(path: &Path) -> io::Result<tempfile::NamedTempFile> {
+    let folder = match path.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent,
+        _ => Path::new("."),
+    };
+    // The library's own error names the temporary file.
+    let made = tempfile::Builder::new().prefix(".brooklet-").tempfile_in(folder);
+    made.map_err(|error| error.raw_os_error().map_or(error, io::Error::from_raw_os_error))
 }
 
 /// A temporary file is its owner's alone; a result is for whoever the folder is for.

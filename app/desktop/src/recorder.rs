@@ -2,21 +2,31 @@
 //! medians, into the measurements.
 
 use std::fs::File;
+use std::time::Instant;
 
 use brooklet_capture::{CaptureError, CaptureTotals, CaptureWriter};
-use brooklet_fluid::{SessionReport, captured_values};
+use brooklet_fluid::{Session, SessionReport, captured_values};
 use brooklet_gpu::{RecordingId, Timings};
+use brooklet_render::FramePasses;
+use brooklet_render::surface::marching_cubes::mesh_values;
 
-use crate::measured::Measured;
+use crate::{drawn_meshes::DrawnMeshes, measured::Measured};
 
 /// Where a run's reports go.
 pub struct Recorder {
     capture: Option<CaptureWriter<File>>,
     step: RecordingId,
+    begun: Instant,
+    /// From when on frames are numbered and timed by this, as another session goes on, ns.
+    shift_ns: Option<u64>,
+    next_frame: u64,
+    last_ns: u64,
     /// GPU times.
     pub timings: Timings,
     /// Measurements.
     pub measured: Measured,
+    /// Meshes of the pictures.
+    pub meshes: DrawnMeshes,
     /// Why the capture stopped, if it did.
     pub trouble: Option<CaptureError>,
 }
@@ -24,18 +34,47 @@ pub struct Recorder {
 impl Recorder {
     /// For a run whose steps are the recording `step`.
     pub fn new(step: RecordingId, timings: Timings, capture: Option<CaptureWriter<File>>) -> Self {
-        Self { capture, step, timings, measured: Measured::default(), trouble: None }
+        Self {
+            capture,
+            step,
+            begun: Instant::now(),
+            shift_ns: None,
+            next_frame: 0,
+            last_ns: 0,
+            timings,
+            measured: Measured::default(),
+            meshes: DrawnMeshes::default(),
+            trouble: None,
+        }
     }
 
-    /// Takes finished frames.
-    pub fn take(&mut self, reports: &[SessionReport]) {
-        for SessionReport { report, steps, simulated_s, stats } in reports {
-            self.timings.add(report, self.step);
-            self.record(|capture| capture.frame(report));
+    /// Another session goes on from here: its frames come after those that were taken.
+    pub fn go_on_in(&mut self, session: &Session) {
+        self.step = session.step_id();
+        self.shift_ns = Some((self.begun.elapsed().as_nanos() as u64).max(self.last_ns));
+        self.record(|capture| capture.plan(session.engine().plan()));
+    }
+
+    /// Takes finished frames, whose pictures `passes` drew.
+    pub fn take(&mut self, reports: Vec<SessionReport>, passes: Option<&FramePasses>) {
+        for SessionReport { mut report, steps, simulated_s, stats } in reports {
+            if let Some(shift_ns) = self.shift_ns {
+                report.frame = self.next_frame;
+                report.wall_ns += shift_ns;
+            }
+            (self.next_frame, self.last_ns) = (report.frame + 1, report.wall_ns);
+            self.timings.add(&report, self.step);
+            if let Some(counts) = passes.and_then(|passes| passes.drawn_mesh(&report)) {
+                self.meshes.add(&counts);
+            }
+            self.record(|capture| capture.frame(&report));
             if let Some(stats) = stats {
-                let values = captured_values(*steps, *simulated_s, stats);
+                let mut values = captured_values(steps, simulated_s, &stats);
+                if passes.is_some_and(|passes| passes.mesh_counts().is_some()) {
+                    values.extend(mesh_values(&self.meshes.last().copied().unwrap_or_default()));
+                }
                 self.record(|capture| capture.stats(report.frame, report.wall_ns, &values));
-                self.measured.add(*steps, *stats);
+                self.measured.add(steps, stats);
             }
         }
     }

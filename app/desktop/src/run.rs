@@ -9,8 +9,9 @@ use std::{
 use brooklet_capture::{CaptureError, CaptureOptions, CaptureWriter, StatField};
 use brooklet_fluid::{Scene, captured_fields};
 use brooklet_gpu::{Gpu, Plan, TimingStatus, Timings, stages, tier_name, warm_up_frames};
-use brooklet_render::ScenePlan;
 use brooklet_render::left_out::{self, Recorded};
+use brooklet_render::surface::marching_cubes::MESH_FIELDS;
+use brooklet_render::{FramePasses, ScenePlan};
 
 use crate::{
     cli::RunOptions,
@@ -21,6 +22,7 @@ use crate::{
     out_dir::{self, OutDir},
     progress,
     recorder::Recorder,
+    run_mesh::RunMesh,
     running::{Running, due_steps},
     summary::{Facts, Files, Summary},
 };
@@ -38,11 +40,12 @@ pub fn run(options: &RunOptions) -> Result<(), Failure> {
     };
     let recorded = Recorded { no_times, no_capture: options.outputs.no_capture };
     let left_out = left_out::list(&scene, gpu.tier(), &planned, &recorded).map_err(job::refused)?;
-    let ScenePlan { session: planned, passes } = planned;
+    let ScenePlan { session: planned, passes, mesh_room } = planned;
+    let export =
+        options.outputs.mesh.map(|format| RunMesh::new(&gpu, &scene, planned.slot_count(), format)).transpose()?;
     let (plan, slots) = (planned.plan.clone(), planned.slot_count());
     let (bytes_per_particle, measures) =
         (planned.recorded.bytes_per_particle(&plan), planned.recorded.measure.is_some());
-    let plan_bytes = plan.bytes();
     let start = SystemTime::now();
     let session = brooklet_render::start(&gpu, planned).map_err(Failure::input)?;
     let interrupt = Interrupt::listen()?;
@@ -55,7 +58,7 @@ pub fn run(options: &RunOptions) -> Result<(), Failure> {
     } else {
         let capture_options = CaptureOptions {
             stages: stages(plan.passes()).into_iter().map(|(stage, _)| stage.into()).collect(),
-            stats: if measures { captured_fields(&scene).map(StatField::from).collect() } else { Vec::new() },
+            stats: if measures { stat_fields(&scene, passes.as_ref()) } else { Vec::new() },
             start,
             ..CaptureOptions::default()
         };
@@ -73,6 +76,7 @@ pub fn run(options: &RunOptions) -> Result<(), Failure> {
         images: due_steps(steps, scene.outputs.images),
         session,
         passes,
+        mesh_room,
         writes_particles: options.outputs.particles.is_some(),
         files: Files::default(),
         troubles: Vec::new(),
@@ -86,11 +90,20 @@ pub fn run(options: &RunOptions) -> Result<(), Failure> {
 
     // Whatever ended the run: what there is of it is closed and told.
     let totals = running.recorder.finish();
-    let Running { recorder, done, mut files, mut troubles, .. } = running;
+    let Running { recorder, done, session, mut files, mut troubles, .. } = running;
+    let plan = session.engine().plan().clone();
     troubles.extend(recorder.trouble.as_ref().map(ToString::to_string));
     troubles.extend(outcome.as_ref().err().map(|failure| format!("after {done} of {steps} steps: {}", failure.text())));
     files.capture = is_captured.then(|| capture_path.display().to_string());
     files.capture_complete = totals.is_some_and(|totals| totals.complete);
+    let export = export.filter(|_| outcome.is_ok() && done == steps);
+    let mesh = export.and_then(|export| match export.write(session, &scene, &out.path) {
+        Ok(mesh) => Some(mesh),
+        Err(failure) => {
+            troubles.push(failure.text().to_owned());
+            None
+        }
+    });
     let summary_path = out.path.join("summary.json");
     files.summary = summary_path.display().to_string();
     let summary = Summary::new(Facts {
@@ -103,6 +116,8 @@ pub fn run(options: &RunOptions) -> Result<(), Failure> {
         interrupted: done < steps,
         timings: &recorder.timings,
         measured: &recorder.measured,
+        meshes: &recorder.meshes,
+        mesh,
         left_out,
         gpu: &gpu,
         files: files.clone(),
@@ -112,8 +127,8 @@ pub fn run(options: &RunOptions) -> Result<(), Failure> {
     if options.json {
         say!("{json}");
     } else {
-        summary.print(plan_bytes);
-        print_files(&files, written.is_ok());
+        summary.print(plan.bytes());
+        print_files(&files, &summary, written.is_ok());
     }
     troubles.extend(written.err().map(|failure| failure.text().to_owned()));
     if !troubles.is_empty() {
@@ -127,6 +142,13 @@ pub fn run(options: &RunOptions) -> Result<(), Failure> {
         return Err(Failure::Interrupted(format!("{done} of {steps} steps are in {}", out.path.display())));
     }
     Ok(())
+}
+
+/// What the capture tells of each measurement: of the fluid, and of the last picture's mesh, if it has one.
+fn stat_fields(scene: &Scene, passes: Option<&FramePasses>) -> Vec<StatField> {
+    let is_meshed = passes.is_some_and(|passes| passes.mesh_counts().is_some());
+    let mesh = MESH_FIELDS.into_iter().filter(|_| is_meshed);
+    captured_fields(scene).chain(mesh).map(StatField::from).collect()
 }
 
 fn open_capture(
@@ -158,7 +180,7 @@ fn open_capture(
     })
 }
 
-fn print_files(files: &Files, summary_written: bool) {
+fn print_files(files: &Files, summary: &Summary, summary_written: bool) {
     say!();
     match files.images.as_slice() {
         [] => {}
@@ -174,6 +196,7 @@ fn print_files(files: &Files, summary_written: bool) {
             say!("particles {first} to {last} ({})", files.particles.len());
         }
     }
+    summary.print_mesh();
     if let Some(capture) = &files.capture {
         let note = if files.capture_complete { "" } else { " (incomplete)" };
         say!("capture   {capture}{note}");

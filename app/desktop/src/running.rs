@@ -3,10 +3,14 @@
 use std::path::{Path, PathBuf};
 
 use brooklet_fluid::{FrameRequest, Scene, Session};
-use brooklet_render::FramePasses;
+use brooklet_render::surface::marching_cubes::{MeshRoom, is_whole};
+use brooklet_render::{FramePasses, ScenePlan, StartError};
 use indicatif::ProgressBar;
 
 use crate::{failure::Failure, interrupt::Interrupt, pictures::Picture, ply, recorder::Recorder, summary::Files};
+
+/// Room that is made beyond what a mesh lacked: the next ones may be larger.
+const SPARE_ROOM: f64 = 0.25;
 
 /// A run under way.
 pub struct Running<'a> {
@@ -26,6 +30,8 @@ pub struct Running<'a> {
     pub session: Session,
     /// The picture's, if there is one.
     pub passes: Option<FramePasses>,
+    /// Room for its mesh, if it has one.
+    pub mesh_room: Option<MeshRoom>,
     /// Whether particles are written beside the pictures and at the end.
     pub writes_particles: bool,
     /// What was written, and what could not be.
@@ -42,9 +48,9 @@ impl Running<'_> {
         let result = self.steps(interrupt, bar);
         // What came back before a failure belongs to the capture as well.
         match self.session.finish() {
-            Ok(reports) => self.recorder.take(&reports),
+            Ok(reports) => self.recorder.take(reports, self.passes.as_ref()),
             Err(error) => {
-                self.recorder.take(&self.session.reports());
+                self.recorder.take(self.session.reports(), self.passes.as_ref());
                 result?;
                 return Err(Failure::stopped(error));
             }
@@ -79,17 +85,15 @@ impl Running<'_> {
         let measures = every > 0 && (is_last || step.is_multiple_of(every));
         let image = self.images.binary_search(&step).ok();
 
-        let draw = self.passes.as_ref().filter(|_| image.is_some()).map(|passes| passes.draw.id());
-        let request = FrameRequest { steps: 1, measure: measures, then: draw.as_slice(), ..FrameRequest::default() };
-        self.session.submit(&request).map_err(Failure::stopped)?;
+        self.submit(FrameRequest { steps: 1, measure: measures, ..FrameRequest::default() }, image.is_some())?;
         self.done = step;
-        self.recorder.take(&self.session.reports());
+        self.recorder.take(self.session.reports(), self.passes.as_ref());
 
-        if let (Some(number), Some(picture)) = (image, self.passes.as_ref().map(Picture::of)) {
+        if let Some(number) = image {
             let path = self.numbered("frame", number, "png");
-            let rgba = picture.read(self.session.engine_mut())?;
-            let written = picture.save(&path, &rgba);
-            self.note(path, written, |files| &mut files.images);
+            if let Some(written) = self.write_picture(&path)? {
+                self.note(path, written, |files| &mut files.images);
+            }
         }
         if self.writes_particles && (image.is_some() || is_last) {
             let number = image.unwrap_or(self.images.len());
@@ -99,6 +103,59 @@ impl Running<'_> {
             self.note(path, written, |files| &mut files.particles);
         }
         Ok(())
+    }
+
+    /// Hands a frame to the GPU, with a picture at its end if one is due.
+    fn submit(&mut self, request: FrameRequest<'_>, draws: bool) -> Result<(), Failure> {
+        let passes = self.passes.as_ref().filter(|_| draws);
+        let draw = passes.map(|passes| passes.draw.id());
+        let counts = passes.and_then(FramePasses::mesh_counts).map(|counts| counts.id);
+        let request = FrameRequest { then: draw.as_slice(), readbacks: counts.as_slice(), ..request };
+        self.session.submit(&request).map(drop).map_err(Failure::stopped)
+    }
+
+    /// The picture of the last frame, drawn once more where its mesh lacked room; whether it is written. None if the run
+    /// has no pictures.
+    fn write_picture(&mut self, path: &Path) -> Result<Option<Result<(), Failure>>, Failure> {
+        loop {
+            let Some(passes) = &self.passes else { return Ok(None) };
+            let picture = Picture::of(passes);
+            let rgba = picture.read(self.session.engine_mut())?;
+            if passes.mesh_counts().is_some() {
+                // All was waited for with the picture.
+                let reports = self.session.finish().map_err(Failure::stopped)?;
+                self.recorder.take(reports, Some(passes));
+                if self.make_room()? {
+                    self.submit(FrameRequest::default(), true)?;
+                    continue;
+                }
+            }
+            let Some(passes) = &self.passes else { return Ok(None) };
+            return Ok(Some(Picture::of(passes).save(path, &rgba)));
+        }
+    }
+
+    /// Goes on with more room for the pictures' mesh if the last one lacked some and the device has it.
+    fn make_room(&mut self) -> Result<bool, Failure> {
+        let (Some(room), Some(counts)) = (self.mesh_room, self.recorder.meshes.last()) else { return Ok(false) };
+        if is_whole(counts) {
+            return Ok(false);
+        }
+        for spare in [SPARE_ROOM, 0.0] {
+            let parts = self.scene.surface.mesh.subdivide;
+            let Some(needed) = room.needed(counts, spare, parts).filter(|needed| *needed != room) else { continue };
+            match enlarge(&self.session, self.scene, needed) {
+                Ok((session, passes)) => {
+                    self.recorder.go_on_in(&session);
+                    (self.session, self.passes, self.mesh_room) = (session, passes, Some(needed));
+                    return Ok(true);
+                }
+                Err(Failure::Input(_)) => {}
+                Err(failure) => return Err(failure),
+            }
+        }
+        self.recorder.meshes.cut_short += 1;
+        Ok(false)
     }
 
     fn numbered(&self, name: &str, number: usize, ending: &str) -> PathBuf {
@@ -119,6 +176,20 @@ impl Running<'_> {
             }
         }
     }
+}
+
+/// The same run in a plan with other room for its pictures' mesh. That the device has no such room is
+/// [`Failure::Input`].
+fn enlarge(session: &Session, scene: &Scene, room: MeshRoom) -> Result<(Session, Option<FramePasses>), Failure> {
+    let gpu = session.engine().gpu();
+    let ScenePlan { session: planned, passes, .. } =
+        ScenePlan::with_mesh_room(scene, session.slot_count(), gpu.tier(), room).map_err(Failure::stopped)?;
+    let mut larger = brooklet_render::start(gpu, planned).map_err(|error| match error {
+        StartError::Misfit { .. } => Failure::input(error),
+        StartError::Gpu(_) => Failure::stopped(error),
+    })?;
+    larger.adopt(session).map_err(Failure::stopped)?;
+    Ok((larger, passes))
 }
 
 /// Steps at whose end one of `count` pictures is due: spread evenly, the last at the end. A run

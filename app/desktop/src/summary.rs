@@ -8,8 +8,10 @@ use serde_json::{Map, Value};
 
 use crate::{
     commit::{COMMIT, VERSION},
+    drawn_meshes::DrawnMeshes,
     measured::{Counted, Measured, Worst},
     plan::said_particles,
+    run_mesh::WrittenMesh,
     spacing::other_spacing,
     table::{bytes, ms, table},
 };
@@ -48,6 +50,10 @@ pub struct Summary {
     /// The largest values that any measurement of the run had.
     worst: Option<Worst>,
     measured: Measurements,
+    /// What was drawn as a mesh, if anything was.
+    drawn_meshes: Option<DrawnMeshes>,
+    /// What --mesh wrote.
+    mesh: Option<WrittenMesh>,
     buffers: Map<String, Value>,
     bytes_per_particle: Option<f64>,
     left_out: Vec<Absent>,
@@ -135,6 +141,10 @@ pub struct Facts<'a> {
     pub timings: &'a Timings,
     /// Measurements.
     pub measured: &'a Measured,
+    /// Meshes of the pictures.
+    pub meshes: &'a DrawnMeshes,
+    /// The mesh that was written.
+    pub mesh: Option<WrittenMesh>,
     /// What was left out.
     pub left_out: Vec<Absent>,
     /// The device.
@@ -191,6 +201,8 @@ impl Summary {
                 every_steps: scene.outputs.measure_every_steps,
                 last_step: any.then_some(measured.last_step),
             },
+            drawn_meshes: facts.meshes.last().map(|_| facts.meshes.clone()),
+            mesh: facts.mesh,
             buffers: plan.buffers().into_iter().map(|buffer| (buffer.label, buffer.bytes.into())).collect(),
             bytes_per_particle: facts.bytes_per_particle,
             left_out: facts.left_out,
@@ -248,9 +260,25 @@ impl Summary {
         }
         self.print_passes();
         self.print_measured();
+        if let Some(meshes) = &self.drawn_meshes {
+            meshes.print();
+        }
         match self.bytes_per_particle {
             Some(each) => say!("memory: {}; {each:.0} bytes a particle without what is drawn", bytes(plan_bytes)),
             None => say!("memory: {}; there are no particles", bytes(plan_bytes)),
+        }
+    }
+
+    /// The line of the mesh that was written, if one was.
+    pub fn print_mesh(&self) {
+        if let Some(mesh) = &self.mesh {
+            say!(
+                "mesh      {} ({} vertices, {} triangles, {:.6e} m3)",
+                mesh.file,
+                mesh.vertices,
+                mesh.triangles,
+                mesh.volume_m3
+            );
         }
     }
 

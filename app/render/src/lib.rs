@@ -18,4 +18,4 @@ pub use error::RenderError;
 pub use frame::{Coloring, FrameOptions, FramePasses, FrameUniforms, record};
 pub use scene_plan::{ScenePlan, ScenePlanError};
 pub use start::{StartError, start};
-pub use surface::{Particles, ScreenSpaceOptions, SmoothedSurface, SurfaceOptions};
+pub use surface::{MarchingCubesOptions, Particles, ScreenSpaceOptions, SmoothedSurface, SurfaceOptions};

@@ -3,6 +3,7 @@
 use brooklet_fluid::{ParticleSource, Scene, SessionPlan, SessionRecorder};
 use brooklet_gpu::{FRAMES_IN_FLIGHT, Plan, PlanError, Tier, timestamp_bytes};
 
+use crate::surface::marching_cubes::MeshRoom;
 use crate::{FrameOptions, FramePasses, Particles, RenderError, View};
 
 /// A scene's plan for a session, and the picture's handles in it.
@@ -11,6 +12,8 @@ pub struct ScenePlan {
     pub session: SessionPlan,
     /// The picture's recordings and textures, if there is one.
     pub passes: Option<FramePasses>,
+    /// Room for the picture's mesh, if one is drawn.
+    pub mesh_room: Option<MeshRoom>,
 }
 
 /// Why a scene has no plan.
@@ -35,7 +38,7 @@ impl ScenePlan {
     /// # Errors
     /// Every [`ScenePlanError`].
     pub fn new(scene: &Scene, tier: Tier) -> Result<Self, ScenePlanError> {
-        Self::of(scene, ParticleSource::Scene, tier)
+        Self::of(scene, ParticleSource::Scene, tier, None)
     }
 
     /// As [`ScenePlan::new`] for so many particles, which are not made: for what is only looked at.
@@ -43,11 +46,26 @@ impl ScenePlan {
     /// # Errors
     /// Every [`ScenePlanError`].
     pub fn of_count(scene: &Scene, particles: u32, tier: Tier) -> Result<Self, ScenePlanError> {
-        Self::of(scene, ParticleSource::Count(particles), tier)
+        Self::of(scene, ParticleSource::Count(particles), tier, None)
     }
 
-    fn of(scene: &Scene, source: ParticleSource, tier: Tier) -> Result<Self, ScenePlanError> {
-        let looks = (View::of_scene(scene), FrameOptions::for_scene(scene, tier));
+    /// As [`ScenePlan::of_count`] with at least so much room for the picture's mesh: for a session that takes over another's
+    /// particles ([`brooklet_fluid::Session::adopt`]).
+    ///
+    /// # Errors
+    /// Every [`ScenePlanError`].
+    pub fn with_mesh_room(scene: &Scene, particles: u32, tier: Tier, room: MeshRoom) -> Result<Self, ScenePlanError> {
+        Self::of(scene, ParticleSource::Count(particles), tier, Some(room))
+    }
+
+    fn of(
+        scene: &Scene,
+        source: ParticleSource,
+        tier: Tier,
+        mesh_room: Option<MeshRoom>,
+    ) -> Result<Self, ScenePlanError> {
+        let options = FrameOptions::for_scene(scene, tier);
+        let looks = (View::of_scene(scene), mesh_room.map_or(options, |room| options.with_mesh_room(room)));
         Self::sweep(scene, SessionRecorder::new(scene, source), (scene.outputs.images > 0).then_some(looks))
     }
 
@@ -60,7 +78,7 @@ impl ScenePlan {
         mut recorder: SessionRecorder,
         looks: Option<(View, FrameOptions)>,
     ) -> Result<Self, ScenePlanError> {
-        let mut passes = None;
+        let (mut passes, mut mesh_room) = (None, None);
         if let Some((view, options)) = looks {
             let particles = Particles::of(&recorder.recorded);
             let drawn = crate::record(&mut recorder.resources, &view, &particles, &options)
@@ -69,8 +87,9 @@ impl ScenePlan {
             recorder.add(&drawn.draw);
             recorder.want(drawn.color.id);
             passes = Some(drawn);
+            mesh_room = options.mesh_room();
         }
-        Ok(Self { session: recorder.sweep()?, passes })
+        Ok(Self { session: recorder.sweep()?, passes, mesh_room })
     }
 
     /// What runs, and what was left out.

@@ -105,7 +105,7 @@ fn wider(scene: &Scene, particles: u32, most: u32) -> String {
 }
 
 /// The largest number up to `most` for which `holds`, which holds for 0 and for none above that.
-fn largest(most: u32, holds: impl Fn(u32) -> bool) -> u32 {
+pub(crate) fn largest(most: u32, holds: impl Fn(u32) -> bool) -> u32 {
     let (mut low, mut high) = (0, most);
     while low < high {
         let middle = low + (high - low).div_ceil(2);

@@ -7,7 +7,9 @@ use std::time::Instant;
 use brooklet_capture::StateRow;
 use brooklet_fluid::{SessionReport, Stats};
 use brooklet_gpu::FrameReport;
+use brooklet_kernels::MeshCounts;
 use brooklet_render::png;
+use brooklet_render::surface::marching_cubes::MeshRoom;
 
 use crate::ViewerError;
 use crate::clock::{Clock, steps_within};
@@ -47,6 +49,10 @@ pub struct Playback {
     is_stale: bool,
     measured_step: u64,
     fresh_times: bool,
+    /// What the last picture's mesh came to.
+    pub mesh: Option<MeshCounts>,
+    /// Room that it lacked.
+    pub mesh_room: Option<MeshRoom>,
 }
 
 /// Reports that wait for another one no longer than this many frames.
@@ -72,6 +78,8 @@ impl Playback {
             is_stale: true,
             measured_step: 0,
             fresh_times: false,
+            mesh: None,
+            mesh_room: None,
         }
     }
 
@@ -79,6 +87,7 @@ impl Playback {
     pub fn begin(&mut self, current: &ViewerScene, carries: bool, messages: &mut Messages) {
         self.in_flight.clear();
         self.returned.clear();
+        (self.mesh, self.mesh_room) = (None, None);
         self.is_stale = true;
         let density_error = std::mem::take(&mut self.times.density_error);
         let passes = current.session.engine().plan().passes();
@@ -197,6 +206,10 @@ impl Playback {
         messages: &mut Messages,
     ) {
         let SessionReport { report, stats, .. } = &frame;
+        if let Some(counts) = current.drawn_mesh(report) {
+            self.mesh_room = current.lacked_room(&counts);
+            self.mesh = Some(counts);
+        }
         let time_s = (in_flight.handed - self.started).as_secs_f64();
         self.times.take(report, (current.session.step_id(), in_flight.request.steps), time_s);
         self.fresh_times = true;
@@ -212,7 +225,8 @@ impl Playback {
             }
         }
         self.stats = stats.or(self.stats);
-        self.record(messages, |recorder| recorder.frame(frame, in_flight.handed));
+        let mesh = self.mesh;
+        self.record(messages, |recorder| recorder.frame(frame, mesh.as_ref(), in_flight.handed));
     }
 
     fn keep_picture(&mut self, rgba: &[u8], in_flight: &InFlightFrame, current: &ViewerScene, messages: &mut Messages) {

@@ -10,6 +10,8 @@ use brooklet_capture::{
 };
 use brooklet_fluid::{SessionReport, captured_fields, captured_values};
 use brooklet_gpu::{Gpu, tier_name};
+use brooklet_kernels::MeshCounts;
+use brooklet_render::surface::marching_cubes::{MESH_FIELDS, mesh_values};
 
 use crate::messages::Kind;
 use crate::thumbnail::{Picture, Thumbnails};
@@ -29,6 +31,7 @@ pub struct Recorder {
     writer: CaptureWriter<File>,
     clock: CaptureClock,
     has_density: bool,
+    has_mesh: bool,
     heat: DeviceState,
     thumbnails: Thumbnails,
     frames: u64,
@@ -40,8 +43,10 @@ impl Recorder {
     /// Creates the file and writes what holds for all of it.
     pub fn begin(path: PathBuf, gpu: &Gpu, current: &ViewerScene) -> Result<Self, CaptureError> {
         let clock = CaptureClock::new();
+        let has_mesh = current.is_meshed();
+        let mesh = MESH_FIELDS.into_iter().filter(|_| has_mesh);
         let options = CaptureOptions {
-            stats: captured_fields(current.session.scene()).map(StatField::from).collect(),
+            stats: captured_fields(current.session.scene()).chain(mesh).map(StatField::from).collect(),
             start: clock.start(),
             spans_every: SPANS_EVERY,
             ..CaptureOptions::default()
@@ -55,6 +60,7 @@ impl Recorder {
             writer,
             clock,
             has_density: current.session.scene().solver.method.interacts(),
+            has_mesh,
             heat: DeviceState::find(),
             thumbnails: Thumbnails::new(),
             frames: 0,
@@ -74,7 +80,12 @@ impl Recorder {
     }
 
     /// A frame that came back, handed over at that time.
-    pub fn frame(&mut self, frame: SessionReport, handed: Instant) -> Result<(), CaptureError> {
+    pub fn frame(
+        &mut self,
+        frame: SessionReport,
+        mesh: Option<&MeshCounts>,
+        handed: Instant,
+    ) -> Result<(), CaptureError> {
         let SessionReport { mut report, steps, simulated_s, stats } = frame;
         report.frame = self.frames;
         report.wall_ns = self.clock.ns_at(handed);
@@ -83,7 +94,10 @@ impl Recorder {
         // A scene whose particles have no densities has none of the fields that this capture began with, or the other
         // way round: its measurements are left out.
         if let Some(stats) = stats.filter(|stats| stats.has_density == self.has_density) {
-            let values = captured_values(steps, simulated_s, &stats);
+            let mut values = captured_values(steps, simulated_s, &stats);
+            if self.has_mesh {
+                values.extend(mesh_values(&mesh.copied().unwrap_or_default()));
+            }
             self.writer.stats(report.frame, report.wall_ns, &values)?;
         }
         Ok(())

@@ -6,6 +6,7 @@ use std::time::Instant;
 use brooklet_fluid::Scene;
 use brooklet_gpu::Gpu;
 use brooklet_render::View;
+use brooklet_render::surface::marching_cubes::MeshRoom;
 use egui::{Context, FullOutput, PlatformOutput, RawInput, TextureId, TexturesDelta};
 
 use crate::ViewerError;
@@ -23,6 +24,9 @@ use crate::recorder::Recorder;
 use crate::reload::{NewModule, NewModules};
 use crate::style;
 use crate::viewer_scene::{SceneDesc, Start, ViewerScene};
+
+/// Why a plan is made whose mesh has more room.
+const MESH_ROOM: &str = "room for the mesh";
 
 /// What the program around it decides.
 #[derive(Clone, Debug)]
@@ -76,6 +80,10 @@ pub struct Viewer {
     pub(crate) waiting: Vec<String>,
     drag_input: DragInput,
     modules: NewModules,
+    /// Room for the surface's mesh beyond what a scene begins with.
+    mesh_room: Option<MeshRoom>,
+    /// Whether the device refused more of it.
+    mesh_room_ends: bool,
 }
 
 impl Viewer {
@@ -112,6 +120,8 @@ impl Viewer {
             waiting: Vec::new(),
             drag_input: DragInput::default(),
             modules: NewModules::default(),
+            mesh_room: None,
+            mesh_room_ends: false,
             settings,
         };
         viewer.load(scene, Start::Scene, "scene");
@@ -224,6 +234,7 @@ impl Viewer {
         self.steer(&panel_output.pointing);
         self.follow_room(panel_output.room_px);
         self.hold_budget();
+        self.make_mesh_room();
         let advanced = self.advance()?;
         let again = self.is_moving() || is_writing;
         let within = output.viewport_output.values().map(|viewport| viewport.repaint_delay).min().unwrap_or_default();
@@ -281,6 +292,9 @@ impl Viewer {
     pub(crate) fn load(&mut self, scene: Scene, start: Start, why: &str) {
         let orbit = *self.orbit.get_or_insert(Orbit::of(&self.framed(&scene)));
         let modules = self.modules.clone();
+        if !matches!(start, Start::Carry(_)) {
+            (self.mesh_room, self.mesh_room_ends) = (None, false);
+        }
         let desc = SceneDesc {
             scene,
             rung: RUNGS[self.rung],
@@ -288,6 +302,7 @@ impl Viewer {
             camera: orbit.camera(),
             start,
             modules,
+            mesh_room: self.mesh_room,
             why: why.to_owned(),
         };
         if self.loading.is_some() {
@@ -332,6 +347,9 @@ impl Viewer {
             }
             Err(error) => {
                 self.messages.notify(Kind::Error, error.to_string());
+                if why == MESH_ROOM {
+                    (self.mesh_room, self.mesh_room_ends) = (None, true);
+                }
                 if let Some(current) = &self.current {
                     self.panels.draft = Some(Draft::new(current.scene.clone()));
                 }
@@ -374,6 +392,20 @@ impl Viewer {
             let (scene, start) = (current.scene.clone(), Start::Carry(current.session.slot_count()));
             self.load(scene, start, "picture size");
         }
+    }
+
+    /// More room for the surface's mesh from the next picture on, where the last one lacked some.
+    fn make_mesh_room(&mut self) {
+        let (Some(room), Some(current)) = (self.playback.mesh_room, &self.current) else { return };
+        if self.loading.is_some() || self.mesh_room_ends {
+            return;
+        }
+        let lost = self.playback.mesh.map_or(0, |mesh| mesh.lost_triangles.max(mesh.lost_blocks));
+        let text = format!("the surface's mesh lacked room for {lost} triangles or blocks: it gets more");
+        self.messages.notify(Kind::Warning, text);
+        self.mesh_room = Some(room);
+        let (scene, start) = (current.scene.clone(), Start::Carry(current.session.slot_count()));
+        self.load(scene, start, MESH_ROOM);
     }
 
     fn hold_budget(&mut self) {

@@ -4,9 +4,11 @@ use brooklet_fluid::drag::Drag;
 use brooklet_fluid::particles::{ParticleSet, resample};
 use brooklet_fluid::state::State;
 use brooklet_fluid::{FrameRequest, ParticleSource, Scene, Session, SessionRecorder};
-use brooklet_gpu::{Gpu, RecordingId, ResourceId};
+use brooklet_gpu::{FrameReport, Gpu, RecordingId, ResourceId, Tier};
+use brooklet_kernels::MeshCounts;
 use brooklet_render::frame::FrameValues;
 use brooklet_render::left_out::{self, Absent};
+use brooklet_render::surface::marching_cubes::MeshRoom;
 use brooklet_render::{Camera, FrameOptions, FramePasses, ScenePlan, View};
 
 use crate::ViewerError;
@@ -28,6 +30,8 @@ pub struct SceneDesc {
     pub start: Start,
     /// Shaders that were compiled anew.
     pub modules: NewModules,
+    /// Room for the surface's mesh, if more of it is wanted than there is at first.
+    pub mesh_room: Option<MeshRoom>,
     /// Why it is made, for captures.
     pub why: String,
 }
@@ -74,6 +78,9 @@ pub struct ViewerFrame {
     pub records: bool,
 }
 
+/// Room that is made beyond what a mesh lacked: the next ones may be larger.
+const SPARE_ROOM: f64 = 0.25;
+
 /// Points that a capture has of the fluid.
 const MOST_POINTS: u32 = 1000;
 
@@ -114,11 +121,11 @@ impl ViewerScene {
         };
         let view =
             View { camera: desc.camera, size_px: desc.rung.picture_px(desc.window_px), ..View::of_scene(&simulated) };
-        let options = desc.rung.options(FrameOptions::for_scene(&simulated, gpu.tier()));
+        let options = options(&simulated, &desc.rung, gpu.tier(), desc.mesh_room);
         let planned = plan(&simulated, source, view, options)?;
         let left_out =
             left_out::list(&simulated, gpu.tier(), &planned, &left_out::Recorded::default()).unwrap_or_default();
-        let ScenePlan { session: mut planned, passes } = planned;
+        let ScenePlan { session: mut planned, passes, .. } = planned;
         let passes = passes.ok_or(ViewerError::NoPicture)?;
         planned.start_at(steps, simulated_s);
         planned.plan = desc.modules.put_into(planned.plan).map_err(ViewerError::Shader)?;
@@ -144,7 +151,7 @@ impl ViewerScene {
         if needs_reset(self.session.scene(), &simulated) {
             return Ok(false);
         }
-        let options = rung.options(FrameOptions::for_scene(&simulated, self.session.engine().gpu().tier()));
+        let options = options(&simulated, rung, self.session.engine().gpu().tier(), self.options.mesh_room());
         let source = ParticleSource::Count(self.session.slot_count());
         let other = plan(&simulated, source, self.view, options)?;
         if !self.session.apply(&other.session)? {
@@ -186,14 +193,17 @@ impl ViewerScene {
     /// # Errors
     /// If the device is lost.
     pub fn run(&mut self, request: &ViewerFrame, drag: Option<&Drag>) -> Result<u64, ViewerError> {
-        let (draw, color) = ([self.passes.draw.id()], [self.passes.color.id]);
+        let draw = [self.passes.draw.id()];
+        let color = Some(self.passes.color.id).filter(|_| request.records || request.screenshot);
+        let counts = self.passes.mesh_counts().map(|counts| counts.id);
+        let readbacks: Vec<ResourceId> = color.into_iter().chain(counts).collect();
         let request = FrameRequest {
             drag,
             steps: request.steps,
             measure: request.measures,
             then: &draw,
             sample: request.records,
-            readbacks: if request.records || request.screenshot { &color } else { &[] },
+            readbacks: &readbacks,
             ..FrameRequest::default()
         };
         Ok(self.session.submit(&request)?)
@@ -207,6 +217,21 @@ impl ViewerScene {
     /// The picture among a report's readbacks.
     pub fn picture_id(&self) -> ResourceId {
         self.passes.color.id
+    }
+
+    /// What the mesh of a frame came to whose report has it.
+    pub fn drawn_mesh(&self, report: &FrameReport) -> Option<MeshCounts> {
+        self.passes.drawn_mesh(report)
+    }
+
+    /// Whether its surface is a mesh.
+    pub fn is_meshed(&self) -> bool {
+        self.passes.mesh_counts().is_some()
+    }
+
+    /// Room that a mesh lacked, and a quarter of that more; none if it is whole.
+    pub fn lacked_room(&self, counts: &MeshCounts) -> Option<MeshRoom> {
+        self.options.lacked_mesh_room(counts, SPARE_ROOM)
     }
 
     /// What frames run, in the order of their passes' times: steps, measurements, pictures.
@@ -227,6 +252,11 @@ impl ViewerScene {
             particles: self.session.read_particles()?,
         })
     }
+}
+
+fn options(scene: &Scene, rung: &Rung, tier: Tier, mesh_room: Option<MeshRoom>) -> FrameOptions {
+    let options = rung.options(FrameOptions::for_scene(scene, tier));
+    mesh_room.map_or(options, |room| options.with_mesh_room(room))
 }
 
 fn plan(scene: &Scene, source: ParticleSource, view: View, options: FrameOptions) -> Result<ScenePlan, ViewerError> {

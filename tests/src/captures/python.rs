@@ -1,29 +1,10 @@
 //! The independent reader: `read_capture.py`, with the Python package `mcap`.
 
-use std::{path::Path, process::Command};
+use std::path::Path;
 
 use serde_json::Value;
 
 /// What the Python reader sees in `path`; none where there is no such Python.
 pub fn read_in_python(path: &Path) -> Option<Result<Value, String>> {
-    let Some(python) = std::env::var_os("BROOKLET_PYTHON") else {
-        assert!(
-            std::env::var_os("BROOKLET_REQUIRE_PYTHON").is_none(),
-            "BROOKLET_REQUIRE_PYTHON is set and BROOKLET_PYTHON is not: \
-             name a Python that has the package `mcap`"
-        );
-        println!("SKIPPED: BROOKLET_PYTHON does not name a Python with the package `mcap`");
-        return None;
-    };
-    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("read_capture.py");
-    let output = Command::new(&python)
-        .arg(script)
-        .arg(path)
-        .output()
-        .unwrap_or_else(|error| panic!("cannot start {}: {error}", python.display()));
-    if output.status.success() {
-        Some(Ok(serde_json::from_slice(&output.stdout).unwrap()))
-    } else {
-        Some(Err(String::from_utf8_lossy(&output.stderr).into_owned()))
-    }
+    crate::python::read_in_python("read_capture.py", path)
 }

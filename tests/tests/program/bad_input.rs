@@ -10,7 +10,7 @@ use brooklet_tests::program::{Ended, SCENE, Workshop, without_fluid};
 use brooklet_tests::states::{OLD_SCENE, of_version, version_1, with_section};
 
 /// The run of a bad input must end so, and leave the folder as it was.
-fn assert_refused(workshop: &Workshop, arguments: &[&str], words: &[&str]) {
+pub fn assert_refused(workshop: &Workshop, arguments: &[&str], words: &[&str]) {
     let before = listing(&workshop.path("."));
     let ended = workshop.run(arguments);
     assert_refusal(&ended, arguments, words);

@@ -10,7 +10,7 @@ use serde_json::Value;
 const RUN: [&str; 10] = ["run", "scene.toml", "--steps", "8", "--images", "2", "--particles", "ply", "--out", "result"];
 
 /// Every key of `summary.json`, as scripts rely on it.
-const SUMMARY_KEYS: [&str; 28] = [
+const SUMMARY_KEYS: [&str; 30] = [
     "scene",
     "particles",
     "steps",
@@ -32,6 +32,8 @@ const SUMMARY_KEYS: [&str; 28] = [
     "counters",
     "worst",
     "measured",
+    "drawn_meshes",
+    "mesh",
     "buffers",
     "bytes_per_particle",
     "left_out",

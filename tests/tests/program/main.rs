@@ -6,4 +6,5 @@ mod capture_cli;
 mod cli;
 mod cli_surfaces;
 mod ended_early;
+mod mesh;
 mod study;

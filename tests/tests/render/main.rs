@@ -2,6 +2,7 @@
 
 mod indirect;
 mod mesh;
+mod mesh_room;
 mod picture;
 mod picture_water;
 mod support;

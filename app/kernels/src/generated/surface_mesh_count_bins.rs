@@ -103,7 +103,7 @@ static COUNT_BINS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/count_bins.compute",
-    hash: "16fbc65505516b04022f8b297e8198cef7717e1776cbfa6ac1e914f8509384ac",
+    hash: "5f297c73688bfc98902ad2cd0d691ed671d0212fb1cf3c9bdf00d374b87739f3",
 };
 
 static COUNT_BINS_WITH_ANISOTROPIC: Module = Module {
@@ -116,5 +116,5 @@ static COUNT_BINS_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/count_bins.compute",
-    hash: "20eded422f9eeb48e9a95a5aec3f484345b9b0f97dbdb11bbc813e39ff3592c2",
+    hash: "2e4f5f3fa574deb43b07ab7e6c556133d9578d4af12444e7e579048f808bfee8",
 };

@@ -88,5 +88,5 @@ static COUNT_MESH: Module = Module {
     shared_bytes: 112,
     tier: Tier::Floor,
     source: "surface/mesh/count_mesh.compute",
-    hash: "9a018c4479c942ca1c033b52b861347ea172c352a444d4e477e0fd36b649ba3a",
+    hash: "a5725a82c987eb35c964b4dd414c2476a096592131b05c798c58da6ae5951d8d",
 };

@@ -109,5 +109,5 @@ static EMIT_TRIANGLES: Module = Module {
     shared_bytes: 112,
     tier: Tier::Floor,
     source: "surface/mesh/emit_triangles.compute",
-    hash: "08b54c72f6b7cb8ac07c27c5b69acd56cacc79def041c409f33f65aa20f159f8",
+    hash: "7c8edc2a8e5b0bb2b35277a85f5ee4301d6db07a00a3dafeabb9432d21c56995",
 };

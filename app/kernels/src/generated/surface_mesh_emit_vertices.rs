@@ -103,5 +103,5 @@ static EMIT_VERTICES: Module = Module {
     shared_bytes: 112,
     tier: Tier::Floor,
     source: "surface/mesh/emit_vertices.compute",
-    hash: "a7d45fc3e9e8e067ee590c1cab582e7df288b2dd592e5a4f323cb78f197c1c66",
+    hash: "b76ced30d6e075e3b7b5ec1e3215c0f28c4ca783c9786a3b0679cd1da587c9c5",
 };

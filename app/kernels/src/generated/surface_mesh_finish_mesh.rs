@@ -74,5 +74,5 @@ static FINISH_MESH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/finish_mesh.compute",
-    hash: "a6e476d505a0c9e9ebf4e0407ec8e30f07eed8b6213a08b9ca6fcc064ff28bfe",
+    hash: "c20fe26d88e1341a2d4d54dafeaff09531b899a4d514e7c3815fddcede6dcd3e",
 };

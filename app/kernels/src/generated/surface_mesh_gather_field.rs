@@ -115,7 +115,7 @@ static GATHER_FIELD: Module = Module {
     shared_bytes: 64,
     tier: Tier::Floor,
     source: "surface/mesh/gather_field.compute",
-    hash: "f7f3e772d0bceb0c0e81dec305ee3089c5f305baa3d9ff0339209a0223b9d453",
+    hash: "62c3e58e249e4d4f8fcf3b1d3ba7e8d5af68c302fd9c533d07e28c03c06a2c1d",
 };
 
 static GATHER_FIELD_WITH_ANISOTROPIC: Module = Module {
@@ -128,5 +128,5 @@ static GATHER_FIELD_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 64,
     tier: Tier::Floor,
     source: "surface/mesh/gather_field.compute",
-    hash: "c1bea1a0dace34ff9eaf197ad177111bd545e89e0beb6aa06cb04ef3f6e304d6",
+    hash: "f113492e00047e8c0715d918fc714ab6963afc7bb08266d713fa01e8bfcb30f4",
 };

@@ -174,10 +174,10 @@ pub struct MeshCounts {
     pub vertices: u32,
     /// `uint`.
     pub triangles: u32,
+    /// that found no place among the vertices
+    pub lost_vertices: u32,
     /// `uint`.
     pub reserved0: u32,
-    /// `uint`.
-    pub reserved1: u32,
 }
 const _: () = {
     assert!(offset_of!(MeshCounts, index_count) == 0);
@@ -192,7 +192,7 @@ const _: () = {
     assert!(offset_of!(MeshCounts, lost_triangles) == 60);
     assert!(offset_of!(MeshCounts, vertices) == 64);
     assert!(offset_of!(MeshCounts, triangles) == 68);
-    assert!(offset_of!(MeshCounts, reserved0) == 72);
-    assert!(offset_of!(MeshCounts, reserved1) == 76);
+    assert!(offset_of!(MeshCounts, lost_vertices) == 72);
+    assert!(offset_of!(MeshCounts, reserved0) == 76);
     assert!(size_of::<MeshCounts>() == 80);
 };

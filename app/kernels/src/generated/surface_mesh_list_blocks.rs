@@ -82,5 +82,5 @@ static LIST_BLOCKS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/list_blocks.compute",
-    hash: "4c2c344960684e8fbd3c916bba0dd975b12ea3f27f63808964a370d46917abf5",
+    hash: "533d83d3b9dce58ca17ce09493ff006db8f7ce9062c5fbc0b502f3991ce55a5b",
 };

@@ -84,5 +84,5 @@ static MARK_BLOCKS: Module = Module {
     shared_bytes: 500,
     tier: Tier::Floor,
     source: "surface/mesh/mark_blocks.compute",
-    hash: "6eeed644861c54530975168ab01a826ef848bd076ae3a0fbdcc17b3f6ba3a8d1",
+    hash: "e82ab3680995c43d18702f75da752aae352ad58731bdcf2159e1756dcdcbedea",
 };

@@ -72,7 +72,7 @@ static DRAW_MESH_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_depth.hlsl",
-    hash: "a892800ec41c4e0f0cbb8e97efb7fb356bd891cfc9d629876bb25f8c9d35b356",
+    hash: "5393691ed8df27168ac97c64edfdc2dc71aeab11f5a2bbf6f76e2c5c0284c644",
 };
 
 static DRAW_MESH_DEPTH_FRAGMENT: Module = Module {
@@ -85,5 +85,5 @@ static DRAW_MESH_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_depth.hlsl",
-    hash: "7463d1f25b9353615fc153407afd1f16b19eb1ad623f8ecf25d6b17f2ac697d9",
+    hash: "1fd3ddbfad073206bdf1e21754ce00010312cb0e1611ba66fd1b9b712820fd26",
 };

@@ -97,7 +97,7 @@ static MESH_NORMALS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_normals.compute",
-    hash: "16919b8bcc06c36aef37ec4b65552761d270478a477c5addcb85533a8f937478",
+    hash: "df9e84b27064b8a827a6978eeb5d14f2bef5a7dbebcd64537c234f41cc510ed4",
 };
 
 static MESH_NORMALS_WITH_ANISOTROPIC: Module = Module {
@@ -110,5 +110,5 @@ static MESH_NORMALS_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_normals.compute",
-    hash: "8c94d00798bd06e9805c13773a06314943ae88f16de1bc9fb3d8c88d09e13bf4",
+    hash: "b1b86878fe3eed129924161b587c38c43316aa3444498020cd6e9bb13d6178ee",
 };

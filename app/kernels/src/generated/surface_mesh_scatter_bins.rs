@@ -100,7 +100,7 @@ static SCATTER_BINS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/scatter_bins.compute",
-    hash: "f5a1e716a86df350e70aca1148f7aae0a99aa8dd719eeff4da1d730b56700836",
+    hash: "71719e18ebcb397104fd8b455ffbc2003819946d14fd76a5248feca33e4da14f",
 };
 
 static SCATTER_BINS_WITH_ANISOTROPIC: Module = Module {
@@ -113,5 +113,5 @@ static SCATTER_BINS_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/scatter_bins.compute",
-    hash: "9e15b8935bb55984509eda7d221dc2b9ca8d636f523264a837dd7b7cec42ccfb",
+    hash: "0082a8c59c8889430ad31d316f5161fc36f94929e6607022608acfacec9221d0",
 };

@@ -66,5 +66,5 @@ static FINISH_SUBDIVISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/finish_subdivision.compute",
-    hash: "94a2853a8b5c901acc23c6c92c9a9d0cd9a7d80964ef2743beec84ba96b38acc",
+    hash: "f0eae048014433a8a0e3e185854a174a8e915de5d9c952a52c3df0b44eea0f6c",
 };

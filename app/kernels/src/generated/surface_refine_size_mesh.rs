@@ -50,5 +50,5 @@ static SIZE_MESH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/size_mesh.compute",
-    hash: "2a5cf3bd3d8b9d7a6517e2388b5c232827abec1bea3db46d2324219643a4b1fa",
+    hash: "a30813419e51d8a7ed4d34a628eaad2c56234d24715b4be4d4bc44f763627131",
 };

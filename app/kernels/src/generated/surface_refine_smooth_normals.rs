@@ -77,5 +77,5 @@ static SMOOTH_NORMALS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/smooth_normals.compute",
-    hash: "606194cccfcde59ec8474711a820086a761ba933695c8f84ef60241bab10ac77",
+    hash: "863238eeaf3ffb1c08b289a76b386fc0e5b070f19a01fd5da04c4f56e75f0f5c",
 };

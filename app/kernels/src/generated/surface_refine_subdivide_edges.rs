@@ -81,5 +81,5 @@ static SUBDIVIDE_EDGES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/subdivide_edges.compute",
-    hash: "386357cef99075e26cbfc0bb570b2fdab656423d23bd6b21a3f8b065c3c47c15",
+    hash: "386131d11d9ebc956543ee0a3b11c82cacf0549f885884bb385a7fc403baa70e",
 };

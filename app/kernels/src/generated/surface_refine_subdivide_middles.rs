@@ -76,5 +76,5 @@ static SUBDIVIDE_MIDDLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/subdivide_middles.compute",
-    hash: "1097838eab4b69e6f31f181eb54040633152c7491c996339b663bbc6145d598d",
+    hash: "1d4026239322ef8ae4d1ebaa5693cc8da8bf8b88719ec166bf6a21eb27ce8ef0",
 };

@@ -85,5 +85,5 @@ static SUBDIVIDE_TRIANGLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/subdivide_triangles.compute",
-    hash: "7f5fc4f854b15fac925a3e5b55cd497a2313ca4d004382633670daa82521ac48",
+    hash: "7ef83c781677d96e356d0b0e9f44c544dcaf83e082763fc0b93b08cb50c3acb0",
 };

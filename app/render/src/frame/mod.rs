@@ -8,10 +8,10 @@ pub(crate) mod uniforms;
 pub use options::{Coloring, FrameOptions};
 pub use uniforms::{FrameUniforms, FrameValues};
 
-use brooklet_gpu::{Blend, DepthTest, DrawState, Load, Recording, Resources, Targets};
+use brooklet_gpu::{Blend, DepthTest, DrawState, FrameReport, Load, Recording, Resources, Targets};
 use brooklet_kernels::{
     Buffer, DrawEdges, DrawEdgesVariant, DrawFloor, DrawFloorVariant, DrawResolve, DrawResolveVariant, DrawSky, Format,
-    FrameLight, ShadowKeyword, SurfaceParams, Texture, WaterKeyword, WaterStyle,
+    FrameLight, MeshCounts, ShadowKeyword, SurfaceParams, Texture, WaterKeyword, WaterStyle,
 };
 
 use crate::surface::screen_space::{self, Caustics, Shapes, SunVolume, Sunlit, Thickness, Water, sun_volume};
@@ -35,6 +35,20 @@ pub struct FramePasses {
     pub water: Option<WaterPasses>,
     /// Camera, light and style, to be written when they change.
     pub uniforms: FrameUniforms,
+}
+
+impl FramePasses {
+    /// What the picture's mesh came to, to be read back with the picture's frame; none where no mesh is drawn.
+    pub fn mesh_counts(&self) -> Option<&Buffer<MeshCounts>> {
+        self.water.as_ref()?.surface.mesh_counts.as_ref()
+    }
+
+    /// What the mesh of a frame came to whose report has it.
+    pub fn drawn_mesh(&self, report: &FrameReport) -> Option<MeshCounts> {
+        let counts = self.mesh_counts()?;
+        let (_, bytes) = report.readbacks.iter().find(|(id, _)| *id == counts.id)?;
+        bytemuck::try_pod_read_unaligned(bytes).ok()
+    }
 }
 
 /// What a picture of water is made from.

@@ -2,10 +2,11 @@
 
 use brooklet_fluid::Scene;
 use brooklet_fluid::scene::PointColor;
-use brooklet_kernels::{Format, Tier};
+use brooklet_kernels::{Format, MeshCounts, Tier};
 
 use crate::RenderError;
 use crate::surface::SurfaceOptions;
+use crate::surface::marching_cubes::MeshRoom;
 use crate::surface::screen_space::depth_format;
 
 /// What a particle's colour tells.
@@ -59,6 +60,28 @@ impl FrameOptions {
             shadow_texels: 512,
             edges: true,
         }
+    }
+
+    /// The same with at least so much room for the surface's mesh, where one is drawn.
+    pub fn with_mesh_room(mut self, room: MeshRoom) -> Self {
+        if let SurfaceOptions::MarchingCubes(_, mesh) = &mut self.surface {
+            *mesh = mesh.with_room(mesh.room().max(room));
+        }
+        self
+    }
+
+    /// The room for the surface's mesh, where one is drawn.
+    pub fn mesh_room(&self) -> Option<MeshRoom> {
+        match &self.surface {
+            SurfaceOptions::MarchingCubes(_, mesh) => Some(mesh.room()),
+            _ => None,
+        }
+    }
+
+    /// Room that the mesh which came to `counts` needs beside what there is, and `spare` of that more.
+    pub fn lacked_mesh_room(&self, counts: &MeshCounts, spare: f64) -> Option<MeshRoom> {
+        let SurfaceOptions::MarchingCubes(_, mesh) = &self.surface else { return None };
+        mesh.room().needed(counts, spare, mesh.refine.parts).filter(|needed| *needed != mesh.room())
     }
 
     pub(super) fn check(&self) -> Result<(), RenderError> {

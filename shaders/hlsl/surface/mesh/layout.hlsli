@@ -77,8 +77,8 @@ struct MeshCounts
     uint lost_triangles;        // that found no place among the triangles, or whose vertices did not
     uint vertices;
     uint triangles;
+    uint lost_vertices;         // that found no place among the vertices
     uint reserved0;
-    uint reserved1;
 };
 
 #endif

@@ -7,9 +7,12 @@
 
 mod bins;
 mod blocks;
+mod counted;
 mod drawn;
+pub mod export;
 mod options;
 pub mod refine;
+mod room;
 pub mod table;
 
 use brooklet_fluid::grid::Scan;
@@ -20,9 +23,11 @@ use brooklet_kernels::{
 };
 use std::mem::offset_of;
 
+pub use counted::{MESH_FIELDS, is_whole, mesh_values};
 pub(crate) use drawn::record as record_drawn;
 pub use options::MarchingCubesOptions;
 pub use refine::RefineOptions;
+pub use room::MeshRoom;
 
 use super::Particles;
 use refine::TriangleMesh;

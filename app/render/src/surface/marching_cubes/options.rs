@@ -18,6 +18,8 @@ const FAR_M: f64 = 1.0e15;
 
 /// Blocks along each side that a group of `MarkBlocks` has.
 const MARKED_BLOCKS: u32 = 4;
+/// Cells along an axis at most, far more than there may be blocks.
+const MOST_CELLS: f64 = 1.0e9;
 /// Blocks of the whole grid at most: 64 MiB for each table over them.
 const MOST_GRID_BLOCKS: f64 = 16_777_216.0;
 
@@ -52,7 +54,8 @@ pub struct MarchingCubesOptions {
 impl MarchingCubesOptions {
     /// Cells as the scene asks for, with room for a surface of its particles that are a few layers thick.
     pub fn for_scene(scene: &Scene) -> Self {
-        let slots = u32::try_from(scene.particle_count()).unwrap_or(u32::MAX).max(scene.capacity.unwrap_or_default());
+        let slots = usize::try_from(scene.particle_count()).unwrap_or(usize::MAX);
+        let slots = slots.max(scene.capacity.unwrap_or_default() as usize);
         let spacing_m = scene.fitted_spacing_m();
         let domain_size_m = scene.domain.size_m();
         let longest_m = domain_size_m.iter().copied().fold(0.0, f64::max);
@@ -60,28 +63,41 @@ impl MarchingCubesOptions {
             0 => (scene.surface.mesh.cell_ratio * spacing_m, false),
             cells => (longest_m / f64::from(cells), true),
         };
+        let particles = Self::for_particles(slots, spacing_m, cell_m, domain_size_m, scene.domain.wall_bounds_m());
+        let refine = RefineOptions::for_scene(scene, particles.most_vertices);
+        Self { dense, anisotropic: scene.surface.mesh.anisotropic, refine, ..particles }
+    }
+
+    /// With as much room for so many particles; the mesh is that of their balls, as it is.
+    pub fn for_particles(
+        count: usize,
+        spacing_m: f64,
+        cell_m: f64,
+        domain_size_m: [f64; 3],
+        wall_bounds_m: [[f64; 3]; 2],
+    ) -> Self {
         // A surface particle has four cells of half a spacing of surface above it, each with a vertex and two triangles; a
         // splash, where all are at the surface, has four times that.
         let finer = (0.5 * spacing_m / cell_m).powi(2);
-        let room = |each: f64, least: u32, most: u32| ((f64::from(slots) * each * finer) as u32).clamp(least, most);
+        let room = |each: f64, least: u32, most: u32| ((count as f64 * each * finer) as u32).clamp(least, most);
         let most_vertices = room(16.0, 1 << 14, 1 << 22);
         Self {
             spacing_m,
             cell_m,
-            dense,
-            anisotropic: scene.surface.mesh.anisotropic,
+            dense: false,
+            anisotropic: false,
             domain_size_m,
-            wall_bounds_m: scene.domain.wall_bounds_m(),
+            wall_bounds_m,
             most_blocks: room(2.0, 1 << 10, 1 << 17),
             most_vertices,
             most_triangles: 2 * most_vertices,
-            refine: RefineOptions::for_scene(scene, most_vertices),
+            refine: RefineOptions::none(spacing_m),
         }
     }
 
     /// Cells of the domain along each axis.
     pub fn cells(&self) -> [u32; 3] {
-        self.domain_size_m.map(|side_m| (side_m / self.cell_m * (1.0 + 1e-9)).floor().max(1.0) as u32)
+        self.domain_size_m.map(|side_m| (side_m / self.cell_m * (1.0 + 1e-9)).floor().clamp(1.0, MOST_CELLS) as u32)
     }
 
     /// Blocks along each axis: over the domain, and one before and behind it.

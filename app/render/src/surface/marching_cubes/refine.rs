@@ -56,18 +56,30 @@ struct Rings {
 }
 
 impl RefineOptions {
-    /// What a scene asks for of a mesh with room for `most_vertices`: room for a closed mesh's parts of them, n² for n
-    /// parts a side, as far as buffers go.
+    /// What a scene asks for of a mesh with room for `most_vertices`.
     pub fn for_scene(scene: &Scene, most_vertices: u32) -> Self {
         let mesh = &scene.surface.mesh;
-        let most_vertices = most_vertices.saturating_mul(mesh.subdivide.pow(2)).min(MOST_VERTICES);
+        Self { smooth_normals: mesh.smooth_normals, parts: mesh.subdivide, ..Self::none(scene.fitted_spacing_m()) }
+            .with_room(most_vertices)
+    }
+
+    /// The mesh as it is, of particles `spacing_m` apart.
+    pub fn none(spacing_m: f64) -> Self {
         Self {
-            smooth_normals: mesh.smooth_normals,
-            parts: mesh.subdivide,
-            distance_m: DISTANCE_RATIO * scene.fitted_spacing_m(),
-            most_vertices,
-            most_triangles: 2 * most_vertices,
+            smooth_normals: 0,
+            parts: 1,
+            distance_m: DISTANCE_RATIO * spacing_m,
+            most_vertices: 0,
+            most_triangles: 0,
         }
+    }
+
+    /// With room for what becomes of so many vertices: of each n² for n parts a side where a mesh is closed, and more
+    /// where it has handles; as far as buffers go.
+    pub fn with_room(self, vertices: u32) -> Self {
+        let all = f64::from(self.parts).powi(2) * f64::from(vertices);
+        let most_vertices = (1.05 * all).min(f64::from(MOST_VERTICES)) as u32;
+        Self { most_vertices, most_triangles: 2 * most_vertices, ..self }
     }
 
     /// What the shaders are given of a mesh with room for so many vertices.

@@ -15,8 +15,8 @@ mod water;
 
 use brooklet_gpu::{Blend, DepthTest, DrawState, Load, Recording, Resources, Targets};
 use brooklet_kernels::{
-    Buffer, DrawFluidDepth, DrawFluidDepthVariant, DrawSurfaceNormals, Ellipsoid, Format, FrameView, SurfaceParams,
-    Texture, Tier,
+    Buffer, DrawFluidDepth, DrawFluidDepthVariant, DrawSurfaceNormals, Ellipsoid, Format, FrameView, MeshCounts,
+    SurfaceParams, Texture, Tier,
 };
 
 use super::Particles;
@@ -51,6 +51,8 @@ pub struct SmoothedSurface {
     pub(crate) has_normals: bool,
     /// The settings on the GPU.
     pub params: Buffer<SurfaceParams>,
+    /// What a mesh came to, and what of it found no room, if it is one.
+    pub mesh_counts: Option<Buffer<MeshCounts>>,
 }
 
 /// Draws over the fluid's pixels alone: their depth is above 0, where the covering triangle stands.
@@ -102,7 +104,7 @@ pub fn record(
         3,
         1,
     );
-    SmoothedSurface { raw, inverse_depth, normals, covered, ellipsoids, has_normals: false, params }
+    SmoothedSurface { raw, inverse_depth, normals, covered, ellipsoids, has_normals: false, params, mesh_counts: None }
 }
 
 /// Uploads the settings, and records the ellipsoids that particles with neighbours are stretched to.
@@ -143,6 +145,7 @@ pub(crate) fn record_meshed(
         ellipsoids,
         has_normals: true,
         params,
+        mesh_counts: Some(mesh.counts),
     }
 }
 
