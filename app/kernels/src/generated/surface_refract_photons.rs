@@ -70,5 +70,5 @@ static REFRACT_PHOTONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refract_photons.compute",
-    hash: "f4a7f15baea8784a0959678dc12ac7678d670d9425373d9ae139dfff1bbf001d",
+    hash: "cf91262dcedcaace217b6b699a7e7c8bd7efcf58cf848a9ee87d3df85b2ab524",
 };

@@ -1,5 +1,6 @@
 //! Photons bent by the water's surface, and carried to the floor.
 
+use super::spatial_weight;
 use super::sun_map::{SunMap, entry_at, photon_spacing_m, rows, shadow_position, world_from_shadow};
 use super::surface_normals::slope;
 use brooklet_kernels::{FrameLight, SurfaceParams};
@@ -17,6 +18,9 @@ const THICK: f64 = 6.0;
 /// Share of a surface around a point of it above which it bends light, and from which it does so wholly.
 const OUTLINE: f64 = 0.6;
 const INSIDE: f64 = 1.0;
+/// How far around is looked, in spacings, and in how many steps at most.
+const OUTLINE_REACH: f64 = 3.0;
+const MOST_STEPS: i64 = 12;
 const BINOMIAL: [f64; 5] = [1.0, 4.0, 6.0, 4.0, 1.0];
 /// No photon runs flatter than this.
 const LEAST_FALL: f64 = 0.05;
@@ -55,7 +59,7 @@ pub fn refract_photons(
         let (normal, bends) = match entry.is_wall(here) {
             true => (entry.outward, 1.0),
             false => {
-                let around = surface_around(sun_depth, params, light, x, y);
+                let around = if spacings > THIN { surface_around(sun_depth, params, light, x, y) } else { 0.0 };
                 let bends = smooth_step(THIN, THICK, spacings) * smooth_step(OUTLINE, INSIDE, around);
                 (normal_toward_sun(sun_depth, params, light, x, y), bends)
             }
@@ -104,17 +108,24 @@ fn smooth_step(from: f64, to: f64, x: f64) -> f64 {
     t * t * (3.0 - 2.0 * t)
 }
 
-/// How much of what is around a cell, two spacings to each side, is not far below it.
+/// How much of what is around a cell is not far below it: a Gaussian's share.
 fn surface_around(sun_depth: &SunMap, params: &SurfaceParams, light: &FrameLight, x: i64, y: i64) -> f64 {
     let photon_m = photon_spacing_m(params, light);
-    let apart = (f64::from(params.spacing_m) / photon_m).round().max(1.0) as i64;
-    let taps = (0..25i64).map(|i| (i % 5, i / 5)).filter(|&(i, j)| {
-        let [across, down] = [i, j].map(|at| apart * (at - 2));
-        let range_m = f64::from(params.range_m) + 2.0 * photon_m * across.abs().max(down.abs()) as f64;
+    let spacing = f64::from(params.spacing_m) / photon_m;
+    let apart = (0.4 * spacing).round().max(1.0) as i64;
+    let reach = OUTLINE_REACH * spacing;
+    let steps = ((reach / apart as f64) as i64).min(MOST_STEPS);
+    let (mut same, mut all) = (0.0, 0.0);
+    for (i, j) in (-steps..=steps).flat_map(|j| (-steps..=steps).map(move |i| (i, j))) {
+        let weight = spatial_weight((apart * apart * (i * i + j * j)) as f64, reach);
+        let range_m = f64::from(params.range_m) + 2.0 * photon_m * (apart * i.abs().max(j.abs())) as f64;
         let least = sun_depth.at(x, y) - range_m / f64::from(light.shadow_range_m);
-        sun_depth.at(x + across, y + down) > least.max(0.0)
-    });
-    taps.map(|(i, j)| BINOMIAL[i as usize] * BINOMIAL[j as usize]).sum::<f64>() / 256.0
+        all += weight;
+        if sun_depth.at(x + apart * i, y + apart * j) > least.max(0.0) {
+            same += weight;
+        }
+    }
+    if all > 0.0 { same / all } else { 1.0 }
 }
 
 /// Thickness without the pattern of the particles.
