@@ -4,9 +4,12 @@
 use log::{Level, LevelFilter, Log, Metadata, Record};
 use std::io::Write;
 
-/// What layers say without a fault of this program, by VUID, each with its reason. Empty: version
-/// 1.3.239 (Debian 12) is silent with Mesa's CPU driver.
-const KNOWN: &[(&str, &str)] = &[];
+/// What layers say without a fault of this program, by VUID or its words, each with its reason. Otherwise version 1.3.239
+/// (Debian 12) is silent with Mesa's CPU driver.
+const KNOWN: &[(&str, &str)] = &[(
+    "Invalid source language operand: 10",
+    "debug information of the panels' shaders names WGSL, a number younger than these layers",
+)];
 
 /// What the message that ends a run begins with.
 pub const ENDED: &str = "Vulkan's validation layers have a message";
@@ -62,6 +65,6 @@ mod tests {
         assert!(!is_fault(hal, message, &[("VUID-vkCmdDraw-None-1", "a reason")]));
         assert!(!is_fault("somebody_else", message, &[]));
         assert!(!is_fault(hal, "GENERAL [Loader Message (0x0)]", &[]));
-        assert!(KNOWN.iter().all(|(vuid, reason)| vuid.starts_with("VUID-") && !reason.is_empty()));
+        assert!(KNOWN.iter().all(|(words, reason)| words.len() > 12 && !reason.is_empty()));
     }
 }
