@@ -1,9 +1,11 @@
-//! How far each way to smooth is from surfaces that are known, at what cost.
+//! How far each way to smooth or mesh is from surfaces that are known, at what cost.
 
 mod density_field;
+mod distance;
 mod drawn;
 mod errors;
 mod listed;
+mod meshes;
 mod picture;
 mod plot;
 mod seen;
@@ -19,6 +21,7 @@ use density_field::DensityField;
 use drawn::{Drawn, FILTERS};
 pub use errors::Errors;
 use errors::errors;
+pub use meshes::MeshRow;
 pub use picture::Sheet;
 use seen::Seen;
 use shapes::{DOMAIN_M, SPACING_M, Shape};
@@ -77,6 +80,8 @@ pub struct Surfaces {
     pub spacing_m: f64,
     /// By body, distance, filter.
     pub rows: Vec<Row>,
+    /// The meshes themselves: by body, and how it was meshed.
+    pub meshes: Vec<MeshRow>,
 }
 
 impl Surfaces {
@@ -152,7 +157,9 @@ fn view(shape: Shape, distance_m: f64, size_px: [u32; 2]) -> View {
 /// Every [`BenchError`]; a body that a filter leaves nothing of among them.
 pub fn run(gpu: &Gpu, options: Options, observer: &dyn Observer) -> Result<(Surfaces, Sheet), BenchError> {
     let size_px = options.size_px;
-    observer.begin((Shape::ALL.len() * DISTANCES_M.len() * (FILTERS.len() + 1)) as u64);
+    let meshed = || FILTERS.into_iter().filter(|filter| filter.mesh.is_some());
+    let pictures = Shape::ALL.len() * DISTANCES_M.len() * (FILTERS.len() + 1);
+    observer.begin((pictures + Shape::MESHED.len() * meshed().count()) as u64);
     let mut rows = Vec::new();
     let mut sheet = Sheet::new(size_px);
     for shape in Shape::ALL {
@@ -196,6 +203,14 @@ pub fn run(gpu: &Gpu, options: Options, observer: &dyn Observer) -> Result<(Surf
             }
         }
     }
+    let mut meshes = Vec::new();
+    for shape in Shape::MESHED {
+        let particles_m = shape.particles_m();
+        for filter in meshed() {
+            meshes.push(meshes::mesh(gpu, (shape, &particles_m), filter, options.repeats, observer)?);
+            observer.advance();
+        }
+    }
     let info = gpu.info();
     let surfaces = Surfaces {
         device: info.name.clone(),
@@ -204,6 +219,7 @@ pub fn run(gpu: &Gpu, options: Options, observer: &dyn Observer) -> Result<(Surf
         size_px,
         spacing_m: SPACING_M,
         rows,
+        meshes,
     };
     Ok((surfaces, sheet))
 }

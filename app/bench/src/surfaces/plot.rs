@@ -22,6 +22,12 @@ const COLORS: [RGBColor; FILTERS.len() + 1] = [
     RGBColor(0, 158, 115),
     RGBColor(240, 190, 170),
     RGBColor(150, 30, 30),
+    RGBColor(188, 189, 220),
+    RGBColor(106, 81, 163),
+    RGBColor(84, 39, 143),
+    RGBColor(63, 0, 125),
+    RGBColor(120, 140, 60),
+    RGBColor(60, 90, 20),
     RGBColor(20, 20, 20),
 ];
 
@@ -37,7 +43,8 @@ fn draw(study: &Surfaces, text: &mut String) -> Drawing {
     area.fill(&WHITE)?;
     let (title, rest) = area.split_vertically(44);
     let [width, height] = study.size_px;
-    let caption = format!("Surfaces in screen space on {} as {}, {width} x {height}", study.device, study.tier);
+    let caption =
+        format!("Surfaces in screen space and meshed, on {} as {}, {width} x {height}", study.device, study.tier);
     title.draw(&Text::new(caption, (24, 14), (FONT, 20).into_font().color(&INK)))?;
     let (upper, lower) = rest.split_vertically(310);
     for (panel, shape) in upper.split_evenly((1, Shape::ALL.len())).iter().zip(Shape::ALL) {
@@ -46,7 +53,7 @@ fn draw(study: &Surfaces, text: &mut String) -> Drawing {
     let (left, right) = lower.split_horizontally(820);
     errors_over_time(&left, study)?;
     for (line, name) in names().enumerate() {
-        let y = 44 + 26 * line as i32;
+        let y = 8 + 22 * line as i32;
         right.draw(&Circle::new((20, y + 7), 5, COLORS[line].filled()))?;
         right.draw(&Text::new(name, (36, y), (FONT, 15).into_font().color(&INK)))?;
     }

@@ -22,11 +22,17 @@ pub enum Shape {
     Torus,
     /// 0.24 m deep, from wall to wall.
     Pool,
+    /// Two of radius 0.15 m, three spacings apart.
+    Spheres,
+    /// One layer of particles, 0.4 m wide.
+    Sheet,
 }
 
 impl Shape {
-    /// Every one.
+    /// What is drawn.
     pub const ALL: [Self; 4] = [Self::Sphere, Self::Box, Self::Torus, Self::Pool];
+    /// What is meshed.
+    pub const MESHED: [Self; 6] = [Self::Sphere, Self::Box, Self::Torus, Self::Pool, Self::Spheres, Self::Sheet];
 
     /// As figures and files call it.
     pub fn name(self) -> &'static str {
@@ -35,6 +41,8 @@ impl Shape {
             Self::Box => "box",
             Self::Torus => "torus",
             Self::Pool => "calm pool",
+            Self::Spheres => "two spheres",
+            Self::Sheet => "sheet",
         }
     }
 
@@ -42,6 +50,7 @@ impl Shape {
     pub fn middle_m(self) -> DVec3 {
         match self {
             Self::Pool => DVec3::new(0.5, 0.12, 0.5),
+            Self::Sheet => DVec3::new(0.5, 0.51, 0.5),
             _ => DVec3::splat(0.5),
         }
     }
@@ -49,6 +58,19 @@ impl Shape {
     /// Whether the domain's walls cut the fluid off.
     pub fn in_walls(self) -> bool {
         self == Self::Pool
+    }
+
+    /// Volume inside, m^3.
+    pub fn volume_m3(self) -> f64 {
+        let ball = |radius_m: f64| 4.0 / 3.0 * std::f64::consts::PI * radius_m.powi(3);
+        match self {
+            Self::Sphere => ball(0.25),
+            Self::Box => 0.4_f64.powi(3),
+            Self::Torus => 2.0 * std::f64::consts::PI.powi(2) * 0.26 * 0.11 * 0.11,
+            Self::Pool => 0.24,
+            Self::Spheres => 2.0 * ball(0.15),
+            Self::Sheet => 0.16 * SPACING_M,
+        }
     }
 
     /// Middles of particles inside: the points of a jittered lattice that are.
@@ -92,6 +114,11 @@ impl Implicit for Shape {
                 (v.x.hypot(v.z) - 0.26).hypot(v.y) - 0.11
             }
             Self::Pool => box_distance(offset, DVec3::new(0.5, 0.12, 0.5)),
+            Self::Spheres => {
+                let apart = DVec3::X * (0.15 + 1.5 * SPACING_M);
+                (offset - apart).length().min((offset + apart).length()) - 0.15
+            }
+            Self::Sheet => box_distance(offset, DVec3::new(0.2, 0.5 * SPACING_M, 0.2)),
         }
     }
 
@@ -106,15 +133,9 @@ mod tests {
 
     #[test]
     fn particles_fill_their_bodies() {
-        let volumes = [
-            4.0 / 3.0 * std::f64::consts::PI * 0.25_f64.powi(3),
-            0.4_f64.powi(3),
-            2.0 * std::f64::consts::PI.powi(2) * 0.26 * 0.11 * 0.11,
-            0.24,
-        ];
-        for (shape, volume_m3) in Shape::ALL.into_iter().zip(volumes) {
+        for shape in Shape::MESHED {
             let particles = shape.particles_m();
-            let filled = particles.len() as f64 * SPACING_M.powi(3) / volume_m3;
+            let filled = particles.len() as f64 * SPACING_M.powi(3) / shape.volume_m3();
             assert!((filled - 1.0).abs() < 0.02, "{}: {filled}", shape.name());
             assert!(particles.iter().all(|&p| shape.at(p) < 0.2 * SPACING_M && p.min_element() > 0.0));
         }

@@ -1,10 +1,10 @@
 //! `brooklet bench surfaces` for people.
 
-use brooklet_bench::surfaces::Surfaces;
+use brooklet_bench::surfaces::{MeshRow, Surfaces};
 
 use crate::table::{bytes, table};
 
-/// Prints the table of ways to smooth.
+/// Prints the tables of ways to smooth and to mesh.
 pub fn print(surfaces: &Surfaces) {
     let [width, height] = surfaces.size_px;
     say!("{width} x {height} pixels, spacing {} m, on {} as {}", surfaces.spacing_m, surfaces.device, surfaces.tier);
@@ -46,5 +46,31 @@ pub fn print(surfaces: &Surfaces) {
     say!(
         "\nnormals: angle to the known surface's, mean and 95 of 100 pixels; inside: without 3 pixels at outlines;\n\
          outline: pixels that one of the surfaces alone covers, over the length of the known outline"
+    );
+    print_meshes(&surfaces.meshes);
+}
+
+/// Prints the table of meshes.
+fn print_meshes(meshes: &[MeshRow]) {
+    let header =
+        ["body", "mesh", "vertices", "triangles", "mean", "Hausdorff", "volume %", "normals deg", "ms", "buffers"];
+    let mut list = table(&header, &[2, 3, 4, 5, 6, 7, 8, 9]);
+    for row in meshes {
+        list.add_row([
+            row.shape.to_owned(),
+            row.mesh.to_owned(),
+            row.vertices.to_string(),
+            row.triangles.to_string(),
+            format!("{:.3}", row.mean_spacings),
+            format!("{:.2}", row.hausdorff_spacings),
+            format!("{:+.2}", 100.0 * row.volume_error),
+            format!("{:.2}", row.normal_mean_deg),
+            format!("{:.2}", row.ms),
+            bytes(row.bytes),
+        ]);
+    }
+    say!("\n{}", list.trim_fmt());
+    say!(
+        "\nmean: from the mesh to the known surface, by area; Hausdorff: the largest distance either way; both in spacings"
     );
 }

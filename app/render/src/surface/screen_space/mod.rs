@@ -123,8 +123,19 @@ fn settings(
     (params, ellipsoids)
 }
 
-/// Records the surface of a mesh likewise, where `mesh` is wanted instead of smoothed depths.
-pub(crate) fn record_meshed(
+/// Records the ellipsoids that particles with neighbours are stretched to, where the options want them.
+pub fn record_ellipsoids(
+    resources: &mut Resources,
+    (init, recording): (&mut Recording, &mut Recording),
+    particles: &Particles<'_>,
+    options: &ScreenSpaceOptions,
+) -> Option<Buffer<Ellipsoid>> {
+    settings(resources, (init, recording), particles, options).1
+}
+
+/// Records the surface of a mesh likewise, where `mesh` is wanted instead of smoothed depths; its normals are
+/// `Rgba16Float`.
+pub fn record_meshed(
     resources: &mut Resources,
     (init, recording): (&mut Recording, &mut Recording),
     view: &Buffer<FrameView>,
