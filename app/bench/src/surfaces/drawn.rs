@@ -68,9 +68,9 @@ pub const FILTERS: [Filter; 15] = [
     ellipsoids("ellipsoids", Smoothing::None, 0),
     ellipsoids("ellipsoids, narrow-range", Smoothing::NarrowRange, 1),
     mesh("mesh, cells d", 1.0),
+    mesh("mesh, cells 2d/3", 2.0 / 3.0),
     mesh("mesh, cells d/2", 0.5),
     mesh("mesh, cells d/3", 1.0 / 3.0),
-    mesh("mesh, cells d/4", 0.25),
     Filter {
         mesh: Some(Mesh { cell_ratio: 0.5, smooth_normals: 0, anisotropic: false }),
         ..filter("mesh, not smoothed", Smoothing::None, 0)
