@@ -255,6 +255,7 @@ fn what_finds_no_room_is_counted_and_nothing_is_written_beyond_the_end() {
             assert_eq!(got.counts.lost_triangles as usize, lost);
             assert!(lost > 0);
             assert_eq!([got.counts.vertices, got.counts.triangles], [most_vertices, most_triangles]);
+            assert_eq!(got.counts.lost_vertices, all.counts.vertices - most_vertices);
         }
         // Of triangles that were lost before each part counts, and so do those of neighbours that do not find an edge.
         let mut torn = mesh.clone();

@@ -6,7 +6,7 @@ use brooklet_gpu::{Engine, Plan, ResourceId, Resources};
 use brooklet_kernels::{MeshCounts, MeshVertex, Position};
 use brooklet_reference::surface::marching_cubes::check_closed;
 use brooklet_render::surface::marching_cubes::export::{ExportError, HostMesh, check_room, mesh_particles};
-use brooklet_render::surface::marching_cubes::{MeshRoom, is_whole, record};
+use brooklet_render::surface::marching_cubes::{MeshRoom, RefineOptions, is_whole, record};
 use brooklet_render::{MarchingCubesOptions, Particles};
 use brooklet_tests::{gpu, rng};
 use rand::RngExt;
@@ -175,6 +175,35 @@ fn without_a_block_the_rest_is_as_it_was() {
     let room = small.needed(&first.counts, 0.25, 1).expect("it lacks some");
     let next = frame(&positions, &roomy.with_room(room));
     assert!(is_whole(&next.counts) && is_same(&next.mesh, &whole));
+}
+
+#[test]
+fn a_subdivided_mesh_lacks_room_after_that_as_well() {
+    let positions = ball();
+    let coarse = options(positions.len());
+    for parts in [2, 3] {
+        let refine = RefineOptions { parts, ..coarse.refine };
+        let roomy = MarchingCubesOptions { refine, ..coarse }.with_room(coarse.room());
+        let whole = mesh_particles(&gpu(), &positions, &roomy).expect("a mesh");
+        check_closed(&whole.triangles).expect("it is closed");
+        let needs = [whole.vertices.len() as u32, whole.triangles.len() as u32];
+        // Room for the mesh, and too little for what it is subdivided to: of vertices, or of triangles.
+        for most in [[needs[0] / 3, needs[1]], [needs[0], needs[1] / 5]] {
+            let refine = RefineOptions { most_vertices: most[0], most_triangles: most[1], ..roomy.refine };
+            let small = MarchingCubesOptions { refine, ..roomy };
+            let Frame { counts, mesh, .. } = frame(&positions, &small);
+            assert_eq!([counts.vertices, counts.triangles], most, "{parts} parts");
+            assert_eq!(counts.vertices + counts.lost_vertices, needs[0], "{parts} parts");
+            assert_eq!(drawn(&mesh) + counts.lost_triangles, needs[1], "{parts} parts");
+            assert!(is_part(&mesh, &whole), "{parts} parts");
+            let room = small.room().needed(&counts, 0.25, parts).expect("it lacks some");
+            let next = frame(&positions, &small.with_room(room));
+            assert!(is_whole(&next.counts) && is_same(&next.mesh, &whole), "{parts} parts");
+        }
+        let least = roomy.with_room(MeshRoom { blocks: 1, vertices: 1, triangles: 1 });
+        let grown = mesh_particles(&gpu(), &positions, &least).expect("a mesh");
+        assert!((2..=5).contains(&grown.runs) && is_same(&grown, &whole), "{parts} parts: {} runs", grown.runs);
+    }
 }
 
 #[test]

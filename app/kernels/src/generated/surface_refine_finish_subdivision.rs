@@ -66,5 +66,5 @@ static FINISH_SUBDIVISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/finish_subdivision.compute",
-    hash: "f0eae048014433a8a0e3e185854a174a8e915de5d9c952a52c3df0b44eea0f6c",
+    hash: "ba729e33cadf9e81b843d4941b2ba72fb8446eee8f925875b61ee5d7dc3622f8",
 };

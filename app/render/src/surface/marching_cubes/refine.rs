@@ -24,6 +24,11 @@ const DIFFERENCE: f64 = 0.25;
 /// Vertices there may be at most: 128 MiB, which every device binds.
 const MOST_VERTICES: u32 = 1 << 22;
 
+/// Vertices that become of each: n² for n parts a side where a mesh is closed, and more where it has handles.
+fn finer(parts: u32) -> f64 {
+    1.05 * f64::from(parts.pow(2))
+}
+
 /// How a mesh is refined.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RefineOptions {
@@ -59,8 +64,9 @@ impl RefineOptions {
     /// What a scene asks for of a mesh with room for `most_vertices`.
     pub fn for_scene(scene: &Scene, most_vertices: u32) -> Self {
         let mesh = &scene.surface.mesh;
+        let most_coarse = (f64::from(MOST_VERTICES) / finer(mesh.subdivide)) as u32;
         Self { smooth_normals: mesh.smooth_normals, parts: mesh.subdivide, ..Self::none(scene.fitted_spacing_m()) }
-            .with_room(most_vertices)
+            .with_room(most_vertices.min(most_coarse), 2 * most_vertices.min(most_coarse))
     }
 
     /// The mesh as it is, of particles `spacing_m` apart.
@@ -74,12 +80,19 @@ impl RefineOptions {
         }
     }
 
-    /// With room for what becomes of so many vertices: of each n² for n parts a side where a mesh is closed, and more
-    /// where it has handles; as far as buffers go.
-    pub fn with_room(self, vertices: u32) -> Self {
-        let all = f64::from(self.parts).powi(2) * f64::from(vertices);
-        let most_vertices = (1.05 * all).min(f64::from(MOST_VERTICES)) as u32;
-        Self { most_vertices, most_triangles: 2 * most_vertices, ..self }
+    /// With room for what becomes of so many vertices and triangles.
+    pub fn with_room(self, vertices: u32, triangles: u32) -> Self {
+        let most_vertices = (finer(self.parts) * f64::from(vertices)).ceil() as u32;
+        let most_triangles = triangles.saturating_mul(self.parts.pow(2)).max(most_vertices.saturating_mul(2));
+        Self { most_vertices, most_triangles, ..self }
+    }
+
+    /// Vertices and triangles for what becomes of which there is room.
+    pub(super) fn coarse_room(&self) -> [u32; 2] {
+        match self.parts {
+            0 | 1 => [u32::MAX; 2],
+            parts => [(f64::from(self.most_vertices) / finer(parts)) as u32, self.most_triangles / parts.pow(2)],
+        }
     }
 
     /// What the shaders are given of a mesh with room for so many vertices.

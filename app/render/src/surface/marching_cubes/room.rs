@@ -29,7 +29,7 @@ impl MeshRoom {
         let blocks = f64::from(counts.blocks) + f64::from(counts.lost_blocks);
         let share = blocks / f64::from(counts.blocks.max(1));
         let fine = f64::from(parts.pow(2));
-        let vertices = share * (f64::from(counts.vertices) / fine + f64::from(counts.lost_vertices));
+        let vertices = share * (f64::from(counts.vertices) + f64::from(counts.lost_vertices)) / fine;
         // Triangles that are lost for want of a vertex have a place all the same.
         let without_place =
             if counts.triangles < self.triangles.saturating_mul(parts.pow(2)) { 0 } else { counts.lost_triangles };
@@ -62,15 +62,20 @@ impl MeshRoom {
 }
 
 impl MarchingCubesOptions {
-    /// The room there is.
+    /// The room there is, of a subdivided mesh before and after that.
     pub fn room(&self) -> MeshRoom {
-        MeshRoom { blocks: self.most_blocks, vertices: self.most_vertices, triangles: self.most_triangles }
+        let [vertices, triangles] = self.refine.coarse_room();
+        MeshRoom {
+            blocks: self.most_blocks,
+            vertices: self.most_vertices.min(vertices),
+            triangles: self.most_triangles.min(triangles),
+        }
     }
 
     /// The same with other room.
     pub fn with_room(self, room: MeshRoom) -> Self {
         let MeshRoom { blocks: most_blocks, vertices: most_vertices, triangles: most_triangles } = room;
-        let refine = self.refine.with_room(most_vertices);
+        let refine = self.refine.with_room(most_vertices, most_triangles);
         Self { most_blocks, most_vertices, most_triangles, refine, ..self }
     }
 }
