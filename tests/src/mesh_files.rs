@@ -49,8 +49,8 @@ pub fn scene_of_drops() -> String {
                      max_m = [4, 4, 4]\n[solver]\nmethod = \"none\"\n[surface]\nmethod = \"marching-cubes\"\n\
                      [outputs]\nimages = 2\nwidth_px = 64\nheight_px = 36\nmeasure_every_steps = 1\n"
         .to_owned();
-    for drop in 0..64 {
-        let low_m = [1, 4, 16].map(|n| 0.4 + 0.8 * f64::from(drop / n % 4));
+    for drop in 0..125 {
+        let low_m = [1, 5, 25].map(|n| 0.4 + 0.8 * f64::from(drop / n % 5));
         let high_m = low_m.map(|m| m + 0.05);
         scene.push_str(&format!("[[fluid]]\nblock = {{ min_m = {low_m:?}, max_m = {high_m:?} }}\n"));
     }
