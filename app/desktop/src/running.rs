@@ -4,13 +4,10 @@ use std::path::{Path, PathBuf};
 
 use brooklet_fluid::{FrameRequest, Scene, Session};
 use brooklet_render::surface::marching_cubes::{MeshRoom, is_whole};
-use brooklet_render::{FramePasses, ScenePlan, StartError};
+use brooklet_render::{FrameOptions, FramePasses, ScenePlan, StartError};
 use indicatif::ProgressBar;
 
 use crate::{failure::Failure, interrupt::Interrupt, pictures::Picture, ply, recorder::Recorder, summary::Files};
-
-/// Room that is made beyond what a mesh lacked: the next ones may be larger.
-const SPARE_ROOM: f64 = 0.25;
 
 /// A run under way.
 pub struct Running<'a> {
@@ -141,9 +138,10 @@ impl Running<'_> {
         if is_whole(counts) {
             return Ok(false);
         }
-        for spare in [SPARE_ROOM, 0.0] {
-            let parts = self.scene.surface.mesh.subdivide;
-            let Some(needed) = room.needed(counts, spare, parts).filter(|needed| *needed != room) else { continue };
+        let tier = self.session.engine().gpu().tier();
+        let looks = FrameOptions::for_scene(self.scene, tier).with_mesh_room(room);
+        for spare in [MeshRoom::SPARE, 0.0] {
+            let Some(needed) = looks.lacked_mesh_room(counts, spare) else { continue };
             match enlarge(&self.session, self.scene, needed) {
                 Ok((session, passes)) => {
                     self.recorder.go_on_in(&session);

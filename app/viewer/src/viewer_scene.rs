@@ -78,9 +78,6 @@ pub struct ViewerFrame {
     pub records: bool,
 }
 
-/// Room that is made beyond what a mesh lacked: the next ones may be larger.
-const SPARE_ROOM: f64 = 0.25;
-
 /// Points that a capture has of the fluid.
 const MOST_POINTS: u32 = 1000;
 
@@ -231,7 +228,7 @@ impl ViewerScene {
 
     /// Room that a mesh lacked, and a quarter of that more; none if it is whole.
     pub fn lacked_room(&self, counts: &MeshCounts) -> Option<MeshRoom> {
-        self.options.lacked_mesh_room(counts, SPARE_ROOM)
+        self.options.lacked_mesh_room(counts, MeshRoom::SPARE)
     }
 
     /// What frames run, in the order of their passes' times: steps, measurements, pictures.

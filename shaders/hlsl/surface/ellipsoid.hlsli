@@ -24,13 +24,20 @@ float3x3 StretchOf(uint3 packed)
     return float3x3(xx, xy, xz, xy, yy, yz, xz, yz, zz);
 }
 
+// A symmetric matrix's inverse times its determinant, and that: the volume it stretches a unit of volume to.
+float3x3 CofactorsOf(float3x3 stretch, out float volume)
+{
+    float3 x = cross(stretch[1], stretch[2]);
+    volume = dot(stretch[0], x);
+    return float3x3(x, cross(stretch[2], stretch[0]), cross(stretch[0], stretch[1]));
+}
+
 // Where a symmetric matrix stretches v from.
 float3 Unstretched(float3x3 stretch, float3 v)
 {
-    float3 x = cross(stretch[1], stretch[2]);
-    float3 y = cross(stretch[2], stretch[0]);
-    float3 z = cross(stretch[0], stretch[1]);
-    return float3(dot(x, v), dot(y, v), dot(z, v)) / dot(stretch[0], x);
+    float volume;
+    float3x3 cofactors = CofactorsOf(stretch, volume);
+    return mul(cofactors, v) / volume;
 }
 
 #endif

@@ -15,6 +15,7 @@ use glam::{DMat3, DVec3, UVec3};
 use half::f16;
 use rand::{Rng, RngExt};
 
+use super::anisotropy::stretch;
 use super::marching_cubes::{SPACING_M, is_beyond, lattice, min_m, options, run_with};
 
 const FIELD: f64 = 120.0;
@@ -22,14 +23,6 @@ const NORMAL: f64 = 600.0;
 
 fn halves(low: f64, high: f64) -> u32 {
     u32::from(f16::from_f64(low).to_bits()) | u32::from(f16::from_f64(high).to_bits()) << 16
-}
-
-fn stretch_of(ellipsoid: &Ellipsoid) -> DMat3 {
-    let [xx_yy, zz_xy, xz_yz] = ellipsoid.stretch;
-    let low = |word: u32| f16::from_bits(word as u16).to_f64();
-    let high = |word: u32| f16::from_bits((word >> 16) as u16).to_f64();
-    let (xx, yy, zz, xy, xz, yz) = (low(xx_yy), high(xx_yy), low(zz_xy), high(zz_xy), low(xz_yz), high(xz_yz));
-    DMat3::from_cols(DVec3::new(xx, xy, xz), DVec3::new(xy, yy, yz), DVec3::new(xz, yz, zz))
 }
 
 /// Ellipsoids of all sizes and directions, some as narrow as there are, near their particles.
@@ -82,7 +75,11 @@ fn the_mesh_of_ellipsoids_matches_its_twin() {
         let kernels: Vec<MeshKernel> = ellipsoids
             .iter()
             .map(|ellipsoid| {
-                MeshKernel::new(DVec3::from_array(ellipsoid.center_m.map(f64::from)), stretch_of(ellipsoid), SPACING_M)
+                MeshKernel::new(
+                    DVec3::from_array(ellipsoid.center_m.map(f64::from)),
+                    DMat3::from_cols_array_2d(&stretch(ellipsoid).map(|column| column.map(f64::from))),
+                    SPACING_M,
+                )
             })
             .collect();
         let walls_m = [DVec3::ZERO, size_m];

@@ -72,7 +72,7 @@ fn run_with(case: &Case, (params, surface): Params, unlisted: Option<usize>) -> 
 }
 
 /// Columns of the matrix, from its six halves.
-fn stretch(ellipsoid: &Ellipsoid) -> [[f32; 3]; 3] {
+pub(super) fn stretch(ellipsoid: &Ellipsoid) -> [[f32; 3]; 3] {
     let half = |index: usize| half_value((ellipsoid.stretch[index / 2] >> (16 * (index % 2))) as u16);
     let [xx, yy, zz, xy, xz, yz] = [0, 1, 2, 3, 4, 5].map(half);
     [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]

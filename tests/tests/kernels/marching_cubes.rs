@@ -7,8 +7,8 @@ use std::collections::BTreeSet;
 
 use brooklet_fluid::Slots;
 use brooklet_kernels::{
-    BLOCK_CELLS, BLOCK_INSIDE, BLOCK_LISTED, Ellipsoid, GatherField, Kernel, MeshCounts, MeshNormals, MeshParams,
-    MeshVertex, Position, Velocity,
+    BEYOND_M, BLOCK_CELLS, BLOCK_INSIDE, BLOCK_LISTED, Ellipsoid, GatherField, Kernel, MeshCounts, MeshNormals,
+    MeshParams, MeshVertex, Position, Velocity,
 };
 use brooklet_reference::surface::marching_cubes::{FieldGrid, Mesh, check_closed, marching_cubes, volume_m3};
 use brooklet_reference::surface::marching_cubes_table;
@@ -144,9 +144,6 @@ impl Meshed {
         }
     }
 }
-
-/// What the field is beyond walls.
-const BEYOND_M: f32 = -1.0e15;
 
 pub(super) fn is_beyond(grid_point: UVec3, mesh: &MeshParams) -> bool {
     grid_point.cmplt(UVec3::from_array(mesh.low_point)).any()

@@ -1,7 +1,7 @@
 //! Bodies of particles drawn by the product's own passes, and what that cost.
 
 use brooklet_fluid::{Scene, scene::Smoothing};
-use brooklet_gpu::{Engine, Gpu, Plan, Quantiles, Resources, Shape as Kind};
+use brooklet_gpu::{Engine, Gpu, Plan, Resources, Shape as Kind};
 use brooklet_kernels::{Position, Tier};
 use brooklet_render::{
     Coloring, FrameOptions, Particles, SurfaceOptions, View,
@@ -17,6 +17,7 @@ use super::{
     listed::Listed,
     seen::Seen,
     shapes::{DOMAIN_M, SPACING_M, Shape},
+    timed,
 };
 use crate::{BenchError, Observer};
 
@@ -174,25 +175,10 @@ pub fn draw(
     };
     let bytes = plan.buffers().iter().filter(|kept| is_kept(kept.id)).map(|kept| kept.bytes).sum();
     let mut engine = Engine::new(gpu, plan).map_err(BenchError::input)?;
-    engine.run(&[init_id], &[]).map_err(BenchError::stopped)?;
-    engine.finish().map_err(BenchError::stopped)?;
-
-    let mut times = Vec::new();
-    for _ in 0..WARM_UP + repeats {
-        observer.check()?;
-        engine.run(&[draw_id], &[]).map_err(BenchError::stopped)?;
-        times.extend(engine.reports());
-    }
-    times.extend(engine.finish().map_err(BenchError::stopped)?);
-    let ms_of = |wanted: &dyn Fn(&str) -> bool| {
-        let stages = |report: &brooklet_gpu::FrameReport| -> f64 {
-            report.stage_ms().iter().filter(|(stage, ..)| wanted(stage)).fold(0.0, |sum, (_, ms, _)| sum + ms)
-        };
-        Quantiles::of(times.iter().skip(WARM_UP).map(stages).collect()).map_or(0.0, |quantiles| quantiles.median)
-    };
+    let reports = timed::run(&mut engine, (init_id, draw_id), (WARM_UP, repeats), observer)?;
     // The normals' own pass is the study's: the water restores them where it shades.
-    let smoothing_ms = ms_of(&|stage| stage.contains("smooth_") || stage.contains("rings"));
-    let all_ms = ms_of(&|stage| stage != "draw_surface_normals");
+    let smoothing_ms = timed::median_ms(&reports, |stage| stage.contains("smooth_") || stage.contains("rings"));
+    let all_ms = timed::median_ms(&reports, |stage| stage != "draw_surface_normals");
     let texels = engine.read_texture(&surface.normals).map_err(BenchError::stopped)?;
     let values: Vec<f32> = match filter.mesh {
         Some(_) => texels.as_chunks().0.iter().map(|&bits| half::f16::from_le_bytes(bits).to_f32()).collect(),

@@ -1,12 +1,13 @@
 //! How far meshes are from surfaces that are known, at what cost.
 
 use brooklet_fluid::Scene;
-use brooklet_gpu::{Engine, Gpu, Plan, Quantiles, Resources};
+use brooklet_gpu::{Engine, Gpu, Plan, Resources};
 use brooklet_kernels::{MeshCounts, MeshVertex, Position};
 use brooklet_render::{
     Particles,
     surface::{
-        MarchingCubesOptions, marching_cubes,
+        MarchingCubesOptions,
+        marching_cubes::{self, export::HostMesh},
         screen_space::{self, ScreenSpaceOptions},
     },
 };
@@ -18,6 +19,7 @@ use super::drawn::{Filter, meshing, positions, scene};
 use super::listed::Listed;
 use super::seen::Implicit;
 use super::shapes::{DOMAIN_M, SPACING_M, Shape};
+use super::timed;
 use crate::{BenchError, Observer};
 
 /// Meshes made before those that are timed.
@@ -66,7 +68,7 @@ pub fn mesh(
     let mut options = meshing(&scene, positions.len());
     loop {
         let made = make(gpu, (&scene, &positions), &options, repeats, observer)?;
-        let Some(room) = options.room().needed(&made.counts, 0.0, options.refine.parts) else {
+        let Some(room) = options.lacked_room(&made.counts, 0.0) else {
             return row(shape, filter, &options, &made);
         };
         options = options.with_room(room);
@@ -76,8 +78,7 @@ pub fn mesh(
 /// What the GPU made.
 struct Made {
     counts: MeshCounts,
-    vertices: Vec<MeshVertex>,
-    indices: Vec<u32>,
+    mesh: HostMesh,
     ms: f64,
     bytes: u64,
 }
@@ -104,45 +105,25 @@ fn make(
         screen_space::record_ellipsoids(&mut resources, (&mut init, &mut recording), &particles, &screen_space);
     let mesh =
         marching_cubes::record(&mut resources, (&mut init, &mut recording), (&particles, ellipsoids.as_ref()), options);
-    let ids = [init.id(), recording.id()];
+    let ids = (init.id(), recording.id());
     let wanted = [mesh.counts.id, mesh.vertices.id, mesh.indices.id];
     let plan = Plan::sweep(resources, vec![init, recording], &wanted).map_err(BenchError::stopped)?;
     let bytes = plan.bytes();
     let mut engine = Engine::new(gpu, plan).map_err(BenchError::input)?;
-    engine.run(&ids[..1], &[]).map_err(BenchError::stopped)?;
-    engine.finish().map_err(BenchError::stopped)?;
-    let mut times = Vec::new();
-    for _ in 0..WARM_UP + repeats {
-        observer.check()?;
-        engine.run(&ids[1..], &[]).map_err(BenchError::stopped)?;
-        times.extend(engine.reports());
-    }
-    times.extend(engine.finish().map_err(BenchError::stopped)?);
-    let all_ms = |report: &brooklet_gpu::FrameReport| report.stage_ms().iter().map(|(_, ms, _)| *ms).sum::<f64>();
-    let ms = Quantiles::of(times.iter().skip(WARM_UP).map(all_ms).collect()).map_or(0.0, |quantiles| quantiles.median);
-
-    Ok(Made {
-        counts: engine.read(&mesh.counts).map_err(BenchError::stopped)?[0],
-        vertices: engine.read(&mesh.vertices).map_err(BenchError::stopped)?,
-        indices: engine.read(&mesh.indices).map_err(BenchError::stopped)?,
-        ms,
-        bytes,
-    })
+    let reports = timed::run(&mut engine, ids, (WARM_UP, repeats), observer)?;
+    let counts: MeshCounts = engine.read(&mesh.counts).map_err(BenchError::stopped)?[0];
+    let mesh = mesh.read(&mut engine, &counts).map_err(BenchError::stopped)?;
+    Ok(Made { counts, mesh, ms: timed::median_ms(&reports, |_| true), bytes })
 }
 
 /// How far a mesh is from its body.
 fn row(shape: Shape, filter: Filter, options: &MarchingCubesOptions, made: &Made) -> Result<MeshRow, BenchError> {
-    let Made { counts, vertices, indices, .. } = made;
+    let HostMesh { vertices, triangles, .. } = &made.mesh;
     let at = |vertex: u32| DVec3::from_array(vertices[vertex as usize].position_m.map(f64::from));
-    let corners = indices[..counts.index_count as usize].as_chunks().0;
-    let triangles: Vec<[DVec3; 3]> = corners.iter().map(|corners: &[u32; 3]| corners.map(at)).collect();
-    let middle_m = shape.middle_m();
-    let volume_m3: f64 =
-        triangles.iter().map(|[a, b, c]| (*a - middle_m).dot((*b - middle_m).cross(*c - middle_m)) / 6.0).sum();
+    let corners_m: Vec<[DVec3; 3]> = triangles.iter().map(|corners| corners.map(at)).collect();
     let points_m = points_on(&shape, DOMAIN_M, 0.75 * SPACING_M);
-    let off = distances(&triangles, &shape, &points_m, 3.0 * SPACING_M)
+    let off = distances(&corners_m, &shape, &points_m, 3.0 * SPACING_M)
         .ok_or_else(|| BenchError::stopped(format_args!("the {} has no mesh with {}", shape.name(), filter.name)))?;
-    let drawn = &vertices[..counts.vertices as usize];
     let angle_deg = |vertex: &MeshVertex| {
         let [at_m, normal] = [vertex.position_m, vertex.normal].map(|v| DVec3::from_array(v.map(f64::from)));
         (2.0 * (0.5 * (normal - shape.normal(at_m)).length()).min(1.0).asin()).to_degrees()
@@ -151,12 +132,12 @@ fn row(shape: Shape, filter: Filter, options: &MarchingCubesOptions, made: &Made
         shape: shape.name(),
         mesh: filter.name,
         cell_ratio: options.cell_m / SPACING_M,
-        vertices: counts.vertices,
-        triangles: counts.triangles,
+        vertices: made.counts.vertices,
+        triangles: made.counts.triangles,
         mean_spacings: off.mean_m / SPACING_M,
         hausdorff_spacings: off.hausdorff_m / SPACING_M,
-        volume_error: volume_m3 / shape.volume_m3() - 1.0,
-        normal_mean_deg: drawn.iter().map(angle_deg).sum::<f64>() / f64::from(counts.vertices.max(1)),
+        volume_error: made.mesh.volume_m3() / shape.volume_m3() - 1.0,
+        normal_mean_deg: vertices.iter().map(angle_deg).sum::<f64>() / vertices.len().max(1) as f64,
         ms: made.ms,
         bytes: made.bytes,
     })

@@ -10,6 +10,7 @@ mod picture;
 mod plot;
 mod seen;
 mod shapes;
+mod timed;
 
 use brooklet_gpu::{Gpu, tier_name};
 use brooklet_render::{Camera, View};

@@ -77,5 +77,5 @@ static ANISOTROPY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/anisotropy.compute",
-    hash: "1c68420911bf952a6cbe1dfef85c6e34171c163dbb811e883cb4f6756eeac731",
+    hash: "3bb374dc89554d780ccab8ac9fede785cb9989c9cadee4f0cc2f16ac3cb393f8",
 };

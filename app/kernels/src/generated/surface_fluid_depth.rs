@@ -112,7 +112,7 @@ static DRAW_FLUID_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "75e14affe68cd119fc899ab3601af03d1fb6f7c3974cede70c35d0f65459dec7",
+    hash: "9118cb99edebbde0354f52ab7ff274f41b8427ddf72f71d7dbd12096c9a21ec2",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
@@ -125,7 +125,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "145a4ca3c0e6d3c8fc6e9774b85e6ff96e91b152f9f7aef25b7d05481ed26cb5",
+    hash: "a98e704ef922342b426e4a845c10bc30d02456bba2b10bda00fded80788dc1d9",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -138,7 +138,7 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "b210c35d5aa2be2da2849b0147650691eac19661fab946abb22134af54758a73",
+    hash: "563a66853c204e90d22ec2d8544eb7cd804f43e5e18abdc4052514d55775cc4d",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -151,7 +151,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "093fa649576d4a82e5fa9708846a879aa5175ef1f5d88c284311b955f1437926",
+    hash: "daa266b9fa9e33cb4505512447e7742ee7c7e9857c80b5ee5fb2b74b2b796fb3",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -164,5 +164,5 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "08ca1de61841fa191eb1fc1b37360aa7e1b5e6295493cfbf7e0cc37b3e8e2a0b",
+    hash: "029b0cdd51f6348fe28c32f06283b6bebef531045363b71a4159e90b9c9a28a2",
 };

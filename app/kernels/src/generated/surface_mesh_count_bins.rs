@@ -103,7 +103,7 @@ static COUNT_BINS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/count_bins.compute",
-    hash: "5f297c73688bfc98902ad2cd0d691ed671d0212fb1cf3c9bdf00d374b87739f3",
+    hash: "0db12653d6b465a119104689d93aaf90dd3c91448b17ca4667bd7c0fbe1659de",
 };
 
 static COUNT_BINS_WITH_ANISOTROPIC: Module = Module {
@@ -116,5 +116,5 @@ static COUNT_BINS_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/count_bins.compute",
-    hash: "2e4f5f3fa574deb43b07ab7e6c556133d9578d4af12444e7e579048f808bfee8",
+    hash: "b09705dacffaa2a5e7cfc38fcf47b489806fe36bc471f86e9f44c88795ba9ce7",
 };

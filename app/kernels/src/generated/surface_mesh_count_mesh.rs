@@ -88,5 +88,5 @@ static COUNT_MESH: Module = Module {
     shared_bytes: 112,
     tier: Tier::Floor,
     source: "surface/mesh/count_mesh.compute",
-    hash: "a5725a82c987eb35c964b4dd414c2476a096592131b05c798c58da6ae5951d8d",
+    hash: "15f714c347a2efc53f48f3713f30a808f8e60dc7d751c731cc3e72571aafff5b",
 };

@@ -109,5 +109,5 @@ static EMIT_TRIANGLES: Module = Module {
     shared_bytes: 112,
     tier: Tier::Floor,
     source: "surface/mesh/emit_triangles.compute",
-    hash: "7c8edc2a8e5b0bb2b35277a85f5ee4301d6db07a00a3dafeabb9432d21c56995",
+    hash: "f7c6978a2cd011e4529aa70507714a811b32e83b000bf774824ef782ced229f7",
 };

@@ -103,5 +103,5 @@ static EMIT_VERTICES: Module = Module {
     shared_bytes: 112,
     tier: Tier::Floor,
     source: "surface/mesh/emit_vertices.compute",
-    hash: "b76ced30d6e075e3b7b5ec1e3215c0f28c4ca783c9786a3b0679cd1da587c9c5",
+    hash: "e2a01dc7dd15564e1e4260381a6ba0c92264ec1375f51ce394b008d2d7177807",
 };

@@ -74,5 +74,5 @@ static FINISH_MESH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/finish_mesh.compute",
-    hash: "c20fe26d88e1341a2d4d54dafeaff09531b899a4d514e7c3815fddcede6dcd3e",
+    hash: "442b6627129e02096b737c7f73853023edc1e875e86002243d578e4f25e1c44c",
 };

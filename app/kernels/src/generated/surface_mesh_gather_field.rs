@@ -115,7 +115,7 @@ static GATHER_FIELD: Module = Module {
     shared_bytes: 64,
     tier: Tier::Floor,
     source: "surface/mesh/gather_field.compute",
-    hash: "62c3e58e249e4d4f8fcf3b1d3ba7e8d5af68c302fd9c533d07e28c03c06a2c1d",
+    hash: "01bdb32f4db72099504507d88c3eab5942866cc5e1d8348efaf31a4e03789ab9",
 };
 
 static GATHER_FIELD_WITH_ANISOTROPIC: Module = Module {
@@ -128,5 +128,5 @@ static GATHER_FIELD_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 64,
     tier: Tier::Floor,
     source: "surface/mesh/gather_field.compute",
-    hash: "f113492e00047e8c0715d918fc714ab6963afc7bb08266d713fa01e8bfcb30f4",
+    hash: "143b33fb6219e10e04e365afc3c324eaca67840ea45c8e9eb956a941bec5afa0",
 };

@@ -9,6 +9,18 @@ use bytemuck::{Pod, Zeroable};
 /// Cells of a block along each axis: a block's 64 points are a group's threads.
 pub const BLOCK_CELLS: u32 = 4;
 
+/// Blocks along each side of the cube that a group marks.
+pub const MARKED_BLOCKS: u32 = 4;
+
+/// The field beyond a wall: so far below 0 that the surface is cut at the wall's own point, in f32 exactly.
+pub const BEYOND_M: f32 = -1.0e15;
+
+/// Reach of an ellipsoid's kernel along an axis that is not stretched, in spacings; (1 - q^2)^3 has 64 pi / 315 of its cube.
+pub const KERNEL_REACH: f32 = 2.5;
+
+/// No axis of an ellipsoid with a sphere's volume is stretched further: what is beyond the mesh's reach is not looked at.
+pub const KERNEL_STRETCH: f32 = 1.3;
+
 /// Blocks that a group makes the field of, a thread for two columns of four points each.
 pub const FIELD_BLOCKS: u32 = 8;
 

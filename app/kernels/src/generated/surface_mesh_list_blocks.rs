@@ -82,5 +82,5 @@ static LIST_BLOCKS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/list_blocks.compute",
-    hash: "533d83d3b9dce58ca17ce09493ff006db8f7ce9062c5fbc0b502f3991ce55a5b",
+    hash: "4ccbff32e7ff013028d70ead54eaa964d170974c83214d82353e3c6ecbc11b0a",
 };

@@ -84,5 +84,5 @@ static MARK_BLOCKS: Module = Module {
     shared_bytes: 500,
     tier: Tier::Floor,
     source: "surface/mesh/mark_blocks.compute",
-    hash: "e82ab3680995c43d18702f75da752aae352ad58731bdcf2159e1756dcdcbedea",
+    hash: "88ae26b1b9ef1a6a0da16fc03bec3324a82beb00c2c555270f5759f2c73dfc65",
 };

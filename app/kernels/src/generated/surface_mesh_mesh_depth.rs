@@ -72,7 +72,7 @@ static DRAW_MESH_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_depth.hlsl",
-    hash: "5393691ed8df27168ac97c64edfdc2dc71aeab11f5a2bbf6f76e2c5c0284c644",
+    hash: "670bbe77c492112b4853eb73564cbf6324de0a289cf4f0984db209430ade6050",
 };
 
 static DRAW_MESH_DEPTH_FRAGMENT: Module = Module {
@@ -85,5 +85,5 @@ static DRAW_MESH_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_depth.hlsl",
-    hash: "1fd3ddbfad073206bdf1e21754ce00010312cb0e1611ba66fd1b9b712820fd26",
+    hash: "f3f69df636a277a2a2abbde4807a9043c2991092c7b24d97ab7251942c2038ae",
 };

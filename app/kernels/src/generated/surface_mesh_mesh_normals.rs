@@ -97,7 +97,7 @@ static MESH_NORMALS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_normals.compute",
-    hash: "df9e84b27064b8a827a6978eeb5d14f2bef5a7dbebcd64537c234f41cc510ed4",
+    hash: "b19730e3cc3242171f6aeccd2e30a8fb08fb9a76fab04d5eb5575beb9ba7fba0",
 };
 
 static MESH_NORMALS_WITH_ANISOTROPIC: Module = Module {
@@ -110,5 +110,5 @@ static MESH_NORMALS_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_normals.compute",
-    hash: "b1b86878fe3eed129924161b587c38c43316aa3444498020cd6e9bb13d6178ee",
+    hash: "d8bfa2d5b3b00beff5023439a754ee1242ba300fa3885cb1294d19a21ec1c1e7",
 };

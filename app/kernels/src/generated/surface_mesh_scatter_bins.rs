@@ -100,7 +100,7 @@ static SCATTER_BINS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/scatter_bins.compute",
-    hash: "71719e18ebcb397104fd8b455ffbc2003819946d14fd76a5248feca33e4da14f",
+    hash: "26d3da1b44ff4d5a4b2871cefc43e986631bb3fff3c79126cbc663f3d3a508da",
 };
 
 static SCATTER_BINS_WITH_ANISOTROPIC: Module = Module {
@@ -113,5 +113,5 @@ static SCATTER_BINS_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/scatter_bins.compute",
-    hash: "0082a8c59c8889430ad31d316f5161fc36f94929e6607022608acfacec9221d0",
+    hash: "183d3ce635c84be6f7387739eaffbd8cc754fba18401d99ac9a2ac0ca74d7909",
 };

@@ -66,5 +66,5 @@ static FINISH_SUBDIVISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/finish_subdivision.compute",
-    hash: "ba729e33cadf9e81b843d4941b2ba72fb8446eee8f925875b61ee5d7dc3622f8",
+    hash: "4ed5e3da53f6fc06b4d2828e2b1af3d4b53e079f870c0b59b67a9932844d5383",
 };

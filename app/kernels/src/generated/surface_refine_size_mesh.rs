@@ -50,5 +50,5 @@ static SIZE_MESH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/size_mesh.compute",
-    hash: "a30813419e51d8a7ed4d34a628eaad2c56234d24715b4be4d4bc44f763627131",
+    hash: "f3538edbb00769067c3ed5a40cdee6853af3d6b0cf9ac3bfdee56f661217991c",
 };

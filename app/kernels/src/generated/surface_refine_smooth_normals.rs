@@ -77,5 +77,5 @@ static SMOOTH_NORMALS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/smooth_normals.compute",
-    hash: "863238eeaf3ffb1c08b289a76b386fc0e5b070f19a01fd5da04c4f56e75f0f5c",
+    hash: "030e1a96cee550c0749864c205b81babde65dd676c4998cd6237ea0d03df5333",
 };

@@ -81,5 +81,5 @@ static SUBDIVIDE_EDGES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/subdivide_edges.compute",
-    hash: "386131d11d9ebc956543ee0a3b11c82cacf0549f885884bb385a7fc403baa70e",
+    hash: "ae582897f44aaea6766db0e25c1caee4e806e0800b50b953e0df97a1e26018e8",
 };

@@ -76,5 +76,5 @@ static SUBDIVIDE_MIDDLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/subdivide_middles.compute",
-    hash: "1d4026239322ef8ae4d1ebaa5693cc8da8bf8b88719ec166bf6a21eb27ce8ef0",
+    hash: "dca66cd4d8db03a683fa41baf5965ce63c976edcfd5b317e5070d241be4b60a3",
 };

@@ -7,8 +7,8 @@ use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
 
-/// The subdivided mesh's triangles. One that has no place, or a vertex
-/// that has none, is left out and counted; nothing is written beyond a buffer's end.
+/// The subdivided mesh's triangles. One that has no place, or a vertex that has none, is left out and counted; nothing is
+/// written beyond a buffer's end.
 #[derive(Debug)]
 pub struct SubdivideTriangles<'a> {
     /// `StructuredBuffer<uint> mesh_indices`.
@@ -85,5 +85,5 @@ static SUBDIVIDE_TRIANGLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/subdivide_triangles.compute",
-    hash: "7ef83c781677d96e356d0b0e9f44c544dcaf83e082763fc0b93b08cb50c3acb0",
+    hash: "2b4296975323c99a35f533c66cae03e40accb62379ec14491975799e677e10cd",
 };

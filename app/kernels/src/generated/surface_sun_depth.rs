@@ -114,7 +114,7 @@ static DRAW_SUN_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "a68e65869ff871e55981b1dad21f0187e2f1164bda48f1926a1860f8a3b59506",
+    hash: "f5e41bbc5af4761cdd1686ef364802ccadc12273f31f7a284534530d316ac203",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
@@ -127,7 +127,7 @@ static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "be3ae6151596409ada6c4199a79e6e0d955c2a2e3c8f5f1230fb6f394ae9e609",
+    hash: "ad6d204578c96ab5605b5de610aa8ea0c0accd8fc6412f055abb9bcb5e2e4205",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -140,7 +140,7 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "10afd35e743b6d4e4beeaab1e46452e0d3f5e778b75f6b5b5607ee95f2ad2770",
+    hash: "98a1756e4ffbbdc2006798b5abb7838c0cfcdb579456d830d22b14d768ec558f",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -153,7 +153,7 @@ static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "0566c81b59904129471601d89f4a926c231f5632022708fede702c23c9f9687b",
+    hash: "fb5baa463ecbe197f779d941a69ef25245561c66ff29273fda1f3dd0de559c93",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -166,5 +166,5 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "778999c76ab4c5954004ae62366d6638289aade8bb48f27fc1ff16f97c610a24",
+    hash: "aa48afcfb7df1cffd8d9c2768ab010418ae1e4ec94a66ae8cb7da3594fc51b64",
 };

@@ -91,7 +91,7 @@ static DRAW_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "142450b0fa2ba1fb0f0f715584d7b9762e6a9e5c1aa8101a49063119d64d1b69",
+    hash: "880eb22f4fcbb2de88d030e525c5874c3650f1ea7301d3a63bbbe8986170d9ff",
 };
 
 static DRAW_THICKNESS_FRAGMENT: Module = Module {
@@ -104,7 +104,7 @@ static DRAW_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "4dafcb234c7afde3f0e12a9c4be83e755f9f6263ee1beadc60e29bdbcd3fc360",
+    hash: "2e8914a8774300f5b45f450e5b10d72937efeda7c4c58d020192fa61da338f09",
 };
 
 static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -117,5 +117,5 @@ static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "050a46dde8dc7c2cef1fb35d76a06433d6fa07bef33aca2adbef7b6b5462baef",
+    hash: "2a7b6d0b025ba98ebd4a6e65e4bce79151eec5853bd022331c88b273fe29a630",
 };

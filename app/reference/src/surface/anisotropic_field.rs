@@ -7,16 +7,11 @@
 //! of a flat surface by 1.9 where they are by 2.8, which stands 0.06 d too high, and a sheet of one layer has 0.91 of its
 //! volume. Putting ellipsoids into Zhu & Bridson's own mean gained nothing, or sank the surface by a third of a spacing.
 
+use brooklet_kernels::{KERNEL_REACH, KERNEL_STRETCH, SPRAY_RADIUS};
 use glam::{DMat3, DVec3};
 
-/// Reach of a particle in a crowd, over the spacing.
-pub const KERNEL_REACH: f64 = 2.5;
-/// No axis of an ellipsoid with a sphere's volume is stretched further.
-pub const WIDEST: f64 = 1.3;
 /// Weight of a particle alone, over that of one of a crowd.
 pub const ALONE: f64 = 5.79;
-/// Size of a particle alone, over that of one of a crowd (shader: `SPRAY_RADIUS`).
-pub const SPRAY_RADIUS: f64 = 0.42;
 
 /// A particle's part in the field.
 #[derive(Clone, Copy, Debug)]
@@ -34,9 +29,10 @@ impl MeshKernel {
     pub fn new(center_m: DVec3, stretch: DMat3, spacing_m: f64) -> Self {
         let volume = stretch.determinant().max(1e-6);
         let size = volume.cbrt();
-        let crowd = ((size - SPRAY_RADIUS) / (1.0 - SPRAY_RADIUS)).clamp(0.0, 1.0);
+        let alone = f64::from(SPRAY_RADIUS);
+        let crowd = ((size - alone) / (1.0 - alone)).clamp(0.0, 1.0);
         let widest = super::anisotropy::eigen(stretch).0.max_element() / size;
-        let reach = KERNEL_REACH * (WIDEST / widest).min(1.0);
+        let reach = f64::from(KERNEL_REACH) * (f64::from(KERNEL_STRETCH) / widest).min(1.0);
         Self {
             center_m,
             weight: (ALONE + (1.0 - ALONE) * crowd) * 315.0 / (64.0 * std::f64::consts::PI * reach.powi(3)),
@@ -86,7 +82,7 @@ mod tests {
 
     #[test]
     fn a_drop_is_a_ball_and_a_kernel_holds_a_particle_s_volume() {
-        let drop = MeshKernel::new(DVec3::ZERO, DMat3::IDENTITY * SPRAY_RADIUS, SPACING_M);
+        let drop = MeshKernel::new(DVec3::ZERO, DMat3::IDENTITY * f64::from(SPRAY_RADIUS), SPACING_M);
         let field = |over: f64| anisotropic_field(DVec3::X * over * SPACING_M, [drop].into_iter(), SPACING_M).0;
         assert!(field(0.53) > 0.0 && field(0.57) < 0.0, "{} {}", field(0.53), field(0.57));
         for stretch in [DMat3::IDENTITY, DMat3::from_diagonal(DVec3::new(1.6, 1.6, 0.390_625))] {
@@ -95,7 +91,10 @@ mod tests {
             let integral = kernel.weight * 64.0 * std::f64::consts::PI / 315.0 / kernel.q_per_m.determinant();
             assert!((integral / SPACING_M.powi(3) - 1.0).abs() < 1e-9, "{integral}");
             let reach_m = kernel.q_per_m.inverse().x_axis.length();
-            assert!(reach_m < KERNEL_REACH * WIDEST * SPACING_M * (1.0 + 1e-9), "{reach_m}");
+            assert!(
+                reach_m < f64::from(KERNEL_REACH) * f64::from(KERNEL_STRETCH) * SPACING_M * (1.0 + 1e-9),
+                "{reach_m}"
+            );
         }
     }
 

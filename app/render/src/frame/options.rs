@@ -78,10 +78,10 @@ impl FrameOptions {
         }
     }
 
-    /// Room that the mesh which came to `counts` needs beside what there is, and `spare` of that more.
+    /// Room that the surface's mesh lacked which came to `counts` ([`crate::MarchingCubesOptions::lacked_room`]).
     pub fn lacked_mesh_room(&self, counts: &MeshCounts, spare: f64) -> Option<MeshRoom> {
         let SurfaceOptions::MarchingCubes(_, mesh) = &self.surface else { return None };
-        mesh.room().needed(counts, spare, mesh.refine.parts).filter(|needed| *needed != mesh.room())
+        mesh.lacked_room(counts, spare)
     }
 
     pub(super) fn check(&self) -> Result<(), RenderError> {

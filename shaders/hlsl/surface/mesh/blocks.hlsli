@@ -4,9 +4,6 @@
 
 #include "layout.hlsli"
 
-// The field beyond a wall: so far below 0 that the surface is cut at the wall's own point, in f32 exactly.
-#define BEYOND_M -1.0e15
-
 uint3 BlockAt(uint block, MeshParams mesh)
 {
     return uint3(block % mesh.blocks.x, block / mesh.blocks.x % mesh.blocks.y, block / mesh.blocks.x / mesh.blocks.y);

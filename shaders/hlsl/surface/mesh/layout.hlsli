@@ -5,6 +5,14 @@
 
 // Cells of a block along each axis: a block's 64 points are a group's threads.
 static const uint BLOCK_CELLS = 4;
+// Blocks along each side of the cube that a group marks.
+static const uint MARKED_BLOCKS = 4;
+// The field beyond a wall: so far below 0 that the surface is cut at the wall's own point, in f32 exactly.
+static const float BEYOND_M = -1.0e15;
+// Reach of an ellipsoid's kernel along an axis that is not stretched, in spacings; (1 - q^2)^3 has 64 pi / 315 of its cube.
+static const float KERNEL_REACH = 2.5;
+// No axis of an ellipsoid with a sphere's volume is stretched further: what is beyond the mesh's reach is not looked at.
+static const float KERNEL_STRETCH = 1.3;
 // Blocks that a group makes the field of, a thread for two columns of four points each.
 static const uint FIELD_BLOCKS = 8;
 // What MeshParams::block_entries says of a block that is not listed; of one that is, its place in the list and this much more.

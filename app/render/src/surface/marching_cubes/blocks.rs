@@ -6,9 +6,6 @@ use brooklet_kernels::{BLOCK_LISTED, Buffer, FIELD_BLOCKS, ListBlocks, MarkBlock
 use super::bins::Bins;
 use super::scanned;
 
-/// Threads of a group that marks blocks.
-const MARK_THREADS: u32 = 64;
-
 /// Blocks, and what is known of each.
 pub(super) struct Blocks {
     /// Its place in the list, or what all of it is.
@@ -31,7 +28,7 @@ pub(super) fn record_sparse(
     let mut entries = resources.buffer("block_entries", params.block_count);
     let mut inside = resources.buffer("block_inside", params.block_count);
     recording.clear(counts);
-    recording.dispatch(
+    recording.dispatch_groups(
         &MarkBlocks {
             bin_starts: bins.starts.read(),
             block_listed: is_listed.write(),
@@ -39,7 +36,7 @@ pub(super) fn record_sparse(
             block_inside: inside.write(),
             mesh: mesh.uniform(),
         },
-        params.mark_groups.iter().product::<u32>() * MARK_THREADS,
+        group_grid(params.mark_groups.iter().product()),
     );
     let starts = scanned(resources, recording, "block_starts", &is_listed);
     let mut listed = resources.buffer("listed_blocks", params.most_blocks);

@@ -6,7 +6,7 @@ use brooklet_gpu::{Engine, Gpu, GpuError, Plan, PlanError, RecordingId, Resource
 use brooklet_kernels::{BLOCK_CELLS, Buffer, MeshCounts, MeshVertex, Position};
 use glam::DVec3;
 
-use super::{MarchingCubesOptions, SurfaceMesh, record};
+use super::{MarchingCubesOptions, SurfaceMesh, is_whole, record};
 use crate::start::largest;
 use crate::surface::Particles;
 
@@ -33,6 +33,20 @@ impl HostMesh {
         let origin_m = DVec3::from_array(first.position_m.map(f64::from));
         let at = |vertex: u32| DVec3::from_array(self.vertices[vertex as usize].position_m.map(f64::from)) - origin_m;
         self.triangles.iter().map(|&[a, b, c]| at(a).dot(at(b).cross(at(c))) / 6.0).sum()
+    }
+}
+
+impl SurfaceMesh {
+    /// The mesh that an engine made of it, which came to `counts`.
+    ///
+    /// # Errors
+    /// If the device is lost.
+    pub fn read(&self, engine: &mut Engine, counts: &MeshCounts) -> Result<HostMesh, GpuError> {
+        let mut vertices: Vec<MeshVertex> = engine.read(&self.vertices)?;
+        vertices.truncate(counts.vertices as usize);
+        let mut indices: Vec<u32> = engine.read(&self.indices)?;
+        indices.truncate(counts.index_count as usize);
+        Ok(HostMesh { vertices, triangles: indices.as_chunks().0.to_vec(), blocks: counts.blocks, runs: 1 })
     }
 }
 
@@ -98,19 +112,15 @@ pub fn mesh_particles(
         engine.run(&[planned.init, planned.mesh], &[]).map_err(ExportError::Gpu)?;
         let surface = &planned.surface;
         let counts: MeshCounts = engine.read(&surface.counts).map_err(ExportError::Gpu)?[0];
-        match options.room().needed(&counts, 0.0, options.refine.parts) {
-            Some(room) if room != options.room() => options = options.with_room(room),
-            Some(_) => {
+        match options.lacked_room(&counts, 0.0) {
+            Some(room) => options = options.with_room(room),
+            None if !is_whole(&counts) => {
                 let reason = "their mesh has more than 2^29 vertices".into();
                 return Err(too_large(gpu, positions.len(), &options, reason, bytes));
             }
             None => {
-                let mut vertices: Vec<MeshVertex> = engine.read(&surface.vertices).map_err(ExportError::Gpu)?;
-                vertices.truncate(counts.vertices as usize);
-                let mut indices: Vec<u32> = engine.read(&surface.indices).map_err(ExportError::Gpu)?;
-                indices.truncate(counts.index_count as usize);
-                let triangles = indices.as_chunks().0.to_vec();
-                return Ok(HostMesh { vertices, triangles, blocks: counts.blocks, runs });
+                let mesh = surface.read(&mut engine, &counts).map_err(ExportError::Gpu)?;
+                return Ok(HostMesh { runs, ..mesh });
             }
         }
     }

@@ -3,12 +3,12 @@
 use super::refine::RefineOptions;
 use crate::error::RenderError;
 use brooklet_fluid::Scene;
-use brooklet_kernels::{BLOCK_CELLS, MeshParams};
+use brooklet_kernels::{BLOCK_CELLS, KERNEL_REACH, KERNEL_STRETCH, MARKED_BLOCKS, MeshParams};
 
 /// A particle's reach in the field, over the spacing (twin: `brooklet_reference::surface::surface_field`).
 const REACH_RATIO: f64 = 2.0;
-/// The same of the widest ellipsoid (shader: `surface/mesh/scatter_bins.compute`).
-const WIDEST_REACH_RATIO: f64 = 2.5 * 1.3;
+/// The same of the widest ellipsoid.
+const WIDEST_REACH_RATIO: f64 = KERNEL_REACH as f64 * KERNEL_STRETCH as f64;
 /// Radius of a particle alone, over the spacing.
 const RADIUS_RATIO: f64 = 0.55;
 /// Sum of weights below which nothing is inside.
@@ -16,8 +16,6 @@ const LEAST_WEIGHT: f64 = 0.6;
 /// Where the walls of an axis without walls stand: finite in f32 even when squared.
 const FAR_M: f64 = 1.0e15;
 
-/// Blocks along each side that a group of `MarkBlocks` has.
-const MARKED_BLOCKS: u32 = 4;
 /// Cells along an axis at most, far more than there may be blocks.
 const MOST_CELLS: f64 = 1.0e9;
 /// Blocks of the whole grid at most: 64 MiB for each table over them.

@@ -19,6 +19,9 @@ pub struct MeshRoom {
 }
 
 impl MeshRoom {
+    /// Room that pictures are given beyond what a mesh lacked: the next ones may be larger.
+    pub const SPARE: f64 = 0.25;
+
     /// What the mesh that came to `counts` in this room needs, and `spare` of that more; none if all of it is there.
     /// What blocks without a place would have held is not known: they are taken to be as the others.
     /// Of a subdivided mesh, `parts` to a side, the numbers are those before.
@@ -70,6 +73,13 @@ impl MarchingCubesOptions {
             vertices: self.most_vertices.min(vertices),
             triangles: self.most_triangles.min(triangles),
         }
+    }
+
+    /// Room that the mesh which came to `counts` needs beside what there is, and `spare` of what it lacked more; none if it
+    /// is whole, or there can be no more.
+    pub fn lacked_room(&self, counts: &MeshCounts, spare: f64) -> Option<MeshRoom> {
+        let room = self.room();
+        room.needed(counts, spare, self.refine.parts).filter(|needed| *needed != room)
     }
 
     /// The same with other room.
