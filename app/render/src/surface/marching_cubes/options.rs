@@ -86,7 +86,7 @@ impl MarchingCubesOptions {
             anisotropic: false,
             domain_size_m,
             wall_bounds_m,
-            most_blocks: room(2.0, 1 << 12, 1 << 17),
+            most_blocks: room(2.0, 1 << 10, 1 << 17),
             most_vertices,
             most_triangles: 2 * most_vertices,
             refine: RefineOptions::none(spacing_m),
