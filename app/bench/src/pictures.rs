@@ -33,6 +33,10 @@ pub struct PictureCost {
     pub size_px: [u32; 2],
     /// How many were timed.
     pub pictures: u32,
+    /// Where the scene leaves the surface's method to what is seen: the method it came to,
+    pub chosen: Option<&'static str>,
+    /// and the drawn pixels of fluid that it was chosen by.
+    pub covered_px: Option<f64>,
     /// From the first pass's begin to the last one's end, ms.
     pub picture_ms: Option<Quantiles>,
     /// The part of the smoothing passes in all passes' times.
@@ -56,11 +60,9 @@ pub(crate) fn picture_cost(
     let mut scene = scene.clone();
     scene.outputs.images = 1;
     let planned = scene_options::plan(gpu, &scene)?;
-    let Some(draw) = planned.passes.as_ref().map(|passes| passes.draw.id()) else { return Ok(None) };
     let (plan, recorded) = (planned.plan(), &planned.session.recorded);
-    let stages = stages(plan.passes().into_iter().filter(|pass| pass.recording == draw));
-    let moved: Vec<u64> = stages.iter().map(|(stage, _)| drawn_bytes(plan, draw, stage)).collect();
     let total_bytes = plan.bytes() - plan.bytes_of(&[recorded.init.id(), recorded.step.id()]);
+    let Some(mut passes) = planned.passes else { return Ok(None) };
     let mut session = brooklet_render::start(gpu, planned.session).map_err(BenchError::input)?;
     session.finish().map_err(BenchError::stopped)?;
     let steps = options.warm_up + options.steps;
@@ -68,15 +70,29 @@ pub(crate) fn picture_cost(
     let request = FrameRequest { steps: 1, ..FrameRequest::default() };
     let mut stepping = Stepping { session: &mut session, request, observer };
     stepping.run(steps, &mut Timings::new(0), || observer.advance())?;
-    let mut timings = Timings::new(WARM_UP);
-    for _ in 0..WARM_UP + u64::from(options.pictures) {
+    let mut timings = Timings::new(0);
+    let mut draw = passes.draw.id();
+    for number in 0..WARM_UP + u64::from(options.pictures) {
         observer.check()?;
-        let request = FrameRequest { then: &[draw], ..FrameRequest::default() };
+        if number < WARM_UP {
+            // What is timed is drawn by the method that these come to.
+            let particles = session.slot_count();
+            draw = passes.next(session.engine_mut(), particles, false);
+        }
+        let readbacks: Vec<_> = passes.readbacks().collect();
+        let request = FrameRequest { then: &[draw], readbacks: &readbacks, ..FrameRequest::default() };
         session.submit(&request).map_err(BenchError::stopped)?;
-        let reports = session.finish().map_err(BenchError::stopped)?;
-        reports.iter().for_each(|frame| timings.add(&frame.report, draw));
+        for frame in session.finish().map_err(BenchError::stopped)? {
+            passes.learn(&frame.report);
+            if number >= WARM_UP {
+                timings.add(&frame.report, draw);
+            }
+        }
         observer.advance();
     }
+    let plan = session.engine().plan();
+    let stages = stages(plan.passes().into_iter().filter(|pass| pass.recording == draw));
+    let moved: Vec<u64> = stages.iter().map(|(stage, _)| drawn_bytes(plan, draw, stage)).collect();
 
     let median = |stage: &str| timings.stage_ms(stage).map(|times| times.median);
     let all_ms: f64 = stages.iter().filter_map(|(stage, _)| median(stage)).sum();
@@ -90,6 +106,8 @@ pub(crate) fn picture_cost(
     Ok(Some(PictureCost {
         size_px: [scene.outputs.width_px, scene.outputs.height_px],
         pictures: options.pictures,
+        chosen: passes.auto.as_ref().map(|auto| auto.shown().name()),
+        covered_px: passes.auto.as_ref().map(|auto| auto.seen_px()),
         picture_ms: timings.step_ms(),
         smoothing_share: share_of(smoothing_ms),
         bytes: total_bytes,

@@ -55,8 +55,8 @@ impl Recorder {
         self.record(|capture| capture.plan(session.engine().plan()));
     }
 
-    /// Takes finished frames, whose pictures `passes` drew.
-    pub fn take(&mut self, reports: Vec<SessionReport>, passes: Option<&FramePasses>) {
+    /// Takes finished frames, whose pictures `passes` drew and learn from.
+    pub fn take(&mut self, reports: Vec<SessionReport>, mut passes: Option<&mut FramePasses>) {
         for SessionReport { mut report, steps, simulated_s, stats } in reports {
             if let Some(shift_ns) = self.shift_ns {
                 report.frame = self.next_frame;
@@ -64,13 +64,14 @@ impl Recorder {
             }
             (self.next_frame, self.last_ns) = (report.frame + 1, report.wall_ns);
             self.timings.add(&report, self.step);
-            if let Some(counts) = passes.and_then(|passes| passes.drawn_mesh(&report)) {
-                self.meshes.add(&counts);
+            if let Some(passes) = &mut passes {
+                passes.learn(&report);
+                passes.drawn_mesh(&report).iter().for_each(|counts| self.meshes.add(counts));
             }
             self.record(|capture| capture.frame(&report));
             if let Some(stats) = stats {
                 let mut values = captured_values(steps, simulated_s, &stats);
-                if passes.is_some_and(|passes| passes.mesh_counts().is_some()) {
+                if passes.as_ref().is_some_and(|passes| passes.mesh_counts().is_some()) {
                     values.extend(mesh_values(&self.meshes.last().copied().unwrap_or_default()));
                 }
                 self.record(|capture| capture.stats(report.frame, report.wall_ns, &values));

@@ -3,11 +3,15 @@
 use std::path::{Path, PathBuf};
 
 use brooklet_fluid::{FrameRequest, Scene, Session};
+use brooklet_gpu::ResourceId;
 use brooklet_render::surface::marching_cubes::{MeshRoom, is_whole};
 use brooklet_render::{FrameOptions, FramePasses, ScenePlan, StartError};
 use indicatif::ProgressBar;
 
 use crate::{failure::Failure, interrupt::Interrupt, pictures::Picture, ply, recorder::Recorder, summary::Files};
+
+/// Pictures of a run further apart are looked at one by one, not as a film, s.
+const LONGEST_FILM_FRAME_S: f64 = 0.05;
 
 /// A run under way.
 pub struct Running<'a> {
@@ -45,9 +49,9 @@ impl Running<'_> {
         let result = self.steps(interrupt, bar);
         // What came back before a failure belongs to the capture as well.
         match self.session.finish() {
-            Ok(reports) => self.recorder.take(reports, self.passes.as_ref()),
+            Ok(reports) => self.recorder.take(reports, self.passes.as_mut()),
             Err(error) => {
-                self.recorder.take(self.session.reports(), self.passes.as_ref());
+                self.recorder.take(self.session.reports(), self.passes.as_mut());
                 result?;
                 return Err(Failure::stopped(error));
             }
@@ -84,7 +88,7 @@ impl Running<'_> {
 
         self.submit(FrameRequest { steps: 1, measure: measures, ..FrameRequest::default() }, image.is_some())?;
         self.done = step;
-        self.recorder.take(self.session.reports(), self.passes.as_ref());
+        self.recorder.take(self.session.reports(), self.passes.as_mut());
 
         if let Some(number) = image {
             let path = self.numbered("frame", number, "png");
@@ -104,11 +108,18 @@ impl Running<'_> {
 
     /// Hands a frame to the GPU, with a picture at its end if one is due.
     fn submit(&mut self, request: FrameRequest<'_>, draws: bool) -> Result<(), Failure> {
-        let passes = self.passes.as_ref().filter(|_| draws);
-        let draw = passes.map(|passes| passes.draw.id());
-        let counts = passes.and_then(FramePasses::mesh_counts).map(|counts| counts.id);
-        let request = FrameRequest { then: draw.as_slice(), readbacks: counts.as_slice(), ..request };
+        let (fades, particles) = (self.pictures_are_close(), self.session.slot_count());
+        let mut passes = self.passes.as_mut().filter(|_| draws);
+        let draw = passes.as_mut().map(|passes| passes.next(self.session.engine_mut(), particles, fades));
+        let readbacks: Vec<ResourceId> = passes.iter().flat_map(|passes| passes.readbacks()).collect();
+        let request = FrameRequest { then: draw.as_slice(), readbacks: &readbacks, ..request };
         self.session.submit(&request).map(drop).map_err(Failure::stopped)
+    }
+
+    /// Whether a person who sees the pictures as a film would see one change into the next.
+    fn pictures_are_close(&self) -> bool {
+        let steps = self.images.first().map_or(0, |first| *first);
+        steps as f64 * self.scene.solver.dt_s <= LONGEST_FILM_FRAME_S
     }
 
     /// The picture of the last frame, drawn once more where its mesh lacked room; whether it is written. None if the run
@@ -118,11 +129,12 @@ impl Running<'_> {
             let Some(passes) = &self.passes else { return Ok(None) };
             let picture = Picture::of(passes);
             let rgba = picture.read(self.session.engine_mut())?;
-            if passes.mesh_counts().is_some() {
+            if passes.readbacks().next().is_some() {
+                let has_mesh = passes.draws_mesh();
                 // All was waited for with the picture.
                 let reports = self.session.finish().map_err(Failure::stopped)?;
-                self.recorder.take(reports, Some(passes));
-                if self.make_room()? {
+                self.recorder.take(reports, self.passes.as_mut());
+                if has_mesh && self.make_room()? {
                     self.submit(FrameRequest::default(), true)?;
                     continue;
                 }
@@ -143,7 +155,10 @@ impl Running<'_> {
         for spare in [MeshRoom::SPARE, 0.0] {
             let Some(needed) = looks.lacked_mesh_room(counts, spare) else { continue };
             match enlarge(&self.session, self.scene, needed) {
-                Ok((session, passes)) => {
+                Ok((session, mut passes)) => {
+                    if let (Some(passes), Some(before)) = (&mut passes, &self.passes) {
+                        passes.go_on_from(before);
+                    }
                     self.recorder.go_on_in(&session);
                     (self.session, self.passes, self.mesh_room) = (session, passes, Some(needed));
                     return Ok(true);

@@ -71,6 +71,8 @@ pub fn bytes_per_pixel(format: Format) -> u64 {
 pub struct Resources {
     entries: Vec<ResourceInfo>,
     recordings: u32,
+    /// Entries that a declaration of the same label and shape may yet repeat ([`Resources::repeating`]).
+    repeatable: Vec<ResourceId>,
 }
 
 impl Resources {
@@ -80,9 +82,32 @@ impl Resources {
     }
 
     fn declare(&mut self, label: &str, shape: Shape, state: bool) -> ResourceId {
+        let info = ResourceInfo { label: label.to_owned(), shape, state };
+        if let Some(at) = self.repeatable.iter().position(|id| self.entries[id.0 as usize] == info) {
+            return self.repeatable.remove(at);
+        }
         let id = ResourceId(self.entries.len() as u32);
-        self.entries.push(ResourceInfo { label: label.to_owned(), shape, state });
+        self.entries.push(info);
         id
+    }
+
+    /// Runs `declare`, in which a declaration that equals one since the table had `first` entries is that one, each once. For
+    /// recordings of which a frame runs one or another: memory that both need is then there once.
+    pub fn repeating<R>(&mut self, first: usize, declare: impl FnOnce(&mut Self) -> R) -> R {
+        self.repeatable = (first as u32..self.entries.len() as u32).map(ResourceId).collect();
+        let declared = declare(self);
+        self.repeatable.clear();
+        declared
+    }
+
+    /// Number of entries.
+    pub fn len(&self) -> usize {
+        self.entries.len()
+    }
+
+    /// Whether nothing is declared.
+    pub fn is_empty(&self) -> bool {
+        self.entries.is_empty()
     }
 
     /// Declares a transient buffer of `len` elements: each recording writes it before reading it,

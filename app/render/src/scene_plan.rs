@@ -84,8 +84,9 @@ impl ScenePlan {
             let drawn = crate::record(&mut recorder.resources, &view, &particles, &options)
                 .map_err(|error| ScenePlanError::Render { scene: scene.name.clone(), error })?;
             recorder.add_init(&drawn.init);
-            recorder.add(&drawn.draw);
+            drawn.recordings().for_each(|recording| recorder.add(recording));
             recorder.want(drawn.color.id);
+            drawn.auto.iter().for_each(|auto| recorder.want(auto.covered_px.id));
             passes = Some(drawn);
             mesh_room = options.mesh_room();
         }
@@ -101,8 +102,10 @@ impl ScenePlan {
     pub fn timestamp_memory(&self) -> u64 {
         let recorded = &self.session.recorded;
         let measure = recorded.measure.as_ref().map(|measure| measure.recording.id());
-        let draw = self.passes.as_ref().map(|passes| passes.draw.id());
-        let all = [recorded.step.id()].into_iter().chain(measure).chain(draw);
-        FRAMES_IN_FLIGHT as u64 * timestamp_bytes(all.map(|recording| self.plan().timestamp_bound(recording)).sum())
+        let bound = |recording| self.plan().timestamp_bound(recording);
+        // Of several recordings of a picture a frame runs one.
+        let drawn = self.passes.iter().flat_map(|passes| passes.recordings()).map(|draw| bound(draw.id())).max();
+        let all = [recorded.step.id()].into_iter().chain(measure).map(bound).chain(drawn);
+        FRAMES_IN_FLIGHT as u64 * timestamp_bytes(all.sum())
     }
 }

@@ -2,7 +2,7 @@
 
 use brooklet_fluid::Scene;
 use brooklet_fluid::scene::Precision;
-use brooklet_render::{FrameOptions, SurfaceOptions};
+use brooklet_render::FrameOptions;
 
 /// What is given up on a rung; each includes all above it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -67,7 +67,7 @@ impl Rung {
         options.supersample = options.supersample.min(self.supersample);
         if self.coarse_fields {
             options.shadow_texels /= 2;
-            if let SurfaceOptions::ScreenSpace(water) | SurfaceOptions::MarchingCubes(water, _) = &mut options.surface {
+            if let Some(water) = options.surface.water_mut() {
                 water.thickness_divisor = (2 * water.thickness_divisor).min(8);
                 water.photons /= 2;
             }

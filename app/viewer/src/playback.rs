@@ -202,14 +202,16 @@ impl Playback {
         &mut self,
         frame: SessionReport,
         in_flight: &InFlightFrame,
-        current: &ViewerScene,
+        current: &mut ViewerScene,
         messages: &mut Messages,
     ) {
         let SessionReport { report, stats, .. } = &frame;
-        if let Some(counts) = current.drawn_mesh(report) {
+        if let Some(counts) = current.learn(report) {
             self.mesh_room = current.lacked_room(&counts);
             self.mesh = Some(counts);
         }
+        // A fade goes on though nothing moves.
+        self.is_stale |= current.fades();
         let time_s = (in_flight.handed - self.started).as_secs_f64();
         self.times.take(report, (current.session.step_id(), in_flight.request.steps), time_s);
         self.fresh_times = true;

@@ -135,6 +135,7 @@ impl ViewerScene {
     /// # Errors
     /// If the device is lost.
     pub fn adopt(&mut self, old: &ViewerScene) -> Result<(), ViewerError> {
+        self.passes.go_on_from(&old.passes);
         Ok(self.session.adopt(&old.session)?)
     }
 
@@ -190,10 +191,10 @@ impl ViewerScene {
     /// # Errors
     /// If the device is lost.
     pub fn run(&mut self, request: &ViewerFrame, drag: Option<&Drag>) -> Result<u64, ViewerError> {
-        let draw = [self.passes.draw.id()];
+        let particles = self.session.slot_count();
+        let draw = [self.passes.next(self.session.engine_mut(), particles, true)];
         let color = Some(self.passes.color.id).filter(|_| request.records || request.screenshot);
-        let counts = self.passes.mesh_counts().map(|counts| counts.id);
-        let readbacks: Vec<ResourceId> = color.into_iter().chain(counts).collect();
+        let readbacks: Vec<ResourceId> = color.into_iter().chain(self.passes.readbacks()).collect();
         let request = FrameRequest {
             drag,
             steps: request.steps,
@@ -216,12 +217,18 @@ impl ViewerScene {
         self.passes.color.id
     }
 
-    /// What the mesh of a frame came to whose report has it.
-    pub fn drawn_mesh(&self, report: &FrameReport) -> Option<MeshCounts> {
+    /// Takes what a finished frame tells of its picture; what its mesh came to, if it had one.
+    pub fn learn(&mut self, report: &FrameReport) -> Option<MeshCounts> {
+        self.passes.learn(report);
         self.passes.drawn_mesh(report)
     }
 
-    /// Whether its surface is a mesh.
+    /// Whether the next picture would look different though nothing moves: its surface goes from one method to the other.
+    pub fn fades(&self) -> bool {
+        self.passes.fades(self.session.slot_count())
+    }
+
+    /// Whether its surface is a mesh, or may be one.
     pub fn is_meshed(&self) -> bool {
         self.passes.mesh_counts().is_some()
     }
@@ -234,7 +241,8 @@ impl ViewerScene {
     /// What frames run, in the order of their passes' times: steps, measurements, pictures.
     pub fn frame_recordings(&self) -> Vec<RecordingId> {
         let measure = self.session.recorded().measure.as_ref().map(|measure| measure.recording.id());
-        [self.session.step_id()].into_iter().chain(measure).chain([self.passes.draw.id()]).collect()
+        let drawn = self.passes.recordings().map(|draw| draw.id());
+        [self.session.step_id()].into_iter().chain(measure).chain(drawn).collect()
     }
 
     /// Waits, and copies the running scene to the host.

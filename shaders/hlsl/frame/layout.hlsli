@@ -55,4 +55,11 @@ struct FrameStyle
     float2 reserved;
 };
 
+// How much of one picture shows over another.
+struct CrossFadeParams
+{
+    float opacity;
+    float3 reserved;
+};
+
 #endif

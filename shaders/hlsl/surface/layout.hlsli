@@ -15,6 +15,11 @@ static const float MOST_STRETCH = 4.0;
 // Variances of neighbours count as at least this, over h^2: those of particles in one point.
 static const float LEAST_VARIANCE = 1.0e-4;
 
+// CountCovered looks at one drawn pixel in so many along either side,
+static const uint COVERED_STRIDE = 4;
+// and a group of it at so many of those along either side.
+static const uint COVERED_GROUP = 8;
+
 // What the ellipsoids are made from: the neighbours within `support_m`.
 struct AnisotropyParams
 {

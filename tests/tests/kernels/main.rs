@@ -4,6 +4,7 @@ mod anisotropic_mesh;
 mod anisotropy;
 mod bench;
 mod boundary;
+mod count_covered;
 mod drag;
 mod drawn_caustics;
 mod drawn_sun_volume;

@@ -1,5 +1,6 @@
 //! Surfaces and pictures against twins and optics.
 
+mod auto;
 mod indirect;
 mod mesh;
 mod mesh_room;

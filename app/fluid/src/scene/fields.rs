@@ -34,9 +34,9 @@ const NONE: &[&str] = &["none"];
 const WITH_NEIGHBOURS: &[&str] = &["pbf"];
 
 /// What terms of water as a surface need, those of one that is smoothed, and those of one that is meshed.
-const WATER: (&str, &[&str]) = ("surface.method", &["screen-space", "marching-cubes"]);
-const SMOOTHED: (&str, &[&str]) = ("surface.method", &["screen-space"]);
-const MESHED: (&str, &[&str]) = ("surface.method", &["marching-cubes"]);
+const WATER: (&str, &[&str]) = ("surface.method", &["screen-space", "marching-cubes", "auto"]);
+const SMOOTHED: (&str, &[&str]) = ("surface.method", &["screen-space", "auto"]);
+const MESHED: (&str, &[&str]) = ("surface.method", &["marching-cubes", "auto"]);
 
 /// Every field, in the order of scene files.
 ///
@@ -128,7 +128,7 @@ pub const FIELDS: &[Field] = &[
         .slider(0.0, 1.0)
         .term("0", "0.1"),
     Field::new("surface", Kind::Table, REBUILD),
-    Field::new("surface.method", Kind::Choice(&["screen-space", "marching-cubes", "points", "none"]), REBUILD)
+    Field::new("surface.method", Kind::Choice(&["screen-space", "marching-cubes", "auto", "points", "none"]), REBUILD)
         .term("none", "screen-space"),
     Field::new(
         "surface.smoothing",
@@ -153,6 +153,9 @@ pub const FIELDS: &[Field] = &[
         .slider(0.0, 8.0)
         .term_with("0", "4", MESHED),
     Field::new("surface.mesh.subdivide", whole(1.0, 3.0, ""), REBUILD).slider(1.0, 3.0).term_with("1", "2", MESHED),
+    Field::new("surface.auto", Kind::Table, REBUILD),
+    Field::new("surface.auto.least_px", number(0.0, 1.0e9, "pixels"), REBUILD),
+    Field::new("surface.auto.px_per_particle", number(0.0, 1.0e6, "pixels"), REBUILD),
     Field::new("camera", Kind::Table, LIVE),
     Field::new("camera.eye_m", PLACE, LIVE),
     Field::new("camera.target_m", PLACE, LIVE),

@@ -47,7 +47,7 @@ pub use pbf::PbfSettings;
 pub use schema::schema;
 pub use shipped::shipped_scenes;
 pub use solver::{Method, Precision, Solver};
-pub use surface::{MeshSettings, PointColor, Smoothing, Surface, SurfaceMethod};
+pub use surface::{AutoSettings, MeshSettings, PointColor, Smoothing, Surface, SurfaceMethod};
 pub use update::Update;
 
 use std::f64::consts::PI;

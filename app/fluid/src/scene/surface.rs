@@ -12,6 +12,8 @@ pub enum SurfaceMethod {
     ScreenSpace,
     /// Water: the particles' surface as a mesh (Lorensen & Cline 1987).
     MarchingCubes,
+    /// Water: whichever of the two costs less for the particles that there are and the pixels that they cover.
+    Auto,
     /// The particles themselves, as balls.
     Points,
     /// Nothing. Safe to choose wherever nobody looks at the fluid.
@@ -91,6 +93,24 @@ impl Default for MeshSettings {
     }
 }
 
+/// When the fluid is meshed (`method = "auto"`): when it covers more drawn pixels than `least_px` and `px_per_particle` for
+/// each of its particles. By default that is where both methods took the same time (`app/render/SURFACES.md`).
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields, default)]
+pub struct AutoSettings {
+    /// Below so many drawn pixels nothing is meshed.
+    pub least_px: f64,
+    /// How many more each particle takes. Default: 1.2 at the desktop tier, 30 at the others.
+    pub px_per_particle: Option<f64>,
+}
+
+impl Default for AutoSettings {
+    fn default() -> Self {
+        Self { least_px: 60_000.0, px_per_particle: None }
+    }
+}
+
 /// How the fluid is drawn. What is off has no pass, no buffer and no code.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -128,6 +148,8 @@ pub struct Surface {
     pub color_by: PointColor,
     /// How a meshed surface is made.
     pub mesh: MeshSettings,
+    /// When `auto` meshes it.
+    pub auto: AutoSettings,
 }
 
 impl Default for Surface {
@@ -145,6 +167,7 @@ impl Default for Surface {
             refraction: 1.0,
             color_by: PointColor::default(),
             mesh: MeshSettings::default(),
+            auto: AutoSettings::default(),
         }
     }
 }

@@ -92,7 +92,7 @@ static DRAW_EDGES_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/edges.hlsl",
-    hash: "1d374f5b29cd9c42b47c96b9f307165c3a9a6c4802661fd63ecfafceb1890536",
+    hash: "ae4b9654202c90309d60959d0a1a7af77fb92c982852bca36506e01be55deef1",
 };
 
 static DRAW_EDGES_FRAGMENT: Module = Module {
@@ -105,7 +105,7 @@ static DRAW_EDGES_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/edges.hlsl",
-    hash: "3c7ff2cfdca89b272591dce518a1985a849db6d25bc39c776058a512149b91b4",
+    hash: "98057a22892608c352ff577af097ceae0cace52aac371ca0c5f03c4c62fa8530",
 };
 
 static DRAW_EDGES_VERTEX_WITH_BEHIND_WATER: Module = Module {
@@ -118,7 +118,7 @@ static DRAW_EDGES_VERTEX_WITH_BEHIND_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/edges.hlsl",
-    hash: "450514da4266a3c92d0967d82316727d7f7e72c99334dd41c60e28d290db30e1",
+    hash: "8094210a89f81db253484b1f46f83a2a39dabd26bcbef9172ed801272b8764d6",
 };
 
 static DRAW_EDGES_FRAGMENT_WITH_BEHIND_WATER: Module = Module {
@@ -131,7 +131,7 @@ static DRAW_EDGES_FRAGMENT_WITH_BEHIND_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/edges.hlsl",
-    hash: "fdb28e154a685690fb214433a9b6d44b5e64b93547b5b78354a26e2ef631cecb",
+    hash: "e9fe52ea1f91e5a8d1b2ff12d61e87b94ce0747011c54b505b08f8174f7abc55",
 };
 
 static DRAW_EDGES_FRAGMENT_WITH_BEFORE_WATER: Module = Module {
@@ -144,5 +144,5 @@ static DRAW_EDGES_FRAGMENT_WITH_BEFORE_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/edges.hlsl",
-    hash: "a54b05a8201aadc2810cc50409917c29429807e055fd79c4e30af54ee889d27d",
+    hash: "323ddd692b89e21863cb56fa0f7c8494104dd0272c22f7916ee7a55743465f1a",
 };

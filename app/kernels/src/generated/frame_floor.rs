@@ -145,7 +145,7 @@ static DRAW_FLOOR_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "72b8ee7732248e0f3315b41a990d331bda7fcc0e617bc090a5e9d4cbc4535c70",
+    hash: "c4de5fbb3da993d2cb3a455942b60d44a93c90ec0513e0d37c863d3ae95b4be7",
 };
 
 static DRAW_FLOOR_FRAGMENT: Module = Module {
@@ -158,7 +158,7 @@ static DRAW_FLOOR_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "949ab5044e77e254a75e8c93a4ca59bc0c274469f05b234f0d6904af6abfd6f0",
+    hash: "e11cadcca1596ad026076368ab31f6a3ff13afa798ffacf2bc25a4c95203e25d",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW: Module = Module {
@@ -171,7 +171,7 @@ static DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "c82389ff27f36c1a9fbb726bbb3fcbeeb3fd8114179752ceb9e41b99354c203f",
+    hash: "f520c3ee5bf2e9677def6f0bedeb323f89ef408f25448bd99c482fb638b7b779",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW: Module = Module {
@@ -184,7 +184,7 @@ static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "04ce8b25b859f5ef82537c4b7ea6233e57a4406ed739282f4db51c2c96d96b5f",
+    hash: "90f29c660a324cc01b194772ce703c695d67e93fdb27912ee6d16944b35389b0",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW: Module = Module {
@@ -197,7 +197,7 @@ static DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "ea6d797b0e215fccac6e6a39221420f7ed5c3e3fe1fea5b163fa8abd1896ca40",
+    hash: "3a3ce4a35c2b3c2c3562324e5963dc1c2c9a6cb223dae57b658b4329e17a0e30",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW: Module = Module {
@@ -210,7 +210,7 @@ static DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "4f8a402953a2f7e1d0f3314c6bd11bd2c04467c689edfdfdc8110651ef9601ef",
+    hash: "7f00b2f2080e125749cf6ffa9147587c14c803f51095885e30499fe5fa8080db",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_CAUSTICS_SHADOW: Module = Module {
@@ -223,7 +223,7 @@ static DRAW_FLOOR_VERTEX_WITH_CAUSTICS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "788fa1aef36fd1966f00d445f7316e9ce1fd62b0a957e7bc4191f7139b911c97",
+    hash: "39b17c4a66e0b49e2d01258ac9c39fb746895d2bcd753b2104d1e4dabd9ba1b1",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW: Module = Module {
@@ -236,5 +236,5 @@ static DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "00d90a0f962f3781a8d82e5050c0bd76195aa88fab39eb719d75bdabf3315d07",
+    hash: "c40b34ee1332b13a827cf80786b28d3f20c110eb197975963dbdd18477287557",
 };

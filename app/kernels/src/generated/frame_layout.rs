@@ -138,3 +138,18 @@ const _: () = {
     assert!(offset_of!(FrameStyle, reserved) == 72);
     assert!(size_of::<FrameStyle>() == 80);
 };
+
+/// How much of one picture shows over another.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+pub struct CrossFadeParams {
+    /// `float`.
+    pub opacity: f32,
+    /// `float3`.
+    pub reserved: [f32; 3],
+}
+const _: () = {
+    assert!(offset_of!(CrossFadeParams, opacity) == 0);
+    assert!(offset_of!(CrossFadeParams, reserved) == 4);
+    assert!(size_of::<CrossFadeParams>() == 16);
+};

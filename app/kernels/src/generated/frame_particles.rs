@@ -62,7 +62,7 @@ static DRAW_PARTICLES_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "4b731776af019a997b876deb0c052d0ef9ec1c5266f0847db64145c0a52aecce",
+    hash: "526551e0277c1844542ab702b9cb91820333da849bb02ae7d31608ba25c96ee9",
 };
 
 static DRAW_PARTICLES_FRAGMENT: Module = Module {
@@ -75,5 +75,5 @@ static DRAW_PARTICLES_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "d459c0f0c68ac6477ff1ab5cfbd8f5f06407f5f77b7a84094a583be34b1bba30",
+    hash: "aa7cbe9d4a74ae8ef3c58389430ebddf706263f96db153788786dd3494a914d0",
 };

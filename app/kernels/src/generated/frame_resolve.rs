@@ -88,7 +88,7 @@ static DRAW_RESOLVE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/resolve.hlsl",
-    hash: "2ffce7cba40b85f832f5c47b4c8a0229e1985aa4f3f47d3689369b2be51aef90",
+    hash: "abfeb0b462dfa03cfe267f2ef2b1ee6ea1bbf8ccaecf7d32eb03843359ebcf06",
 };
 
 static DRAW_RESOLVE_FRAGMENT: Module = Module {
@@ -101,7 +101,7 @@ static DRAW_RESOLVE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/resolve.hlsl",
-    hash: "cf3aaa8ff58d4c79b1d4c72f123b48f17c4bce465d175a6fde711e2a93290d00",
+    hash: "ddcbddb60f3efb754a78d43d46aa1c1a9aa5a8c989aded1289680776dd9b2883",
 };
 
 static DRAW_RESOLVE_FRAGMENT_WITH_WATER: Module = Module {
@@ -114,5 +114,5 @@ static DRAW_RESOLVE_FRAGMENT_WITH_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/resolve.hlsl",
-    hash: "2beeda2c9b53b835676252aa5771e7567d30db366a9b8cabea12125898f95503",
+    hash: "831e32c7c33c64a1be1c85b2631313d40682c44831971da10c5ab36100a12c4e",
 };

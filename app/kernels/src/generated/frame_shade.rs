@@ -130,7 +130,7 @@ static DRAW_SHADE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "4985a29df5c1973a75aced5bd71a24f45b5eb4d6c9eb3afff09d9070b99d0a5b",
+    hash: "f5458ea26359c59c87ddd716ee8ac395d09a1c7d49ab5209d7ab21729c196381",
 };
 
 static DRAW_SHADE_FRAGMENT: Module = Module {
@@ -143,7 +143,7 @@ static DRAW_SHADE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "cb8032557af36a7b8b7cc732e9c7661004235b56d2ce9897879abe2aaba528ac",
+    hash: "08123373c9e6f9aa5f2bdd8df231d7c0df431c67422d3e0b18e7ea692f35ec39",
 };
 
 static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
@@ -156,7 +156,7 @@ static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "4092b6db51c6786fd2a5a31613fa6846aec838c013f9abcf5d55b1566a8d0726",
+    hash: "182cf78667c2d16e949df8d068eece3991c7fd42b85127e0fd1b2fd94240cd5b",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
@@ -169,7 +169,7 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "526cfe4bcd9fe210de5d60a1f85c706a869b5473903d63f2ece6f82284d62b24",
+    hash: "6bb5e8d621fbde2bcdf14440e63eba85ce927de15c17be90d9e2051513b5fa42",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
@@ -182,5 +182,5 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "0fd174831c4e4879cb1e9a0b7bbfd15c04391f334a4914bea82b851548a7e164",
+    hash: "8ce0b57d3df68807858f7d1b3a9a51115ace02601f6d5b004ec01504d6192544",
 };

@@ -55,7 +55,7 @@ static DRAW_SHADOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "b1c83caf61ed44217f637ad184dec70ec46d3d23e1331372d63af0cf65632693",
+    hash: "db2af73814c110a6acfbb2a5c4655da284d20b9fc24ab381e4912ab0f9eabfec",
 };
 
 static DRAW_SHADOW_FRAGMENT: Module = Module {
@@ -68,5 +68,5 @@ static DRAW_SHADOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "a7042f483589b8ac2df40a7e85009f109a61040e86f974a96814a9e1bd7818b6",
+    hash: "ccd716c30f80b19e99b0aeb6ba744a0c7caad684d9eaadcac838378b78968842",
 };

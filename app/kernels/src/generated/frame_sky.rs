@@ -46,7 +46,7 @@ static DRAW_SKY_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/sky.hlsl",
-    hash: "100860c42b629460f1138d6a80c65f09725410176bb727ab9d297498d9233f66",
+    hash: "bfd3350942c1c52635f6d33997e7eeb7c12b49e9218e2c5a89c93334e85bccb4",
 };
 
 static DRAW_SKY_FRAGMENT: Module = Module {
@@ -59,5 +59,5 @@ static DRAW_SKY_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/sky.hlsl",
-    hash: "2b4045ab741eeaf79d0435c09a1b4bc35403606cf9ff09cc70aef6efaca74e59",
+    hash: "39560b326e6e5edef2e96f8888934c23fbed8e405dfd8abb7c41ce74fcad91b5",
 };

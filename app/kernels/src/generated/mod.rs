@@ -5,6 +5,7 @@
 mod forces_confine_vorticity;
 mod forces_curl;
 mod forces_xsph;
+mod frame_cross_fade;
 mod frame_edges;
 mod frame_floor;
 mod frame_layout;
@@ -38,6 +39,7 @@ mod solver_pbf_correct_positions;
 mod solver_pbf_update_velocity;
 mod surface_anisotropy;
 mod surface_caustics;
+mod surface_count_covered;
 mod surface_count_sun_volume;
 mod surface_fluid_depth;
 mod surface_layout;
@@ -81,6 +83,7 @@ mod surface_water;
 pub use forces_confine_vorticity::*;
 pub use forces_curl::*;
 pub use forces_xsph::*;
+pub use frame_cross_fade::*;
 pub use frame_edges::*;
 pub use frame_floor::*;
 pub use frame_layout::*;
@@ -114,6 +117,7 @@ pub use solver_pbf_correct_positions::*;
 pub use solver_pbf_update_velocity::*;
 pub use surface_anisotropy::*;
 pub use surface_caustics::*;
+pub use surface_count_covered::*;
 pub use surface_count_sun_volume::*;
 pub use surface_fluid_depth::*;
 pub use surface_layout::*;
@@ -160,6 +164,7 @@ pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
         forces_confine_vorticity::MODULES,
         forces_curl::MODULES,
         forces_xsph::MODULES,
+        frame_cross_fade::MODULES,
         frame_edges::MODULES,
         frame_floor::MODULES,
         frame_particles::MODULES,
@@ -189,6 +194,7 @@ pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
         solver_pbf_update_velocity::MODULES,
         surface_anisotropy::MODULES,
         surface_caustics::MODULES,
+        surface_count_covered::MODULES,
         surface_count_sun_volume::MODULES,
         surface_fluid_depth::MODULES,
         surface_mesh_count_bins::MODULES,

@@ -77,5 +77,5 @@ static ANISOTROPY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/anisotropy.compute",
-    hash: "3bb374dc89554d780ccab8ac9fede785cb9989c9cadee4f0cc2f16ac3cb393f8",
+    hash: "c00bdf3d926b024e6471849d9df4f414b9f572284260cde66a79f77b586877b1",
 };

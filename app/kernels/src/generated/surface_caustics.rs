@@ -63,7 +63,7 @@ static DRAW_CAUSTICS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/caustics.hlsl",
-    hash: "aa45765c9aa98e1ae9239c42841e87c06066954a7605c3d5ecada4121ccd54db",
+    hash: "37be7bab48bf1d80baa6fd0dff779674e23516b472d85994cac4776527ff8c02",
 };
 
 static DRAW_CAUSTICS_FRAGMENT: Module = Module {
@@ -76,5 +76,5 @@ static DRAW_CAUSTICS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/caustics.hlsl",
-    hash: "094ecb9e7039c07e732ab38cc45a3f96c9d3ed930e84bebc98825e831106cb4a",
+    hash: "7bf8446e8db419ed4c0c70941e5dd06148d1770aebbde47be5c297c2a7d94d81",
 };

@@ -69,5 +69,5 @@ static COUNT_SUN_VOLUME: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/count_sun_volume.compute",
-    hash: "9f152f6c0dfded5709a746a5115eeb6bfda1d6a9f0d51ae5bc0e7df2e555f3f9",
+    hash: "75b442e86988a9262411ea6cb16299aec252b53283ebe55a21eb4f7d5c8b68f9",
 };

@@ -112,7 +112,7 @@ static DRAW_FLUID_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "9118cb99edebbde0354f52ab7ff274f41b8427ddf72f71d7dbd12096c9a21ec2",
+    hash: "c49fed10e1b9aa661028293b1360d43fd59d31a7e306f1f9d63717e967ed810d",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
@@ -125,7 +125,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "a98e704ef922342b426e4a845c10bc30d02456bba2b10bda00fded80788dc1d9",
+    hash: "471e177f1fb756f8bae3ab7496d941d034094cfa37e4756379ae0ad84029aec3",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -138,7 +138,7 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "563a66853c204e90d22ec2d8544eb7cd804f43e5e18abdc4052514d55775cc4d",
+    hash: "e7decd7e2c9edd175c778d8b241fd419b2785926a157e08c5e09065133ca9a5c",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -151,7 +151,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "daa266b9fa9e33cb4505512447e7742ee7c7e9857c80b5ee5fb2b74b2b796fb3",
+    hash: "1bebd38839d991103bfab07afc0a6127ae4eb4bfd5e05643407529d1d7ffac18",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -164,5 +164,5 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "029b0cdd51f6348fe28c32f06283b6bebef531045363b71a4159e90b9c9a28a2",
+    hash: "97682d465406b8d33b2383a7b322475822f2c35460e38bb906af771e7cbb1209",
 };

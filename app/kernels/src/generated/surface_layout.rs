@@ -22,6 +22,12 @@ pub const MOST_STRETCH: f32 = 4.0;
 /// Variances of neighbours count as at least this, over h^2: those of particles in one point.
 pub const LEAST_VARIANCE: f32 = 1.0e-4;
 
+/// CountCovered looks at one drawn pixel in so many along either side,
+pub const COVERED_STRIDE: u32 = 4;
+
+/// and a group of it at so many of those along either side.
+pub const COVERED_GROUP: u32 = 8;
+
 /// A particle's volume in SunVolume's counts: weights are kept to 1/128, and 2^24 particles in one cell fit.
 pub const SUN_VOLUME_UNITS: u32 = 128;
 

@@ -103,7 +103,7 @@ static COUNT_BINS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/count_bins.compute",
-    hash: "0db12653d6b465a119104689d93aaf90dd3c91448b17ca4667bd7c0fbe1659de",
+    hash: "d5d617721791bc138a69cc0e0b9e500795d72af6a1c334c054bb9130edce5ca6",
 };
 
 static COUNT_BINS_WITH_ANISOTROPIC: Module = Module {
@@ -116,5 +116,5 @@ static COUNT_BINS_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/count_bins.compute",
-    hash: "b09705dacffaa2a5e7cfc38fcf47b489806fe36bc471f86e9f44c88795ba9ce7",
+    hash: "327783542ed653f4f70030e3748ad692a06be34cad763504748e3281cf0349df",
 };

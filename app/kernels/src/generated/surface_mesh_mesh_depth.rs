@@ -72,7 +72,7 @@ static DRAW_MESH_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_depth.hlsl",
-    hash: "670bbe77c492112b4853eb73564cbf6324de0a289cf4f0984db209430ade6050",
+    hash: "71055d809b00a3d3f58374397b318fc8c61f029e73307ad7366e54eb4a634fd4",
 };
 
 static DRAW_MESH_DEPTH_FRAGMENT: Module = Module {
@@ -85,5 +85,5 @@ static DRAW_MESH_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_depth.hlsl",
-    hash: "f3f69df636a277a2a2abbde4807a9043c2991092c7b24d97ab7251942c2038ae",
+    hash: "0ae58403170f83f980b83b4e7497525ef76cf9751aed9bef336cfbcf52326b90",
 };

@@ -100,7 +100,7 @@ static SCATTER_BINS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/scatter_bins.compute",
-    hash: "26d3da1b44ff4d5a4b2871cefc43e986631bb3fff3c79126cbc663f3d3a508da",
+    hash: "864ec96ae52c0cda90c8635fd3a68fa46b0be8c080b1e1e893d475c33f3ed384",
 };
 
 static SCATTER_BINS_WITH_ANISOTROPIC: Module = Module {
@@ -113,5 +113,5 @@ static SCATTER_BINS_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/scatter_bins.compute",
-    hash: "183d3ce635c84be6f7387739eaffbd8cc754fba18401d99ac9a2ac0ca74d7909",
+    hash: "45c789a11c5d34a9fa36907a975940d03248ffce6a711f67550e4541888f6cd4",
 };

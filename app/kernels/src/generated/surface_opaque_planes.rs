@@ -58,7 +58,7 @@ static DRAW_OPAQUE_PLANES_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/opaque_planes.hlsl",
-    hash: "8d891afdb8dc73fa056c7e482970d77bdf7d048e9581d01d2031bbaef22bd5da",
+    hash: "53d5a2327fedd6ba1b9b5cf1088980cd1de65e619f8e5b7bae8a2dafd43b1b7d",
 };
 
 static DRAW_OPAQUE_PLANES_FRAGMENT: Module = Module {
@@ -71,5 +71,5 @@ static DRAW_OPAQUE_PLANES_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/opaque_planes.hlsl",
-    hash: "e082da13356090dea0ed2e210be14b4d76df4868a08b43fb9c0394ec34642793",
+    hash: "3b53d3b95e05aacf666c6c04f644430446fbe98f86da30fdb07f678c81c9e8f5",
 };

@@ -70,5 +70,5 @@ static REFRACT_PHOTONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refract_photons.compute",
-    hash: "cf91262dcedcaace217b6b699a7e7c8bd7efcf58cf848a9ee87d3df85b2ab524",
+    hash: "2b673dca7f3864d2e5129909ba0f1188f7c44d0dc2370dace973897d60d0ea36",
 };

@@ -77,7 +77,7 @@ static DRAW_SMOOTH_BILATERAL_VERTEX_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "fe8ad151ca5afc1a29e7442e06a0b74c31dddcbb3dba2fce8735c45b6bd41c75",
+    hash: "5ac71b460099a610d9389423969746bb83a20b7d0d402410e3b302a92826919d",
 };
 
 static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_X: Module = Module {
@@ -90,7 +90,7 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "cc4109bbc8fe9558c2ff0d8e61fe296327b516079dab3cba2c950059acbaf8ca",
+    hash: "5747063eda67ef7745c4ccca6b176f81230e629c00321a48f701f1e32ca5b57e",
 };
 
 static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_Y: Module = Module {
@@ -103,7 +103,7 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "c5b2e034b95583f1aae2c295c9e1b1113deb522cb0fdae50e601438803b391ff",
+    hash: "4f5f76c79de180cdb4f462145d5c8556b1951751ce6348665ab103be2cb54870",
 };
 
 static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
@@ -116,5 +116,5 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "21cc09667407b6274ac124348da33e9d0a359b94c324c1637b2bc977e6640cc0",
+    hash: "e757025bd1e9bc8cea96523df59e3739af8bbe9ec41ae1ba00dc8f334fcade4e",
 };

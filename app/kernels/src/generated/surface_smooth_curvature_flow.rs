@@ -61,7 +61,7 @@ static DRAW_SMOOTH_CURVATURE_FLOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_curvature_flow.hlsl",
-    hash: "4561560a47f0e802e29a775a8b8366eb10f50aed7131184d3307df8500e84bcd",
+    hash: "03d58a437b5001f23684599dbe92146838a2e68f0db9cf1d974459bc7b6b531b",
 };
 
 static DRAW_SMOOTH_CURVATURE_FLOW_FRAGMENT: Module = Module {
@@ -74,5 +74,5 @@ static DRAW_SMOOTH_CURVATURE_FLOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_curvature_flow.hlsl",
-    hash: "52a1d374570670a6e888519ca9ed9bc44ce9eeb3b9a3fbed2ca8b7ee077324a2",
+    hash: "efbb0a0a63a6f341d52b90cbab189aa5b477a9fb4ceb4e13a6eea499e89945ae",
 };

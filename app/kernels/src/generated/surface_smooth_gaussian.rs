@@ -74,7 +74,7 @@ static DRAW_SMOOTH_GAUSSIAN_VERTEX_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_gaussian.hlsl",
-    hash: "817fe7e49eed2f519f88644a19fd1b3da1a841507b89e01d7c0cfd943277bdd1",
+    hash: "cba7db165021c347d64aa1b663f4354deafb290bfe5049d1dc55e5085ebcd5ae",
 };
 
 static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_X: Module = Module {
@@ -87,7 +87,7 @@ static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_gaussian.hlsl",
-    hash: "1d06856884734666a6b9624dd20176af9cf475caf677bef3032ee999800e6606",
+    hash: "9bc2b8fc417a24e86cf0ecbc2d30d253ea901fe8538b8bb1b3cae2e8195287ca",
 };
 
 static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_Y: Module = Module {
@@ -100,5 +100,5 @@ static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_gaussian.hlsl",
-    hash: "c8a66d73dd4402ee2eb0e0974665649f908534e0fbc9862abfd1dcf42f456396",
+    hash: "d8f8e885df9e43341695f2b801ec94435b15ac902bbbcab77509a410f3f770c2",
 };

@@ -78,7 +78,7 @@ static DRAW_SMOOTH_NARROW_RANGE_VERTEX_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "3a35f697cdb243f1f7fadf30bf0df53eea223e45c673df2d77224f6521dfeed1",
+    hash: "b9bfe62bc7e3d31857fb17f28cc7669d996ac138a5c7ae36bec475fff7ccdaa2",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_X: Module = Module {
@@ -91,7 +91,7 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "dff83c437492078fe3709d3c2f65ac08a20d6e702052281a1954d4d4536e9115",
+    hash: "cbbf988ef51a60e0403a51b5dc8fe7d934592219b0b475d8f191f46938afcccc",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_Y: Module = Module {
@@ -104,7 +104,7 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "9b3c725598cc2c58b907e2e5cee8a39f3613337559330a52f726d6ebcb0eb6a7",
+    hash: "da192a49cce91f154646db78e98a4fd01c5e685247d5f2a5b7477f89683ba343",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
@@ -117,5 +117,5 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "94b025848664c3e21df86e321d5af90fe7329b1c3e1c85f3027fdf95ecc711f0",
+    hash: "c4a875aefdb3168431dae55b72dd2ecf7565f8130d0059da8aa35ae3af1ca073",
 };

@@ -76,7 +76,7 @@ static DRAW_SMOOTH_SUN_DEPTH_VERTEX_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_sun_depth.hlsl",
-    hash: "c36367769c444a4b9694d5d247ea4a9e297a54700495e84ec5cbfed72ba9b37e",
+    hash: "a2df5e68ae43a376212efef1e95bf1ac0de5b7351f992b0d182127f34e42f812",
 };
 
 static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_X: Module = Module {
@@ -89,7 +89,7 @@ static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_sun_depth.hlsl",
-    hash: "7eb44c0877101da526a8c05cadeb9da014882410a7d287abc2ed8f724ca32663",
+    hash: "78b9cf3f8ac16d99d7371a71c6ea04e5c1e5096014cef97f6fd647fc5054cef8",
 };
 
 static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_Y: Module = Module {
@@ -102,5 +102,5 @@ static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_sun_depth.hlsl",
-    hash: "227f61d6e50bf5f92a872be1e02bce8a2fbd626d6fb9f89a2eba1a7e1f994179",
+    hash: "511a2919427f7755fcf750feffdf15b14a366484cb5415bdb63ac42ef58d4b7e",
 };

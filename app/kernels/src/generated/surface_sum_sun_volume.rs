@@ -64,5 +64,5 @@ static SUM_SUN_VOLUME: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sum_sun_volume.compute",
-    hash: "3636fdc6fd6eb1ae8bc691aea978e5d1bba44b0609bd029135869d46d8ae86ef",
+    hash: "04bb80b388b298cf38be20ac90d8d18a12dc622305e0e57aa30101541724bb90",
 };

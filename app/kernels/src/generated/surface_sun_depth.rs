@@ -114,7 +114,7 @@ static DRAW_SUN_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "f5e41bbc5af4761cdd1686ef364802ccadc12273f31f7a284534530d316ac203",
+    hash: "6098946fb59b5049bb921caa3cbd63ea1ba4051ed82be07b3ab17c4f3ef6e559",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
@@ -127,7 +127,7 @@ static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "ad6d204578c96ab5605b5de610aa8ea0c0accd8fc6412f055abb9bcb5e2e4205",
+    hash: "b22c7b1a3f071ce5ca5786f4aa6ac6a825cdd7056269c5b53513bf3a84dd20ca",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -140,7 +140,7 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "98a1756e4ffbbdc2006798b5abb7838c0cfcdb579456d830d22b14d768ec558f",
+    hash: "f85111b9eb71b6d6f469716eb50ddae5aa759bfad4f08aa13447d33337af81e2",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -153,7 +153,7 @@ static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "fb5baa463ecbe197f779d941a69ef25245561c66ff29273fda1f3dd0de559c93",
+    hash: "1d764c6434203336e9796e9772a6303c50254aa99133490a8bebe3a0d7aafe77",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -166,5 +166,5 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "aa48afcfb7df1cffd8d9c2768ab010418ae1e4ec94a66ae8cb7da3594fc51b64",
+    hash: "837d56e26a9278fedb69002ae14b5ac6a9d0a89ba74db34a0d688a9b1619ea5b",
 };

@@ -85,7 +85,7 @@ static DRAW_SUN_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "a15aea585d0d2d88da7c3cbb239f2df7499851f091eb464204302370362c130d",
+    hash: "07bb9fe7f36bbc9c0352ebf4ed01a1cd32595a1a7a2e8dd29a1f6c35e45a0787",
 };
 
 static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
@@ -98,7 +98,7 @@ static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "d7f719e6c0f0afc1d15a6499c72a03989e7c50496059ca835a4bc787ce83d57b",
+    hash: "ef8b3292591de4e04c367d3c574d39bf4b8fae56d1a491a249ae26402ccbb206",
 };
 
 static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -111,5 +111,5 @@ static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "6edef7fc0670c60f7b29b77345ac84007cd8c51d94292c7682a16e164b2f5fd6",
+    hash: "dc0f5bc64fd17d8908d4e2e5043650e6d46318e4eba61504e236cf8bef7b8e8a",
 };

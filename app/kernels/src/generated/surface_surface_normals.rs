@@ -58,7 +58,7 @@ static DRAW_SURFACE_NORMALS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/surface_normals.hlsl",
-    hash: "833c652a392333397b6470a7d00832d2c1c79c2c14c485bde00ae2d2b23e8bb8",
+    hash: "058ee0f42827802d678314285659a0cc35819627176c06097e786ce8c6013e0f",
 };
 
 static DRAW_SURFACE_NORMALS_FRAGMENT: Module = Module {
@@ -71,5 +71,5 @@ static DRAW_SURFACE_NORMALS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/surface_normals.hlsl",
-    hash: "82b04f590d1455a7d4641427130a6c3c6f507e59ae6f6e381b79acae0a13dcb1",
+    hash: "d1cafb4719669936b2b98cad7dcb4bf3987f4aadc6355de761d2c1b4651b91c2",
 };

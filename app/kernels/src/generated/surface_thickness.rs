@@ -91,7 +91,7 @@ static DRAW_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "880eb22f4fcbb2de88d030e525c5874c3650f1ea7301d3a63bbbe8986170d9ff",
+    hash: "e1ee89fd579fa8451228707bcc38a6bc90c3b7424ea94ccfc7eedabc6a910112",
 };
 
 static DRAW_THICKNESS_FRAGMENT: Module = Module {
@@ -104,7 +104,7 @@ static DRAW_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "2e8914a8774300f5b45f450e5b10d72937efeda7c4c58d020192fa61da338f09",
+    hash: "40c8a64496c87536e8dff7a94dbeb4bf7649d71e49debe74f8fc1fc924581cee",
 };
 
 static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -117,5 +117,5 @@ static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "2a7b6d0b025ba98ebd4a6e65e4bce79151eec5853bd022331c88b273fe29a630",
+    hash: "ab826c55327ecc47b9e88ab995004d386148bc8039d3e5782bd5041da2a37d3d",
 };

@@ -177,7 +177,7 @@ static DRAW_WATER_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "03b5f15f24a637dc1f603760fc58a514dbb3bde39ff4a7fa67c896081977e532",
+    hash: "7038f7d35d9ea172d70ec6b17150043f3bceda660309c89dace8cdd4a134c0a5",
 };
 
 static DRAW_WATER_FRAGMENT: Module = Module {
@@ -190,7 +190,7 @@ static DRAW_WATER_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "3f1e6cb80836aba8ab3f1764941ead936514042902fb77973bbba77a9982bf1b",
+    hash: "3dba5d50bcaa63b1eaecb66e29bd6b5fc02c372fbf6622cebb809d9f73141a48",
 };
 
 static DRAW_WATER_VERTEX_WITH_SELF_SHADOW: Module = Module {
@@ -203,7 +203,7 @@ static DRAW_WATER_VERTEX_WITH_SELF_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "b4fb6fc63cfd6c15d74231b36fabfd53fb90e58651fd9e176d9a0bebadd2e6b9",
+    hash: "58f8c7a9fc85fdc6575b0ea14a4cacadedc84958199999a7b600c1f8a171f58a",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_SELF_SHADOW: Module = Module {
@@ -216,7 +216,7 @@ static DRAW_WATER_FRAGMENT_WITH_SELF_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "557c06a5e42e27f7c3c95ebac59b9e0b1b5f4d1fb522ddc1939363a473f5c463",
+    hash: "a69408eca73195ae02d5cccad3360b944132b809468ed8d307122da071459ae3",
 };
 
 static DRAW_WATER_VERTEX_WITH_MESH_NORMALS: Module = Module {
@@ -229,7 +229,7 @@ static DRAW_WATER_VERTEX_WITH_MESH_NORMALS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "1ced64f428ea0ff41eb83d7fd595f2a0f77c7bc0b34d3c00dd96061eb6293f2a",
+    hash: "9c96894b5e068f6fd0ae2f84478906487cac483cfc8d5f16a4b417034cbd2cdc",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS: Module = Module {
@@ -242,7 +242,7 @@ static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "92647db8143992e38b493caf35bdd4cfee2de49172025c6b169ac6299a9231be",
+    hash: "c0e5805d156767a2f3d28c1d1f27d1bc2459e8a4ee3091e30feee68fcb4b8ee1",
 };
 
 static DRAW_WATER_VERTEX_WITH_MESH_NORMALS_WITH_SELF_SHADOW: Module = Module {
@@ -255,7 +255,7 @@ static DRAW_WATER_VERTEX_WITH_MESH_NORMALS_WITH_SELF_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "dfd11daa6c9c2e71835ea9e86f8a2ad80bb1b652d5c9d27ae93f092c893e6e41",
+    hash: "0bfeed7380f1e88e7999367e0dcb2ff4ad36d2409bf3ff05185a39c36e3892a4",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS_WITH_SELF_SHADOW: Module = Module {
@@ -268,5 +268,5 @@ static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS_WITH_SELF_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "93ce753dc084659b001cef6d667970a01503815b86704f5230db13155a89ed03",
+    hash: "4ed60467b492c4afebb9cf22c3ed284b7b21e04d58c1f09da571633427dfc9a0",
 };

@@ -7,6 +7,7 @@
 pub mod anisotropic_field;
 pub mod anisotropy;
 pub mod caustics;
+pub mod count_covered;
 pub mod fluid_depth;
 pub mod marching_cubes;
 pub mod marching_cubes_table;

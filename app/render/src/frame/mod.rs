@@ -1,19 +1,24 @@
 //! A picture: floor, sky, the domain's edges, the fluid as its surface options say, and the resolve
 //! to display colours.
 
+mod auto;
 mod look;
 pub(crate) mod options;
 pub(crate) mod uniforms;
 
+pub use auto::AutoPasses;
 pub use options::{Coloring, FrameOptions};
 pub use uniforms::{FrameUniforms, FrameValues};
 
-use brooklet_gpu::{Blend, DepthTest, DrawState, FrameReport, Load, Recording, Resources, Targets};
+use brooklet_gpu::{
+    Blend, DepthTest, DrawState, Engine, FrameReport, Load, Recording, RecordingId, ResourceId, Resources, Targets,
+};
 use brooklet_kernels::{
     Buffer, DrawEdges, DrawEdgesVariant, DrawFloor, DrawFloorVariant, DrawResolve, DrawResolveVariant, DrawSky, Format,
     FrameLight, MeshCounts, ShadowKeyword, SurfaceParams, Texture, WaterKeyword, WaterStyle,
 };
 
+use crate::surface::auto::Shown;
 use crate::surface::screen_space::{self, Caustics, Shapes, SunVolume, Sunlit, Thickness, Water, sun_volume};
 use crate::surface::{MarchingCubesOptions, Particles, ScreenSpaceOptions, SmoothedSurface, SurfaceOptions, points};
 use crate::{RenderError, View};
@@ -31,8 +36,10 @@ pub struct FramePasses {
     /// Depth of what is opaque in the drawn pixels, supersampled and reversed: near / distance, 0
     /// where the sky is.
     pub depth: Texture,
-    /// The water and its light, where it is drawn in screen space.
+    /// The water and its light, where it is drawn as a surface.
     pub water: Option<WaterPasses>,
+    /// What draws it with a mesh, where `draw` and `water` are screen space and each picture is chosen.
+    pub auto: Option<AutoPasses>,
     /// Camera, light and style, to be written when they change.
     pub uniforms: FrameUniforms,
 }
@@ -40,7 +47,51 @@ pub struct FramePasses {
 impl FramePasses {
     /// What the picture's mesh came to, to be read back with the picture's frame; none where no mesh is drawn.
     pub fn mesh_counts(&self) -> Option<&Buffer<MeshCounts>> {
-        self.water.as_ref()?.surface.mesh_counts.as_ref()
+        let meshed = self.auto.as_ref().map(|auto| &auto.meshed_water).or(self.water.as_ref());
+        meshed?.surface.mesh_counts.as_ref()
+    }
+
+    /// What draws pictures: a frame runs one of them.
+    pub fn recordings(&self) -> impl Iterator<Item = &Recording> {
+        [&self.draw].into_iter().chain(self.auto.iter().flat_map(|auto| [&auto.meshed, &auto.both]))
+    }
+
+    /// What draws the next picture, of `particles`. `fades`: it follows the last one closely enough for a change of the
+    /// surface's method to be seen.
+    pub fn next(&mut self, engine: &mut Engine, particles: u32, fades: bool) -> RecordingId {
+        let draw = self.draw.id();
+        self.auto.as_mut().map_or(draw, |auto| auto.next(engine, draw, particles, fades))
+    }
+
+    /// What is read back with the picture that [`FramePasses::next`] chose: what became of its mesh, and what chooses the
+    /// next one ([`FramePasses::learn`]).
+    pub fn readbacks(&self) -> impl Iterator<Item = ResourceId> {
+        let mesh = self.mesh_counts().map(|counts| counts.id).filter(|_| self.auto.is_none());
+        self.auto.iter().flat_map(AutoPasses::readbacks).chain(mesh)
+    }
+
+    /// Whether the next picture of as many particles would show another method's surface, or more of it.
+    pub fn fades(&self, particles: u32) -> bool {
+        self.auto.as_ref().is_some_and(|auto| auto.fades(particles))
+    }
+
+    /// Whether that picture has a mesh.
+    pub fn draws_mesh(&self) -> bool {
+        self.auto.as_ref().map_or(self.mesh_counts().is_some(), |auto| auto.shown() != Shown::ScreenSpace)
+    }
+
+    /// Takes what a finished frame tells of its picture.
+    pub fn learn(&mut self, report: &FrameReport) {
+        if let Some(auto) = &mut self.auto {
+            auto.learn(report);
+        }
+    }
+
+    /// Draws on as the passes before these did, of another plan.
+    pub fn go_on_from(&mut self, before: &FramePasses) {
+        if let (Some(auto), Some(before)) = (&mut self.auto, &before.auto) {
+            auto.go_on_from(before);
+        }
     }
 
     /// What the mesh of a frame came to whose report has it.
@@ -96,6 +147,7 @@ pub fn record(
     let mut draw = resources.recording("draw");
     let mut frame = Frame { resources, recording: &mut draw, uniforms: &uniforms, options, light: values.light };
     let onto = (&radiance, &depth);
+    let mut auto = None;
     let water = match &options.surface {
         SurfaceOptions::None => {
             frame.surroundings(onto, ShadowOf::Nothing, false);
@@ -116,8 +168,14 @@ pub fn record(
         SurfaceOptions::MarchingCubes(water, mesh) => {
             Some(frame.water(&mut init, (view, water, Some(mesh)), particles, onto, &color))
         }
+        SurfaceOptions::Auto(water, mesh, choice) => {
+            let (water, passes) =
+                auto::record(&mut frame, &mut init, (view, water, mesh, choice), particles, onto, &color);
+            auto = Some(passes);
+            Some(water)
+        }
     };
-    Ok(FramePasses { init, draw, color, depth, water, uniforms })
+    Ok(FramePasses { init, draw, color, depth, water, auto, uniforms })
 }
 
 /// What shades the floor.
@@ -138,6 +196,14 @@ struct Frame<'a> {
 }
 
 impl Frame<'_> {
+    /// Records into another recording, of which a frame runs one or the other: what is declared there as it was since there
+    /// were `first` resources is the same.
+    fn repeating<R>(&mut self, first: usize, recording: &mut Recording, record: impl FnOnce(&mut Frame<'_>) -> R) -> R {
+        let Self { uniforms, options, light, .. } = *self;
+        self.resources
+            .repeating(first, |resources| record(&mut Frame { resources, recording, uniforms, options, light }))
+    }
+
     /// Floor and sky. What hides little is drawn after what hides much (`drawn` says whether
     /// anything was), so that hidden pixels are not shaded.
     fn surroundings(&mut self, (radiance, depth): (&Texture, &Texture), shadow: ShadowOf<'_>, drawn: bool) {

@@ -5,9 +5,9 @@ use brooklet_fluid::scene::PointColor;
 use brooklet_kernels::{Format, MeshCounts, Tier};
 
 use crate::RenderError;
-use crate::surface::SurfaceOptions;
 use crate::surface::marching_cubes::MeshRoom;
 use crate::surface::screen_space::depth_format;
+use crate::surface::{MarchingCubesOptions, SurfaceOptions};
 
 /// What a particle's colour tells.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -64,7 +64,7 @@ impl FrameOptions {
 
     /// The same with at least so much room for the surface's mesh, where one is drawn.
     pub fn with_mesh_room(mut self, room: MeshRoom) -> Self {
-        if let SurfaceOptions::MarchingCubes(_, mesh) = &mut self.surface {
+        if let Some(mesh) = self.surface.mesh_mut() {
             *mesh = mesh.with_room(mesh.room().max(room));
         }
         self
@@ -72,16 +72,12 @@ impl FrameOptions {
 
     /// The room for the surface's mesh, where one is drawn.
     pub fn mesh_room(&self) -> Option<MeshRoom> {
-        match &self.surface {
-            SurfaceOptions::MarchingCubes(_, mesh) => Some(mesh.room()),
-            _ => None,
-        }
+        self.surface.mesh().map(MarchingCubesOptions::room)
     }
 
     /// Room that the surface's mesh lacked which came to `counts` ([`crate::MarchingCubesOptions::lacked_room`]).
     pub fn lacked_mesh_room(&self, counts: &MeshCounts, spare: f64) -> Option<MeshRoom> {
-        let SurfaceOptions::MarchingCubes(_, mesh) = &self.surface else { return None };
-        mesh.lacked_room(counts, spare)
+        self.surface.mesh()?.lacked_room(counts, spare)
     }
 
     pub(super) fn check(&self) -> Result<(), RenderError> {
@@ -102,6 +98,9 @@ impl FrameOptions {
         match &self.surface {
             SurfaceOptions::ScreenSpace(options) => options.check(),
             SurfaceOptions::MarchingCubes(options, mesh) => options.check().and_then(|()| mesh.check()),
+            SurfaceOptions::Auto(options, mesh, auto) => {
+                options.check().and_then(|()| mesh.check()).and_then(|()| auto.check())
+            }
             SurfaceOptions::Points | SurfaceOptions::None => Ok(()),
         }
     }

@@ -4,6 +4,7 @@
 //! and light `Rgba16Float`, both blended and filtered. Pictures are `Rgba8Unorm`. WebGPU's base promises all of that
 //! anywhere, and a test holds every surface against it; `brooklet_gpu::check_formats` asks the driver all the same.
 
+pub mod auto;
 pub mod marching_cubes;
 pub(crate) mod points;
 pub mod screen_space;
@@ -14,6 +15,7 @@ use brooklet_fluid::scene::SurfaceMethod;
 use brooklet_fluid::{Recorded, Scene, Slots};
 use brooklet_kernels::{Buffer, Position, Tier, Velocity};
 
+pub use auto::AutoOptions;
 pub use marching_cubes::MarchingCubesOptions;
 pub use screen_space::{ScreenSpaceOptions, SmoothedSurface};
 
@@ -57,18 +59,46 @@ pub enum SurfaceOptions {
     ScreenSpace(ScreenSpaceOptions),
     /// Water with a meshed surface, shaded as the other.
     MarchingCubes(ScreenSpaceOptions, MarchingCubesOptions),
+    /// Either of the two, whichever is cheaper for what is seen.
+    Auto(ScreenSpaceOptions, MarchingCubesOptions, AutoOptions),
 }
 
 impl SurfaceOptions {
     /// What a scene asks for, on a device of `tier`.
     pub fn for_scene(scene: &Scene, tier: Tier) -> Self {
+        let water = || ScreenSpaceOptions::for_scene(scene, tier);
         match scene.surface.method {
             SurfaceMethod::None => Self::None,
             SurfaceMethod::Points => Self::Points,
-            SurfaceMethod::ScreenSpace => Self::ScreenSpace(ScreenSpaceOptions::for_scene(scene, tier)),
-            SurfaceMethod::MarchingCubes => {
-                Self::MarchingCubes(ScreenSpaceOptions::for_scene(scene, tier), MarchingCubesOptions::for_scene(scene))
+            SurfaceMethod::ScreenSpace => Self::ScreenSpace(water()),
+            SurfaceMethod::MarchingCubes => Self::MarchingCubes(water(), MarchingCubesOptions::for_scene(scene)),
+            SurfaceMethod::Auto => {
+                Self::Auto(water(), MarchingCubesOptions::for_scene(scene), AutoOptions::for_scene(scene, tier))
             }
+        }
+    }
+
+    /// The water's, where it is drawn as a surface.
+    pub fn water_mut(&mut self) -> Option<&mut ScreenSpaceOptions> {
+        match self {
+            Self::ScreenSpace(water) | Self::MarchingCubes(water, _) | Self::Auto(water, ..) => Some(water),
+            Self::Points | Self::None => None,
+        }
+    }
+
+    /// The mesh's, where there may be one.
+    pub fn mesh(&self) -> Option<&MarchingCubesOptions> {
+        match self {
+            Self::MarchingCubes(_, mesh) | Self::Auto(_, mesh, _) => Some(mesh),
+            Self::ScreenSpace(_) | Self::Points | Self::None => None,
+        }
+    }
+
+    /// As [`SurfaceOptions::mesh`], to be changed.
+    pub fn mesh_mut(&mut self) -> Option<&mut MarchingCubesOptions> {
+        match self {
+            Self::MarchingCubes(_, mesh) | Self::Auto(_, mesh, _) => Some(mesh),
+            Self::ScreenSpace(_) | Self::Points | Self::None => None,
         }
     }
 }
