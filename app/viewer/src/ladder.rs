@@ -193,17 +193,12 @@ mod tests {
         let options = FrameOptions::for_scene(&scene, Tier::Desktop);
         let work = |rung: &Rung| {
             let run = rung.scene(&scene);
-            let drawn = rung.options(options);
+            let mut drawn = rung.options(options);
             let particles = run.particle_count() as f64;
             let rounds = f64::from(run.solver.substeps * run.solver.pbf.iterations);
             let cost = if run.solver.precision == Precision::Full { 1.0 } else { 0.8 };
             let side = rung.picture_px([1000, 1000])[0] * drawn.supersample;
-            let texels = match drawn.surface {
-                SurfaceOptions::ScreenSpace(water) | SurfaceOptions::MarchingCubes(water, _) => {
-                    f64::from(water.photons)
-                }
-                _ => 0.0,
-            };
+            let texels = drawn.surface.water_mut().map_or(0.0, |water| f64::from(water.photons));
             particles * rounds * cost + f64::from(side).powi(2) + texels
         };
         for pair in RUNGS.windows(2) {
