@@ -48,6 +48,42 @@ fn one_capture_ends_in_water_and_one_in_nothing() {
     }
 }
 
+/// Counting sort, solver and marching cubes, in the order in which they are to run.
+const CHAIN: [&str; 13] = [
+    "count_cells",
+    "scan_groups",
+    "reorder",
+    "list_neighbours",
+    "constrain_density",
+    "correct_positions",
+    "update_velocity",
+    "gather_field",
+    "count_mesh",
+    "emit_vertices",
+    "emit_triangles",
+    "draw_mesh_depth",
+    "draw_water",
+];
+
+#[test]
+fn a_capture_shows_the_chain_from_the_sort_to_the_mesh() {
+    let workshop = Workshop::new();
+    let run = ["run", "scene.toml", "--steps", "2", "--images", "1", "--set", "surface.method=marching-cubes"];
+    workshop.succeed(&[&run[..], &["--out", "mesh"]].concat());
+    let capture = Capture::open(&workshop.path("mesh/capture.mcap")).unwrap();
+    let place = |stage: &&str| capture.stages.iter().position(|listed| listed == stage);
+    let places: Vec<usize> = CHAIN.iter().map(|stage| place(stage).unwrap_or_else(|| panic!("{stage}"))).collect();
+    assert!(places.is_sorted(), "{:?}", capture.stages);
+    let last = capture.frames.last().unwrap().frame;
+    let begins = |stage: &str| {
+        let of_stage = capture.spans.iter().filter(|span| span.frame == last && span.stage == stage);
+        of_stage.map(|span| span.begin_ticks).min()
+    };
+    // The GPU says so too, where it gives times.
+    let begun: Vec<u64> = CHAIN.iter().filter_map(|stage| begins(stage)).collect();
+    assert!(begun.is_sorted() && (capture.spans.is_empty() || begun.len() == CHAIN.len()), "{begun:?}");
+}
+
 #[test]
 fn a_plan_shows_what_each_choice_leaves_out() {
     let workshop = Workshop::new();

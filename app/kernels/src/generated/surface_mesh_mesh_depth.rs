@@ -72,7 +72,7 @@ static DRAW_MESH_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_depth.hlsl",
-    hash: "71055d809b00a3d3f58374397b318fc8c61f029e73307ad7366e54eb4a634fd4",
+    hash: "8ba04aeb8d811956d181b5be0bf865c135224776c51b06737510ad900306591f",
 };
 
 static DRAW_MESH_DEPTH_FRAGMENT: Module = Module {
@@ -85,5 +85,5 @@ static DRAW_MESH_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_depth.hlsl",
-    hash: "0ae58403170f83f980b83b4e7497525ef76cf9751aed9bef336cfbcf52326b90",
+    hash: "d1b58c9c30af82c6b3499813874cfd8df1c60e4692a986958d229d7e2c16df20",
 };

@@ -38,6 +38,21 @@ struct Surface
     float4 normal : SV_Target1;     // toward the eye, alpha 1
 };
 
+// Interpolated, a normal may look away from the eye where its triangle does not: along outlines, and all over a drop of a
+// few cells. The water would mirror what is below the horizon there. It is turned until it faces the eye half as much as the
+// triangle does.
+float3 TowardEye(float3 normal, float3 offset_m)
+{
+    float3 to_eye = -normalize(offset_m);
+    float3 triangle_normal = normalize(cross(ddx(offset_m), ddy(offset_m)));
+    float least = 0.5 * abs(dot(triangle_normal, to_eye));
+    float facing = dot(normal, to_eye);
+    if (!(facing < least))
+        return normal;
+    float3 aside = normal - facing * to_eye;
+    return least * to_eye + sqrt(1.0 - least * least) * normalize(aside + 1e-6 * view.up);
+}
+
 Surface MeshDepthFragment(Varyings input)
 {
     Surface surface;
@@ -48,9 +63,6 @@ Surface MeshDepthFragment(Varyings input)
     float3 high = step(abs(position_m - mesh.wall_max_m), IN_WALL * mesh.cell_m);
     if (any(low + high > 0.0))
         normal = normalize(high - low);
-    // Interpolated, a normal at an outline may look away from the eye: it is turned into the picture's plane.
-    float3 to_eye = -normalize(input.offset_m);
-    float away = min(dot(normal, to_eye), 0.0);
-    surface.normal = float4(normalize(normal - away * to_eye), 1.0);
+    surface.normal = float4(TowardEye(normal, input.offset_m), 1.0);
     return surface;
 }
