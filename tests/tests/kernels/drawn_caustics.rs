@@ -9,6 +9,7 @@ use brooklet_kernels::{FrameLight, Position, SurfaceParams, WaterStyle};
 use brooklet_reference::surface::Along;
 use brooklet_reference::surface::caustics::caustics;
 use brooklet_reference::surface::refract_photons::{self, Photon, refract_photons};
+use brooklet_reference::surface::smooth_photons::smooth_photons;
 use brooklet_reference::surface::smooth_sun_depth::smooth_sun_depth;
 use brooklet_reference::surface::sun_depth::sun_depth;
 use brooklet_reference::surface::sun_map::{SunMap, shadow_position, world_from_shadow};
@@ -104,6 +105,7 @@ struct Drawn {
     raw: SunMap,
     smoothed: SunMap,
     thickness: SunMap,
+    bent: Vec<Photon>,
     photons: Vec<Photon>,
     light_map: Vec<DVec3>,
     params: SurfaceParams,
@@ -142,18 +144,21 @@ fn draw(positions: &[Position], photons: u32) -> Drawn {
     let (raw, smoothed) = (map(&caustics.raw), map(&caustics.sun_depth));
     let thickness = halves(&engine.read_texture(&water.thickness.sun).expect("thickness"));
     let light_map = halves(&engine.read_texture(&caustics.light).expect("light"));
-    let bent = engine.read(&caustics.photons).expect("photons").into_iter().map(|photon| Photon {
-        uv: DVec2::from_array(photon.uv.map(f64::from)),
-        path_m: photon.path_m.into(),
-        share: photon.share.into(),
+    let [bent, smoothed_photons] = [&caustics.bent, &caustics.photons].map(|photons| {
+        let photons = engine.read(photons).expect("photons").into_iter().map(|photon| Photon {
+            uv: DVec2::from_array(photon.uv.map(f64::from)),
+            path_m: photon.path_m.into(),
+            share: photon.share.into(),
+        });
+        photons.collect()
     });
-    let bent = bent.collect();
     let absorption_per_m = surface.absorption_per_m.as_vec3().into();
     Drawn {
         raw,
         smoothed,
         thickness: SunMap { side: 2 * photons as usize, values: thickness },
-        photons: bent,
+        bent,
+        photons: smoothed_photons,
         light_map: light_map.chunks_exact(4).map(DVec3::from_slice).collect(),
         params: surface.params(),
         light: FrameValues::new(&view, &options).expect("values").light,
@@ -189,7 +194,7 @@ fn each_stage_is_its_twin() {
     let drawn: Vec<Position> = positions.iter().copied().filter(|p| is_simulated(p.tag)).collect();
     // Sizes that no block of 2, 4, 8 or 16 divides.
     for photons in [37, 61] {
-        let Drawn { raw, smoothed, thickness, photons: bent, light_map, params, light, water } =
+        let Drawn { raw, smoothed, thickness, bent, photons: even, light_map, params, light, water } =
             draw(&positions, photons);
         let report = |stage: &str, tolerance: f64, (worst, beyond): (f64, usize)| {
             println!(
@@ -244,12 +249,21 @@ fn each_stage_is_its_twin() {
         let wrong = refract_photons(&unbent, &thickness, &params, &light);
         compare(&flat(&bent), &flat(&wrong), PLACE_TOLERANCE).expect_err("another surface");
 
+        let smooth = |params: &SurfaceParams| {
+            let half = smooth_photons(&bent, &smoothed, params, &light, Along::X);
+            smooth_photons(&half, &smoothed, params, &light, Along::Y)
+        };
+        let matched = compare(&flat(&even), &flat(&smooth(&params)), PLACE_TOLERANCE).expect("smooth_photons");
+        report("smooth_photons", PLACE_TOLERANCE, matched);
+        let wrong = smooth(&SurfaceParams { spacing_m: 1.1 * params.spacing_m, ..params });
+        compare(&flat(&even), &flat(&wrong), PLACE_TOLERANCE).expect_err("a reach a tenth longer");
+
         let values = |map: &[DVec3]| -> Vec<f64> { map.iter().flat_map(|color| color.to_array()).collect() };
-        let expected = caustics(&bent, &params, &light, &water);
+        let expected = caustics(&even, &params, &light, &water);
         let matched = compare(&values(&light_map), &values(&expected), LIGHT_TOLERANCE).expect("caustics");
         report("caustics", LIGHT_TOLERANCE, matched);
         let wrong = WaterStyle { absorption_per_m: [2.6, 0.5, 0.2], ..water };
-        let wrong = caustics(&bent, &params, &light, &wrong);
+        let wrong = caustics(&even, &params, &light, &wrong);
         compare(&values(&light_map), &values(&wrong), LIGHT_TOLERANCE).expect_err("darker water");
     }
 }

@@ -72,6 +72,7 @@ mod surface_smooth_bilateral;
 mod surface_smooth_curvature_flow;
 mod surface_smooth_gaussian;
 mod surface_smooth_narrow_range;
+mod surface_smooth_photons;
 mod surface_smooth_sun_depth;
 mod surface_sum_sun_volume;
 mod surface_sun_depth;
@@ -150,6 +151,7 @@ pub use surface_smooth_bilateral::*;
 pub use surface_smooth_curvature_flow::*;
 pub use surface_smooth_gaussian::*;
 pub use surface_smooth_narrow_range::*;
+pub use surface_smooth_photons::*;
 pub use surface_smooth_sun_depth::*;
 pub use surface_sum_sun_volume::*;
 pub use surface_sun_depth::*;
@@ -224,6 +226,7 @@ pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
         surface_smooth_curvature_flow::MODULES,
         surface_smooth_gaussian::MODULES,
         surface_smooth_narrow_range::MODULES,
+        surface_smooth_photons::MODULES,
         surface_smooth_sun_depth::MODULES,
         surface_sum_sun_volume::MODULES,
         surface_sun_depth::MODULES,

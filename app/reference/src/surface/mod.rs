@@ -18,6 +18,7 @@ pub mod smooth_curvature_flow;
 pub mod smooth_gaussian;
 pub mod smooth_narrow_range;
 pub mod smooth_normals;
+pub mod smooth_photons;
 pub mod smooth_sun_depth;
 pub mod subdivide;
 pub mod sun_depth;

@@ -103,7 +103,7 @@ pub fn refract(direction: DVec3, normal: DVec3, ratio: f64) -> Option<DVec3> {
     (squared >= 0.0).then(|| ratio * direction + (ratio * cosine - squared.sqrt()) * normal)
 }
 
-fn smooth_step(from: f64, to: f64, x: f64) -> f64 {
+pub(super) fn smooth_step(from: f64, to: f64, x: f64) -> f64 {
     let t = ((x - from) / (to - from)).clamp(0.0, 1.0);
     t * t * (3.0 - 2.0 * t)
 }

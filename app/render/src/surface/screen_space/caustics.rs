@@ -1,13 +1,14 @@
 //! Sunlight on the floor, bent by the water's surface and carried there photon by photon: photon geometry without noise.
 //!
 //! A grid over the sun's map meets the water as the sun sees it (`surface/sun_depth.hlsl`, `smooth_sun_depth.hlsl`), Snell
-//! bends each photon to the floor (`refract_photons.compute`), and its light is a tent there (`caustics.hlsl`). Photons
+//! bends each photon to the floor (`refract_photons.compute`, evened out by `smooth_photons.compute`), and its light is a tent there (`caustics.hlsl`). Photons
 //! that met no water are not drawn: the floor adds their bilinear mean (`frame/floor.hlsl`).
 
 use brooklet_gpu::{Blend, DepthTest, DrawState, Load, Recording, Resources, Targets};
 use brooklet_kernels::{
     AlongKeyword, Buffer, DrawCaustics, DrawSmoothSunDepth, DrawSmoothSunDepthVariant, DrawSunDepth,
-    DrawSunDepthVariant, Format, FrameLight, Photon, RefractPhotons, SurfaceParams, Texture, Tier, WaterStyle,
+    DrawSunDepthVariant, Format, FrameLight, Photon, RefractPhotons, SmoothPhotons, SmoothPhotonsVariant,
+    SurfaceParams, Texture, Tier, WaterStyle,
 };
 
 use super::options::SUN_SMOOTHINGS;
@@ -21,7 +22,9 @@ pub struct Caustics {
     pub raw: Texture,
     /// The same after smoothing.
     pub sun_depth: Texture,
-    /// A photon for each cell of the grid, rows from the top.
+    /// A photon for each cell of the grid, rows from the top, as its own place bends it,
+    pub bent: Buffer<Photon>,
+    /// and as those around it are bent.
     pub photons: Buffer<Photon>,
     /// Light that photons brought, over the sun's own, in the sun's map; `Rgba16Float`. Where no water stands
     /// before the sun its light is to be added.
@@ -79,7 +82,8 @@ pub(crate) fn record(
         }
     }
     let count = photons * photons;
-    let mut bent = resources.buffer("photons", count);
+    let [mut bent, mut half_smoothed, mut photons] =
+        ["bent_photons", "half_smoothed_photons", "photons"].map(|label| resources.buffer(label, count));
     recording.dispatch(
         &RefractPhotons {
             sun_depth: smoothed.read(),
@@ -90,14 +94,22 @@ pub(crate) fn record(
         },
         count,
     );
+    let mut smooth = |along, from: &Buffer<Photon>, to: &mut Buffer<Photon>| {
+        let variant = SmoothPhotonsVariant { along };
+        let (sun_depth, photons) = (smoothed.read(), from.read());
+        let kernel = SmoothPhotons { variant, sun_depth, photons, smoothed_photons: to.write(), light, surface };
+        recording.dispatch(&kernel, count);
+    };
+    smooth(AlongKeyword::AlongX, &bent, &mut half_smoothed);
+    smooth(AlongKeyword::AlongY, &half_smoothed, &mut photons);
     // Rgba16Float blends and filters on every tier.
     let map = resources.texture("caustics", Format::Rgba16Float, sunlit.sun_thickness.size_px);
     recording.draw(
-        &DrawCaustics { photons: bent.read(), light, surface, water: sunlit.water.uniform() },
+        &DrawCaustics { photons: photons.read(), light, surface, water: sunlit.water.uniform() },
         &Targets { color: vec![(&map, Load::Clear([0.0; 4]))], depth: None },
         DrawState { blend: Blend::Additive, ..DrawState::default() },
         6 * count,
         1,
     );
-    Caustics { raw, sun_depth: smoothed, photons: bent, light: map }
+    Caustics { raw, sun_depth: smoothed, bent, photons, light: map }
 }
