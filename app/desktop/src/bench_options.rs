@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use brooklet_bench::surfaces;
 use clap::{Args, Subcommand};
 
 use crate::shared_options::{DeviceOptions, seconds, steps_from};
@@ -50,7 +51,7 @@ pub struct BenchOptions {
 pub enum BenchStudy {
     /// Ways to sort the particles: the product's against others, in pairs
     Sorting(SortingOptions),
-    /// Ways to smooth the surface in screen space: their errors against known bodies, and their cost
+    /// Ways to smooth the surface in screen space and to mesh it: their errors against known bodies, and their cost
     Surfaces(SurfacesOptions),
     /// What the window's panels and its capture add to a frame, in pairs; opens no window
     #[cfg(feature = "window")]
@@ -102,6 +103,12 @@ pub struct SurfacesOptions {
     /// Height of the pictures, pixels
     #[arg(long, value_name = "PX", default_value_t = 360, value_parser = clap::value_parser!(u32).range(64..=4096))]
     pub height: u32,
+    /// Only this body, as the tables call it; may be given again
+    #[arg(long = "body", value_name = "NAME", value_parser = body)]
+    pub bodies: Vec<&'static str>,
+    /// Only this way to smooth or to mesh, as the tables call it; may be given again
+    #[arg(long = "way", value_name = "NAME", value_parser = way)]
+    pub ways: Vec<&'static str>,
     /// Pictures that are timed of each
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=10_000))]
     pub repeats: u32,
@@ -135,6 +142,19 @@ pub struct SortingOptions {
     /// Print the result as JSON
     #[arg(long)]
     pub json: bool,
+}
+
+fn body(name: &str) -> Result<&'static str, String> {
+    one_of(name, surfaces::bodies())
+}
+
+fn way(name: &str) -> Result<&'static str, String> {
+    one_of(name, surfaces::ways())
+}
+
+fn one_of(name: &str, names: Vec<&'static str>) -> Result<&'static str, String> {
+    let known = names.iter().copied().find(|known| *known == name);
+    known.ok_or_else(|| format!("it may be {}", names.join("; ")))
 }
 
 #[cfg(test)]

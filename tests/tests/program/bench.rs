@@ -90,34 +90,53 @@ fn ways_to_sort_are_compared_in_pairs() {
     }
 }
 
+const WAYS: [&str; 11] = [
+    "none",
+    "gaussian",
+    "bilateral",
+    "bilateral-2d",
+    "narrow-range",
+    "curvature-flow 60",
+    "ellipsoids",
+    "ellipsoids, narrow-range",
+    "mesh, cells d/2",
+    "mesh, not smoothed",
+    "density field",
+];
+
 #[test]
 fn surfaces_are_held_against_known_bodies() {
     let workshop = Workshop::new();
+    let bodies = ["sphere", "calm pool"];
+    let chosen: Vec<&str> =
+        bodies.iter().flat_map(|name| ["--body", name]).chain(WAYS.iter().flat_map(|name| ["--way", name])).collect();
     let size = ["--width", "192", "--height", "108", "--repeats", "1"];
     let files = ["--csv", "s.csv", "--plot", "s.svg", "--picture", "s.png", "--json"];
-    let study = workshop.succeed(&[&["bench", "surfaces"], &size[..], &files].concat()).json();
+    let study = workshop.succeed(&[&["bench", "surfaces"], &chosen[..], &size, &files].concat()).json();
     let rows = study["rows"].as_array().unwrap();
-    // Four bodies, three distances, fifteen ways to draw and the marched density field.
-    assert_eq!(rows.len(), 4 * 3 * 16);
-    let mean_deg = |filter: &str, shape: &str| -> f64 {
-        let of = |row: &&Value| row["filter"] == filter && row["shape"] == shape;
-        rows.iter().filter(of).map(|row| number(&row["normal_mean_deg"])).sum::<f64>() / 3.0
+    assert_eq!(rows.len(), bodies.len() * 3 * WAYS.len());
+    let mean = |way: &str, shape: &str, figure: &str| -> f64 {
+        let of = |row: &&Value| row["filter"] == way && row["shape"] == shape;
+        rows.iter().filter(of).map(|row| number(&row[figure])).sum::<f64>() / 3.0
     };
-    for shape in ["sphere", "box", "torus", "calm pool"] {
-        let bare = mean_deg("none", shape);
-        for filter in ["gaussian", "bilateral", "bilateral-2d", "narrow-range", "curvature-flow 60", "density field"] {
-            assert!(mean_deg(filter, shape) < bare, "{filter} leaves the {shape} rougher than it found it");
+    let mean_deg = |way: &str, shape: &str| mean(way, shape, "normal_mean_deg");
+    for shape in bodies {
+        for way in &WAYS[1..] {
+            assert!(
+                mean_deg(way, shape) < mean_deg("none", shape),
+                "{way} leaves the {shape} rougher than it found it"
+            );
         }
     }
     // The filter that scenes have by default follows a round body closely.
     assert!(mean_deg("narrow-range", "sphere") < 8.0, "{}", mean_deg("narrow-range", "sphere"));
     // Ellipsoids take away most of the bumps, and of what spheres stand out by.
-    let outline = |filter: &str| -> f64 {
-        let of = |row: &&Value| row["filter"] == filter && row["shape"] == "sphere";
-        rows.iter().filter(of).map(|row| number(&row["outline_spacings"])).sum::<f64>() / 3.0
-    };
+    let outline = |way: &str| mean(way, "sphere", "outline_spacings");
     assert!(mean_deg("ellipsoids", "sphere") < 0.7 * mean_deg("none", "sphere"));
     assert!(outline("ellipsoids, narrow-range") < 0.5 * outline("narrow-range"));
+    // Meshes are smoother with their normals smoothed, and flat where the water is.
+    assert!(mean_deg("mesh, cells d/2", "sphere") < 0.8 * mean_deg("mesh, not smoothed", "sphere"));
+    assert!(mean_deg("mesh, cells d/2", "calm pool") < 0.5 * mean_deg("narrow-range", "calm pool"));
     for row in rows {
         let drawn = row["filter"] != "density field";
         assert_eq!(row["surface_ms"].as_f64().is_some_and(|ms| ms > 0.0), drawn, "{row}");
@@ -125,9 +144,25 @@ fn surfaces_are_held_against_known_bodies() {
         assert_eq!(row["smoothing_ms"].as_f64().is_some_and(|ms| ms > 0.0), smooths, "{row}");
         assert!(number(&row["outline_spacings"]) < 1.0, "{row}");
     }
-    // At the default resolution meshes are within a spacing of their bodies and have 98 to 102 % of their volume. A box's
+    let csv = |name: &str| std::fs::read_to_string(workshop.path(name)).unwrap();
+    assert_eq!(csv("s.csv").lines().count(), 1 + rows.len());
+    let plot = std::fs::read_to_string(workshop.path("s.svg")).unwrap();
+    for text in ["<svg", "narrow-range", "calm pool", "mesh, not smoothed"] {
+        assert!(plot.contains(text), "no {text:?} in the plot");
+    }
+    assert!(std::fs::metadata(workshop.path("s.png")).unwrap().len() > 10_000);
+}
+
+#[test]
+fn meshes_are_held_against_known_bodies() {
+    let workshop = Workshop::new();
+    let small = ["--width", "64", "--height", "64", "--repeats", "1", "--json", "--way", "mesh, cells d/2"];
+    let study = workshop.succeed(&[&["bench", "surfaces"], &small[..]].concat()).json();
+    let meshes = study["meshes"].as_array().unwrap();
+    assert_eq!(meshes.len(), 6);
+    // At the default resolution they are within a spacing of their bodies and have 98 to 102 % of their volume. A box's
     // corner, which no particle fills, is a spacing and a bit off; a layer is thinner than a cell is long twice over.
-    for mesh in study["meshes"].as_array().unwrap().iter().filter(|mesh| mesh["mesh"] == "mesh, cells d/2") {
+    for mesh in meshes {
         let (farthest, volume) = match mesh["shape"].as_str().unwrap() {
             "box" => (1.2, 0.02),
             "sheet" => (1.0, 0.05),
@@ -136,22 +171,17 @@ fn surfaces_are_held_against_known_bodies() {
         assert!(number(&mesh["hausdorff_spacings"]) < farthest, "{mesh}");
         assert!(number(&mesh["volume_error"]).abs() < volume, "{mesh}");
     }
-    // And in a picture they are smoother with their normals smoothed, and flat where the water is.
-    assert!(mean_deg("mesh, cells d/2", "sphere") < 0.8 * mean_deg("mesh, not smoothed", "sphere"));
-    assert!(mean_deg("mesh, cells d/2", "calm pool") < 0.5 * mean_deg("narrow-range", "calm pool"));
-    let csv = std::fs::read_to_string(workshop.path("s.csv")).unwrap();
-    assert_eq!(csv.lines().count(), 1 + rows.len());
-    let plot = std::fs::read_to_string(workshop.path("s.svg")).unwrap();
-    assert!(plot.contains("<svg") && plot.contains("narrow-range") && plot.contains("torus"));
-    assert!(std::fs::metadata(workshop.path("s.png")).unwrap().len() > 10_000);
 }
 
 #[test]
 fn a_wrong_wish_is_told_before_anything_is_timed() {
     let workshop = Workshop::new();
-    let cases: [(&[&str], &str); 8] = [
+    let cases: [(&[&str], &str); 11] = [
         (&["bench", "surfaces", "--width", "3"], "--width"),
         (&["bench", "surfaces", "--csv", "no/such/folder.csv"], "no/such/folder.csv"),
+        (&["bench", "surfaces", "--body", "cube"], "two spheres"),
+        (&["bench", "surfaces", "--way", "median"], "narrow-range"),
+        (&["bench", "surfaces", "--body", "sheet", "--way", "none"], "none of these ways meshes"),
         (&["bench", "sorting", "--pairs", "0"], "--pairs"),
         (&["bench", "--plot", "no/such/folder.svg"], "no/such/folder.svg"),
         (&["bench", "--set", "forces.xsph=7"], "forces.xsph"),

@@ -2,7 +2,10 @@
 
 use plotters::{coord::Shift, prelude::*};
 
-use super::{DISTANCES_M, FILTERS, MARCHED, Row, Shape, Surfaces};
+use super::{
+    DISTANCES_M, Row, Shape, Surfaces,
+    ways::{FILTERS, MARCHED, names},
+};
 use crate::BenchError;
 
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
@@ -59,10 +62,6 @@ fn draw(study: &Surfaces, text: &mut String) -> Drawing {
     }
     area.present()?;
     Ok(())
-}
-
-fn names() -> impl Iterator<Item = &'static str> {
-    FILTERS.into_iter().map(|filter| filter.name).chain([MARCHED])
 }
 
 fn of<'a>(study: &'a Surfaces, filter: &'a str) -> impl Iterator<Item = &'a Row> {
