@@ -109,13 +109,17 @@ pub struct SurfacesOptions {
     /// Only this way to smooth or to mesh, as the tables call it; may be given again
     #[arg(long = "way", value_name = "NAME", value_parser = way)]
     pub ways: Vec<&'static str>,
-    /// Pictures that are timed of each
+    /// Mesh the same particles with this program too, a splashsurf (its path, or its name where programs are looked for),
+    /// in cells as large: as it is, and smoothed as its manual has it
+    #[arg(long, value_name = "PROGRAM")]
+    pub beside: Option<PathBuf>,
+    /// Pictures and meshes that are timed of each
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=10_000))]
     pub repeats: u32,
-    /// Also write the table as CSV
+    /// Also write the tables as CSV: the pictures' to FILE, the meshes' beside it to one that ends in .meshes.csv
     #[arg(long, value_name = "FILE")]
     pub csv: Option<PathBuf>,
-    /// Also draw it, as an SVG picture
+    /// Also draw both, as an SVG picture
     #[arg(long, value_name = "FILE")]
     pub plot: Option<PathBuf>,
     /// Also write what was seen as a PNG: normals as colours, a row for each body, a column for each

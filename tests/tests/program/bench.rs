@@ -146,10 +146,12 @@ fn surfaces_are_held_against_known_bodies() {
     }
     let csv = |name: &str| std::fs::read_to_string(workshop.path(name)).unwrap();
     assert_eq!(csv("s.csv").lines().count(), 1 + rows.len());
+    assert_eq!(csv("s.meshes.csv").lines().count(), 1 + study["meshes"].as_array().unwrap().len());
     let plot = std::fs::read_to_string(workshop.path("s.svg")).unwrap();
-    for text in ["<svg", "narrow-range", "calm pool", "mesh, not smoothed"] {
+    for text in ["<svg", "narrow-range", "calm pool", "mesh, not smoothed", "Hausdorff"] {
         assert!(plot.contains(text), "no {text:?} in the plot");
     }
+    assert!(!plot.contains("torus"), "a body that nobody asked for is in the plot");
     assert!(std::fs::metadata(workshop.path("s.png")).unwrap().len() > 10_000);
 }
 
@@ -173,15 +175,110 @@ fn meshes_are_held_against_known_bodies() {
     }
 }
 
+/// A program that says its version and, asked for a mesh, does `then`; `$4` is the mesh's file.
+#[cfg(unix)]
+fn other_program(workshop: &Workshop, name: &str, then: &str) -> String {
+    use std::os::unix::fs::PermissionsExt;
+    let path = workshop.path(name);
+    let script = format!("#!/bin/sh\n[ \"$1\" = --version ] && echo surfer 1.2 && exit\n{then}\n");
+    std::fs::write(&path, script).unwrap();
+    std::fs::set_permissions(&path, std::fs::Permissions::from_mode(0o755)).unwrap();
+    path.to_string_lossy().into_owned()
+}
+
+/// An octahedron of half the sphere's radius around its middle, outward; the copied log gives 7 - 1 - 2 ms.
+#[cfg(unix)]
+const OCTAHEDRON: &str = r#"
+printf '%s\n' '   surface reconstruction: 90.00%, 7.00ms avg, 1 call' \
+    '    loading particle positions: 9.00%, 1.00ms avg, 1 call' '    write surface mesh to file: 9.00%, 2.00ms avg, 1 call'
+cat > "$4" <<END
+ply
+format ascii 1.0
+element vertex 6
+property float x
+property float y
+property float z
+property float nx
+property float ny
+property float nz
+element face 8
+property list uchar uint vertex_indices
+end_header
+0.625 0.5 0.5 1 0 0
+0.375 0.5 0.5 -1 0 0
+0.5 0.625 0.5 0 1 0
+0.5 0.375 0.5 0 -1 0
+0.5 0.5 0.625 0 0 1
+0.5 0.5 0.375 0 0 -1
+3 0 2 4
+3 2 1 4
+3 1 3 4
+3 3 0 4
+3 2 0 5
+3 1 2 5
+3 3 1 5
+3 0 3 5
+END"#;
+
+#[cfg(unix)]
+#[test]
+fn another_program_is_held_against_the_same_bodies() {
+    let workshop = Workshop::new();
+    let bench = ["bench", "surfaces", "--body", "two spheres", "--body", "sphere", "--way", "mesh, cells d"];
+    let size = ["--width", "64", "--height", "64", "--repeats", "1"];
+    let run = |more: &[&str]| workshop.run(&[&bench[..], &size, more].concat());
+    // What it is given: so many particles of 12 bytes, a radius, cells.
+    let records = format!("wc -c < \"$2\" >> given; echo \"$@\" >> given\n{OCTAHEDRON}");
+    let program = other_program(&workshop, "surfer", &records);
+    let ended = run(&["--beside", &program, "--json", "--csv", "s.csv", "--plot", "s.svg"]);
+    assert_eq!(ended.code, Some(0), "{}", ended.stderr);
+    let study = ended.json();
+    let meshes = study["meshes"].as_array().unwrap();
+    let names: Vec<&str> = meshes.iter().map(|mesh| mesh["mesh"].as_str().unwrap()).collect();
+    assert_eq!(names[..3], ["mesh, cells d", "surfer 1.2, cells d", "surfer 1.2, smoothed, cells d"]);
+    assert_eq!(names.len(), 6);
+    for mesh in meshes.iter().filter(|mesh| mesh["program"] == "surfer 1.2" && mesh["shape"] == "sphere") {
+        // Of half the radius: (4/3 r³/8) of 4/3 pi r³, and nowhere nearer than its corners.
+        let volume = 1.0 / (8.0 * std::f64::consts::PI) - 1.0;
+        assert!((number(&mesh["volume_error"]) - volume).abs() < 1e-6, "{mesh}");
+        assert!((3.0..30.0).contains(&number(&mesh["mean_spacings"])), "{mesh}");
+        // The sphere's normals at the corners are the mesh's.
+        assert!(number(&mesh["normal_mean_deg"]) < 0.01, "{mesh}");
+        assert_eq!((number(&mesh["ms"]), &mesh["bytes"], &mesh["triangles"]), (4.0, &Value::Null, &8.into()));
+    }
+    let given = std::fs::read_to_string(workshop.path("given")).unwrap();
+    let lines: Vec<&str> = given.lines().collect();
+    assert_eq!(lines.len(), 8);
+    assert_eq!(lines[0].trim().parse::<usize>().unwrap() % 12, 0);
+    assert!(lines[1].contains("-r 0.01 -l 2.0 -c 2 -t 0.6 --normals=on") && !lines[1].contains("smoothing-iters"));
+    assert!(lines[3].contains("--mesh-smoothing-iters=25 --normals-smoothing-iters=10"), "{given}");
+    for name in ["s.meshes.csv", "s.svg"] {
+        assert!(std::fs::read_to_string(workshop.path(name)).unwrap().contains("surfer 1.2, smoothed"), "{name}");
+    }
+    for (name, then, word) in [
+        ("fails", "echo 'no such kernel' >&2; exit 3", "exit status: 3: no such kernel"),
+        ("writes-nothing", "exit 0", "wrote no mesh"),
+        ("writes-words", "echo hello > \"$4\"", "cannot be read"),
+    ] {
+        let program = other_program(&workshop, name, then);
+        let ended = run(&["--beside", &program, "--csv", "wrong.csv"]);
+        assert_eq!(ended.code, Some(2), "{}", ended.stderr);
+        assert!(ended.stderr.contains(&program) && ended.stderr.contains(word), "{}", ended.stderr);
+        assert_eq!(ended.stderr.trim().lines().count(), 1, "{}", ended.stderr);
+        assert!(ended.stdout.is_empty() && !workshop.has("wrong.csv"), "{}", ended.stdout);
+    }
+}
+
 #[test]
 fn a_wrong_wish_is_told_before_anything_is_timed() {
     let workshop = Workshop::new();
-    let cases: [(&[&str], &str); 11] = [
+    let cases: [(&[&str], &str); 12] = [
         (&["bench", "surfaces", "--width", "3"], "--width"),
         (&["bench", "surfaces", "--csv", "no/such/folder.csv"], "no/such/folder.csv"),
         (&["bench", "surfaces", "--body", "cube"], "two spheres"),
         (&["bench", "surfaces", "--way", "median"], "narrow-range"),
         (&["bench", "surfaces", "--body", "sheet", "--way", "none"], "none of these ways meshes"),
+        (&["bench", "surfaces", "--beside", "no-such-program"], "--beside no-such-program"),
         (&["bench", "sorting", "--pairs", "0"], "--pairs"),
         (&["bench", "--plot", "no/such/folder.svg"], "no/such/folder.svg"),
         (&["bench", "--set", "forces.xsph=7"], "forces.xsph"),

@@ -22,6 +22,8 @@ use super::timed;
 use super::ways::{Filter, Mesh};
 use crate::{BenchError, Observer};
 
+/// This program, in tables.
+pub const THIS: &str = "brooklet";
 /// Meshes made before those that are timed.
 const WARM_UP: usize = 1;
 
@@ -30,8 +32,10 @@ const WARM_UP: usize = 1;
 pub struct MeshRow {
     /// The body.
     pub shape: &'static str,
-    /// How it was meshed.
-    pub mesh: &'static str,
+    /// What meshed it: this, or another program and its version.
+    pub program: String,
+    /// How; another program's name comes first.
+    pub mesh: String,
     /// Side of a cell, as figures call it,
     pub cells: &'static str,
     /// and over the spacing.
@@ -43,10 +47,10 @@ pub struct MeshRow {
     /// How far it is from the known surface.
     #[serde(flatten)]
     pub errors: MeshErrors,
-    /// Of all passes, ms.
-    pub ms: f64,
-    /// Of buffers.
-    pub bytes: u64,
+    /// Of all passes, or what another program says of itself without reading and writing, ms; none if it says nothing.
+    pub ms: Option<f64>,
+    /// Of buffers; none of another program.
+    pub bytes: Option<u64>,
 }
 
 /// Meshes `particles_m` as `mesh` of `filter` says, `repeats` times and more, with all the room that takes.
@@ -71,14 +75,15 @@ pub fn mesh(
             })?;
             return Ok(MeshRow {
                 shape: shape.name(),
-                mesh: filter.name,
+                program: THIS.into(),
+                mesh: filter.name.into(),
                 cells: mesh.cells.name,
                 cell_ratio: mesh.cells.ratio,
                 vertices: made.counts.vertices,
                 triangles: made.counts.triangles,
                 errors,
-                ms: made.ms,
-                bytes: made.bytes,
+                ms: Some(made.ms),
+                bytes: Some(made.bytes),
             });
         };
         options = options.with_room(room);

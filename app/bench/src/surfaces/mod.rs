@@ -1,5 +1,6 @@
 //! How far each way to smooth or mesh is from surfaces that are known, at what cost.
 
+mod csv_tables;
 mod density_field;
 mod distance;
 mod drawn;
@@ -7,8 +8,10 @@ mod errors;
 mod listed;
 mod mesh_errors;
 mod meshes;
+mod other_program;
 mod picture;
 mod plot;
+mod plot_meshes;
 mod seen;
 mod shapes;
 mod timed;
@@ -26,10 +29,11 @@ pub use errors::Errors;
 use errors::errors;
 pub use mesh_errors::MeshErrors;
 pub use meshes::MeshRow;
+pub use other_program::OtherProgram;
 pub use picture::Sheet;
 use seen::Seen;
 use shapes::{DOMAIN_M, SPACING_M, Shape};
-use ways::{FILTERS, Filter, MARCHED, Mesh};
+use ways::{Cells, FILTERS, Filter, MARCHED, Mesh};
 
 /// How surfaces are drawn and timed.
 #[derive(Clone, Debug)]
@@ -40,8 +44,10 @@ pub struct Options {
     pub ways: Vec<&'static str>,
     /// Width and height of the pictures, pixels.
     pub size_px: [u32; 2],
-    /// Pictures that are timed of each.
+    /// Pictures and meshes that are timed of each.
     pub repeats: usize,
+    /// What else meshes the bodies, with the cells of these ways.
+    pub beside: Option<OtherProgram>,
 }
 
 /// From the middle of a body to the eye.
@@ -92,54 +98,8 @@ pub struct Surfaces {
 }
 
 impl Surfaces {
-    /// The rows as CSV.
-    ///
-    /// # Errors
-    /// Of the text's encoding: none is known.
-    pub fn to_csv(&self) -> Result<String, BenchError> {
-        let mut writer = csv::Writer::from_writer(Vec::new());
-        writer
-            .write_record([
-                "shape",
-                "filter",
-                "distance_m",
-                "spacing_px",
-                "normal_mean_deg",
-                "normal_p95_deg",
-                "normal_inner_mean_deg",
-                "outline_px",
-                "outline_spacings",
-                "covered_px",
-                "smoothing_ms",
-                "surface_ms",
-                "texture_bytes",
-            ])
-            .map_err(BenchError::stopped)?;
-        let optional = |value: Option<f64>| value.map_or_else(String::new, |value| value.to_string());
-        for row in &self.rows {
-            let errors = &row.errors;
-            writer
-                .write_record([
-                    row.shape.to_owned(),
-                    row.filter.to_owned(),
-                    row.distance_m.to_string(),
-                    row.spacing_px.to_string(),
-                    errors.normal_mean_deg.to_string(),
-                    errors.normal_p95_deg.to_string(),
-                    errors.normal_inner_mean_deg.to_string(),
-                    errors.outline_px.to_string(),
-                    errors.outline_spacings.to_string(),
-                    errors.covered_px.to_string(),
-                    optional(row.smoothing_ms),
-                    optional(row.surface_ms),
-                    row.texture_bytes.map_or_else(String::new, |bytes| bytes.to_string()),
-                ])
-                .map_err(BenchError::stopped)?;
-        }
-        String::from_utf8(writer.into_inner().map_err(BenchError::stopped)?).map_err(BenchError::stopped)
-    }
-
-    /// For each body the normals' error over the distance, and what it costs, as an SVG picture.
+    /// For each body the normals' error over the distance; of all, what that costs, and meshes' distances likewise.
+    /// An SVG picture.
     ///
     /// # Errors
     /// What the plot cannot be drawn for.
@@ -178,7 +138,13 @@ pub fn run(gpu: &Gpu, options: &Options, observer: &dyn Observer) -> Result<(Sur
     let chosen = |shape: &Shape| options.bodies.contains(&shape.name());
     let drawn: Vec<Shape> = Shape::ALL.into_iter().filter(chosen).collect();
     let meshed_bodies: Vec<Shape> = Shape::MESHED.into_iter().filter(chosen).collect();
-    let parts = drawn.len() * options.ways.len() + meshed_bodies.len() * meshed.len();
+    let mut cells: Vec<Cells> = Vec::new();
+    for (_, mesh) in meshed.iter().filter(|_| options.beside.is_some()) {
+        if !cells.contains(&mesh.cells) {
+            cells.push(mesh.cells);
+        }
+    }
+    let parts = drawn.len() * options.ways.len() + meshed_bodies.len() * (meshed.len() + 2 * cells.len());
     if parts == 0 {
         return Err(BenchError::input("these bodies are meshed, not drawn, and none of these ways meshes"));
     }
@@ -190,6 +156,14 @@ pub fn run(gpu: &Gpu, options: &Options, observer: &dyn Observer) -> Result<(Sur
             observer.message(format!("{}: {}", shape.name(), way.0.name));
             meshes.push(meshes::mesh(gpu, (shape, &particles_m), way, options.repeats, observer)?);
             observer.advance();
+        }
+        let Some(program) = &options.beside else { continue };
+        for is_smoothed in [false, true] {
+            for &cells in &cells {
+                let how = (cells, is_smoothed);
+                meshes.push(program.mesh((shape, &particles_m), how, options.repeats, observer)?);
+                observer.advance();
+            }
         }
     }
     let (mut rows, mut sheet) = (Vec::new(), Sheet::new(options.size_px));
