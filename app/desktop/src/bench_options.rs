@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use brooklet_bench::surfaces;
 use clap::{Args, Subcommand};
 
 use crate::shared_options::{DeviceOptions, seconds, steps_from};
@@ -50,7 +51,7 @@ pub struct BenchOptions {
 pub enum BenchStudy {
     /// Ways to sort the particles: the product's against others, in pairs
     Sorting(SortingOptions),
-    /// Ways to smooth the surface in screen space: their errors against known bodies, and their cost
+    /// Ways to smooth the surface in screen space and to mesh it: their errors against known bodies, and their cost
     Surfaces(SurfacesOptions),
     /// What the window's panels and its capture add to a frame, in pairs; opens no window
     #[cfg(feature = "window")]
@@ -102,13 +103,23 @@ pub struct SurfacesOptions {
     /// Height of the pictures, pixels
     #[arg(long, value_name = "PX", default_value_t = 360, value_parser = clap::value_parser!(u32).range(64..=4096))]
     pub height: u32,
-    /// Pictures that are timed of each
+    /// Only this body, as the tables call it; may be given again
+    #[arg(long = "body", value_name = "NAME", value_parser = body)]
+    pub bodies: Vec<&'static str>,
+    /// Only this way to smooth or to mesh, as the tables call it; may be given again
+    #[arg(long = "way", value_name = "NAME", value_parser = way)]
+    pub ways: Vec<&'static str>,
+    /// Mesh the same particles with this program too, a splashsurf (its path, or its name where programs are looked for),
+    /// in cells as large: as it is, and smoothed as its manual has it
+    #[arg(long, value_name = "PROGRAM")]
+    pub beside: Option<PathBuf>,
+    /// Pictures and meshes that are timed of each
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=10_000))]
     pub repeats: u32,
-    /// Also write the table as CSV
+    /// Also write the tables as CSV: the pictures' to FILE, the meshes' beside it to one that ends in .meshes.csv
     #[arg(long, value_name = "FILE")]
     pub csv: Option<PathBuf>,
-    /// Also draw it, as an SVG picture
+    /// Also draw both, as an SVG picture
     #[arg(long, value_name = "FILE")]
     pub plot: Option<PathBuf>,
     /// Also write what was seen as a PNG: normals as colours, a row for each body, a column for each
@@ -135,6 +146,19 @@ pub struct SortingOptions {
     /// Print the result as JSON
     #[arg(long)]
     pub json: bool,
+}
+
+fn body(name: &str) -> Result<&'static str, String> {
+    one_of(name, surfaces::bodies())
+}
+
+fn way(name: &str) -> Result<&'static str, String> {
+    one_of(name, surfaces::ways())
+}
+
+fn one_of(name: &str, names: Vec<&'static str>) -> Result<&'static str, String> {
+    let known = names.iter().copied().find(|known| *known == name);
+    known.ok_or_else(|| format!("it may be {}", names.join("; ")))
 }
 
 #[cfg(test)]

@@ -90,34 +90,53 @@ fn ways_to_sort_are_compared_in_pairs() {
     }
 }
 
+const WAYS: [&str; 11] = [
+    "none",
+    "gaussian",
+    "bilateral",
+    "bilateral-2d",
+    "narrow-range",
+    "curvature-flow 60",
+    "ellipsoids",
+    "ellipsoids, narrow-range",
+    "mesh, cells d/2",
+    "mesh, not smoothed",
+    "density field",
+];
+
 #[test]
 fn surfaces_are_held_against_known_bodies() {
     let workshop = Workshop::new();
+    let bodies = ["sphere", "calm pool"];
+    let chosen: Vec<&str> =
+        bodies.iter().flat_map(|name| ["--body", name]).chain(WAYS.iter().flat_map(|name| ["--way", name])).collect();
     let size = ["--width", "192", "--height", "108", "--repeats", "1"];
     let files = ["--csv", "s.csv", "--plot", "s.svg", "--picture", "s.png", "--json"];
-    let study = workshop.succeed(&[&["bench", "surfaces"], &size[..], &files].concat()).json();
+    let study = workshop.succeed(&[&["bench", "surfaces"], &chosen[..], &size, &files].concat()).json();
     let rows = study["rows"].as_array().unwrap();
-    // Four bodies, three distances, fifteen ways to draw and the marched density field.
-    assert_eq!(rows.len(), 4 * 3 * 16);
-    let mean_deg = |filter: &str, shape: &str| -> f64 {
-        let of = |row: &&Value| row["filter"] == filter && row["shape"] == shape;
-        rows.iter().filter(of).map(|row| number(&row["normal_mean_deg"])).sum::<f64>() / 3.0
+    assert_eq!(rows.len(), bodies.len() * 3 * WAYS.len());
+    let mean = |way: &str, shape: &str, figure: &str| -> f64 {
+        let of = |row: &&Value| row["filter"] == way && row["shape"] == shape;
+        rows.iter().filter(of).map(|row| number(&row[figure])).sum::<f64>() / 3.0
     };
-    for shape in ["sphere", "box", "torus", "calm pool"] {
-        let bare = mean_deg("none", shape);
-        for filter in ["gaussian", "bilateral", "bilateral-2d", "narrow-range", "curvature-flow 60", "density field"] {
-            assert!(mean_deg(filter, shape) < bare, "{filter} leaves the {shape} rougher than it found it");
+    let mean_deg = |way: &str, shape: &str| mean(way, shape, "normal_mean_deg");
+    for shape in bodies {
+        for way in &WAYS[1..] {
+            assert!(
+                mean_deg(way, shape) < mean_deg("none", shape),
+                "{way} leaves the {shape} rougher than it found it"
+            );
         }
     }
     // The filter that scenes have by default follows a round body closely.
     assert!(mean_deg("narrow-range", "sphere") < 8.0, "{}", mean_deg("narrow-range", "sphere"));
     // Ellipsoids take away most of the bumps, and of what spheres stand out by.
-    let outline = |filter: &str| -> f64 {
-        let of = |row: &&Value| row["filter"] == filter && row["shape"] == "sphere";
-        rows.iter().filter(of).map(|row| number(&row["outline_spacings"])).sum::<f64>() / 3.0
-    };
+    let outline = |way: &str| mean(way, "sphere", "outline_spacings");
     assert!(mean_deg("ellipsoids", "sphere") < 0.7 * mean_deg("none", "sphere"));
     assert!(outline("ellipsoids, narrow-range") < 0.5 * outline("narrow-range"));
+    // Meshes are smoother with their normals smoothed, and flat where the water is.
+    assert!(mean_deg("mesh, cells d/2", "sphere") < 0.8 * mean_deg("mesh, not smoothed", "sphere"));
+    assert!(mean_deg("mesh, cells d/2", "calm pool") < 0.5 * mean_deg("narrow-range", "calm pool"));
     for row in rows {
         let drawn = row["filter"] != "density field";
         assert_eq!(row["surface_ms"].as_f64().is_some_and(|ms| ms > 0.0), drawn, "{row}");
@@ -125,9 +144,27 @@ fn surfaces_are_held_against_known_bodies() {
         assert_eq!(row["smoothing_ms"].as_f64().is_some_and(|ms| ms > 0.0), smooths, "{row}");
         assert!(number(&row["outline_spacings"]) < 1.0, "{row}");
     }
-    // At the default resolution meshes are within a spacing of their bodies and have 98 to 102 % of their volume. A box's
+    let csv = |name: &str| std::fs::read_to_string(workshop.path(name)).unwrap();
+    assert_eq!(csv("s.csv").lines().count(), 1 + rows.len());
+    assert_eq!(csv("s.meshes.csv").lines().count(), 1 + study["meshes"].as_array().unwrap().len());
+    let plot = std::fs::read_to_string(workshop.path("s.svg")).unwrap();
+    for text in ["<svg", "narrow-range", "calm pool", "mesh, not smoothed", "Hausdorff"] {
+        assert!(plot.contains(text), "no {text:?} in the plot");
+    }
+    assert!(!plot.contains("torus"), "a body that nobody asked for is in the plot");
+    assert!(std::fs::metadata(workshop.path("s.png")).unwrap().len() > 10_000);
+}
+
+#[test]
+fn meshes_are_held_against_known_bodies() {
+    let workshop = Workshop::new();
+    let small = ["--width", "64", "--height", "64", "--repeats", "1", "--json", "--way", "mesh, cells d/2"];
+    let study = workshop.succeed(&[&["bench", "surfaces"], &small[..]].concat()).json();
+    let meshes = study["meshes"].as_array().unwrap();
+    assert_eq!(meshes.len(), 6);
+    // At the default resolution they are within a spacing of their bodies and have 98 to 102 % of their volume. A box's
     // corner, which no particle fills, is a spacing and a bit off; a layer is thinner than a cell is long twice over.
-    for mesh in study["meshes"].as_array().unwrap().iter().filter(|mesh| mesh["mesh"] == "mesh, cells d/2") {
+    for mesh in meshes {
         let (farthest, volume) = match mesh["shape"].as_str().unwrap() {
             "box" => (1.2, 0.02),
             "sheet" => (1.0, 0.05),
@@ -136,22 +173,112 @@ fn surfaces_are_held_against_known_bodies() {
         assert!(number(&mesh["hausdorff_spacings"]) < farthest, "{mesh}");
         assert!(number(&mesh["volume_error"]).abs() < volume, "{mesh}");
     }
-    // And in a picture they are smoother with their normals smoothed, and flat where the water is.
-    assert!(mean_deg("mesh, cells d/2", "sphere") < 0.8 * mean_deg("mesh, not smoothed", "sphere"));
-    assert!(mean_deg("mesh, cells d/2", "calm pool") < 0.5 * mean_deg("narrow-range", "calm pool"));
-    let csv = std::fs::read_to_string(workshop.path("s.csv")).unwrap();
-    assert_eq!(csv.lines().count(), 1 + rows.len());
-    let plot = std::fs::read_to_string(workshop.path("s.svg")).unwrap();
-    assert!(plot.contains("<svg") && plot.contains("narrow-range") && plot.contains("torus"));
-    assert!(std::fs::metadata(workshop.path("s.png")).unwrap().len() > 10_000);
+}
+
+/// A program that says its version and, asked for a mesh, does `then`; `$4` is the mesh's file.
+#[cfg(unix)]
+fn other_program(workshop: &Workshop, name: &str, then: &str) -> String {
+    use std::os::unix::fs::PermissionsExt;
+    let path = workshop.path(name);
+    let script = format!("#!/bin/sh\n[ \"$1\" = --version ] && echo surfer 1.2 && exit\n{then}\n");
+    std::fs::write(&path, script).unwrap();
+    std::fs::set_permissions(&path, std::fs::Permissions::from_mode(0o755)).unwrap();
+    path.to_string_lossy().into_owned()
+}
+
+/// An octahedron of half the sphere's radius around its middle, outward; the copied log gives 7 - 1 - 2 ms.
+#[cfg(unix)]
+const OCTAHEDRON: &str = r#"
+printf '%s\n' '   surface reconstruction: 90.00%, 7.00ms avg, 1 call' \
+    '    loading particle positions: 9.00%, 1.00ms avg, 1 call' '    write surface mesh to file: 9.00%, 2.00ms avg, 1 call'
+cat > "$4" <<END
+ply
+format ascii 1.0
+element vertex 6
+property float x
+property float y
+property float z
+property float nx
+property float ny
+property float nz
+element face 8
+property list uchar uint vertex_indices
+end_header
+0.625 0.5 0.5 1 0 0
+0.375 0.5 0.5 -1 0 0
+0.5 0.625 0.5 0 1 0
+0.5 0.375 0.5 0 -1 0
+0.5 0.5 0.625 0 0 1
+0.5 0.5 0.375 0 0 -1
+3 0 2 4
+3 2 1 4
+3 1 3 4
+3 3 0 4
+3 2 0 5
+3 1 2 5
+3 3 1 5
+3 0 3 5
+END"#;
+
+#[cfg(unix)]
+#[test]
+fn another_program_is_held_against_the_same_bodies() {
+    let workshop = Workshop::new();
+    let bench = ["bench", "surfaces", "--body", "two spheres", "--body", "sphere", "--way", "mesh, cells d"];
+    let size = ["--width", "64", "--height", "64", "--repeats", "1"];
+    let run = |more: &[&str]| workshop.run(&[&bench[..], &size, more].concat());
+    // What it is given: so many particles of 12 bytes, a radius, cells.
+    let records = format!("wc -c < \"$2\" >> given; echo \"$@\" >> given\n{OCTAHEDRON}");
+    let program = other_program(&workshop, "surfer", &records);
+    let ended = run(&["--beside", &program, "--json", "--csv", "s.csv", "--plot", "s.svg"]);
+    assert_eq!(ended.code, Some(0), "{}", ended.stderr);
+    let study = ended.json();
+    let meshes = study["meshes"].as_array().unwrap();
+    let names: Vec<&str> = meshes.iter().map(|mesh| mesh["mesh"].as_str().unwrap()).collect();
+    assert_eq!(names[..3], ["mesh, cells d", "surfer 1.2, cells d", "surfer 1.2, smoothed, cells d"]);
+    assert_eq!(names.len(), 6);
+    for mesh in meshes.iter().filter(|mesh| mesh["program"] == "surfer 1.2" && mesh["shape"] == "sphere") {
+        // Of half the radius: (4/3 r³/8) of 4/3 pi r³, and nowhere nearer than its corners.
+        let volume = 1.0 / (8.0 * std::f64::consts::PI) - 1.0;
+        assert!((number(&mesh["volume_error"]) - volume).abs() < 1e-6, "{mesh}");
+        assert!((3.0..30.0).contains(&number(&mesh["mean_spacings"])), "{mesh}");
+        // The sphere's normals at the corners are the mesh's.
+        assert!(number(&mesh["normal_mean_deg"]) < 0.01, "{mesh}");
+        assert_eq!((number(&mesh["ms"]), &mesh["bytes"], &mesh["triangles"]), (4.0, &Value::Null, &8.into()));
+    }
+    let given = std::fs::read_to_string(workshop.path("given")).unwrap();
+    let lines: Vec<&str> = given.lines().collect();
+    assert_eq!(lines.len(), 8);
+    assert_eq!(lines[0].trim().parse::<usize>().unwrap() % 12, 0);
+    assert!(lines[1].contains("-r 0.01 -l 2.0 -c 2 -t 0.6 --normals=on") && !lines[1].contains("smoothing-iters"));
+    assert!(lines[3].contains("--mesh-smoothing-iters=25 --normals-smoothing-iters=10"), "{given}");
+    for name in ["s.meshes.csv", "s.svg"] {
+        assert!(std::fs::read_to_string(workshop.path(name)).unwrap().contains("surfer 1.2, smoothed"), "{name}");
+    }
+    for (name, then, word) in [
+        ("fails", "echo 'no such kernel' >&2; exit 3", "exit status: 3: no such kernel"),
+        ("writes-nothing", "exit 0", "wrote no mesh"),
+        ("writes-words", "echo hello > \"$4\"", "cannot be read"),
+    ] {
+        let program = other_program(&workshop, name, then);
+        let ended = run(&["--beside", &program, "--csv", "wrong.csv"]);
+        assert_eq!(ended.code, Some(2), "{}", ended.stderr);
+        assert!(ended.stderr.contains(&program) && ended.stderr.contains(word), "{}", ended.stderr);
+        assert_eq!(ended.stderr.trim().lines().count(), 1, "{}", ended.stderr);
+        assert!(ended.stdout.is_empty() && !workshop.has("wrong.csv"), "{}", ended.stdout);
+    }
 }
 
 #[test]
 fn a_wrong_wish_is_told_before_anything_is_timed() {
     let workshop = Workshop::new();
-    let cases: [(&[&str], &str); 8] = [
+    let cases: [(&[&str], &str); 12] = [
         (&["bench", "surfaces", "--width", "3"], "--width"),
         (&["bench", "surfaces", "--csv", "no/such/folder.csv"], "no/such/folder.csv"),
+        (&["bench", "surfaces", "--body", "cube"], "two spheres"),
+        (&["bench", "surfaces", "--way", "median"], "narrow-range"),
+        (&["bench", "surfaces", "--body", "sheet", "--way", "none"], "none of these ways meshes"),
+        (&["bench", "surfaces", "--beside", "no-such-program"], "--beside no-such-program"),
         (&["bench", "sorting", "--pairs", "0"], "--pairs"),
         (&["bench", "--plot", "no/such/folder.svg"], "no/such/folder.svg"),
         (&["bench", "--set", "forces.xsph=7"], "forces.xsph"),

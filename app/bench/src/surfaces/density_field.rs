@@ -1,9 +1,7 @@
 //! The particles' density field, marched: slow, and what their surface could be at best.
 
-use std::collections::HashMap;
-
 use brooklet_fluid::{boundary::beyond_wall, smoothing_kernel};
-use glam::DVec3;
+use glam::{DVec3, IVec3};
 
 use super::seen::Implicit;
 
@@ -14,7 +12,12 @@ const LEVEL: f64 = 0.5;
 
 /// Densities of particles.
 pub struct DensityField {
-    cells: HashMap<[i32; 3], Vec<DVec3>>,
+    /// By cell, x first.
+    particles_m: Vec<DVec3>,
+    /// Where each cell's particles begin, and where the last one's end.
+    starts: Vec<usize>,
+    lowest: IVec3,
+    cells: IVec3,
     support_m: f64,
     spacing_m: f64,
     weight: f64,
@@ -26,21 +29,47 @@ impl DensityField {
     /// Of particles on average `spacing_m` apart, in walls or in the open.
     pub fn new(particles_m: &[DVec3], spacing_m: f64, wall_m: Option<f64>) -> Self {
         let support_m = SUPPORT_RATIO * spacing_m;
-        let mut cells: HashMap<[i32; 3], Vec<DVec3>> = HashMap::new();
-        for &at in particles_m {
-            cells.entry(cell(at, support_m)).or_default().push(at);
+        let cell = |at_m: DVec3| (at_m / support_m).floor().as_ivec3();
+        let lowest = particles_m.iter().copied().map(cell).reduce(IVec3::min).unwrap_or_default();
+        let highest = particles_m.iter().copied().map(cell).reduce(IVec3::max).unwrap_or_default();
+        let cells = highest - lowest + 1;
+        let index = |at_m: DVec3| {
+            let cell = cell(at_m) - lowest;
+            ((cell.z * cells.y + cell.y) * cells.x + cell.x) as usize
+        };
+        let mut sorted = particles_m.to_vec();
+        sorted.sort_by_key(|&at_m| index(at_m));
+        let starts =
+            (0..=cells.element_product() as usize).map(|cell| sorted.partition_point(|&at_m| index(at_m) < cell));
+        Self {
+            starts: starts.collect(),
+            particles_m: sorted,
+            lowest,
+            cells,
+            support_m,
+            spacing_m,
+            weight: smoothing_kernel::lattice(3, SUPPORT_RATIO).weight,
+            wall_m,
         }
-        Self { cells, support_m, spacing_m, weight: smoothing_kernel::lattice(3, SUPPORT_RATIO).weight, wall_m }
     }
 
     fn density_ratio(&self, point_m: DVec3) -> f64 {
-        let [x, y, z] = cell(point_m, self.support_m);
+        let middle = (point_m / self.support_m).floor().as_ivec3() - self.lowest;
+        let low = (middle - 1).max(IVec3::ZERO);
+        let high = (middle + 1).min(self.cells - 1);
         let mut sum = 0.0;
-        for dz in -1..=1 {
-            for dy in -1..=1 {
-                for dx in -1..=1 {
-                    for at in self.cells.get(&[x + dx, y + dy, z + dz]).into_iter().flatten() {
-                        sum += smoothing_kernel::wendland((point_m - *at).length() / self.support_m);
+        // Cells of a row follow each other.
+        if low.x <= high.x {
+            for z in low.z..=high.z {
+                for y in low.y..=high.y {
+                    let row = (z * self.cells.y + y) * self.cells.x;
+                    let [begin, end] = [row + low.x, row + high.x + 1].map(|cell| self.starts[cell as usize]);
+                    for at_m in &self.particles_m[begin..end] {
+                        let squared_m2 = point_m.distance_squared(*at_m);
+                        // Most of them are too far, which takes no root to know.
+                        if squared_m2 < self.support_m * self.support_m {
+                            sum += smoothing_kernel::wendland(squared_m2.sqrt() / self.support_m);
+                        }
                     }
                 }
             }
@@ -85,10 +114,6 @@ impl Implicit for DensityField {
         let along = |e: DVec3| self.at(point_m + step_m * e) - self.at(point_m - step_m * e);
         DVec3::new(along(DVec3::X), along(DVec3::Y), along(DVec3::Z)).normalize_or_zero()
     }
-}
-
-fn cell(point_m: DVec3, side_m: f64) -> [i32; 3] {
-    (point_m / side_m).floor().to_array().map(|k| k as i32)
 }
 
 #[cfg(test)]

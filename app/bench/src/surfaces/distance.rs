@@ -11,7 +11,11 @@ struct TriangleGrid<'a> {
     triangles: &'a [[DVec3; 3]],
     cells: HashMap<IVec3, Vec<u32>>,
     side_m: f64,
+    farthest_m: f64,
 }
+
+/// Cells' side over how far is looked: the nearest triangle is in the first shells of them.
+const CELL_SHARE: f64 = 0.25;
 
 /// How far a mesh is from a known surface, and that from it, m.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -62,7 +66,8 @@ pub fn points_on(surface: &impl Implicit, domain_m: f64, step_m: f64) -> Vec<DVe
 }
 
 impl<'a> TriangleGrid<'a> {
-    fn new(triangles: &'a [[DVec3; 3]], side_m: f64) -> Self {
+    fn new(triangles: &'a [[DVec3; 3]], farthest_m: f64) -> Self {
+        let side_m = CELL_SHARE * farthest_m;
         let mut cells: HashMap<IVec3, Vec<u32>> = HashMap::new();
         for (i, [a, b, c]) in triangles.iter().enumerate() {
             let low = cell(a.min(*b).min(*c), side_m);
@@ -73,21 +78,33 @@ impl<'a> TriangleGrid<'a> {
                 }
             }
         }
-        Self { triangles, cells, side_m }
+        Self { triangles, cells, side_m, farthest_m }
     }
 
-    /// To the nearest triangle; a cell's side where none is nearer.
+    /// To the nearest triangle; `farthest_m` where none is nearer.
     fn distance_m(&self, at_m: DVec3) -> f64 {
-        let mut least_m = self.side_m;
+        let mut least_m = self.farthest_m;
         let middle = cell(at_m, self.side_m);
-        for i in 0..27 {
-            let around = IVec3::new(i % 3, i / 3 % 3, i / 9) - 1;
-            for &triangle in self.cells.get(&(middle + around)).into_iter().flatten() {
-                least_m = least_m.min(to_triangle_m(at_m, &self.triangles[triangle as usize]));
+        for shell in 0_i32.. {
+            for offset in offsets(shell) {
+                for &triangle in self.cells.get(&(middle + offset)).into_iter().flatten() {
+                    least_m = least_m.min(to_triangle_m(at_m, &self.triangles[triangle as usize]));
+                }
+            }
+            // What touches no cell so far is a cell's side for each shell away.
+            if least_m <= f64::from(shell) * self.side_m {
+                break;
             }
         }
         least_m
     }
+}
+
+/// To the cells that are `shell` away along one axis and no more along the others.
+fn offsets(shell: i32) -> impl Iterator<Item = IVec3> {
+    let side = 2 * shell + 1;
+    let all = (0..side.pow(3)).map(move |i| IVec3::new(i % side, i / side % side, i / side / side) - shell);
+    all.filter(move |offset| offset.abs().max_element() == shell)
 }
 
 fn cell(at_m: DVec3, side_m: f64) -> IVec3 {
@@ -145,6 +162,27 @@ mod tests {
             let got = to_triangle_m(at_m, &triangle);
             assert!(got <= least + 1e-12 && got > least - 0.02, "{at_m}: {got}, {least}");
         }
+    }
+
+    #[test]
+    fn the_nearest_triangle_is_found_in_whatever_cell() {
+        let mut random = fastrand::Rng::with_seed(6);
+        let mut within = |side: f64| DVec3::new(random.f64(), random.f64(), random.f64()) * side;
+        let triangles: Vec<[DVec3; 3]> = (0..60)
+            .map(|_| within(1.0))
+            .collect::<Vec<_>>()
+            .into_iter()
+            .map(|at| [at, at + within(0.2), at + within(0.2)])
+            .collect();
+        let grid = TriangleGrid::new(&triangles, 0.3);
+        let (mut far, mut near) = (0, 0);
+        for _ in 0..300 {
+            let at_m = within(1.6) - 0.3;
+            let least_m = triangles.iter().map(|triangle| to_triangle_m(at_m, triangle)).fold(0.3, f64::min);
+            assert_eq!(grid.distance_m(at_m), least_m, "{at_m}");
+            *if least_m < 0.3 { &mut near } else { &mut far } += 1;
+        }
+        assert!(near > 50 && far > 50, "{near} near, {far} far");
     }
 
     /// The sphere's own octahedron, cut six times and moved onto a sphere of another radius.

@@ -1,6 +1,6 @@
 //! Bodies of particles drawn by the product's own passes, and what that cost.
 
-use brooklet_fluid::{Scene, scene::Smoothing};
+use brooklet_fluid::Scene;
 use brooklet_gpu::{Engine, Gpu, Plan, Resources, Shape as Kind};
 use brooklet_kernels::{Position, Tier};
 use brooklet_render::{
@@ -18,69 +18,12 @@ use super::{
     seen::Seen,
     shapes::{DOMAIN_M, SPACING_M, Shape},
     timed,
+    ways::Filter,
 };
 use crate::{BenchError, Observer};
 
 /// Pictures drawn before those that are timed.
 const WARM_UP: usize = 2;
-
-/// A way to smooth, as a scene names it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Filter {
-    pub name: &'static str,
-    smoothing: Smoothing,
-    iterations: u32,
-    anisotropic: bool,
-    /// Meshed instead.
-    pub mesh: Option<Mesh>,
-}
-
-/// A way to mesh, as a scene names it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Mesh {
-    /// Side of a cell, over the spacing.
-    pub cell_ratio: f64,
-    smooth_normals: u32,
-    anisotropic: bool,
-}
-
-const fn mesh(name: &'static str, cell_ratio: f64) -> Filter {
-    let mesh = Some(Mesh { cell_ratio, smooth_normals: 4, anisotropic: false });
-    Filter { mesh, ..filter(name, Smoothing::None, 0) }
-}
-
-const fn filter(name: &'static str, smoothing: Smoothing, iterations: u32) -> Filter {
-    Filter { name, smoothing, iterations, anisotropic: false, mesh: None }
-}
-
-const fn ellipsoids(name: &'static str, smoothing: Smoothing, iterations: u32) -> Filter {
-    Filter { anisotropic: true, ..filter(name, smoothing, iterations) }
-}
-
-/// What is compared; curvature flow as often as the mobile deck's figure has it.
-pub const FILTERS: [Filter; 15] = [
-    filter("none", Smoothing::None, 0),
-    filter("gaussian", Smoothing::Gaussian, 1),
-    filter("bilateral", Smoothing::Bilateral, 1),
-    filter("bilateral-2d", Smoothing::Bilateral2d, 1),
-    filter("narrow-range", Smoothing::NarrowRange, 1),
-    filter("curvature-flow 40", Smoothing::CurvatureFlow, 40),
-    filter("curvature-flow 60", Smoothing::CurvatureFlow, 60),
-    ellipsoids("ellipsoids", Smoothing::None, 0),
-    ellipsoids("ellipsoids, narrow-range", Smoothing::NarrowRange, 1),
-    mesh("mesh, cells d", 1.0),
-    mesh("mesh, cells 2d/3", 2.0 / 3.0),
-    mesh("mesh, cells d/2", 0.5),
-    mesh("mesh, cells d/3", 1.0 / 3.0),
-    Filter {
-        mesh: Some(Mesh { cell_ratio: 0.5, smooth_normals: 0, anisotropic: false }),
-        ..filter("mesh, not smoothed", Smoothing::None, 0)
-    },
-    Filter {
-        mesh: Some(Mesh { cell_ratio: 0.5, smooth_normals: 4, anisotropic: true }),
-        ..ellipsoids("mesh of ellipsoids", Smoothing::None, 0)
-    },
-];
 
 /// A drawn surface.
 pub struct Drawn {
@@ -103,7 +46,7 @@ pub fn scene(shape: Shape, filter: Filter) -> Result<Scene, BenchError> {
     scene.surface.iterations = Some(filter.iterations);
     scene.surface.anisotropic = filter.anisotropic;
     if let Some(mesh) = filter.mesh {
-        scene.surface.mesh.cell_ratio = mesh.cell_ratio;
+        scene.surface.mesh.cell_ratio = mesh.cells.ratio;
         scene.surface.mesh.smooth_normals = mesh.smooth_normals;
         scene.surface.mesh.anisotropic = mesh.anisotropic;
     }
@@ -116,15 +59,17 @@ pub fn positions(particles_m: &[DVec3]) -> Vec<Position> {
     particles_m.iter().enumerate().map(position).collect()
 }
 
-/// Draws `particles_m` `repeats` times and more.
+/// Draws `particles_m` from each of `views`, all of one size, `repeats` times and more: one engine, whose camera moves.
 pub fn draw(
     gpu: &Gpu,
     (shape, particles_m): (Shape, &[DVec3]),
     filter: Filter,
-    view: &View,
+    views: &[View],
     repeats: usize,
     observer: &dyn Observer,
-) -> Result<Drawn, BenchError> {
+) -> Result<Vec<Drawn>, BenchError> {
+    let Some(first) = views.first() else { return Ok(Vec::new()) };
+    let size_px = first.size_px;
     let tier: Tier = gpu.tier();
     let scene = scene(shape, filter)?;
     let options = ScreenSpaceOptions::for_scene(&scene, tier);
@@ -137,12 +82,10 @@ pub fn draw(
         shadow_texels: 64,
         edges: false,
     };
-    let values = FrameValues::new(view, &frame).map_err(BenchError::stopped)?;
     let positions = positions(particles_m);
     let mut resources = Resources::new();
-    let mut frame_view = resources.persistent("frame_view", 1);
+    let frame_view = resources.persistent("frame_view", 1);
     let (mut init, mut recording) = (resources.recording("init"), resources.recording("draw"));
-    init.upload(&mut frame_view, &[values.view]);
     let listed = Listed::record(&mut resources, &mut init, &scene, &positions);
     // The bodies are no spray: spheres are drawn as they are.
     let neighbours = filter.anisotropic.then_some(&listed.neighbours);
@@ -160,10 +103,10 @@ pub fn draw(
             into,
             &frame_view,
             &particles,
-            (view.size_px, tier),
+            (size_px, tier),
             (&options, &meshing(&scene, positions.len())),
         ),
-        None => screen_space::record(&mut resources, into, &frame_view, &particles, view.size_px, tier, &options),
+        None => screen_space::record(&mut resources, into, &frame_view, &particles, size_px, tier, &options),
     };
     let (init_id, draw_id) = (init.id(), recording.id());
     let plan = Plan::sweep(resources, vec![init, recording], &[surface.normals.id]).map_err(BenchError::stopped)?;
@@ -175,20 +118,32 @@ pub fn draw(
     };
     let bytes = plan.buffers().iter().filter(|kept| is_kept(kept.id)).map(|kept| kept.bytes).sum();
     let mut engine = Engine::new(gpu, plan).map_err(BenchError::input)?;
-    let reports = timed::run(&mut engine, (init_id, draw_id), (WARM_UP, repeats), observer)?;
-    // The normals' own pass is the study's: the water restores them where it shades.
-    let smoothing_ms = timed::median_ms(&reports, |stage| stage.contains("smooth_") || stage.contains("rings"));
-    let all_ms = timed::median_ms(&reports, |stage| stage != "draw_surface_normals");
-    let texels = engine.read_texture(&surface.normals).map_err(BenchError::stopped)?;
-    let values: Vec<f32> = match filter.mesh {
-        Some(_) => texels.as_chunks().0.iter().map(|&bits| half::f16::from_le_bytes(bits).to_f32()).collect(),
-        None => texels.as_chunks().0.iter().map(|&bits| f32::from_le_bytes(bits)).collect(),
+    let mut drawn = Vec::new();
+    for view in views {
+        let values = FrameValues::new(view, &frame).map_err(BenchError::stopped)?;
+        engine.write(&frame_view, &[values.view]);
+        let reports = timed::run(&mut engine, (init_id, draw_id), (WARM_UP, repeats), observer)?;
+        let texels = engine.read_texture(&surface.normals).map_err(BenchError::stopped)?;
+        drawn.push(Drawn {
+            seen: Seen { size_px, normals: normals(&texels, filter.mesh.is_some()) },
+            // The normals' own pass is the study's: the water restores them where it shades.
+            smoothing_ms: timed::median_ms(&reports, |stage| stage.contains("smooth_") || stage.contains("rings")),
+            all_ms: timed::median_ms(&reports, |stage| stage != "draw_surface_normals"),
+            texture_bytes: bytes,
+        });
+    }
+    Ok(drawn)
+}
+
+/// Normals of four numbers a texel, of 16 bits or of 32; the last is whether there is any.
+fn normals(texels: &[u8], is_half: bool) -> Vec<Option<DVec3>> {
+    let values: Vec<f32> = match is_half {
+        true => texels.as_chunks().0.iter().map(|&bits| half::f16::from_le_bytes(bits).to_f32()).collect(),
+        false => texels.as_chunks().0.iter().map(|&bits| f32::from_le_bytes(bits)).collect(),
     };
-    let normals = values
-        .chunks_exact(4)
-        .map(|t| (t[3] > 0.5).then(|| DVec3::new(t[0].into(), t[1].into(), t[2].into()).normalize_or_zero()))
-        .collect();
-    Ok(Drawn { seen: Seen { size_px: view.size_px, normals }, smoothing_ms, all_ms, texture_bytes: bytes })
+    let normal =
+        |t: &[f32]| (t[3] > 0.5).then(|| DVec3::new(t[0].into(), t[1].into(), t[2].into()).normalize_or_zero());
+    values.chunks_exact(4).map(normal).collect()
 }
 
 /// How a scene's surface is meshed, with room for so many particles.

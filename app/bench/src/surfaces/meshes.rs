@@ -2,7 +2,7 @@
 
 use brooklet_fluid::Scene;
 use brooklet_gpu::{Engine, Gpu, Plan, Resources};
-use brooklet_kernels::{MeshCounts, MeshVertex, Position};
+use brooklet_kernels::{MeshCounts, Position};
 use brooklet_render::{
     Particles,
     surface::{
@@ -14,14 +14,16 @@ use brooklet_render::{
 use glam::DVec3;
 use serde::Serialize;
 
-use super::distance::{distances, points_on};
-use super::drawn::{Filter, meshing, positions, scene};
+use super::drawn::{meshing, positions, scene};
 use super::listed::Listed;
-use super::seen::Implicit;
-use super::shapes::{DOMAIN_M, SPACING_M, Shape};
+use super::mesh_errors::{MeshErrors, mesh_errors};
+use super::shapes::Shape;
 use super::timed;
+use super::ways::{Filter, Mesh};
 use crate::{BenchError, Observer};
 
+/// This program, in tables.
+pub const THIS: &str = "brooklet";
 /// Meshes made before those that are timed.
 const WARM_UP: usize = 1;
 
@@ -30,36 +32,35 @@ const WARM_UP: usize = 1;
 pub struct MeshRow {
     /// The body.
     pub shape: &'static str,
-    /// How it was meshed.
-    pub mesh: &'static str,
-    /// Side of a cell, over the spacing.
+    /// What meshed it: this, or another program and its version.
+    pub program: String,
+    /// How; another program's name comes first.
+    pub mesh: String,
+    /// Side of a cell, as figures call it,
+    pub cells: &'static str,
+    /// and over the spacing.
     pub cell_ratio: f64,
     /// Of the mesh.
     pub vertices: u32,
     /// Of the mesh.
     pub triangles: u32,
-    /// From the mesh to the known surface, over the spacing: the mean by area,
-    pub mean_spacings: f64,
-    /// and the largest either way (Hausdorff).
-    pub hausdorff_spacings: f64,
-    /// Volume over the known one, less 1.
-    pub volume_error: f64,
-    /// Angle between a vertex' normal and the known surface's there, degrees: the mean.
-    pub normal_mean_deg: f64,
-    /// Of all passes, ms.
-    pub ms: f64,
-    /// Of buffers.
-    pub bytes: u64,
+    /// How far it is from the known surface.
+    #[serde(flatten)]
+    pub errors: MeshErrors,
+    /// Of all passes, or what another program says of itself without reading and writing, ms; none if it says nothing.
+    pub ms: Option<f64>,
+    /// Of buffers; none of another program.
+    pub bytes: Option<u64>,
 }
 
-/// Meshes `particles_m` as `filter` says, `repeats` times and more, with all the room that takes.
+/// Meshes `particles_m` as `mesh` of `filter` says, `repeats` times and more, with all the room that takes.
 ///
 /// # Errors
 /// Every [`BenchError`]; a mesh with nothing in it among them.
 pub fn mesh(
     gpu: &Gpu,
     (shape, particles_m): (Shape, &[DVec3]),
-    filter: Filter,
+    (filter, mesh): (Filter, Mesh),
     repeats: usize,
     observer: &dyn Observer,
 ) -> Result<MeshRow, BenchError> {
@@ -69,7 +70,21 @@ pub fn mesh(
     loop {
         let made = make(gpu, (&scene, &positions), &options, repeats, observer)?;
         let Some(room) = options.lacked_room(&made.counts, 0.0) else {
-            return row(shape, filter, &options, &made);
+            let errors = mesh_errors(shape, &made.mesh).ok_or_else(|| {
+                BenchError::stopped(format_args!("the {} has no mesh with {}", shape.name(), filter.name))
+            })?;
+            return Ok(MeshRow {
+                shape: shape.name(),
+                program: THIS.into(),
+                mesh: filter.name.into(),
+                cells: mesh.cells.name,
+                cell_ratio: mesh.cells.ratio,
+                vertices: made.counts.vertices,
+                triangles: made.counts.triangles,
+                errors,
+                ms: Some(made.ms),
+                bytes: Some(made.bytes),
+            });
         };
         options = options.with_room(room);
     }
@@ -114,31 +129,4 @@ fn make(
     let counts: MeshCounts = engine.read(&mesh.counts).map_err(BenchError::stopped)?[0];
     let mesh = mesh.read(&mut engine, &counts).map_err(BenchError::stopped)?;
     Ok(Made { counts, mesh, ms: timed::median_ms(&reports, |_| true), bytes })
-}
-
-/// How far a mesh is from its body.
-fn row(shape: Shape, filter: Filter, options: &MarchingCubesOptions, made: &Made) -> Result<MeshRow, BenchError> {
-    let HostMesh { vertices, triangles, .. } = &made.mesh;
-    let at = |vertex: u32| DVec3::from_array(vertices[vertex as usize].position_m.map(f64::from));
-    let corners_m: Vec<[DVec3; 3]> = triangles.iter().map(|corners| corners.map(at)).collect();
-    let points_m = points_on(&shape, DOMAIN_M, 0.75 * SPACING_M);
-    let off = distances(&corners_m, &shape, &points_m, 3.0 * SPACING_M)
-        .ok_or_else(|| BenchError::stopped(format_args!("the {} has no mesh with {}", shape.name(), filter.name)))?;
-    let angle_deg = |vertex: &MeshVertex| {
-        let [at_m, normal] = [vertex.position_m, vertex.normal].map(|v| DVec3::from_array(v.map(f64::from)));
-        (2.0 * (0.5 * (normal - shape.normal(at_m)).length()).min(1.0).asin()).to_degrees()
-    };
-    Ok(MeshRow {
-        shape: shape.name(),
-        mesh: filter.name,
-        cell_ratio: options.cell_m / SPACING_M,
-        vertices: made.counts.vertices,
-        triangles: made.counts.triangles,
-        mean_spacings: off.mean_m / SPACING_M,
-        hausdorff_spacings: off.hausdorff_m / SPACING_M,
-        volume_error: made.mesh.volume_m3() / shape.volume_m3() - 1.0,
-        normal_mean_deg: vertices.iter().map(angle_deg).sum::<f64>() / vertices.len().max(1) as f64,
-        ms: made.ms,
-        bytes: made.bytes,
-    })
 }

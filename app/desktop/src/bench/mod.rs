@@ -78,12 +78,20 @@ fn bench_surfaces(options: &SurfacesOptions) -> Result<(), Failure> {
             check_folder(option, file)?;
         }
     }
+    let beside = options.beside.as_deref().map(timed::surfaces::OtherProgram::find).transpose()?;
     let gpu = open(&options.device)?;
-    let (size_px, repeats) = ([options.width, options.height], options.repeats as usize);
-    let (held, sheet) =
-        watched(|terminal| timed::surfaces::run(&gpu, timed::surfaces::Options { size_px, repeats }, terminal))?;
+    let all_if_none = |chosen: &Vec<_>, all: fn() -> Vec<_>| if chosen.is_empty() { all() } else { chosen.clone() };
+    let wanted = timed::surfaces::Options {
+        bodies: all_if_none(&options.bodies, timed::surfaces::bodies),
+        ways: all_if_none(&options.ways, timed::surfaces::ways),
+        size_px: [options.width, options.height],
+        repeats: options.repeats as usize,
+        beside,
+    };
+    let (held, sheet) = watched(|terminal| timed::surfaces::run(&gpu, &wanted, terminal))?;
     if let Some(file) = &options.csv {
         out_dir::write_file(file, held.to_csv()?.as_bytes())?;
+        out_dir::write_file(&file.with_extension("meshes.csv"), held.meshes_to_csv()?.as_bytes())?;
     }
     if let Some(file) = &options.plot {
         out_dir::write_file(file, held.to_svg()?.as_bytes())?;

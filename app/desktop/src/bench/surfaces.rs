@@ -1,6 +1,6 @@
 //! `brooklet bench surfaces` for people.
 
-use brooklet_bench::surfaces::{MeshRow, Surfaces};
+use brooklet_bench::surfaces::Surfaces;
 
 use crate::table::{bytes, table};
 
@@ -47,30 +47,36 @@ pub fn print(surfaces: &Surfaces) {
         "\nnormals: angle to the known surface's, mean and 95 of 100 pixels; inside: without 3 pixels at outlines;\n\
          outline: pixels that one of the surfaces alone covers, over the length of the known outline"
     );
-    print_meshes(&surfaces.meshes);
+    print_meshes(surfaces);
 }
 
-/// Prints the table of meshes.
-fn print_meshes(meshes: &[MeshRow]) {
+/// Prints the table of meshes, if there are any.
+fn print_meshes(surfaces: &Surfaces) {
+    if surfaces.meshes.is_empty() {
+        return;
+    }
     let header =
         ["body", "mesh", "vertices", "triangles", "mean", "Hausdorff", "volume %", "normals deg", "ms", "buffers"];
     let mut list = table(&header, &[2, 3, 4, 5, 6, 7, 8, 9]);
-    for row in meshes {
+    for row in &surfaces.meshes {
         list.add_row([
             row.shape.to_owned(),
-            row.mesh.to_owned(),
+            row.mesh.clone(),
             row.vertices.to_string(),
             row.triangles.to_string(),
-            format!("{:.3}", row.mean_spacings),
-            format!("{:.2}", row.hausdorff_spacings),
-            format!("{:+.2}", 100.0 * row.volume_error),
-            format!("{:.2}", row.normal_mean_deg),
-            format!("{:.2}", row.ms),
-            bytes(row.bytes),
+            format!("{:.3}", row.errors.mean_spacings),
+            format!("{:.2}", row.errors.hausdorff_spacings),
+            format!("{:+.2}", 100.0 * row.errors.volume_error),
+            format!("{:.2}", row.errors.normal_mean_deg),
+            row.ms.map_or_else(|| "-".into(), |ms| format!("{ms:.2}")),
+            row.bytes.map_or_else(|| "-".into(), bytes),
         ]);
     }
     say!("\n{}", list.trim_fmt());
     say!(
         "\nmean: from the mesh to the known surface, by area; Hausdorff: the largest distance either way; both in spacings"
     );
+    if surfaces.meshes.iter().any(|row| row.bytes.is_none()) {
+        say!("another program's ms are what it says of itself, without reading and writing; it runs on the processor");
+    }
 }
