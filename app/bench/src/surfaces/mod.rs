@@ -12,6 +12,7 @@ mod other_program;
 mod picture;
 mod plot;
 mod plot_meshes;
+mod plot_style;
 mod seen;
 mod shapes;
 mod timed;

@@ -5,7 +5,7 @@ use plotters::prelude::*;
 use super::{
     MeshRow, Shape, Surfaces,
     meshes::THIS,
-    plot::{Area, Drawing, FONT, GRID_LINE, INK, Marker, around, color_of, mean, short},
+    plot_style::{Area, Drawing, FONT, GRID_LINE, INK, Marker, around, color_of, mean, short},
 };
 
 /// Of another program: as it is, and smoothed.
