@@ -192,8 +192,17 @@ const TERMS: &[Term] = &[
     Term {
         without: "surface={ method = 'screen-space', caustics = false }",
         with: "surface={ method = 'screen-space', caustics = true }",
-        stages: &["draw_sun_depth", "draw_smooth_sun_depth", "refract_photons", "draw_caustics"],
-        buffers: &["sun_depth", "half_smoothed_sun_depth", "smoothed_sun_depth", "sun_covered", "photons", "caustics"],
+        stages: &["draw_sun_depth", "draw_smooth_sun_depth", "refract_photons", "smooth_photons", "draw_caustics"],
+        buffers: &[
+            "sun_depth",
+            "half_smoothed_sun_depth",
+            "smoothed_sun_depth",
+            "sun_covered",
+            "bent_photons",
+            "half_smoothed_photons",
+            "photons",
+            "caustics",
+        ],
         variant: Some("DrawCaustics"),
     },
     Term {
