@@ -1,7 +1,9 @@
 //! Maps over two settings of a column at rest: what is left of its compression over iterations and
 //! substeps, and whether it is at rest at all over relaxation and support.
 
-use super::{MAP_PART, relaxation_limit};
+use brooklet_fluid::spectrum::lambda_max;
+
+use super::MAP_PART;
 use crate::case::{Case, HYDROSTATIC, SHALLOW, case};
 use crate::error::{run_case, task};
 use crate::session::{Session, StudyError};
@@ -78,7 +80,7 @@ impl Map {
             let name = if self == Self::Compression { "compression p99" } else { "kinetic energy" };
             let theory = match self {
                 Self::Compression => outcome.figure("law's compression").and_then(|figure| figure.value)?,
-                Self::Relaxation => relaxation_limit(x, 0.01, 3),
+                Self::Relaxation => 2.0 / lambda_max(3, x, 0.01),
             };
             Some(Cell { x, y, state: outcome.state, value: outcome.figure(name).and_then(|f| f.value), theory })
         };

@@ -4,12 +4,10 @@
 mod map;
 mod pairwise;
 mod rows;
-mod spectrum;
 
 pub use map::{Cell, Map, cell_cost, map_tasks, run_cell};
 pub use pairwise::covering;
 pub use rows::{Also, ROWS, Row, row_cost, row_tasks, run_row};
-pub use spectrum::relaxation_limit;
 
 /// Part of a study: extreme cases.
 pub const ROWS_PART: &str = "stability";
