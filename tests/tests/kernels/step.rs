@@ -149,6 +149,23 @@ fn a_step_without_its_optional_terms_matches_its_twin() {
 }
 
 #[test]
+fn an_accelerated_step_matches_its_twin() {
+    let chebyshev = "solver.pbf.acceleration=chebyshev";
+    matches(&[chebyshev], 1, 1e-4, "step with momentum");
+    matches(&[chebyshev, "solver.pbf.iterations=8"], 1, 1e-4, "step with accumulated momentum");
+    // A lambda is rounded to f16, and twice as much of it is left to the next iteration.
+    let packed = [chebyshev, "solver.pbf.iterations=8", "solver.precision=relaxed"];
+    matches(&packed, 1, 4e-3, "packed step with accumulated momentum");
+    // One without, of plain Jacobi where nothing is compressed much, or of other weights is told apart.
+    let scene = scene_with(&[chebyshev, "solver.pbf.iterations=8"]);
+    for wrong in ["solver.pbf.acceleration=none", "solver.pbf.iterations=7", "solver.pbf.cfm=0.02"] {
+        let mut worst = Worst::new("step with accumulated momentum", 1e-4);
+        let twin_scene = scene.with_setting(wrong).unwrap();
+        assert!(follow(&scene, &twin_scene, 1, &mut worst).is_err(), "a twin with {wrong} was not told apart");
+    }
+}
+
+#[test]
 fn a_step_in_an_open_domain_matches_its_twin() {
     matches(&["domain.walls=false", "solver.pbf.iterations=1"], 1, 1e-4, "step without walls");
 }

@@ -116,7 +116,7 @@ fn a_wrong_sign_in_the_kernels_gradient_is_found() {
 #[test]
 fn too_much_relaxation_is_found() {
     // Scenes do not allow it; a fault is behind every check.
-    let fault = Fault { setup: &|setup: &mut Setup| setup.scene.solver.pbf.relaxation = 1.9, ..SOUND };
+    let fault = Fault { setup: &|setup: &mut Setup| setup.scene.solver.pbf.relaxation = Some(1.9), ..SOUND };
     check(&validated("hydrostatic"), fault);
 }
 
