@@ -63,7 +63,11 @@ impl Map {
         let (path_x, path_y) = self.paths();
         let (xs, ys) = self.values(quick);
         let one = |x: f64, y: f64| {
-            let settings = vec![format!("{path_x}={x}"), format!("{path_y}={y}")];
+            let mut settings = vec![format!("{path_x}={x}"), format!("{path_y}={y}")];
+            if self == Self::Relaxation {
+                // What is not stable is refused with an acceleration.
+                settings.push("solver.pbf.acceleration=none".into());
+            }
             let case: &dyn Case = match self {
                 Self::Compression => &HYDROSTATIC,
                 Self::Relaxation => &SHALLOW,

@@ -1,4 +1,4 @@
-//! Where it breaks: the extreme cases over precisions, tiers and layouts, and maps of where a solver
+//! Where it breaks: the extreme cases over precisions, tiers, layouts and accelerations, and maps of where a solver
 //! holds, with theory's lines.
 
 mod map;
