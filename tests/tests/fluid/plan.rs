@@ -244,7 +244,7 @@ const TERMS: &[Term] = &[
     },
     Term {
         without: "solver.pbf.iterations=0",
-        with: "solver.pbf.iterations=2",
+        with: "solver.pbf.iterations=1",
         stages: &["constrain_density", "correct_positions"],
         buffers: &["position_lambdas"],
         variant: None,

@@ -21,6 +21,7 @@ dt_s = 0.005
 substeps = 2
 [solver.pbf]
 iterations = 4
+acceleration = \"none\"
 s_corr_k = 0.001
 [forces]
 xsph = 0.05
@@ -42,6 +43,7 @@ dt_s = 0.005
 substeps = 2
 [solver.pbf]
 iterations = 4
+acceleration = \"none\"
 s_corr_k = 0.001
 [forces]
 xsph = 0.05
@@ -62,6 +64,7 @@ dt_s = 0.005
 substeps = 2
 [solver.pbf]
 iterations = 4
+acceleration = \"none\"
 s_corr_k = 0.001
 [forces]
 xsph = 0.05

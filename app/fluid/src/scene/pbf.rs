@@ -20,6 +20,14 @@ pub enum Acceleration {
 impl Acceleration {
     /// Every acceleration by its name.
     pub const NAMES: &[&str] = &["none", "chebyshev"];
+
+    /// Its name in scenes.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::None => "none",
+            Self::Chebyshev => "chebyshev",
+        }
+    }
 }
 
 /// Settings of `method = "pbf"`. A coefficient of 0 leaves its term out: no pass, no buffer, no code.
@@ -49,7 +57,7 @@ impl Default for PbfSettings {
     fn default() -> Self {
         Self {
             iterations: 4,
-            acceleration: Acceleration::None,
+            acceleration: Acceleration::Chebyshev,
             relaxation: None,
             cfm: 0.01,
             s_corr_k: 0.0,
@@ -137,6 +145,7 @@ mod tests {
             assert!(load(&[settings, &["solver.pbf.acceleration=none"]].concat()).is_ok(), "{settings:?}");
         }
         assert!(load(&["solver.pbf.relaxation=0.77", chebyshev]).is_ok());
+        assert!(load(&["solver.pbf.relaxation=0.8"]).is_err(), "the default is accelerated");
         let message = load(&["solver.pbf.acceleration=anderson"]).unwrap_err();
         assert!(message.contains("solver.pbf.acceleration") && message.contains("\"chebyshev\""), "{message}");
     }
