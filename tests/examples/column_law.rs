@@ -2,9 +2,11 @@
 //! iterations at the same total, 200 layers, and what the width between the walls changes.
 //! `cargo run --release -p brooklet-tests --example column_law`
 
+use brooklet_fluid::scene::Acceleration;
 use brooklet_tests::column::{Settled, Setup};
 
-const COLUMN: Setup = Setup { layers: 60, width: 6, iterations: 4, substeps: 1, dt_s: 1.0 / 240.0 };
+const COLUMN: Setup =
+    Setup { layers: 60, width: 6, iterations: 4, substeps: 1, dt_s: 1.0 / 240.0, acceleration: Acceleration::None };
 
 fn main() {
     println!("layers width  substeps x iterations    dt ms   law    measured  ratio  swings by");

@@ -183,6 +183,7 @@ pub fn pbf_params() -> PbfParams {
         s_corr_inverse_w: 4.0,
         max_correction_m: (0.5 * SPACING_M) as f32,
         separation: 0.25,
+        separation_lambda: -0.03,
         ..PbfParams::default()
     }
 }
@@ -247,6 +248,7 @@ pub fn pbf_of(params: &PbfParams) -> Pbf {
         s_corr_inverse_w: f64::from(params.s_corr_inverse_w),
         max_correction_m: f64::from(params.max_correction_m),
         separation: f64::from(params.separation),
+        separation_lambda: f64::from(params.separation_lambda),
     }
 }
 

@@ -3,6 +3,8 @@
 use crate::cases::walls_of;
 use crate::extreme::{Case, State};
 use brooklet_fluid::Scene;
+use brooklet_fluid::scene::Acceleration;
+use brooklet_fluid::solver::pbf::response;
 use brooklet_reference::column::Column;
 use brooklet_reference::grid::list_neighbours::list_neighbours;
 use brooklet_reference::measure::density::density_ratio;
@@ -24,6 +26,8 @@ pub struct Setup {
     pub substeps: u32,
     /// Length of a step, s.
     pub dt_s: f64,
+    /// Whether and how iterations are accelerated.
+    pub acceleration: Acceleration,
 }
 
 /// What is left of the compression.
@@ -56,7 +60,7 @@ impl Setup {
             support_ratio: scene.solver.support_ratio,
             gravity_m_s2: -scene.gravity_m_s2[1],
             dt_s: scene.substep_s(),
-            relaxation: scene.solver.pbf.relaxation,
+            relaxation: response(&scene) / f64::from(self.iterations),
             iterations: self.iterations,
             cfm: scene.solver.pbf.cfm,
         }
@@ -72,11 +76,12 @@ impl Setup {
         let text = format!(
             "spacing_m = {SPACING_M}\n[domain]\nmin_m = [0, 0, 0]\nmax_m = [{width_m}, {}, {width_m}]\n\
              [[fluid]]\nblock = {{ min_m = [0, 0, 0], max_m = [{width_m}, {height_m}, {width_m}] }}\n\
-             [solver]\ndt_s = {}\nsubsteps = {}\n[solver.pbf]\niterations = {}\n[outputs]\nmeasure_every_steps = 0\n",
+             [solver]\ndt_s = {}\nsubsteps = {}\n[solver.pbf]\niterations = {}\nacceleration = \"{}\"\n[outputs]\nmeasure_every_steps = 0\n",
             height_m + 4.0 * SPACING_M,
             self.dt_s,
             self.substeps,
-            self.iterations
+            self.iterations,
+            self.acceleration.name()
         );
         Scene::from_toml(&text, "column.toml", &[]).unwrap_or_else(|error| panic!("{error}"))
     }

@@ -55,15 +55,22 @@ pub fn tune(options: &TuneOptions) -> Result<(), Failure> {
 
 fn line(tried: &Tried) -> String {
     let candidate = tried.candidate;
+    let plain = if candidate.accelerated { "" } else { ", not accelerated" };
     let relaxed = if candidate.relaxed { ", relaxed" } else { "" };
     let Tried { step_ms, error, .. } = tried;
-    format!("{} x {}{relaxed}: {step_ms:.2} ms, error {:.2} %", candidate.substeps, candidate.iterations, 100.0 * error)
+    format!(
+        "{} x {}{plain}{relaxed}: {step_ms:.2} ms, error {:.2} %",
+        candidate.substeps,
+        candidate.iterations,
+        100.0 * error
+    )
 }
 
 fn print(found: &Found, goal: Goal) {
     let mut rows = found.tried.clone();
     rows.sort_by(|a, b| a.step_ms.total_cmp(&b.step_ms));
-    let mut shown = table(&["substeps", "iterations", "relaxed", "step ms", "error %", ""], &[0, 1, 3, 4]);
+    let mut shown =
+        table(&["substeps", "iterations", "accelerated", "relaxed", "step ms", "error %", ""], &[0, 1, 4, 5]);
     for tried in &rows {
         let beaten = rows.iter().any(|other| other.step_ms < tried.step_ms && other.error <= tried.error);
         let mark = match (tried.candidate == found.chosen.candidate, beaten) {
@@ -74,6 +81,7 @@ fn print(found: &Found, goal: Goal) {
         shown.add_row([
             tried.candidate.substeps.to_string(),
             tried.candidate.iterations.to_string(),
+            if tried.candidate.accelerated { "yes" } else { "no" }.into(),
             if tried.candidate.relaxed { "yes" } else { "no" }.into(),
             format!("{:.2}", tried.step_ms),
             format!("{:.3}", 100.0 * tried.error),
@@ -94,6 +102,7 @@ fn as_json(found: &Found, goal: Goal, out: &std::path::Path) -> String {
         json!({
             "substeps": tried.candidate.substeps,
             "iterations": tried.candidate.iterations,
+            "accelerated": tried.candidate.accelerated,
             "relaxed": tried.candidate.relaxed,
             "step_ms": tried.step_ms,
             "error": tried.error,

@@ -17,6 +17,7 @@ mod slots;
 pub mod smoothing_kernel;
 mod smoothing_kernel_params;
 pub mod solver;
+pub mod spectrum;
 mod stat_fields;
 pub mod state;
 mod step;

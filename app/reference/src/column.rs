@@ -115,6 +115,7 @@ mod tests {
                 s_corr_inverse_w: 0.0,
                 max_correction_m: 1.0,
                 separation: 0.0,
+                separation_lambda: 0.0,
             };
             let denominator = constrain_density(middle, &points, &lists[middle], &smoothing, &pbf, None).denominator;
             pbf.cfm = 0.01 * denominator;

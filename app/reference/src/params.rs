@@ -119,6 +119,8 @@ pub struct Pbf {
     pub max_correction_m: f64,
     /// Two particles closer than this, in h, part even below rest density.
     pub separation: f64,
+    /// What is added to their lambdas at one point.
+    pub separation_lambda: f64,
 }
 
 /// What acts on velocities alone; see `ForceParams`. A coefficient of 0 leaves its force out.

@@ -30,7 +30,7 @@ mod tests {
     use crate::boundary::walls::WallScales;
     use crate::params::{self, Forces, Smoothing};
     use crate::shared::lattice;
-    use crate::solver::pbf::substep::Pbf;
+    use crate::solver::pbf::substep::{Iterations, Pbf};
     use glam::{BVec3, DVec3};
 
     const SPACING: f64 = 0.02;
@@ -56,8 +56,9 @@ mod tests {
                     s_corr_inverse_w: 0.0,
                     max_correction_m: SPACING,
                     separation: 0.0,
+                    separation_lambda: 0.0,
                 },
-                iterations: 4,
+                iterations: Iterations::Plain(4),
                 forces: Forces { xsph: 0.05, vorticity_m_s },
                 grid_ends_at_domain: false,
             }),

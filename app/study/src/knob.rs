@@ -21,7 +21,10 @@ pub fn knobs(method: &str) -> impl Iterator<Item = (&'static Field, Knob)> {
 
 /// The positions of a field's knob for a case.
 pub fn positions(field: &Field, knob: &Knob, case: &dyn Case, quick: bool) -> Vec<Position> {
-    let at = |label: String, value: String| Position { label, settings: vec![format!("{}={value}", field.path)] };
+    let at = |label: String, value: String| {
+        let with = knob.with.map(str::to_owned);
+        Position { label, settings: with.into_iter().chain([format!("{}={value}", field.path)]).collect() }
+    };
     let all: Vec<Position> = match knob.values {
         // The spacing is all that a case has of its own.
         Values::Times(factors) => factors

@@ -1,12 +1,14 @@
 //! The cheapest setting of a scene for an error, or the most exact one for a time, by a bounded search.
 //!
-//! What is searched: substeps and iterations, then `solver.precision = "relaxed"`. The first guess comes from what the
-//! study found: a substep costs what an iteration does and about two more, and the column law makes the
-//! error fall with the iterations and with the square of the substeps. Every candidate that counts is then
+//! What is searched: substeps and iterations with `solver.pbf.acceleration = "chebyshev"`, then without it, and
+//! `solver.precision = "relaxed"`. The first guess comes from what the study found: a substep costs what an iteration
+//! does and about two more, and the column law makes the error fall with what the iterations do to slow modes and with
+//! the square of the substeps. Every candidate that counts is then
 //! run; what is chosen was measured, and is run once more.
 
 use brooklet_fluid::particles::sample_lattice;
-use brooklet_fluid::scene::Precision;
+use brooklet_fluid::scene::{Acceleration, Precision};
+use brooklet_fluid::solver::pbf::Chebyshev;
 use brooklet_fluid::{Scene, SessionError};
 use brooklet_gpu::Gpu;
 use thiserror::Error;
@@ -31,6 +33,8 @@ pub struct Candidate {
     pub substeps: u32,
     /// Iterations of each.
     pub iterations: u32,
+    /// Whether iterations are accelerated, whatever the scene says.
+    pub accelerated: bool,
     /// Whether the precision is `relaxed`, whatever the scene says.
     pub relaxed: bool,
 }
@@ -79,6 +83,9 @@ const SUBSTEPS: [u32; 7] = [1, 2, 3, 4, 6, 8, 12];
 const ITERATIONS: [u32; 8] = [1, 2, 3, 4, 6, 8, 12, 16];
 /// A substep's sort and list, in iterations: about what every device showed.
 const SUBSTEP_ITERATIONS: f64 = 2.0;
+/// Of plain iterations, and of the kernel at the default support: what the guess is made of.
+const RELAXATION: f64 = 0.5;
+const LAMBDA_MAX: f64 = 2.6;
 /// Moments at which the error is measured.
 const MOMENTS: u32 = 10;
 
@@ -90,7 +97,12 @@ impl Candidate {
 
     /// Up to a factor that the scene has.
     fn law(self) -> f64 {
-        1.0 / (f64::from(self.iterations) * f64::from(self.substeps).powi(2))
+        let plain = RELAXATION * f64::from(self.iterations);
+        let response = match self.accelerated {
+            true => Chebyshev::new(self.iterations, LAMBDA_MAX).response.max(plain),
+            false => plain,
+        };
+        1.0 / (response * f64::from(self.substeps).powi(2))
     }
 
     /// The scene with this setting.
@@ -98,6 +110,11 @@ impl Candidate {
         let mut scene = scene.clone();
         scene.solver.substeps = self.substeps;
         scene.solver.pbf.iterations = self.iterations;
+        scene.solver.pbf.acceleration = if self.accelerated { Acceleration::Chebyshev } else { Acceleration::None };
+        if self.accelerated && scene.solver.pbf.relaxation.is_some_and(|own| own >= scene.relaxation_limit()) {
+            // A weight that an acceleration refuses.
+            scene.solver.pbf.relaxation = None;
+        }
         if self.relaxed {
             scene.solver.precision = Precision::Relaxed;
         }
@@ -107,7 +124,8 @@ impl Candidate {
 
 /// Candidates that nothing beats by cost and law, cheapest first.
 fn ladder() -> Vec<Candidate> {
-    let of = |substeps| ITERATIONS.map(|iterations| Candidate { substeps, iterations, relaxed: false });
+    let of =
+        |substeps| ITERATIONS.map(|iterations| Candidate { substeps, iterations, accelerated: true, relaxed: false });
     let mut all: Vec<Candidate> = SUBSTEPS.iter().flat_map(|&substeps| of(substeps)).collect();
     all.sort_by(|a, b| a.cost().total_cmp(&b.cost()).then(a.law().total_cmp(&b.law())));
     let mut best: Vec<Candidate> = Vec::new();
@@ -161,7 +179,7 @@ fn search(
     let (mut low, mut high) = (0, ladder.len() - 1);
     let rising = matches!(goal, Goal::MaxError(_));
     // The edge between fit and unfit, by halves.
-    while low < high && tried.len() + 4 < MOST_TRIED {
+    while low < high && tried.len() + 5 < MOST_TRIED {
         let middle = (low + high) / 2 + usize::from(!rising);
         let fit = fits(&look(ladder[middle], &mut tried)?);
         match (rising, fit) {
@@ -171,7 +189,7 @@ fn search(
             (false, false) => high = middle - 1,
         }
     }
-    // The ladder's order is a guess: its neighbours by measure, and the relaxed one, may be better.
+    // The ladder's order is a guess: its neighbours by measure, and the relaxed and the plain one, may be better.
     for at in [low.checked_sub(1), Some(low), Some(low + 1)].into_iter().flatten() {
         if let Some(&candidate) = ladder.get(at)
             && tried.len() < MOST_TRIED
@@ -179,8 +197,10 @@ fn search(
             look(candidate, &mut tried)?;
         }
     }
-    if tried.len() < MOST_TRIED {
-        look(Candidate { relaxed: true, ..ladder[low] }, &mut tried)?;
+    for other in [Candidate { relaxed: true, ..ladder[low] }, Candidate { accelerated: false, ..ladder[low] }] {
+        if tried.len() < MOST_TRIED {
+            look(other, &mut tried)?;
+        }
     }
     let chosen = choose(goal, &tried).ok_or_else(|| TuneError::Nothing("nothing could be measured".into()))?;
     let checked = measure(chosen.candidate)?;
@@ -232,7 +252,8 @@ mod tests {
     /// A device and a fluid that do what the guess says, or not quite.
     fn made_up(candidate: Candidate, skew: f64) -> Tried {
         let packing = if candidate.relaxed { 0.95 } else { 1.0 };
-        let iterations = f64::from(candidate.iterations).powf(1.0 + skew);
+        let gain = if candidate.accelerated { 1.0 } else { 0.5 };
+        let iterations = gain * f64::from(candidate.iterations).powf(1.0 + skew);
         let step_ms = f64::from(candidate.substeps) * (f64::from(candidate.iterations) + 2.0 + 3.0 * skew) * packing;
         let error = 0.3 / (iterations * f64::from(candidate.substeps).powf(2.0 - skew)) * (2.0 - packing);
         Tried { candidate, step_ms, error }
@@ -274,6 +295,18 @@ mod tests {
             assert!(found.meets && found.chosen.error <= error, "{found:?}");
             let cheaper: Vec<&Tried> = found.tried.iter().filter(|t| t.step_ms < found.chosen.step_ms).collect();
             assert!(!cheaper.is_empty() && cheaper.iter().all(|t| t.error > error), "{found:?}");
+        }
+    }
+
+    #[test]
+    fn a_candidate_is_a_scene_that_is_allowed() {
+        let settings = ["solver.pbf.acceleration=none".into(), "solver.pbf.relaxation=0.9".into()];
+        let scene = Scene::load("calm-pool", &settings).unwrap();
+        for candidate in ladder() {
+            let tuned = candidate.apply(&scene);
+            assert_eq!(Scene::from_toml(&tuned.to_toml(), "tuned", &[]).unwrap().solver, tuned.solver);
+            let plain = Candidate { accelerated: false, ..candidate }.apply(&scene);
+            assert_eq!(plain.solver.pbf.relaxation, Some(0.9));
         }
     }
 

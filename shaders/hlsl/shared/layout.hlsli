@@ -39,7 +39,7 @@ struct PositionLambda
 {
     uint2 quantized_position;
     float lambda;    // Macklin & Muller 2013, eq. (11), times h^2: no unit
-    float reserved;
+    float total;     // of the lambdas before it, where they accumulate
 };
 
 struct Velocity
@@ -137,14 +137,23 @@ struct SmoothingKernelParams
 // Position Based Fluids, Macklin & Muller 2013. Lengths in units of h where no unit is named.
 struct PbfParams
 {
-    float relaxation;       // Jacobi under-relaxation
+    float relaxation;       // of a correction: Jacobi under-relaxation, or 1 where lambda has it (PbfIteration)
     float cfm;              // constraint force mixing, in units of |grad C|^2 h^2
     float s_corr_k;         // artificial pressure, eq. (13)
     float s_corr_inverse_w; // 1 / W(dq)
     float max_correction_m; // an iteration moves a particle no further
     float separation;       // two particles closer than this part even below rest density
-    float reserved0;
-    float reserved1;
+    float separation_lambda; // what is added to their lambdas at one point
+    float reserved;
+};
+
+// One of the iterations of a substep whose lambdas have momentum (solver/pbf/momentum.hlsli).
+struct PbfIteration
+{
+    float step;             // weight of the constraint
+    float momentum;         // of the particle's lambda of the iteration before; 0 in the first
+    float guarded_step;     // weight of the constraint where the fluid is very compressed
+    float reserved;
 };
 
 // What acts on velocities alone, whichever solver there is.

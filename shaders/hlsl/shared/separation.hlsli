@@ -7,11 +7,10 @@
 // Closer than this (in h) counts as one point.
 static const float COINCIDENT = 1.0e-4;
 
-// What is added to the lambdas of a pair at distance q < separation, both in h: at one point as
-// much as about 4 % of compression gives, so that they part in some ten steps without a leap.
-float SeparationLambda(float q, float separation)
+// What is added to the lambdas of a pair at distance q < separation, both in h: `at_one_point` falls to nothing.
+float SeparationLambda(float q, float separation, float at_one_point)
 {
-    return -0.02 * (1.0 - q / separation);
+    return at_one_point * (1.0 - q / separation);
 }
 
 uint HashPair(uint a, uint b)

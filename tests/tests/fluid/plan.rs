@@ -253,7 +253,7 @@ const TERMS: &[Term] = &[
     },
     Term {
         without: "solver.pbf.iterations=0",
-        with: "solver.pbf.iterations=2",
+        with: "solver.pbf.iterations=1",
         stages: &["constrain_density", "correct_positions"],
         buffers: &["position_lambdas"],
         variant: None,
@@ -320,6 +320,34 @@ fn triangles_cut_in_four_have_no_vertices_within() {
 }
 
 /// Two dimensions are other parameters, not other code; periodic axes are not in the iterations.
+/// Modules of `constrain_density` and buffers for momentum that a scene brings.
+fn momentum(settings: &[&str]) -> (Vec<&'static str>, Vec<String>) {
+    let plan = plan(&[settings, &["outputs.images=0"]].concat());
+    let modules = modules(&plan).into_iter().filter(|name| name.starts_with("ConstrainDensity")).collect();
+    let is_momentum = |label: &String| label.starts_with("pbf_iteration") || label == "lambda_totals";
+    (modules, buffers(&plan).into_iter().filter(is_momentum).collect())
+}
+
+#[test]
+fn an_acceleration_that_is_off_or_has_nothing_to_do_brings_no_code_and_no_buffer() {
+    let plain = (vec!["ConstrainDensity+WALLS"], vec![]);
+    let chebyshev = "solver.pbf.acceleration=chebyshev";
+    assert_eq!(momentum(&["solver.pbf.acceleration=none"]), plain);
+    for nothing_to_do in ["solver.pbf.iterations=0", "solver.pbf.iterations=1"] {
+        let (modules, buffers) = momentum(&[chebyshev, nothing_to_do]);
+        assert!(modules.iter().all(|module| plain.0.contains(module)) && buffers.is_empty(), "{modules:?} {buffers:?}");
+    }
+    let four: Vec<String> = (0..4).map(|n| format!("pbf_iteration_{n}")).collect();
+    assert_eq!(momentum(&[chebyshev]), (vec!["ConstrainDensity+WALLS+MOMENTUM"], four));
+    // The sum of lambdas has room beside them, but for packed ones.
+    let six: Vec<String> = (0..6).map(|n| format!("pbf_iteration_{n}")).collect();
+    let many = "solver.pbf.iterations=6";
+    assert_eq!(momentum(&[chebyshev, many]), (vec!["ConstrainDensity+WALLS+ACCUMULATED_MOMENTUM"], six.clone()));
+    let (modules, buffers) = momentum(&[chebyshev, many, "solver.precision=relaxed"]);
+    assert_eq!(modules, ["ConstrainDensity+WALLS+ACCUMULATED_MOMENTUM+RELAXED_PRECISION"]);
+    assert_eq!(buffers, [&["lambda_totals".to_owned()][..], &six].concat());
+}
+
 #[test]
 fn domains_of_other_shapes_bring_no_code_but_that_of_periodic_axes() {
     let settings = |domain: &str| plan(&[&format!("domain={{ min_m = [0, 0, 0], max_m = [0.8, 0.8, 0.8]{domain} }}")]);

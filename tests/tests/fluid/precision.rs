@@ -39,10 +39,12 @@ fn summed(case: &Case, precision: PrecisionKeyword) -> Vec<f64> {
             list_heads: list_heads.read(),
             position_lambdas: (!packed).then(|| position_lambdas.write()),
             packed_position_lambdas: packed.then(|| packed_position_lambdas.write()),
+            lambda_totals: None,
             step_state: step_state.uniform(),
             step_params: step_params.uniform(),
             kernel: kernel.uniform(),
             pbf: pbf.uniform(),
+            iteration: None,
         },
         case.count(),
     );

@@ -112,6 +112,7 @@ fn a_state_of_the_version_before_opens_with_its_settings_where_they_are_now() {
         "summary=old",
         "solver.deterministic=true",
         "solver.pbf.iterations=7",
+        "solver.pbf.acceleration=none",
         "solver.pbf.relaxation=0.4",
         "solver.pbf.cfm=0.02",
         "solver.pbf.s_corr_k=0.001",

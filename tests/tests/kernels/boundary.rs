@@ -132,7 +132,7 @@ fn gradients(positions: &[Position], size_m: DVec3) -> Vec<DVec3> {
         .collect();
     let position_lambdas: Vec<PositionLambda> = start
         .iter()
-        .map(|&quantized_position| PositionLambda { quantized_position, lambda: -0.25, reserved: 0.0 })
+        .map(|&quantized_position| PositionLambda { quantized_position, lambda: -0.25, total: 0.0 })
         .collect();
     let mut bench = Bench::new();
     let input = bench.input("position_lambdas", &position_lambdas);

@@ -1,161 +1,28 @@
-//! `solver/pbf/` against its twins: the constraint and its corrections.
+//! `solver/pbf/` against its twins: corrections and velocities. `constrain_density.rs` has the constraint.
 //!
 //! Tolerances are those of sums over pairs (`tolerance_of_pairs`).
 
+use crate::pairs::{FULL, Pairs, all_pairs, case_for};
 use brooklet_kernels::{
-    ConstrainDensity, ConstrainDensityVariant, CorrectPositions, CorrectPositionsVariant, Counters, Kernel, PbfParams,
-    Position, PositionLambda, PrecisionKeyword, StepParams, UpdateVelocity, UpdateVelocityVariant, Velocity,
+    CorrectPositions, CorrectPositionsVariant, Counters, Kernel, PbfParams, Position, PositionLambda, PrecisionKeyword,
+    StepParams, UpdateVelocity, UpdateVelocityVariant, Velocity,
 };
 use brooklet_reference::shared::quantized_position::Quantization;
-use brooklet_reference::solver::pbf::constrain_density::constrain_density;
 use brooklet_reference::solver::pbf::correct_positions::{MAX_DISPLACEMENT, correct_positions};
 use brooklet_reference::solver::pbf::update_velocity::update_velocity;
 use brooklet_tests::cases::{
-    Around, Case, STORAGES, SUPPORT_M, fluid, kernel_params, pbf_of, pbf_params, precisions, quantization_of, sizes,
-    smoothing_of, step_of, step_state, walls_of,
+    Around, Case, STORAGES, fluid, kernel_params, pbf_of, pbf_params, quantization_of, sizes, smoothing_of, step_of,
+    step_state, walls_of,
 };
-use brooklet_tests::compare::{HALF_ROUNDING, ROUNDING, Worst, tolerance_of_pairs, vector};
+use brooklet_tests::compare::{ROUNDING, Worst, tolerance_of_pairs, vector};
 use brooklet_tests::harness::Bench;
 use brooklet_tests::rng;
 use glam::DVec3;
 use half::f16;
 use rand::RngExt;
 
-/// Roundings of f16 that a lambda may be off by: 2.7 are measured.
-const CONSTRAIN_HALF: f64 = 8.0;
-/// And a correction: 1.2.
+/// Roundings of f16 that a correction may be off by: 1.2 are measured.
 const CORRECT_HALF: f64 = 4.0;
-
-/// A case whose domain has opposite walls in reach of one particle, if the variant is for that.
-fn case_for(rng: &mut impl rand::Rng, size: usize, walls: Around) -> Case {
-    let mut case = fluid(rng, size);
-    if walls == Around::NarrowWalls {
-        case.size_m = case.size_m.min(DVec3::new(1.4 * SUPPORT_M, 9.0, 1.1 * SUPPORT_M));
-    }
-    case
-}
-
-/// How a kernel's pairs are computed: the precision, and the positions that it gathers.
-#[derive(Clone, Copy, PartialEq, Eq)]
-struct Pairs {
-    precision: PrecisionKeyword,
-    quantization: Quantization,
-}
-
-const FULL: Pairs = Pairs { precision: PrecisionKeyword::Off, quantization: Quantization::Full };
-
-/// Every way there is, with how large a rounding is.
-fn all_pairs() -> Vec<(Pairs, f64)> {
-    let pairs = |precision| Pairs { precision, quantization: quantization_of(precision) };
-    precisions().into_iter().map(|(precision, rounding)| (pairs(precision), rounding)).collect()
-}
-
-impl Pairs {
-    /// Particle counts: every edge with full precision; the others differ from it inside a pair only.
-    fn sizes(self) -> Vec<usize> {
-        let edges = sizes(ConstrainDensity::GROUP_SIZE[0] as usize);
-        match self {
-            FULL => edges,
-            _ => vec![edges[1], edges[5], 333],
-        }
-    }
-
-    fn name(self, stage: &str) -> String {
-        format!("{stage} {:?}", self.precision)
-    }
-
-    fn packed(self) -> bool {
-        self.quantization == Quantization::Packed
-    }
-}
-
-fn run_constrain(case: &Case, pbf: PbfParams, walls: Around, pairs: Pairs) -> Vec<PositionLambda> {
-    let mut bench = Bench::new();
-    let start = case.quantized_positions(pairs.quantization);
-    let quantized_positions = bench.input("quantized_positions", &start);
-    let sorted_positions = bench.input("sorted_positions", &case.positions);
-    let (neighbours, list_heads) = case.upload_neighbours(&mut bench);
-    let mut position_lambdas = bench.output("position_lambdas", case.count());
-    let mut packed_position_lambdas = bench.output("packed_position_lambdas", case.count());
-    let step_params = bench.uniform("step_params", case.step_params());
-    let kernel = bench.uniform("kernel", kernel_params());
-    let pbf = bench.uniform("pbf", pbf);
-    let step_state = bench.uniform("step_state", case.step_state());
-    bench.dispatch(
-        &ConstrainDensity {
-            variant: ConstrainDensityVariant { walls: walls.has_walls(), precision: pairs.precision },
-            quantized_positions: quantized_positions.read(),
-            sorted_positions: walls.has_walls().then(|| sorted_positions.read()),
-            neighbours: neighbours.read(),
-            list_heads: list_heads.read(),
-            position_lambdas: (!pairs.packed()).then(|| position_lambdas.write()),
-            packed_position_lambdas: pairs.packed().then(|| packed_position_lambdas.write()),
-            step_state: step_state.uniform(),
-            step_params: step_params.uniform(),
-            kernel: kernel.uniform(),
-            pbf: pbf.uniform(),
-        },
-        case.count(),
-    );
-    let mut done = bench.run();
-    if !pairs.packed() {
-        return done.read(&position_lambdas, case.count());
-    }
-    let packed: Vec<[u32; 2]> = done.read(&packed_position_lambdas, case.count());
-    let unpacked = |[x_y, z_lambda]: [u32; 2]| PositionLambda {
-        quantized_position: [x_y, z_lambda & 0xffff_0000],
-        lambda: f16::from_bits(z_lambda as u16).to_f32(),
-        reserved: 0.0,
-    };
-    packed.into_iter().map(unpacked).collect()
-}
-
-#[test]
-fn constrain_density_matches_its_twin() {
-    let (smoothing, pbf) = (smoothing_of(&kernel_params()), pbf_of(&pbf_params()));
-    for (pairs, rounding) in all_pairs() {
-        // A packed lambda is rounded to f16 at the end.
-        let last = if pairs.packed() { HALF_ROUNDING } else { 0.0 };
-        let mut worst =
-            Worst::new(pairs.name(ConstrainDensity::STAGE), tolerance_of_pairs(rounding, CONSTRAIN_HALF) + last);
-        let mut rng = rng(31);
-        let mut compressed = 0;
-        for walls in Around::ALL {
-            for size in pairs.sizes() {
-                let case = case_for(&mut rng, size, walls);
-                let got = run_constrain(&case, pbf_params(), walls, pairs);
-                let step = step_of(&case.step_params(), walls.has_walls());
-                let box_walls = walls_of(&kernel_params(), step.domain_size_m);
-                let box_walls = walls.has_walls().then_some(&box_walls);
-                let quantized_m = case.quantized_m(pairs.quantization);
-                let start = case.quantized_positions(pairs.quantization);
-                for (i, got) in got.iter().enumerate() {
-                    // The GPU asks the walls at the position, which a packed one rounds.
-                    let expected = constrain_density(i, &quantized_m, &case.neighbours[i], &smoothing, &pbf, box_walls);
-                    compressed += usize::from(expected.lambda < 0.0);
-                    assert_eq!(got.quantized_position, start[i]);
-                    // lambda = C / D: an error of C is divided by D, and one of D counts C times.
-                    let scale = (1.0 + expected.constraint) / expected.denominator;
-                    worst.check(got.lambda, expected.lambda, scale).unwrap();
-                }
-            }
-        }
-        assert!(
-            compressed > if pairs == FULL { 1000 } else { 100 } || brooklet_tests::harness::small(),
-            "{compressed} compressed"
-        );
-        worst.report();
-    }
-}
-
-#[test]
-fn without_mixing_a_lone_particle_is_no_fault() {
-    // Nothing to divide by: no neighbours, no walls, cfm = 0.
-    let case = fluid(&mut rng(32), 1);
-    let pbf = PbfParams { cfm: 0.0, ..pbf_params() };
-    let got = run_constrain(&case, pbf, Around::Nothing, FULL);
-    assert_eq!(got[0].lambda.abs(), 0.0);
-}
 
 struct Corrected {
     after: Vec<[u32; 2]>,
@@ -183,7 +50,7 @@ fn run_correct_from(
     let start = case.quantized_positions(pairs.quantization);
     let with_lambdas = || start.iter().zip(lambdas);
     let full: Vec<PositionLambda> = with_lambdas()
-        .map(|(&quantized_position, &lambda)| PositionLambda { quantized_position, lambda, reserved: 0.0 })
+        .map(|(&quantized_position, &lambda)| PositionLambda { quantized_position, lambda, total: 0.0 })
         .collect();
     let packed: Vec<[u32; 2]> =
         with_lambdas().map(|(&[x_y, z], &lambda)| [x_y, z | u32::from(f16::from_f32(lambda).to_bits())]).collect();

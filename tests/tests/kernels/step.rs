@@ -21,6 +21,7 @@ dt_s = 0.005
 substeps = 2
 [solver.pbf]
 iterations = 4
+acceleration = \"none\"
 s_corr_k = 0.001
 [forces]
 xsph = 0.05
@@ -42,6 +43,7 @@ dt_s = 0.005
 substeps = 2
 [solver.pbf]
 iterations = 4
+acceleration = \"none\"
 s_corr_k = 0.001
 [forces]
 xsph = 0.05
@@ -62,6 +64,7 @@ dt_s = 0.005
 substeps = 2
 [solver.pbf]
 iterations = 4
+acceleration = \"none\"
 s_corr_k = 0.001
 [forces]
 xsph = 0.05
@@ -146,6 +149,23 @@ fn a_step_matches_its_twin() {
 fn a_step_without_its_optional_terms_matches_its_twin() {
     let off = ["solver.pbf.s_corr_k=0", "forces.xsph=0", "forces.vorticity_m_s=0"];
     matches(&off, 1, 1e-4, "step without optional terms");
+}
+
+#[test]
+fn an_accelerated_step_matches_its_twin() {
+    let chebyshev = "solver.pbf.acceleration=chebyshev";
+    matches(&[chebyshev], 1, 1e-4, "step with momentum");
+    matches(&[chebyshev, "solver.pbf.iterations=8"], 1, 1e-4, "step with accumulated momentum");
+    // A lambda is rounded to f16, and twice as much of it is left to the next iteration.
+    let packed = [chebyshev, "solver.pbf.iterations=8", "solver.precision=relaxed"];
+    matches(&packed, 1, 4e-3, "packed step with accumulated momentum");
+    // One without, of plain Jacobi where nothing is compressed much, or of other weights is told apart.
+    let scene = scene_with(&[chebyshev, "solver.pbf.iterations=8"]);
+    for wrong in ["solver.pbf.acceleration=none", "solver.pbf.iterations=7", "solver.pbf.cfm=0.02"] {
+        let mut worst = Worst::new("step with accumulated momentum", 1e-4);
+        let twin_scene = scene.with_setting(wrong).unwrap();
+        assert!(follow(&scene, &twin_scene, 1, &mut worst).is_err(), "a twin with {wrong} was not told apart");
+    }
 }
 
 #[test]

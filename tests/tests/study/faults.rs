@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use brooklet_compiler::{Places, naming::snake};
+use brooklet_fluid::scene::Acceleration;
 use brooklet_gpu::{Gpu, Plan, Tier};
 use brooklet_kernels::Module;
 use brooklet_study::backend::Cache;
@@ -116,7 +117,11 @@ fn a_wrong_sign_in_the_kernels_gradient_is_found() {
 #[test]
 fn too_much_relaxation_is_found() {
     // Scenes do not allow it; a fault is behind every check.
-    let fault = Fault { setup: &|setup: &mut Setup| setup.scene.solver.pbf.relaxation = 1.9, ..SOUND };
+    let plain = |setup: &mut Setup| {
+        setup.scene.solver.pbf.relaxation = Some(1.9);
+        setup.scene.solver.pbf.acceleration = Acceleration::None;
+    };
+    let fault = Fault { setup: &plain, ..SOUND };
     check(&validated("hydrostatic"), fault);
 }
 
@@ -133,12 +138,15 @@ fn a_dropped_range_of_neighbours_is_found() {
 
 #[test]
 fn compression_of_three_per_cent_that_is_overlooked_is_found() {
-    let deaf = [(
-        "solver/pbf/density_sums.hlsli",
-        "float constraint = max(sums.density - 1.0, 0.0);",
-        "float constraint = sums.density < 1.03 ? 0.0 : sums.density - 1.0;",
-    )];
+    let deaf = [("solver/pbf/momentum.hlsli", "return sums.density > 1.0 ?", "return sums.density > 1.03 ?")];
     let faulty = Faulty::compile("solver/pbf/constrain_density.compute", &deaf);
+    check(&validated("hydrostatic"), Fault { plan: &|plan| faulty.put_into(plan), ..SOUND });
+}
+
+#[test]
+fn too_much_momentum_is_found() {
+    let momentum = [("solver/pbf/momentum.hlsli", "iteration.momentum * before", "2.5 * iteration.momentum * before")];
+    let faulty = Faulty::compile("solver/pbf/constrain_density.compute", &momentum);
     check(&validated("hydrostatic"), Fault { plan: &|plan| faulty.put_into(plan), ..SOUND });
 }
 

@@ -93,5 +93,5 @@ static CONSTRAIN_DENSITY_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/constrain_density_by_index.compute",
-    hash: "aee3986e7c9fd683033538b8f0e2ad794bb9f3c8af488e89a9e5d04e658889db",
+    hash: "c8979d6cfdabe180e5f588e6bc6c460d91e5686abc0dab6ceb2b09a47b61c973",
 };

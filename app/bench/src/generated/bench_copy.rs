@@ -57,5 +57,5 @@ static COPY_ELEMENTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/copy.compute",
-    hash: "4ac4c065b95bac0166b6c6ad1a208599a33009a7f9a0a7d5d09c040ccb0636c6",
+    hash: "8be0f3282be69c7cb8c37ebd3c0672b05fbd96872471bc00110b6f2ffb639520",
 };

@@ -74,5 +74,5 @@ static COUNT_CELLS_AGGREGATED: Module = Module {
     shared_bytes: 512,
     tier: Tier::Floor,
     source: "bench/count_cells_aggregated.compute",
-    hash: "0642291153c8c86ef417ee5d8504dd81f291cec1d11f4d57b6f5f2a3a24713bf",
+    hash: "5c3f455e6a09ae75c34a3d59eeb2f1c9893e5497ac47da9c1b39e0a1615efd23",
 };

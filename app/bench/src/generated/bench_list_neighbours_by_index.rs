@@ -94,5 +94,5 @@ static LIST_NEIGHBOURS_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/list_neighbours_by_index.compute",
-    hash: "900c93271d54bb8e4d634072cb05eeffeda0cd062e88bd1c36f24220beba8303",
+    hash: "ca44134656a2353885e7f11b92452849b21564475eef3855d52a0f4265c3711d",
 };

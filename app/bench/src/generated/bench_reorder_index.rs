@@ -82,5 +82,5 @@ static REORDER_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/reorder_index.compute",
-    hash: "a32ada5fe013ab86338a89ffdb39a30f32ded3d46e8092d4f2a134f0de0d5acd",
+    hash: "1c5d935a9c31b72ffe6415c65b29c00d18127bf7a0219a65a69824cf8474bef3",
 };

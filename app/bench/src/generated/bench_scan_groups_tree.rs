@@ -88,7 +88,7 @@ static SCAN_GROUPS_TREE: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "bc144c1ab0dd04c9f41146b2a44e9513170d43679f91f1e38e90c3aced4ecb73",
+    hash: "c452e4d4f2f3f46f658e9acb1efef5c7daed6702464e92dbfc397b5a4113e3a7",
 };
 
 static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
@@ -101,7 +101,7 @@ static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "e3056d07725bdc1df01dcfa06287d60c0a509417d905a8af6281a00d391b026e",
+    hash: "0b9407d7ff4e2c967b46796f3577a77d5118e45e7a46474ce71a7ee19263fae0",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
@@ -114,7 +114,7 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "12a04e532ccbe4b220fdcc39cd6ee18ebac8178cc450847f60c2fd0739f526ff",
+    hash: "3c57d58d6248212e7f30ccd37dbe49522f1d41b0e2dab75fe4eb019008820bde",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
@@ -127,5 +127,5 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "4a8aa943773eb5bbd20847eca8da3bc6210509ff93639ef123c0903d58c21021",
+    hash: "693e6fec346acf4084be271549198f16e91ad6f08f51b7b91f54d81ed5fcedde",
 };

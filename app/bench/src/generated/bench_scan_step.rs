@@ -54,5 +54,5 @@ static SCAN_STEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/scan_step.compute",
-    hash: "240cd3e8e91eb6135f7674977869087b07211273b510c4278b1d6e40ae6eaa3c",
+    hash: "de652d36e41d364432163a17d51a549c4692ca71b62acdbd6f8f0e7b433a0f7c",
 };

@@ -140,10 +140,12 @@ fn reorder_everything(
                 list_heads: neighbours.heads.read(),
                 position_lambdas: Some(way.position_lambdas.write()),
                 packed_position_lambdas: None,
+                lambda_totals: None,
                 step_state: settings.context.slots.state.uniform(),
                 step_params: settings.context.step.uniform(),
                 kernel: settings.kernel.uniform(),
                 pbf: settings.pbf.uniform(),
+                iteration: None,
             },
             way.particles.positions.len,
         );

@@ -9,7 +9,7 @@ use super::field::{Kind, Short};
 use super::fields::kind_of;
 use super::fill::{self, MAX_FLUIDS, MAX_PARTICLES};
 use super::paths::as_number;
-use super::{Fluid, Method, PointColor, Scene, SceneError};
+use super::{Acceleration, Fluid, Method, PointColor, Scene, SceneError};
 
 /// Spacings a side of the domain may have: f32 positions then still tell 1/256 of a spacing apart.
 const MAX_SPACINGS_A_SIDE: f64 = 65_536.0;
@@ -94,7 +94,10 @@ impl Scene {
         self.check_domain(&check)?;
         self.check_axes(&check)?;
         match self.solver.method {
-            Method::Pbf => self.check_iterations(&check, self.solver.pbf.iterations, "solver.pbf.iterations")?,
+            Method::Pbf => {
+                self.check_iterations(&check, self.solver.pbf.iterations, "solver.pbf.iterations")?;
+                self.check_relaxation(&check)?;
+            }
             Method::None => check.require(
                 self.surface.color_by != PointColor::Density,
                 "surface.color_by",
@@ -136,6 +139,31 @@ impl Scene {
                 "with solver.substeps = {substeps} that is {} iterations a step; at most {MAX_ITERATIONS_A_STEP}: \
                  a smaller solver.dt_s does the same as more substeps",
                 substeps * iterations
+            ),
+        )
+    }
+
+    /// A weight that Jacobi iterations are stable with, where the scene asks for more than those.
+    fn check_relaxation(&self, check: &Checker) -> Result<(), SceneError> {
+        let pbf = &self.solver.pbf;
+        let (Some(relaxation), Acceleration::Chebyshev) = (pbf.relaxation, pbf.acceleration) else { return Ok(()) };
+        let limit = self.relaxation_limit();
+        let theory = match pbf.iterations {
+            n if n % 2 == 0 => "2/lambda_max".to_owned(),
+            1 => "4/(3 lambda_max)".to_owned(),
+            n => format!("(1 + 3^(-1/{n}))/lambda_max"),
+        };
+        check.require(
+            relaxation < limit,
+            "solver.pbf.relaxation",
+            Short(relaxation),
+            format_args!(
+                "must be below {limit:.3} with solver.pbf.acceleration = \"chebyshev\": Jacobi with \
+                 solver.pbf.iterations = {} is stable below {theory}, of the kernel's spectrum on the lattice at \
+                 solver.support_ratio = {} in {} dimensions",
+                pbf.iterations,
+                Short(self.solver.support_ratio),
+                self.domain.dimensions
             ),
         )
     }

@@ -59,6 +59,8 @@ pub struct Knob {
     pub values: Values,
     /// Which of them are enough for a quick look.
     pub quick: &'static [usize],
+    /// Another setting, `path=value`, without which turning it shows little.
+    pub with: Option<&'static str>,
 }
 
 /// What a knob is turned to.
@@ -123,7 +125,19 @@ impl Field {
         values: &'static [&'static str],
         quick: &'static [usize],
     ) -> Self {
-        self.knob = Some(Knob { name, values: Values::To(values), quick });
+        self.knob = Some(Knob { name, values: Values::To(values), quick, with: None });
+        self
+    }
+
+    /// As [`Field::knob`], together with another setting.
+    pub(super) const fn knob_with(
+        mut self,
+        name: &'static str,
+        values: &'static [&'static str],
+        quick: &'static [usize],
+        with: &'static str,
+    ) -> Self {
+        self.knob = Some(Knob { name, values: Values::To(values), quick, with: Some(with) });
         self
     }
 
@@ -134,7 +148,7 @@ impl Field {
         factors: &'static [f64],
         quick: &'static [usize],
     ) -> Self {
-        self.knob = Some(Knob { name, values: Values::Times(factors), quick });
+        self.knob = Some(Knob { name, values: Values::Times(factors), quick, with: None });
         self
     }
 

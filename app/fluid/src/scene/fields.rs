@@ -4,6 +4,7 @@
 //! reasons of `brooklet plan` and the study's knobs are made from it.
 
 use super::field::{Field, Kind, Limits};
+use super::pbf::Acceleration;
 use super::solver::{Method, Precision};
 use super::update::{Update, UpdateRule};
 
@@ -100,10 +101,16 @@ pub const FIELDS: &[Field] = &[
         &["1", "2", "4", "8", "16"],
         &[1, 2, 3],
     ),
-    Field::new("solver.pbf.relaxation", number(1.0e-3, 1.0, ""), LIVE).of(PBF).slider(0.05, 1.0).knob(
+    Field::new("solver.pbf.acceleration", Kind::Choice(Acceleration::NAMES), REBUILD)
+        .of(PBF)
+        .term("none", "chebyshev")
+        .knob("acceleration", Acceleration::NAMES, &[0, 1]),
+    Field::new("solver.pbf.relaxation", number(1.0e-3, 1.0, ""), LIVE).of(PBF).slider(0.05, 1.0).knob_with(
         "relaxation",
         &["0.2", "0.35", "0.5", "0.65", "0.8"],
         &[1, 2],
+        // An acceleration leaves little of it, and refuses what is not stable.
+        "solver.pbf.acceleration=none",
     ),
     Field::new("solver.pbf.cfm", number(1.0e-6, 1.0e3, ""), LIVE).of(PBF).logarithmic(1e-4, 1.0),
     Field::new("solver.pbf.s_corr_k", number(0.0, 10.0, ""), TERM).of(PBF).slider(0.0, 0.5).term("0", "0.1").knob(

@@ -42,7 +42,7 @@ pub use forces::Forces;
 pub(crate) use lattice::{WHOLE, steps_m};
 pub use none::NoneSettings;
 pub use panel::Setting;
-pub use pbf::PbfSettings;
+pub use pbf::{Acceleration, PbfSettings};
 #[cfg(feature = "schema")]
 pub use schema::schema;
 pub use shipped::shipped_scenes;

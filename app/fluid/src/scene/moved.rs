@@ -20,6 +20,7 @@ const MOVED: &[(&str, &str)] = &[
 /// A key whose value `solver.precision` settles now.
 const PACKED: &str = "solver.packed_positions";
 const PRECISION: &str = "solver.precision";
+const ACCELERATION: &str = "solver.pbf.acceleration";
 
 /// Where the key at `path` is now, if it has moved.
 pub(super) fn new_place(path: &str) -> Option<&'static str> {
@@ -68,13 +69,18 @@ pub(super) fn settle_packing(table: &mut Table, text: &str, source_name: &str) -
 
 impl Scene {
     /// Reads what [`Scene::to_toml`] wrote into a saved state; `flat` says that it was before keys moved. A combination
-    /// of precision and packed positions that is gone becomes the nearest there is, so that no state is lost.
+    /// of precision and packed positions that is gone becomes the nearest there is, so that no state is lost, and one from
+    /// before there were accelerations goes on without.
     pub(crate) fn from_saved_toml(text: &str, source_name: &str, flat: bool) -> Result<Scene, SceneError> {
         let migrated = toml::from_str::<Table>(text).map(|mut table| {
             for (old, new) in MOVED.iter().filter(|_| flat) {
                 if let Some(value) = take(&mut table, old) {
                     put(&mut table, new, value);
                 }
+            }
+            // What was saved before there were accelerations had none.
+            if value_at(&table, "solver.pbf").is_some() && value_at(&table, ACCELERATION).is_none() {
+                put(&mut table, ACCELERATION, Value::String("none".into()));
             }
             let packed = take(&mut table, PACKED).and_then(|value| value.as_bool());
             if packed == Some(true) && precision_of(&table) == Some(Precision::Full) {

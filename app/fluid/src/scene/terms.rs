@@ -113,7 +113,8 @@ mod tests {
                 let (values, are_numbers) = match knob.values {
                     Values::Times(factors) => (factors.len(), true),
                     Values::To(texts) => {
-                        let scene = Scene::load("dam-break", &[]).unwrap();
+                        let with: Vec<String> = knob.with.into_iter().map(str::to_owned).collect();
+                        let scene = Scene::load("dam-break", &with).unwrap();
                         for text in texts {
                             scene.with_setting(&format!("{}={text}", field.path)).unwrap();
                         }

@@ -15,7 +15,7 @@ use pbf::Pbf;
 /// The solver of a scene.
 pub enum Solver {
     /// Position Based Fluids.
-    Pbf(Pbf),
+    Pbf(Box<Pbf>),
     /// None: particles that do not interact.
     None(NonInteracting),
 }
@@ -24,7 +24,7 @@ impl Solver {
     /// Declares the buffers of the solver that `scene` chooses.
     pub fn declare(resources: &mut Resources, scene: &Scene, capacity: u32) -> Self {
         match scene.solver.method {
-            Method::Pbf => Self::Pbf(Pbf::declare(resources, scene, capacity)),
+            Method::Pbf => Self::Pbf(Box::new(Pbf::declare(resources, scene, capacity))),
             Method::None => Self::None(NonInteracting::declare(resources)),
         }
     }

@@ -99,7 +99,7 @@ static CONFINE_VORTICITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/confine_vorticity.compute",
-    hash: "512f90c9e5f68ed56557f9367b9552bd34bd4da98a25504ff7c3a0c745d9c657",
+    hash: "f2cb789d227e9f1dfbb2eeaf621a8dd756179c4fd4be2652b483eb5af9e81974",
 };
 
 static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -112,7 +112,7 @@ static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/confine_vorticity.compute",
-    hash: "cf923b7f742d0e0a22581f56e9c8f7992df5c27a5b3632ec91d9a21ca8bfc144",
+    hash: "89bdcdafd4132f060045f523f9a1b3291b52efff469e00b42393a1c73b51ceec",
 };
 
 static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
@@ -125,5 +125,5 @@ static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/confine_vorticity.compute",
-    hash: "f500a1114cebe8c6aac27e4e111438dbc5b2b12b560af501f7f3c8ac8b1d1c7a",
+    hash: "89c63323689e4335f2060d1cbdb8873023671fd1748a4dcbc8b7ec37bbf02130",
 };

@@ -97,7 +97,7 @@ static CURL: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/curl.compute",
-    hash: "8d3777168079705f0c003a7d59e2057ea8504d8c15eef16254ed6d6345e67b0a",
+    hash: "44a5da79197754feb6e96194e790e298a62144e2f9274f12c53878c472aae1f4",
 };
 
 static CURL_WITH_RELAXED_PRECISION: Module = Module {
@@ -110,7 +110,7 @@ static CURL_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/curl.compute",
-    hash: "9d7707ebb4eb2039c1f0c4ef6789c19a1ceb4a4b979f06b08b8ed37851619776",
+    hash: "b604078c3b9d05453bf0e2269435a8e6923ab6dc6804660dfcb20ef264087822",
 };
 
 static CURL_WITH_HALF_PRECISION: Module = Module {
@@ -123,5 +123,5 @@ static CURL_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/curl.compute",
-    hash: "47e3b05e2b05e135675e644fa331fd2c51fe460ec8ab988b16ecd67a5313b77e",
+    hash: "f46d19b3e40b9c1ea8749eb1d5caa3b024cbeca501cab313779703004638b6d9",
 };

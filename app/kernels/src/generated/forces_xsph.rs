@@ -102,7 +102,7 @@ static XSPH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/xsph.compute",
-    hash: "6b769b736e454edc7020bb7b9594717447d024b79e042f1bd4c813aae085c0a2",
+    hash: "9e47ad109ec33dfc8950531e5148a86c8ff7456ae09ccaa462f50fc757c12d5f",
 };
 
 static XSPH_WITH_RELAXED_PRECISION: Module = Module {
@@ -115,7 +115,7 @@ static XSPH_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/xsph.compute",
-    hash: "cff265d3ee064001a60dcaee18cb6546d37857d03433a4ae6e05eae7c9800c44",
+    hash: "1795a8e5bdf5fa8cb2421e0f57a910e0bc7e1c0c671682dfa5f07f3e12ac329c",
 };
 
 static XSPH_WITH_HALF_PRECISION: Module = Module {
@@ -128,5 +128,5 @@ static XSPH_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/xsph.compute",
-    hash: "852ce4545ba2a6229ce218240beb3a2dfb8853ea02385193434a775463f2b0ec",
+    hash: "085fa6099ca3a770757082b71f8232fcfef5150fdb0c3116b7e3e7b5b9d76075",
 };

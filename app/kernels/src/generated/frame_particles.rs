@@ -62,7 +62,7 @@ static DRAW_PARTICLES_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "526551e0277c1844542ab702b9cb91820333da849bb02ae7d31608ba25c96ee9",
+    hash: "f2a0e1627f9fdf0317fade36de7cbc24bd0d3ca4ca1e87e96f3ba90636ec2be9",
 };
 
 static DRAW_PARTICLES_FRAGMENT: Module = Module {
@@ -75,5 +75,5 @@ static DRAW_PARTICLES_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "aa7cbe9d4a74ae8ef3c58389430ebddf706263f96db153788786dd3494a914d0",
+    hash: "e767b390df98249ff17bbcc1893e9624da0c9c8fd564e4af18c5572063a6f46b",
 };

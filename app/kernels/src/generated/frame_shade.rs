@@ -130,7 +130,7 @@ static DRAW_SHADE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "f5458ea26359c59c87ddd716ee8ac395d09a1c7d49ab5209d7ab21729c196381",
+    hash: "08b5b1be9c239344c97464c2399c79a65ad3d67afdd5d51821cef90f40bc0fe7",
 };
 
 static DRAW_SHADE_FRAGMENT: Module = Module {
@@ -143,7 +143,7 @@ static DRAW_SHADE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "08123373c9e6f9aa5f2bdd8df231d7c0df431c67422d3e0b18e7ea692f35ec39",
+    hash: "0d4557c81d75aeecd94e45dbaad4d27e63090a9d723d6d1fd73c39fcdcdc4d0c",
 };
 
 static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
@@ -156,7 +156,7 @@ static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "182cf78667c2d16e949df8d068eece3991c7fd42b85127e0fd1b2fd94240cd5b",
+    hash: "2edc5386bcf77834ad31c14a6cf21991cc1b73326773da043112b3f32bc56f25",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
@@ -169,7 +169,7 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "6bb5e8d621fbde2bcdf14440e63eba85ce927de15c17be90d9e2051513b5fa42",
+    hash: "7e53b058585c5d12dc5582daef4c55663467c4eef5ff44c1d9947b57ea0129aa",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
@@ -182,5 +182,5 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "8ce0b57d3df68807858f7d1b3a9a51115ace02601f6d5b004ec01504d6192544",
+    hash: "0d29065f6ce23a0d8f094318d3b290ef08484000fbec244bfa0f6da196899aad",
 };

@@ -55,7 +55,7 @@ static DRAW_SHADOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "db2af73814c110a6acfbb2a5c4655da284d20b9fc24ab381e4912ab0f9eabfec",
+    hash: "df6fd9f4cbed757d537ab24af6d7a99020c11d05dca4b45d92968e65dc075446",
 };
 
 static DRAW_SHADOW_FRAGMENT: Module = Module {
@@ -68,5 +68,5 @@ static DRAW_SHADOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "ccd716c30f80b19e99b0aeb6ba744a0c7caad684d9eaadcac838378b78968842",
+    hash: "07ef5b720498c70ac85a57ce88ffd7034ba04bd4d760f80346384d847de742a2",
 };

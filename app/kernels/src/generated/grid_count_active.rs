@@ -60,5 +60,5 @@ static COUNT_ACTIVE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_active.compute",
-    hash: "a103299117c239fa3d7e4fb3d53aeafa165aa49fe33ffab35724fc2b3ca7aa13",
+    hash: "00e63ebc42815e64abed5181f3d90236d734affd100df404b90f6ff62247738e",
 };

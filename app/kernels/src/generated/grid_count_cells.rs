@@ -90,7 +90,7 @@ static COUNT_CELLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "07d4e19b04b774de6a25957d237f755281194f9245f2566a3d687235de195061",
+    hash: "72492d200b344f60e56f3c2faf0d5b7ddd6e6feb108fec02b2ac2c8c23be1fd5",
 };
 
 static COUNT_CELLS_WITH_PERIODIC: Module = Module {
@@ -103,7 +103,7 @@ static COUNT_CELLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "c86011b49fe7b92c2e8a528e228d6ca6db8aee71256f80c3dc95f915d7570586",
+    hash: "c5c9120604ed436ffed51c3f8f223865855ae8d80c6c12a213e0393dea19640e",
 };
 
 static COUNT_CELLS_WITH_WRAPPED: Module = Module {
@@ -116,7 +116,7 @@ static COUNT_CELLS_WITH_WRAPPED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "a686538d2122f131dfd1e252b9f0578168c8563f5f31485f984b34168e0f4a67",
+    hash: "0fce1e22c5e891dd268f063536e7ed164ff03aa76d246b74feacef93496fdfa1",
 };
 
 static COUNT_CELLS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
@@ -129,5 +129,5 @@ static COUNT_CELLS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "c7ecee75a4be49b5ce179f12891d4d86e94260ce71177bc924cffb87b03166da",
+    hash: "9733ee07e30f9674c8f09d631aefc0f8bed085f660e8b1f80cf8e4cc9ea5d6cb",
 };

@@ -135,7 +135,7 @@ static LIST_NEIGHBOURS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "2ad0afe30e2a476620c26a9f97679d27da90492a73c1b1b3cf8ee2fd01bd20f0",
+    hash: "0971747569c88bba7b8e5c6bf0eb082d5d97065587f80ef807e0b3473b414884",
 };
 
 static LIST_NEIGHBOURS_WITH_RELAXED_PRECISION: Module = Module {
@@ -148,7 +148,7 @@ static LIST_NEIGHBOURS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "9f168c583348f4ce45fbc77352724a051c13ede57b4578fc232704bef5b4b6bf",
+    hash: "39fd2c135023c48654b43968ae4ad6bd923fba56f7acf1a38d31f789e9807591",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
@@ -161,7 +161,7 @@ static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "f55c13268273f8c20289a36da6a9e0e15e10ce351800f7caaf7eedac19609c69",
+    hash: "d2f119438dd5234a7c42a6da13738bbbda5eaf20c17295126cc06f9e87005ea5",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
@@ -174,7 +174,7 @@ static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "0644d00934c0542825b4dea185c39fd1033c5dab0ad05e8b03dbe75f3eee6825",
+    hash: "68d0ff6c30b676dc4bbca02aaa1fe78a1b906773f49aa3784e4954e0121f62dd",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
@@ -187,7 +187,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "ea0d553c97785874dd584d076941f40ff6ba1a8316c9104f1be43951a001acc3",
+    hash: "76502615c03d81693ec72291578a6f415ae4a871aabfca37fdfbfb5103375e93",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_RELAXED_PRECISION: Module = Module {
@@ -200,7 +200,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "c0dddbd2c945a13ade99d6ce73b23f093c9c00ac6e4d064c3146edf912c0850b",
+    hash: "d34a2db28937def88afa43eb1884a911d00af255bb08110e4adc11170b815161",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
@@ -213,7 +213,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "213424b97953ba2302d08cb367c6a8f0d301c097bedcaf1796a78df25d2c7909",
+    hash: "1dd79f035740d05c59753b886f57252533cb7e3f8b49be8deb7a26e1444b8a1c",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
@@ -226,5 +226,5 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "ce04787ad3ea6ee168586f12b8f43b65a12b5b8218ecc5672204d81cd32438cf",
+    hash: "4e571db03651073e708760ef9190c12669df27b8b076dd8a90b8017cb76ed3e8",
 };

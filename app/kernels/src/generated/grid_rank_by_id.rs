@@ -77,5 +77,5 @@ static RANK_BY_ID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/rank_by_id.compute",
-    hash: "00fe08cd7aa74f3496fe3968cf82f5dd26ac570f5a22043d9a51f85fcc139803",
+    hash: "cbc370df67a237b62c12d5a64086fad0d62281ea7b7496881a86f93c356920f5",
 };

@@ -106,7 +106,7 @@ static REORDER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "4abc5078a1480003016d8634cd4b3280f5c2ba885d07b26e919987ed4f8e2b16",
+    hash: "b9b64412ce5a0b529d09ed068dd6c08474b96393cb64674fe32dd33b86d3d25b",
 };
 
 static REORDER_WITH_RELAXED_PRECISION: Module = Module {
@@ -119,5 +119,5 @@ static REORDER_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "9366ed3449f187bebdd85e35014c87a778831f7c117d8ac6ccc18f6a4226c38a",
+    hash: "206462ae5dc22d87bd5099ccc5bbf445590dd35a79bc50bf65b72f5b59898fa5",
 };

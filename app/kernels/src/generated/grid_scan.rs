@@ -109,7 +109,7 @@ static REDUCE_GROUPS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "b0ca2afd37036712e3615b5f7a5d646ad9b1c46d3ccc21136890d28408f9f6fa",
+    hash: "6d2326f739266a3fb7bbd170fa08fdfcde9d39bfb50e2a5c07ba888ad561e9da",
 };
 
 static SCAN_GROUPS: Module = Module {
@@ -122,7 +122,7 @@ static SCAN_GROUPS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "904a690e45a22ed6fe6c9f22175fe4cfa9906be2cab78e02b8830ffc46407649",
+    hash: "324a43fd46e1d5713d4513287c11a014b28c8c67ff674be32f07885e5de77f40",
 };
 
 static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
@@ -135,5 +135,5 @@ static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "c8abafb41dc2aad7038eeaf0cf04f169a07fc6e65231777fe59f32f0d9e31c3a",
+    hash: "4dcde31a3a2331fb149f8d8bcd445e2e2041af134d12f26d2e04489aaa028b25",
 };

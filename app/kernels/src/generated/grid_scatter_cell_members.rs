@@ -65,5 +65,5 @@ static SCATTER_CELL_MEMBERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/scatter_cell_members.compute",
-    hash: "9f9ea9f79146688a4e35160dd5750fb412f1cb34f0ac8ad2d25ef58ae3290b61",
+    hash: "a6365db6d92383106dc10d801ad1336aec9cc211ec672b48b560f62f080ad613",
 };

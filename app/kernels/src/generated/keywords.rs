@@ -36,6 +36,18 @@ pub enum FilterKeyword {
     FilterPlane,
 }
 
+/// `#pragma multi_compile _ MOMENTUM ACCUMULATED_MOMENTUM`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum MomentumKeyword {
+    /// None of them is on.
+    #[default]
+    Off,
+    /// `MOMENTUM` is on.
+    Momentum,
+    /// `ACCUMULATED_MOMENTUM` is on.
+    AccumulatedMomentum,
+}
+
 /// `#pragma multi_compile _ RELAXED_PRECISION HALF_PRECISION`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum PrecisionKeyword {

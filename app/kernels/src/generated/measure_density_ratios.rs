@@ -97,7 +97,7 @@ static DENSITY_RATIOS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "49336fe1a9cbd40e7e6a0422664e409a9b14b0a7bf9d2fc987ec367323e84996",
+    hash: "03c3266b606d029e53dd863ca4f0879e616077588178f1526a2f9fab439256e5",
 };
 
 static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
@@ -110,7 +110,7 @@ static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "868ec77a24fea2a92dd4a2f62b886ec65561a7eee4b52e28b2f1784270143079",
+    hash: "8382c085daa433e69b813fb213bbc0a3e8f5c0ee05e4fa9b26f64cf9755407f7",
 };
 
 static DENSITY_RATIOS_WITH_WALLS: Module = Module {
@@ -123,7 +123,7 @@ static DENSITY_RATIOS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "5c95bf648b4ebf28ad6eeb3b8628b85f94b77ca299082f1524f3075f95fba98a",
+    hash: "778c304d35478b2a405f2828198174ebade5dee3d4b6967528e0dab826e61817",
 };
 
 static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -136,5 +136,5 @@ static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "269f659444d9cc3387c28aea3b2c464c73f113fb2380d3c39ee5d73d45cf8643",
+    hash: "e4c675c05ebc3294e7035533174b8ec631dd20adad5046826b097b2fb04dd1ba",
 };

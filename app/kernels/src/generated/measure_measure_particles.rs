@@ -132,7 +132,7 @@ static MEASURE_PARTICLES: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "602c349939b3a564ebb0a1d67252170546e551d458e88357015e722ea54d02e2",
+    hash: "dc6184b20458a4a04c747a9643aad5c503d8fe5ef3d931c4cc3df5618ad7b314",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
@@ -145,7 +145,7 @@ static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "859508ecb2b014a783bbeaf7fbf45cf39e6d02ba071626f9765de684ffcb9e62",
+    hash: "e999c5163efd6737600439a292ff29aaa47923d284b7732ee783b3bc2fc0ddd4",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
@@ -158,7 +158,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "7713ae977fa9bbd265407e22b891a49647df3f761dbc5a8a9ef754e7994c8e2d",
+    hash: "c6d4949e6a5a2c04da3d9fb04ac1fb810a491f102ba1cec2606b949cf3e28caf",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
@@ -171,7 +171,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "0bedd8156384b8d970a1a2289343a189a80846f66c297a9c432719a35bf76b3f",
+    hash: "36d8af2e9847027d59a07d0d07f41f35f2db4f9883981a018293f45c33c4200a",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -184,5 +184,5 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module 
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "db5ec9de840b6fdf4a48aa27715d4b6dacfc94b49e940745644676ed27f8777c",
+    hash: "7a8c3ec6a4c686b1e83db23600b0b05e695e50999e6815bc45ccead32ad5a234",
 };

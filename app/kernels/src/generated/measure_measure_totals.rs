@@ -73,5 +73,5 @@ static MEASURE_TOTALS: Module = Module {
     shared_bytes: 4616,
     tier: Tier::Floor,
     source: "measure/measure_totals.compute",
-    hash: "b83e349e80eab9e3704379d1c17fce972b9277262f28d0f57ca6fb30a673c5b1",
+    hash: "89a1b5fa4eb0af27b47b7fbb3671fca17d748c9051ce451d6410fc290016609c",
 };

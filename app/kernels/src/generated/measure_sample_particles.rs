@@ -67,5 +67,5 @@ static SAMPLE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/sample_particles.compute",
-    hash: "f991ca76934164db839e3fa626370fdb6d3a5f7e544dbfa9995eaa5f3a37edbe",
+    hash: "a023e687e20d9dbe1f6b72bbbaf95886a804ee8592cd6ce06657afcf7a82cc05",
 };

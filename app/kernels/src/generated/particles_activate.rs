@@ -114,7 +114,7 @@ static ACTIVATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/activate.compute",
-    hash: "fcd91698815eb43eb09ebcd0900383b80cd5e3870f8a287e75627d703091042e",
+    hash: "157bcbc888f622899779c8d6a763c113c6baf4cb3ce94eec377da6ac7e6d8cb2",
 };
 
 static CLAIM_SLOTS: Module = Module {
@@ -127,5 +127,5 @@ static CLAIM_SLOTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/activate.compute",
-    hash: "2671b83e18e6744ca69ea73c1d46d785ca33e87b470a9ebf2b1735b8417b4a1c",
+    hash: "4d2c20ec80923c7a3269e7fba115ac20c212a06949c188b7bf370ccf7a35dd6e",
 };

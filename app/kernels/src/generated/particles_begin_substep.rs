@@ -50,5 +50,5 @@ static BEGIN_SUBSTEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/begin_substep.compute",
-    hash: "5d5f0d1054f22dcf55cfc5155860488d3e49121899b14bad7c01d6252c9e136e",
+    hash: "09279ea5f64cb1f7ade783b84e8b7a946361d9fde28ca38dc3752b21b94df6e7",
 };

@@ -68,5 +68,5 @@ static DEACTIVATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/deactivate.compute",
-    hash: "a6c42843531edcefddec042758458a61308843aa424ece8af35f8ab5023ca8a9",
+    hash: "e092c1224c881d7440eeda266ca2855e16aab26446404f69895e4464176346b6",
 };

@@ -66,5 +66,5 @@ static DRAG: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/drag.compute",
-    hash: "5bf05dcaf8de28a85a57e32d311129255fb221aeb710ff7fb301bc0a7a5b5386",
+    hash: "5ffdf0b966ed12e1400e7e179fbeac1bc0ed0ad2f520b2ca753d6805afd41722",
 };

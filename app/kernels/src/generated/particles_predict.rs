@@ -94,7 +94,7 @@ static PREDICT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "89ed91dcdc2367bee71d9111221fe1c837e89324a2a5180c266e8cb96ac37650",
+    hash: "bcc9a46f47addcda6a05a0cdce22e591d2049164748bf758773ea7760cf3ae74",
 };
 
 static PREDICT_WITH_PERIODIC: Module = Module {
@@ -107,7 +107,7 @@ static PREDICT_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "fa7b7c4cfd854e269a17844518a486b83594faad29e4a2b8531bfcdb1c1dc8d3",
+    hash: "e762f8c178674cdf2ba281fc11eeaa1733a2237284d65064a205147b88f96aab",
 };
 
 static PREDICT_WITH_WALLS: Module = Module {
@@ -120,7 +120,7 @@ static PREDICT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "6ca2cf3889ec6c4a607384248c3f755139be6691aa4d9244cabb9ea11c61cb3b",
+    hash: "d59d260f1c32f2edd2f7439065a3d0f90f6f87b583d8b414559c78a28a791bea",
 };
 
 static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -133,5 +133,5 @@ static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "eacd4d54f38644754b100590ed5e37fd38ec72bae1bb7a8c2719f395bb8ea088",
+    hash: "18b004e5c22bc7128d74706971bfcb54db0bb2a16df6f66569739f1e71d1f599",
 };

@@ -63,13 +63,13 @@ pub struct PositionLambda {
     pub quantized_position: [u32; 2],
     /// Macklin & Muller 2013, eq. (11), times h^2: no unit
     pub lambda: f32,
-    /// `float`.
-    pub reserved: f32,
+    /// of the lambdas before it, where they accumulate
+    pub total: f32,
 }
 const _: () = {
     assert!(offset_of!(PositionLambda, quantized_position) == 0);
     assert!(offset_of!(PositionLambda, lambda) == 8);
-    assert!(offset_of!(PositionLambda, reserved) == 12);
+    assert!(offset_of!(PositionLambda, total) == 12);
     assert!(size_of::<PositionLambda>() == 16);
 };
 
@@ -300,7 +300,7 @@ const _: () = {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct PbfParams {
-    /// Jacobi under-relaxation
+    /// of a correction: Jacobi under-relaxation, or 1 where lambda has it (PbfIteration)
     pub relaxation: f32,
     /// constraint force mixing, in units of |grad C|^2 h^2
     pub cfm: f32,
@@ -312,10 +312,10 @@ pub struct PbfParams {
     pub max_correction_m: f32,
     /// two particles closer than this part even below rest density
     pub separation: f32,
+    /// what is added to their lambdas at one point
+    pub separation_lambda: f32,
     /// `float`.
-    pub reserved0: f32,
-    /// `float`.
-    pub reserved1: f32,
+    pub reserved: f32,
 }
 const _: () = {
     assert!(offset_of!(PbfParams, relaxation) == 0);
@@ -324,9 +324,30 @@ const _: () = {
     assert!(offset_of!(PbfParams, s_corr_inverse_w) == 12);
     assert!(offset_of!(PbfParams, max_correction_m) == 16);
     assert!(offset_of!(PbfParams, separation) == 20);
-    assert!(offset_of!(PbfParams, reserved0) == 24);
-    assert!(offset_of!(PbfParams, reserved1) == 28);
+    assert!(offset_of!(PbfParams, separation_lambda) == 24);
+    assert!(offset_of!(PbfParams, reserved) == 28);
     assert!(size_of::<PbfParams>() == 32);
+};
+
+/// One of the iterations of a substep whose lambdas have momentum (solver/pbf/momentum.hlsli).
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+pub struct PbfIteration {
+    /// weight of the constraint
+    pub step: f32,
+    /// of the particle's lambda of the iteration before; 0 in the first
+    pub momentum: f32,
+    /// weight of the constraint where the fluid is very compressed
+    pub guarded_step: f32,
+    /// `float`.
+    pub reserved: f32,
+}
+const _: () = {
+    assert!(offset_of!(PbfIteration, step) == 0);
+    assert!(offset_of!(PbfIteration, momentum) == 4);
+    assert!(offset_of!(PbfIteration, guarded_step) == 8);
+    assert!(offset_of!(PbfIteration, reserved) == 12);
+    assert!(size_of::<PbfIteration>() == 16);
 };
 
 /// What acts on velocities alone, whichever solver there is.

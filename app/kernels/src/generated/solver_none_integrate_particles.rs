@@ -102,7 +102,7 @@ static INTEGRATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "b4b2591973643b690693e8bdaa2af7d41de6cbdac444af6f54f6fe59bb9c5a56",
+    hash: "dd280702df403b0515c81d744a0fec083c1bb741dc513f05fd4322e1aae44cff",
 };
 
 static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
@@ -115,7 +115,7 @@ static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "fda8bda77b5b532f46f87c4b069b5c03d85fd611afbfbc34318fa244b51b9f3b",
+    hash: "72f81da0d8c845d5a22ac3b393c61776aae75b5458639d89a9991fbec0558f8c",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
@@ -128,7 +128,7 @@ static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "648f8538c53983b0beb3eb25a70ba0c54fca92ae70443887feede8bf88954ddc",
+    hash: "7b7b70dd05358b6feebac79622f4c7dad506e74807b8eaabf4b5349248d9d9c6",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -141,5 +141,5 @@ static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "3360a78c36cb02ec6654c5c7c22b83d1761b153225f83a802814b3cebb6300a2",
+    hash: "0a4dfe66c9cfeb9c8fb6f94a1e4cdbd2326622b63a5a13b788f36d0b644b483a",
 };

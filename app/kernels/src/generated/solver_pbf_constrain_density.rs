@@ -3,7 +3,8 @@
 //! Kernels of `solver/pbf/constrain_density.compute`.
 
 use super::{
-    ListHead, PbfParams, Position, PositionLambda, PrecisionKeyword, SmoothingKernelParams, StepParams, StepState,
+    ListHead, MomentumKeyword, PbfIteration, PbfParams, Position, PositionLambda, PrecisionKeyword,
+    SmoothingKernelParams, StepParams, StepState,
 };
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
@@ -14,6 +15,8 @@ use crate::{
 pub struct ConstrainDensityVariant {
     /// Keyword `WALLS`.
     pub walls: bool,
+    /// Keyword `MOMENTUM` or `ACCUMULATED_MOMENTUM`.
+    pub momentum: MomentumKeyword,
     /// Keyword `RELAXED_PRECISION` or `HALF_PRECISION`.
     pub precision: PrecisionKeyword,
 }
@@ -41,6 +44,10 @@ pub struct ConstrainDensity<'a> {
     pub pbf: Uniform<'a, PbfParams>,
     /// `RWStructuredBuffer<uint2> packed_position_lambdas`.
     pub packed_position_lambdas: Option<BufMut<'a, [u32; 2]>>,
+    /// `ConstantBuffer<PbfIteration> iteration`.
+    pub iteration: Option<Uniform<'a, PbfIteration>>,
+    /// `RWStructuredBuffer<float> lambda_totals`.
+    pub lambda_totals: Option<BufMut<'a, f32>>,
     /// `StructuredBuffer<Position> sorted_positions`.
     pub sorted_positions: Option<Buf<'a, Position>>,
 }
@@ -50,13 +57,51 @@ impl Kernel for ConstrainDensity<'_> {
     const GROUP_SIZE: [u32; 3] = [64, 1, 1];
 
     fn module(&self) -> &'static Module {
-        match (self.variant.walls, self.variant.precision) {
-            (false, PrecisionKeyword::Off) => &CONSTRAIN_DENSITY,
-            (false, PrecisionKeyword::RelaxedPrecision) => &CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION,
-            (false, PrecisionKeyword::HalfPrecision) => &CONSTRAIN_DENSITY_WITH_HALF_PRECISION,
-            (true, PrecisionKeyword::Off) => &CONSTRAIN_DENSITY_WITH_WALLS,
-            (true, PrecisionKeyword::RelaxedPrecision) => &CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION,
-            (true, PrecisionKeyword::HalfPrecision) => &CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION,
+        match (self.variant.walls, self.variant.momentum, self.variant.precision) {
+            (false, MomentumKeyword::Off, PrecisionKeyword::Off) => &CONSTRAIN_DENSITY,
+            (false, MomentumKeyword::Off, PrecisionKeyword::RelaxedPrecision) => {
+                &CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION
+            }
+            (false, MomentumKeyword::Off, PrecisionKeyword::HalfPrecision) => &CONSTRAIN_DENSITY_WITH_HALF_PRECISION,
+            (false, MomentumKeyword::Momentum, PrecisionKeyword::Off) => &CONSTRAIN_DENSITY_WITH_MOMENTUM,
+            (false, MomentumKeyword::Momentum, PrecisionKeyword::RelaxedPrecision) => {
+                &CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION
+            }
+            (false, MomentumKeyword::Momentum, PrecisionKeyword::HalfPrecision) => {
+                &CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION
+            }
+            (false, MomentumKeyword::AccumulatedMomentum, PrecisionKeyword::Off) => {
+                &CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM
+            }
+            (false, MomentumKeyword::AccumulatedMomentum, PrecisionKeyword::RelaxedPrecision) => {
+                &CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION
+            }
+            (false, MomentumKeyword::AccumulatedMomentum, PrecisionKeyword::HalfPrecision) => {
+                &CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION
+            }
+            (true, MomentumKeyword::Off, PrecisionKeyword::Off) => &CONSTRAIN_DENSITY_WITH_WALLS,
+            (true, MomentumKeyword::Off, PrecisionKeyword::RelaxedPrecision) => {
+                &CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION
+            }
+            (true, MomentumKeyword::Off, PrecisionKeyword::HalfPrecision) => {
+                &CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION
+            }
+            (true, MomentumKeyword::Momentum, PrecisionKeyword::Off) => &CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM,
+            (true, MomentumKeyword::Momentum, PrecisionKeyword::RelaxedPrecision) => {
+                &CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION
+            }
+            (true, MomentumKeyword::Momentum, PrecisionKeyword::HalfPrecision) => {
+                &CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION
+            }
+            (true, MomentumKeyword::AccumulatedMomentum, PrecisionKeyword::Off) => {
+                &CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM
+            }
+            (true, MomentumKeyword::AccumulatedMomentum, PrecisionKeyword::RelaxedPrecision) => {
+                &CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION
+            }
+            (true, MomentumKeyword::AccumulatedMomentum, PrecisionKeyword::HalfPrecision) => {
+                &CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION
+            }
         }
     }
     fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
@@ -72,6 +117,8 @@ impl Kernel for ConstrainDensity<'_> {
                 ("kernel", Some(self.kernel.id)),
                 ("pbf", Some(self.pbf.id)),
                 ("packed_position_lambdas", self.packed_position_lambdas.as_ref().map(|bound| bound.id)),
+                ("iteration", self.iteration.as_ref().map(|bound| bound.id)),
+                ("lambda_totals", self.lambda_totals.as_ref().map(|bound| bound.id)),
                 ("sorted_positions", self.sorted_positions.as_ref().map(|bound| bound.id)),
             ],
         )
@@ -83,9 +130,21 @@ pub(super) static MODULES: &[&Module] = &[
     &CONSTRAIN_DENSITY,
     &CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION,
     &CONSTRAIN_DENSITY_WITH_HALF_PRECISION,
+    &CONSTRAIN_DENSITY_WITH_MOMENTUM,
+    &CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION,
+    &CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION,
+    &CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM,
+    &CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION,
+    &CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION,
     &CONSTRAIN_DENSITY_WITH_WALLS,
     &CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION,
     &CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION,
+    &CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM,
+    &CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION,
+    &CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION,
+    &CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM,
+    &CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION,
+    &CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION,
 ];
 
 static BINDINGS_0: &[BindingInfo] = &[
@@ -132,6 +191,71 @@ static BINDINGS_2: &[BindingInfo] = &[
         slot: 0,
         kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 },
     },
+    BindingInfo { name: "neighbours", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo { name: "list_heads", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo {
+        name: "position_lambdas",
+        slot: 3,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
+    },
+    BindingInfo { name: "step_state", slot: 4, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 5, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "pbf", slot: 7, kind: BindingKind::Uniform { bytes: 32 } },
+    BindingInfo { name: "iteration", slot: 8, kind: BindingKind::Uniform { bytes: 16 } },
+];
+
+static BINDINGS_3: &[BindingInfo] = &[
+    BindingInfo {
+        name: "quantized_positions",
+        slot: 0,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 },
+    },
+    BindingInfo { name: "neighbours", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo { name: "list_heads", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo {
+        name: "packed_position_lambdas",
+        slot: 3,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
+    },
+    BindingInfo { name: "step_state", slot: 4, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 5, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "pbf", slot: 7, kind: BindingKind::Uniform { bytes: 32 } },
+    BindingInfo { name: "iteration", slot: 8, kind: BindingKind::Uniform { bytes: 16 } },
+];
+
+static BINDINGS_4: &[BindingInfo] = &[
+    BindingInfo {
+        name: "quantized_positions",
+        slot: 0,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 },
+    },
+    BindingInfo { name: "neighbours", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo { name: "list_heads", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo {
+        name: "packed_position_lambdas",
+        slot: 3,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
+    },
+    BindingInfo {
+        name: "lambda_totals",
+        slot: 4,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 },
+    },
+    BindingInfo { name: "step_state", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 6, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "pbf", slot: 8, kind: BindingKind::Uniform { bytes: 32 } },
+    BindingInfo { name: "iteration", slot: 9, kind: BindingKind::Uniform { bytes: 16 } },
+];
+
+static BINDINGS_5: &[BindingInfo] = &[
+    BindingInfo {
+        name: "quantized_positions",
+        slot: 0,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 },
+    },
     BindingInfo {
         name: "sorted_positions",
         slot: 1,
@@ -150,7 +274,7 @@ static BINDINGS_2: &[BindingInfo] = &[
     BindingInfo { name: "pbf", slot: 8, kind: BindingKind::Uniform { bytes: 32 } },
 ];
 
-static BINDINGS_3: &[BindingInfo] = &[
+static BINDINGS_6: &[BindingInfo] = &[
     BindingInfo {
         name: "quantized_positions",
         slot: 0,
@@ -174,6 +298,86 @@ static BINDINGS_3: &[BindingInfo] = &[
     BindingInfo { name: "pbf", slot: 8, kind: BindingKind::Uniform { bytes: 32 } },
 ];
 
+static BINDINGS_7: &[BindingInfo] = &[
+    BindingInfo {
+        name: "quantized_positions",
+        slot: 0,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 },
+    },
+    BindingInfo {
+        name: "sorted_positions",
+        slot: 1,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+    },
+    BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo { name: "list_heads", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo {
+        name: "position_lambdas",
+        slot: 4,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
+    },
+    BindingInfo { name: "step_state", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 6, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "pbf", slot: 8, kind: BindingKind::Uniform { bytes: 32 } },
+    BindingInfo { name: "iteration", slot: 9, kind: BindingKind::Uniform { bytes: 16 } },
+];
+
+static BINDINGS_8: &[BindingInfo] = &[
+    BindingInfo {
+        name: "quantized_positions",
+        slot: 0,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 },
+    },
+    BindingInfo {
+        name: "sorted_positions",
+        slot: 1,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+    },
+    BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo { name: "list_heads", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo {
+        name: "packed_position_lambdas",
+        slot: 4,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
+    },
+    BindingInfo { name: "step_state", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 6, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "pbf", slot: 8, kind: BindingKind::Uniform { bytes: 32 } },
+    BindingInfo { name: "iteration", slot: 9, kind: BindingKind::Uniform { bytes: 16 } },
+];
+
+static BINDINGS_9: &[BindingInfo] = &[
+    BindingInfo {
+        name: "quantized_positions",
+        slot: 0,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 },
+    },
+    BindingInfo {
+        name: "sorted_positions",
+        slot: 1,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+    },
+    BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo { name: "list_heads", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo {
+        name: "packed_position_lambdas",
+        slot: 4,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
+    },
+    BindingInfo {
+        name: "lambda_totals",
+        slot: 5,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 },
+    },
+    BindingInfo { name: "step_state", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 7, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 8, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "pbf", slot: 9, kind: BindingKind::Uniform { bytes: 32 } },
+    BindingInfo { name: "iteration", slot: 10, kind: BindingKind::Uniform { bytes: 16 } },
+];
+
 static CONSTRAIN_DENSITY: Module = Module {
     name: "ConstrainDensity",
     entry: "ConstrainDensity",
@@ -184,7 +388,7 @@ static CONSTRAIN_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "2f2923f3aa5300580182d38efd046a3e031e5de13d91fcd5d7a401973ff83efe",
+    hash: "eb507d223428a98e3567ddab21d1fdf1c36dd6c6f14b670cecd98d96e655cf39",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -197,7 +401,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "c1a0b5afa4e1bf24101d5acb182187a396ad6e69c345741a708235d893bc67bd",
+    hash: "20454ea0e31822e5e11b76479880b0f4cfb7c90d5fafb93d133d8245789c2697",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -210,7 +414,85 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "3a7c33000b972842e24381587a18a725abfcdad8496508a1807143c45ef215fc",
+    hash: "bf2b6be3c333652ffdacbb4e24900bfcfc4a5335e8eb1255dd479f1d307a9e59",
+};
+
+static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
+    name: "ConstrainDensity+MOMENTUM",
+    entry: "ConstrainDensity",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/constrain_density+momentum.spv"),
+    bindings: BINDINGS_2,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/pbf/constrain_density.compute",
+    hash: "a9647662f9fd6bbf4209a4e5d7352561890959fe1be47821fd462fddec8125fd",
+};
+
+static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
+    name: "ConstrainDensity+MOMENTUM+RELAXED_PRECISION",
+    entry: "ConstrainDensity",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/constrain_density+momentum+relaxed_precision.spv"),
+    bindings: BINDINGS_3,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/pbf/constrain_density.compute",
+    hash: "ca9f0a6a2db7fdddd2e294e9cdaf9b93f301c7ebf270901dd21f29b1371bf972",
+};
+
+static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
+    name: "ConstrainDensity+MOMENTUM+HALF_PRECISION",
+    entry: "ConstrainDensity",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/constrain_density+momentum+half_precision.spv"),
+    bindings: BINDINGS_3,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Desktop,
+    source: "solver/pbf/constrain_density.compute",
+    hash: "2c657faa574c42d6c58f318dbfb3eec155e6f8fbe53c2dd0e36a09d3f2e7c891",
+};
+
+static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
+    name: "ConstrainDensity+ACCUMULATED_MOMENTUM",
+    entry: "ConstrainDensity",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/constrain_density+accumulated_momentum.spv"),
+    bindings: BINDINGS_2,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/pbf/constrain_density.compute",
+    hash: "a2358324d2e107ec8a60af027c12d9fe19f8a6498d609542d13758b8a8945367",
+};
+
+static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
+    name: "ConstrainDensity+ACCUMULATED_MOMENTUM+RELAXED_PRECISION",
+    entry: "ConstrainDensity",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/constrain_density+accumulated_momentum+relaxed_precision.spv"),
+    bindings: BINDINGS_4,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/pbf/constrain_density.compute",
+    hash: "7d3d49566335937a0b4052b94d9db178053c2f43a6f16bd8ef23107e5978e8b8",
+};
+
+static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
+    name: "ConstrainDensity+ACCUMULATED_MOMENTUM+HALF_PRECISION",
+    entry: "ConstrainDensity",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/constrain_density+accumulated_momentum+half_precision.spv"),
+    bindings: BINDINGS_4,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Desktop,
+    source: "solver/pbf/constrain_density.compute",
+    hash: "7a4a4642ebe93d692e473839b5c2092344132a03a3d8e4a7e1a7cc7897420431",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
@@ -218,12 +500,12 @@ static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
     spirv: include_bytes!("../../spirv/constrain_density+walls.spv"),
-    bindings: BINDINGS_2,
+    bindings: BINDINGS_5,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "6b12759287b434b7e9de3d30113a0b11f140178f753f7dc5c4da3ae74bee4127",
+    hash: "85912b9e676ba6a1b79d2b74da4092743d196993a8dd62bc5ad6c9abf2136ec5",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -231,12 +513,12 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
     spirv: include_bytes!("../../spirv/constrain_density+walls+relaxed_precision.spv"),
-    bindings: BINDINGS_3,
+    bindings: BINDINGS_6,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "b5f04d87305ff0bd767355f97669f4418d98da8dd35177bb71f37e584da2c8c9",
+    hash: "b9769d7d77145498b9cd022f5475021508cfbb21e0b4a2c59a238c9b01b01622",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -244,10 +526,88 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
     spirv: include_bytes!("../../spirv/constrain_density+walls+half_precision.spv"),
-    bindings: BINDINGS_3,
+    bindings: BINDINGS_6,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "5e30e98550481e23d9c9916553ff0c91ddd36a9cd583de3961098d0a63b842d5",
+    hash: "4c454d6feda8b9228375277a05bdd05e010050a4fbdb8c5083071d40a1f78e2e",
+};
+
+static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
+    name: "ConstrainDensity+WALLS+MOMENTUM",
+    entry: "ConstrainDensity",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/constrain_density+walls+momentum.spv"),
+    bindings: BINDINGS_7,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/pbf/constrain_density.compute",
+    hash: "515e3a1b437fbed18e8171e5b6a8130b888fdf09e3058907d34c1a26cf54fa39",
+};
+
+static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
+    name: "ConstrainDensity+WALLS+MOMENTUM+RELAXED_PRECISION",
+    entry: "ConstrainDensity",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/constrain_density+walls+momentum+relaxed_precision.spv"),
+    bindings: BINDINGS_8,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/pbf/constrain_density.compute",
+    hash: "4736f1aa43510ac61b9b363e7ddb19edbb11013f11717d6af22d7353b7fd69fe",
+};
+
+static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
+    name: "ConstrainDensity+WALLS+MOMENTUM+HALF_PRECISION",
+    entry: "ConstrainDensity",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/constrain_density+walls+momentum+half_precision.spv"),
+    bindings: BINDINGS_8,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Desktop,
+    source: "solver/pbf/constrain_density.compute",
+    hash: "1e549f5c5e51f7fdb905ad1c458495afbcff5138ed70b506a7b147bd8a78f915",
+};
+
+static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
+    name: "ConstrainDensity+WALLS+ACCUMULATED_MOMENTUM",
+    entry: "ConstrainDensity",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/constrain_density+walls+accumulated_momentum.spv"),
+    bindings: BINDINGS_7,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/pbf/constrain_density.compute",
+    hash: "04ea5f577fceff3340c8dbf1177909c47904b0145acbd697143f349b2cb11e13",
+};
+
+static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
+    name: "ConstrainDensity+WALLS+ACCUMULATED_MOMENTUM+RELAXED_PRECISION",
+    entry: "ConstrainDensity",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/constrain_density+walls+accumulated_momentum+relaxed_precision.spv"),
+    bindings: BINDINGS_9,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/pbf/constrain_density.compute",
+    hash: "bcc003eb7d9c5836b55fd7afad30b46597bf3d825fb3d3366c06f269b490433b",
+};
+
+static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
+    name: "ConstrainDensity+WALLS+ACCUMULATED_MOMENTUM+HALF_PRECISION",
+    entry: "ConstrainDensity",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/constrain_density+walls+accumulated_momentum+half_precision.spv"),
+    bindings: BINDINGS_9,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Desktop,
+    source: "solver/pbf/constrain_density.compute",
+    hash: "2591b7a19d034fc09761243b2646c8a5510d4973848547ce341d9cdb0fd16658",
 };

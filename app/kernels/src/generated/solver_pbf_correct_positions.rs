@@ -180,7 +180,7 @@ static CORRECT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "aea5121e9d4ae6df8fdb1adb589f64996029739ff34f249c15a8f806cfc7e96b",
+    hash: "dc1b4f62fb729342a53780c92531a48af29b7c43a44f27af8cee88c4ea72449f",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
@@ -193,7 +193,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "8b1f08795afd5de2dc8437393938d1fa24bd7b1d922f86a4b8115d263f2b371b",
+    hash: "d36635f3609a12d74ebbe72ba3c3f8303038d82231cc77275af091f60c20e3d5",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
@@ -206,7 +206,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "5dd622e12a983f4216dce1c1925f2a362310d70095d87658d77f4aa7ec15644c",
+    hash: "17879ec10ac9287218a9ba48664bd3e19f220f7fc14897f1b8fdbcca6cf8b753",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
@@ -219,7 +219,7 @@ static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "3abf472faf7fa68178b3c69ab43881cf3ba971476e6346a9a48c4413fcb66df8",
+    hash: "27f7349061d7bfa0c0b0c23d5a6936ce4441377eb39c137be93fd4b51eeaf174",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -232,7 +232,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "75fa57b7c1a96cd57b419acabe45157555338cc8bd093e25cd64bfb99e22fc30",
+    hash: "5923e87a02019ae1c79c702a5f1ab48350c2bde2bef83af72bb03559d53b60c5",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -245,7 +245,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "98c4c609a0f1a040d738b464f8378b6119a05b3e19e05124b305371f579f2e38",
+    hash: "29de0c0eb753c5298fc721b2b413a276c1504ee2c96bf6e784a2c08fe564fa67",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
@@ -258,7 +258,7 @@ static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "e7ad74250fe6ff45dc84981a845918c35e1e3d748df5c1bdd5b30e414c1f36e6",
+    hash: "f492549f1626548f353406047e0db6f64ec6dae22f8725308ea94b6ce148d0f7",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -271,7 +271,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "e6399935107849fb3e363a97f602f9bf745ea097113f36c9d7e54541388cdc29",
+    hash: "0a3e62e327a5e3923312ff9373e072f1e99027ae40b1adaf8038ae9be7f44c78",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -284,7 +284,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "ce8d77b101e778e73751945d791b3bced8976b855ae583f11d60269acf60d698",
+    hash: "5d07fb95dc938604f51f8fdd07201b101cfef99cc0e4da217c5a21d825fb54ef",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
@@ -297,7 +297,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "329caefe9c697a7a31b62d52a7d65f597d4907454d0b4457bdf2c513c8f98ca0",
+    hash: "7fe7409bd0b5ad381dd766fc61b61e6c3277e15a37f305d0774ee43b16df9a5f",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -310,7 +310,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "8e98a88e5a579dcd97837e3e1019bb8370aaf5bf9377ec9f97b6a39e60d43f82",
+    hash: "4402f568c492c6a6910a2cb4f39bb4cf8f7e6b67232c829dfc401eb6b3f697c5",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -323,5 +323,5 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "49a700b88c33dab28e795cd31ee54bcf4d15bd3aafcbddbb72897f485b654cff",
+    hash: "f61cca78565f099b94a0fb8405a6575d5368f8a28684d9079d745243ef87a04e",
 };

@@ -129,7 +129,7 @@ static UPDATE_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "6141b3bc0fbc659e04c2cb8bbd1873fcda8a4d7c212aaf5d7380289c6676b4d9",
+    hash: "1aae75e45bb21390a1aa36dc1dfffdf2e9d43b387ee343e0f904fc168f35c682",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
@@ -142,7 +142,7 @@ static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "3170cc72f99d339e01c2f23e3d2c225123151bc4ff2322ebede16b8fe9757f27",
+    hash: "ec7b0c689bc56bde1f71ae4678c4ca2310fe90135ec179dbfef4a1bfb4f230f5",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -155,7 +155,7 @@ static UPDATE_VELOCITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "da8963316b1ea6001fb6d4cdea2d5c2eef4fc8810a6bb6575c3a4f0bc1fc917c",
+    hash: "2a425b6e1479f560ea881bca8743cd37bb24731cd5ce8e9bb7223b8b7aa10282",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC: Module = Module {
@@ -168,5 +168,5 @@ static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "bc9121fe7a418cd191a9b1207f7f3b3fbefbc48b6f0e5311c45b0d6253935583",
+    hash: "b0cb2cc65ec7d98e0e5707ecc40742971a3a090c64b52289d80cc98b9b5cd9d8",
 };

@@ -77,5 +77,5 @@ static ANISOTROPY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/anisotropy.compute",
-    hash: "c00bdf3d926b024e6471849d9df4f414b9f572284260cde66a79f77b586877b1",
+    hash: "e74cae52aefb8c6bf6fc6e5fcf795ab284b7e1d43297dd8caa0bc1b4c3676dd1",
 };

@@ -69,5 +69,5 @@ static COUNT_SUN_VOLUME: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/count_sun_volume.compute",
-    hash: "75b442e86988a9262411ea6cb16299aec252b53283ebe55a21eb4f7d5c8b68f9",
+    hash: "11d769e998fd277ed15a4f52c22a0709b1b10d8869f40b43293e541570db3a49",
 };

@@ -112,7 +112,7 @@ static DRAW_FLUID_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "c49fed10e1b9aa661028293b1360d43fd59d31a7e306f1f9d63717e967ed810d",
+    hash: "9c23e298a886dd79f9fbab595d9a1ead3881ab50174c7dfe172e07bb68ed3a45",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
@@ -125,7 +125,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "471e177f1fb756f8bae3ab7496d941d034094cfa37e4756379ae0ad84029aec3",
+    hash: "847ad4bd6ddcf89e32447df7f1d6f2a908620ff13dc31693d678fd27cd99df8e",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -138,7 +138,7 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "e7decd7e2c9edd175c778d8b241fd419b2785926a157e08c5e09065133ca9a5c",
+    hash: "b1b4d2c1e0bd2d2e6a9c432e7fb0596d12923244928ba2785e42b23b8b2ca690",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -151,7 +151,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "1bebd38839d991103bfab07afc0a6127ae4eb4bfd5e05643407529d1d7ffac18",
+    hash: "5710a2b98690c366961c3efba9481127c454185d5970b0948ce7561cdbd8918d",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -164,5 +164,5 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "97682d465406b8d33b2383a7b322475822f2c35460e38bb906af771e7cbb1209",
+    hash: "c623bcba943067a1413432ec533d25e90fbbe0803f239682a644650390ef1fb6",
 };

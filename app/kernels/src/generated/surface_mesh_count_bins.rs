@@ -103,7 +103,7 @@ static COUNT_BINS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/count_bins.compute",
-    hash: "d5d617721791bc138a69cc0e0b9e500795d72af6a1c334c054bb9130edce5ca6",
+    hash: "45f8b0ce9b3339394c86c407a245a888798ea05518a01521385570e7d6a6c90d",
 };
 
 static COUNT_BINS_WITH_ANISOTROPIC: Module = Module {
@@ -116,5 +116,5 @@ static COUNT_BINS_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/count_bins.compute",
-    hash: "327783542ed653f4f70030e3748ad692a06be34cad763504748e3281cf0349df",
+    hash: "58773f0bec15e05636f9519b4907bf2546ad91613fd210caa7b972037451f75e",
 };

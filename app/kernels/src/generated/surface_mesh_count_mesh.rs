@@ -88,5 +88,5 @@ static COUNT_MESH: Module = Module {
     shared_bytes: 112,
     tier: Tier::Floor,
     source: "surface/mesh/count_mesh.compute",
-    hash: "15f714c347a2efc53f48f3713f30a808f8e60dc7d751c731cc3e72571aafff5b",
+    hash: "7830fcd83672f4a2eca098d8c1587bff026e5e77e85cfb05929f46d487bd5eb2",
 };

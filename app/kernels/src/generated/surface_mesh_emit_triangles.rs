@@ -109,5 +109,5 @@ static EMIT_TRIANGLES: Module = Module {
     shared_bytes: 112,
     tier: Tier::Floor,
     source: "surface/mesh/emit_triangles.compute",
-    hash: "f7c6978a2cd011e4529aa70507714a811b32e83b000bf774824ef782ced229f7",
+    hash: "15a9b240ad5923f4064d3ee181573ab7e0096faccee06b2552ec8167953860e9",
 };

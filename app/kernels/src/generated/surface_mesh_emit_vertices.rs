@@ -103,5 +103,5 @@ static EMIT_VERTICES: Module = Module {
     shared_bytes: 112,
     tier: Tier::Floor,
     source: "surface/mesh/emit_vertices.compute",
-    hash: "e2a01dc7dd15564e1e4260381a6ba0c92264ec1375f51ce394b008d2d7177807",
+    hash: "2353b2952c25412326f503ce721b7244eda042509fb0b3428bcdfd013a087b42",
 };

@@ -74,5 +74,5 @@ static FINISH_MESH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/finish_mesh.compute",
-    hash: "442b6627129e02096b737c7f73853023edc1e875e86002243d578e4f25e1c44c",
+    hash: "15ba51ba758a97b79ff5143a6480ea76037258e5754c535b5c22d91bf1e89657",
 };

@@ -115,7 +115,7 @@ static GATHER_FIELD: Module = Module {
     shared_bytes: 64,
     tier: Tier::Floor,
     source: "surface/mesh/gather_field.compute",
-    hash: "01bdb32f4db72099504507d88c3eab5942866cc5e1d8348efaf31a4e03789ab9",
+    hash: "b4f741daf50165e1d11efd846b0e77be122cc5f82bb0db8e92d15c451b52b08e",
 };
 
 static GATHER_FIELD_WITH_ANISOTROPIC: Module = Module {
@@ -128,5 +128,5 @@ static GATHER_FIELD_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 64,
     tier: Tier::Floor,
     source: "surface/mesh/gather_field.compute",
-    hash: "143b33fb6219e10e04e365afc3c324eaca67840ea45c8e9eb956a941bec5afa0",
+    hash: "c79d90ae9103ca54572f77ac13f4345baca2e4ef722b57e8de4dcdb82e4fba09",
 };

@@ -82,5 +82,5 @@ static LIST_BLOCKS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/list_blocks.compute",
-    hash: "4ccbff32e7ff013028d70ead54eaa964d170974c83214d82353e3c6ecbc11b0a",
+    hash: "0902ffe0ef52a34188df1f65c8f34338f949c56a42a541a2231896c28d478830",
 };

@@ -84,5 +84,5 @@ static MARK_BLOCKS: Module = Module {
     shared_bytes: 500,
     tier: Tier::Floor,
     source: "surface/mesh/mark_blocks.compute",
-    hash: "88ae26b1b9ef1a6a0da16fc03bec3324a82beb00c2c555270f5759f2c73dfc65",
+    hash: "73b3fe5c28789ffd5c114af250304b7de35837cd21664e7b3414f22447224b1d",
 };

@@ -72,7 +72,7 @@ static DRAW_MESH_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_depth.hlsl",
-    hash: "8ba04aeb8d811956d181b5be0bf865c135224776c51b06737510ad900306591f",
+    hash: "6329ef33dc0a0e59310e71ab72dbf474b7d4c4cb4dd03ffb8d75c8abb3bf26b5",
 };
 
 static DRAW_MESH_DEPTH_FRAGMENT: Module = Module {
@@ -85,5 +85,5 @@ static DRAW_MESH_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_depth.hlsl",
-    hash: "d1b58c9c30af82c6b3499813874cfd8df1c60e4692a986958d229d7e2c16df20",
+    hash: "a414fb7445ebd28a7f948dd445ab913b75ae27ed540f3575dee59bb1f2e6e0a1",
 };

@@ -97,7 +97,7 @@ static MESH_NORMALS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_normals.compute",
-    hash: "b19730e3cc3242171f6aeccd2e30a8fb08fb9a76fab04d5eb5575beb9ba7fba0",
+    hash: "65605d253797449917f69553cc70d24ad580049924b1017d928338396eec1356",
 };
 
 static MESH_NORMALS_WITH_ANISOTROPIC: Module = Module {
@@ -110,5 +110,5 @@ static MESH_NORMALS_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_normals.compute",
-    hash: "d8bfa2d5b3b00beff5023439a754ee1242ba300fa3885cb1294d19a21ec1c1e7",
+    hash: "35afaf7c177fda44f40612c3d6ccec910f8af0fe7f8a9eefbd0a8599409d99ba",
 };

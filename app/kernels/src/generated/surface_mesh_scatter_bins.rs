@@ -100,7 +100,7 @@ static SCATTER_BINS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/scatter_bins.compute",
-    hash: "864ec96ae52c0cda90c8635fd3a68fa46b0be8c080b1e1e893d475c33f3ed384",
+    hash: "f92cf10f9d443e81df08c6c341e7af3b79343c15e15c2c1f7f774e1787bcd0f5",
 };
 
 static SCATTER_BINS_WITH_ANISOTROPIC: Module = Module {
@@ -113,5 +113,5 @@ static SCATTER_BINS_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/scatter_bins.compute",
-    hash: "45c789a11c5d34a9fa36907a975940d03248ffce6a711f67550e4541888f6cd4",
+    hash: "9f19aa1c3231a780954394d0f4080a9dc45c9f5f4bb719678a1d064b721f06a1",
 };

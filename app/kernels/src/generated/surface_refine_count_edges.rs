@@ -64,5 +64,5 @@ static COUNT_EDGES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/count_edges.compute",
-    hash: "829ab6ca47575bfeec530631ca5833c667217521c08b9c76646d6ec445df2ce1",
+    hash: "cb97fc3a114643bd280f8aaca8365cbc95386c25355a28d31754ea6163af478f",
 };

@@ -71,5 +71,5 @@ static COUNT_RINGS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/count_rings.compute",
-    hash: "004842827c04e74c8fe8b16f002763105591bbe9016f532e122321ec2172df0f",
+    hash: "e2be9a89786e0a5dd9000d2f9d2b75fbce13f60780112a4f0725f2bde0cc275e",
 };

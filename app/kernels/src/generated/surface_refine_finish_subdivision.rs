@@ -66,5 +66,5 @@ static FINISH_SUBDIVISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/finish_subdivision.compute",
-    hash: "4ed5e3da53f6fc06b4d2828e2b1af3d4b53e079f870c0b59b67a9932844d5383",
+    hash: "f158b368712f47f2c300831548389803d279f88eb4ecfcbe5c471157b9301a70",
 };

@@ -64,5 +64,5 @@ static LIST_RINGS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/list_rings.compute",
-    hash: "ca82ff8d4b822b7978af4b5c54efa5e031b486207968fde85b46b057cf88191c",
+    hash: "c02a6c54300d7597676249da060834cc53c766c9bce89f4f78f3a196e39e32ea",
 };

@@ -50,5 +50,5 @@ static SIZE_MESH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/size_mesh.compute",
-    hash: "f3538edbb00769067c3ed5a40cdee6853af3d6b0cf9ac3bfdee56f661217991c",
+    hash: "1b0ccebae9f1e54becf99ce2513a14f7d7d945de5f3db99be4626217a66afe40",
 };

@@ -77,5 +77,5 @@ static SMOOTH_NORMALS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/smooth_normals.compute",
-    hash: "030e1a96cee550c0749864c205b81babde65dd676c4998cd6237ea0d03df5333",
+    hash: "57c6b487179df2eee0998589d4ce3e79681d7db8aca0d6e1e9290571d6ea7d55",
 };

@@ -57,5 +57,5 @@ static SORT_RINGS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/sort_rings.compute",
-    hash: "090a4ce37b78fd76ad4c5d14aebddd8e3949c1dc53d02f56c838f9b7fc626118",
+    hash: "be886e5fae36b0b58340c86ba081d758cfd64c8f9c4eb2df969b55a2b7263eb8",
 };

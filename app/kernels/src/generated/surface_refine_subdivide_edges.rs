@@ -81,5 +81,5 @@ static SUBDIVIDE_EDGES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/subdivide_edges.compute",
-    hash: "ae582897f44aaea6766db0e25c1caee4e806e0800b50b953e0df97a1e26018e8",
+    hash: "702a70c4ea44be13782ba1d137eaf995ce815417dee64a9a49eb329424794490",
 };

@@ -76,5 +76,5 @@ static SUBDIVIDE_MIDDLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/subdivide_middles.compute",
-    hash: "dca66cd4d8db03a683fa41baf5965ce63c976edcfd5b317e5070d241be4b60a3",
+    hash: "c6043248c042ee2308f130b14c18df5487f8b4ab558cac106056c826277c35d5",
 };

@@ -85,5 +85,5 @@ static SUBDIVIDE_TRIANGLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/subdivide_triangles.compute",
-    hash: "2b4296975323c99a35f533c66cae03e40accb62379ec14491975799e677e10cd",
+    hash: "a7a28f1402205e16e5634838300222b8ac0bef696e171505446705ff1e963c65",
 };

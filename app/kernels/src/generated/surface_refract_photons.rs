@@ -70,5 +70,5 @@ static REFRACT_PHOTONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refract_photons.compute",
-    hash: "2b673dca7f3864d2e5129909ba0f1188f7c44d0dc2370dace973897d60d0ea36",
+    hash: "b209c843d7e85494b947c29522562e878bc99fd2b055200b1795258501be23fa",
 };

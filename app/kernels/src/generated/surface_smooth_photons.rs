@@ -85,7 +85,7 @@ static SMOOTH_PHOTONS_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_photons.compute",
-    hash: "06bafd5fe4b17ae208b8cdae8be95a8613a2a2ba5a8b6132807e710f64ba913f",
+    hash: "04b6be1c2b88187161ccd6a95a22776f74db363fdeb4d0dfa85d531375569792",
 };
 
 static SMOOTH_PHOTONS_WITH_ALONG_Y: Module = Module {
@@ -98,5 +98,5 @@ static SMOOTH_PHOTONS_WITH_ALONG_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_photons.compute",
-    hash: "4604aa63e58bbf6a222a3619711e0a7ef58b2d5ff47350ee04a24c13585a92a2",
+    hash: "340fb702e09d551fd3e264fb00f6e39dd89e2d715b716dbb5319bac2fd7e3d20",
 };

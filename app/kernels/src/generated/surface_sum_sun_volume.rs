@@ -64,5 +64,5 @@ static SUM_SUN_VOLUME: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sum_sun_volume.compute",
-    hash: "04bb80b388b298cf38be20ac90d8d18a12dc622305e0e57aa30101541724bb90",
+    hash: "68c4840db98d6a56456d147f4cf6a4b7f855d0641814ecc42c43f34f7a8d5573",
 };

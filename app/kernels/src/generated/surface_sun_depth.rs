@@ -114,7 +114,7 @@ static DRAW_SUN_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "6098946fb59b5049bb921caa3cbd63ea1ba4051ed82be07b3ab17c4f3ef6e559",
+    hash: "b8361d6e222ae2cb88fea4ff650bc8fd5915f1cbd008b77d1bc2797b44905b11",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
@@ -127,7 +127,7 @@ static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "b22c7b1a3f071ce5ca5786f4aa6ac6a825cdd7056269c5b53513bf3a84dd20ca",
+    hash: "18cd2b821d0188ffbe8d4d7e2b79c3ee426742d9a5bc5a2a9f996d109093379a",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -140,7 +140,7 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "f85111b9eb71b6d6f469716eb50ddae5aa759bfad4f08aa13447d33337af81e2",
+    hash: "916342f2f1a5046a7959e003ceedead7935bdc85e0f2a05da4af3a7ce4c7d173",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -153,7 +153,7 @@ static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "1d764c6434203336e9796e9772a6303c50254aa99133490a8bebe3a0d7aafe77",
+    hash: "d64199439c833e598e55503f8e13b8b64bfa5eb9541c26c9c36419493f728952",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -166,5 +166,5 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "837d56e26a9278fedb69002ae14b5ac6a9d0a89ba74db34a0d688a9b1619ea5b",
+    hash: "9b42c82b38126557e0589893dea5cdbf1db6197d9cfa9b76dd09fd2ae4e4304f",
 };

@@ -85,7 +85,7 @@ static DRAW_SUN_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "07bb9fe7f36bbc9c0352ebf4ed01a1cd32595a1a7a2e8dd29a1f6c35e45a0787",
+    hash: "d8ea7fa8a62698f0c8e7eafea4af4b2d34066584d5eb17ed8e6017ab030f083b",
 };
 
 static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
@@ -98,7 +98,7 @@ static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "ef8b3292591de4e04c367d3c574d39bf4b8fae56d1a491a249ae26402ccbb206",
+    hash: "6e1caed0aaa3bb79407f580606de35b0890d21825f80ed3471295ac071bcf73d",
 };
 
 static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -111,5 +111,5 @@ static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "dc0f5bc64fd17d8908d4e2e5043650e6d46318e4eba61504e236cf8bef7b8e8a",
+    hash: "ff36aec7b3895b5ea1d88920bbce1394b67a585798fe777d8fb590e9823e770d",
 };

@@ -91,7 +91,7 @@ static DRAW_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "e1ee89fd579fa8451228707bcc38a6bc90c3b7424ea94ccfc7eedabc6a910112",
+    hash: "970a55984a5f5d288ed9ced7079d278bbac5e80f1851fbac98d310eb681705a3",
 };
 
 static DRAW_THICKNESS_FRAGMENT: Module = Module {
@@ -104,7 +104,7 @@ static DRAW_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "40c8a64496c87536e8dff7a94dbeb4bf7649d71e49debe74f8fc1fc924581cee",
+    hash: "9b6bb129a1187f4229913dcd0134c2aced69d603e0579c210206c7bea756bf8a",
 };
 
 static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -117,5 +117,5 @@ static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "ab826c55327ecc47b9e88ab995004d386148bc8039d3e5782bd5041da2a37d3d",
+    hash: "ecf2a62e8b56196569956ab3626d6a52b6c95a18d32add10780c0ccac267c19d",
 };

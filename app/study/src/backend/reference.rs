@@ -10,7 +10,9 @@ use brooklet_kernels::{Position, Velocity};
 use brooklet_reference::boundary::walls::{DomainWalls, WallScales};
 use brooklet_reference::params::{self, Forces, NonInteracting, Smoothing, Step};
 use brooklet_reference::particles::predict::Particle;
-use brooklet_reference::solver::{Solver, pbf::substep::Pbf};
+use brooklet_reference::solver::Solver;
+use brooklet_reference::solver::pbf::momentum::Weights;
+use brooklet_reference::solver::pbf::substep::{Iterations, Pbf};
 use brooklet_reference::step::Fluid;
 use glam::{BVec3, DVec3};
 use serde::{Deserialize, Serialize};
@@ -80,14 +82,15 @@ fn solver_of(scene: &Scene) -> Solver {
                     ..Smoothing::new(scene.support_m(), f64::from(kernel.weight))
                 },
                 params: params::Pbf {
-                    relaxation: scene.solver.pbf.relaxation,
+                    relaxation: f64::from(pbf.relaxation),
                     cfm: f64::from(pbf.cfm),
-                    s_corr_k: scene.solver.pbf.s_corr_k,
+                    s_corr_k: f64::from(pbf.s_corr_k),
                     s_corr_inverse_w: f64::from(pbf.s_corr_inverse_w),
                     max_correction_m: f64::from(pbf.max_correction_m),
                     separation: f64::from(pbf.separation),
+                    separation_lambda: f64::from(pbf.separation_lambda),
                 },
-                iterations: scene.solver.pbf.iterations,
+                iterations: iterations_of(scene),
                 forces: Forces { xsph: scene.forces.xsph, vorticity_m_s: scene.forces.vorticity_m_s },
                 grid_ends_at_domain: true,
             })
@@ -102,6 +105,17 @@ fn solver_of(scene: &Scene) -> Solver {
             })
         }
     }
+}
+
+fn iterations_of(scene: &Scene) -> Iterations {
+    let Some(chebyshev) = pbf::Chebyshev::of(scene) else { return Iterations::Plain(scene.solver.pbf.iterations) };
+    let one = |&pbf::Weights { step, momentum }: &pbf::Weights| Weights {
+        step,
+        momentum,
+        guarded_step: step.min(scene.relaxation()),
+    };
+    let weights = chebyshev.iterations.iter().map(one).collect();
+    if chebyshev.accumulates() { Iterations::AccumulatedMomentum(weights) } else { Iterations::Momentum(weights) }
 }
 
 /// Runs `setup` in f64; `None` if `stop` says so before its end.

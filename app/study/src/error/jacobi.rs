@@ -115,6 +115,7 @@ impl Block {
             s_corr_inverse_w: 0.0,
             max_correction_m: f64::INFINITY,
             separation: 0.0,
+            separation_lambda: 0.0,
         };
         let smoothing = Smoothing::new(SUPPORT_RATIO, lattice::weight(3, SUPPORT_RATIO));
         Self { positions, neighbours, smoothing, pbf }

@@ -1,7 +1,9 @@
 //! Maps over two settings of a column at rest: what is left of its compression over iterations and
 //! substeps, and whether it is at rest at all over relaxation and support.
 
-use super::{MAP_PART, relaxation_limit};
+use brooklet_fluid::spectrum::lambda_max;
+
+use super::MAP_PART;
 use crate::case::{Case, HYDROSTATIC, SHALLOW, case};
 use crate::error::{run_case, task};
 use crate::session::{Session, StudyError};
@@ -61,7 +63,11 @@ impl Map {
         let (path_x, path_y) = self.paths();
         let (xs, ys) = self.values(quick);
         let one = |x: f64, y: f64| {
-            let settings = vec![format!("{path_x}={x}"), format!("{path_y}={y}")];
+            let mut settings = vec![format!("{path_x}={x}"), format!("{path_y}={y}")];
+            if self == Self::Relaxation {
+                // What is not stable is refused with an acceleration.
+                settings.push("solver.pbf.acceleration=none".into());
+            }
             let case: &dyn Case = match self {
                 Self::Compression => &HYDROSTATIC,
                 Self::Relaxation => &SHALLOW,
@@ -78,7 +84,7 @@ impl Map {
             let name = if self == Self::Compression { "compression p99" } else { "kinetic energy" };
             let theory = match self {
                 Self::Compression => outcome.figure("law's compression").and_then(|figure| figure.value)?,
-                Self::Relaxation => relaxation_limit(x, 0.01, 3),
+                Self::Relaxation => 2.0 / lambda_max(3, x, 0.01),
             };
             Some(Cell { x, y, state: outcome.state, value: outcome.figure(name).and_then(|f| f.value), theory })
         };

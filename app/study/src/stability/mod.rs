@@ -1,15 +1,13 @@
-//! Where it breaks: the extreme cases over precisions, tiers and layouts, and maps of where a solver
+//! Where it breaks: the extreme cases over precisions, tiers, layouts and accelerations, and maps of where a solver
 //! holds, with theory's lines.
 
 mod map;
 mod pairwise;
 mod rows;
-mod spectrum;
 
 pub use map::{Cell, Map, cell_cost, map_tasks, run_cell};
 pub use pairwise::covering;
 pub use rows::{Also, ROWS, Row, row_cost, row_tasks, run_row};
-pub use spectrum::relaxation_limit;
 
 /// Part of a study: extreme cases.
 pub const ROWS_PART: &str = "stability";

@@ -296,7 +296,7 @@ mod tests {
         assert!(actions.is_empty() && draft.scene == before);
         assert!(draft.refused.as_ref().unwrap().contains("solver.pbf.relaxation"));
         draft.take(&Wish { setting: "solver.pbf.relaxation=0.7".into(), is_final: true }, &mut actions);
-        assert!(draft.refused.is_none() && draft.scene.solver.pbf.relaxation == 0.7);
+        assert!(draft.refused.is_none() && draft.scene.solver.pbf.relaxation == Some(0.7));
         assert_eq!(actions, [Action::Apply(Box::new(draft.scene.clone()))]);
     }
 

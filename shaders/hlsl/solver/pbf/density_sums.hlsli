@@ -44,11 +44,16 @@ DensitySums Weighted(DensitySums sums, float weight)
     return sums;
 }
 
+// The denominator of lambda. Without neighbours and without mixing there would be nothing to divide by.
+float Stiffness(DensitySums sums, float cfm)
+{
+    return max(dot(sums.gradient, sums.gradient) + sums.gradient_squares + cfm, 1.0e-6);
+}
+
 float DensityLambda(DensitySums sums, float cfm)
 {
     float constraint = max(sums.density - 1.0, 0.0);
-    float stiffness = dot(sums.gradient, sums.gradient) + sums.gradient_squares + cfm;
-    return constraint > 0.0 ? -constraint / max(stiffness, 1.0e-6) : 0.0;
+    return constraint > 0.0 ? -constraint / Stiffness(sums, cfm) : 0.0;
 }
 
 #endif

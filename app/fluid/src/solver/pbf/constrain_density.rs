@@ -1,13 +1,20 @@
 //! λ of each particle. (Shader: `solver/pbf/constrain_density.compute`.)
 
 use brooklet_gpu::Recording;
-use brooklet_kernels::{ConstrainDensity, ConstrainDensityVariant};
+use brooklet_kernels::{ConstrainDensity, ConstrainDensityVariant, MomentumKeyword};
 
-use super::{Lambdas, Pbf};
+use super::{Lambdas, Momentum, Pbf};
 use crate::step_context::StepContext;
 
-/// From quantized positions to `pbf.lambdas`.
-pub(super) fn constrain_density(recording: &mut Recording, pbf: &mut Pbf, context: &StepContext) {
+/// From quantized positions to `pbf.lambdas`, in the substep's iteration of a number.
+pub(super) fn constrain_density(recording: &mut Recording, pbf: &mut Pbf, context: &StepContext, iteration: usize) {
+    let (momentum, weights, lambda_totals) = match &mut pbf.momentum {
+        None => (MomentumKeyword::Off, None, None),
+        Some(Momentum { accumulates: false, weights, .. }) => (MomentumKeyword::Momentum, Some(weights), None),
+        Some(Momentum { weights, totals, .. }) => {
+            (MomentumKeyword::AccumulatedMomentum, Some(weights), totals.as_mut().map(|totals| totals.write()))
+        }
+    };
     let (position_lambdas, packed_position_lambdas) = match &mut pbf.lambdas {
         Lambdas::Full(lambdas) => (Some(lambdas.write()), None),
         Lambdas::Packed(lambdas) => (None, Some(lambdas.write())),
@@ -16,17 +23,19 @@ pub(super) fn constrain_density(recording: &mut Recording, pbf: &mut Pbf, contex
     context.slots.dispatch(
         recording,
         &ConstrainDensity {
-            variant: ConstrainDensityVariant { walls: context.walls, precision: sorted.precision },
+            variant: ConstrainDensityVariant { walls: context.walls, momentum, precision: sorted.precision },
             quantized_positions: sorted.quantized_positions.read(),
             sorted_positions: context.walls.then(|| sorted.positions.read()),
             neighbours: neighbours.deltas.read(),
             list_heads: neighbours.heads.read(),
             position_lambdas,
             packed_position_lambdas,
+            lambda_totals,
             step_state: context.slots.state.uniform(),
             step_params: context.step.uniform(),
             kernel: pbf.search.smoothing_kernel.uniform(),
             pbf: pbf.params.uniform(),
+            iteration: weights.map(|weights| weights[iteration].uniform()),
         },
     );
 }

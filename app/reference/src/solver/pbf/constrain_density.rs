@@ -15,6 +15,8 @@ pub struct DensityConstraint {
     pub lambda: f64,
     /// max(rho / rho0 - 1, 0).
     pub constraint: f64,
+    /// rho / rho0 - 1.
+    pub excess: f64,
     /// Sum of the squared gradients over all particles, plus cfm.
     pub denominator: f64,
 }
@@ -33,7 +35,8 @@ pub fn constrain_density(
     walls: Option<&DomainWalls>,
 ) -> DensityConstraint {
     let ratio = density_ratio(i, positions_m, neighbours, smoothing, walls);
-    let constraint = (ratio - 1.0).max(0.0);
+    let excess = ratio - 1.0;
+    let constraint = excess.max(0.0);
     // Moving a neighbour changes C by the negative of what moving i past it does.
     let mut own = sample_boundary(positions_m[i], walls).gradient;
     let mut denominator = pbf.cfm;
@@ -45,7 +48,7 @@ pub fn constrain_density(
     }
     denominator += own.length_squared();
     let lambda = if constraint > 0.0 { -constraint / denominator } else { 0.0 };
-    DensityConstraint { lambda, constraint, denominator }
+    DensityConstraint { lambda, constraint, excess, denominator }
 }
 
 #[cfg(test)]
@@ -61,6 +64,7 @@ mod tests {
         s_corr_inverse_w: 0.0,
         max_correction_m: 1.0,
         separation: 0.0,
+        separation_lambda: 0.0,
     };
 
     #[test]

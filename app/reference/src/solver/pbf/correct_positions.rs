@@ -57,7 +57,7 @@ pub fn correct_positions(
             pair_lambda -= pbf.s_corr_k * (wendland::kernel(q) * pbf.s_corr_inverse_w).powi(4);
         }
         if q < pbf.separation {
-            pair_lambda -= SEPARATION * (1.0 - q / pbf.separation);
+            pair_lambda += pbf.separation_lambda * (1.0 - q / pbf.separation);
         }
         if q > 0.0 {
             let slope = wendland::slope(q) * smoothing.weight * pair_lambda;
@@ -85,10 +85,6 @@ pub fn correct_positions(
     }
 }
 
-/// What parts two particles at one point, added to their lambdas; it falls to nothing where they are
-/// `separation` apart.
-pub const SEPARATION: f64 = 0.02;
-
 /// Closer than this, in h, counts as one point.
 pub const COINCIDENT: f64 = 1e-4;
 
@@ -115,6 +111,7 @@ mod tests {
             s_corr_inverse_w: 2.0,
             max_correction_m: 1.0,
             separation: 0.0,
+            separation_lambda: 0.0,
         };
         let step = Step {
             gravity_m_s2: DVec3::ZERO,

@@ -3,5 +3,6 @@
 
 pub mod constrain_density;
 pub mod correct_positions;
+pub mod momentum;
 pub mod substep;
 pub mod update_velocity;

@@ -2,6 +2,7 @@
 
 use super::constrain_density::constrain_density;
 use super::correct_positions::correct_positions;
+use super::momentum::{Weights, accumulated_lambda, momentum_lambda};
 use super::update_velocity::update_velocity;
 use crate::boundary::walls::DomainWalls;
 use crate::forces;
@@ -19,12 +20,40 @@ pub struct Pbf {
     pub smoothing: Smoothing,
     /// The constraint's settings.
     pub params: params::Pbf,
-    /// Iterations a substep.
-    pub iterations: u32,
+    /// What a substep iterates.
+    pub iterations: Iterations,
     /// What acts on velocities alone.
     pub forces: Forces,
     /// Whether particles outside the domain have no neighbours, being outside the grid.
     pub grid_ends_at_domain: bool,
+}
+
+/// The iterations of a substep.
+#[derive(Clone, Debug)]
+pub enum Iterations {
+    /// So many of Jacobi's.
+    Plain(u32),
+    /// Each with its weights, lambdas with momentum.
+    Momentum(Vec<Weights>),
+    /// The same, lambdas held against the sum of those before.
+    AccumulatedMomentum(Vec<Weights>),
+}
+
+impl Iterations {
+    fn count(&self) -> usize {
+        match self {
+            Self::Plain(count) => *count as usize,
+            Self::Momentum(weights) | Self::AccumulatedMomentum(weights) => weights.len(),
+        }
+    }
+}
+
+/// What a substep's iterations have left of the lambdas.
+struct Lambdas {
+    /// Of the last iteration.
+    last: Vec<f64>,
+    /// Of all.
+    totals: Vec<f64>,
 }
 
 impl Pbf {
@@ -36,8 +65,12 @@ impl Pbf {
         let predicted_m = positions_m(particles);
         let neighbours = self.neighbours(particles, step);
         let mut corrected_m = predicted_m.clone();
-        for _ in 0..self.iterations {
-            corrected_m = self.iterate(&predicted_m, &corrected_m, &neighbours, step, walls);
+        let none = vec![0.0; particles.len()];
+        let mut lambdas = Lambdas { last: none.clone(), totals: none };
+        for iteration in 0..self.iterations.count() {
+            lambdas.last = self.lambdas(iteration, &lambdas, &corrected_m, &neighbours, walls);
+            lambdas.totals.iter_mut().zip(&lambdas.last).for_each(|(total, lambda)| *total += lambda);
+            corrected_m = self.correct(&predicted_m, &corrected_m, &lambdas.last, &neighbours, step, walls);
         }
         for (i, particle) in particles.iter_mut().enumerate() {
             if particle.is_simulated() {
@@ -71,22 +104,42 @@ impl Pbf {
         (0..positions_m.len()).map(|i| density_ratio(i, &positions_m, &neighbours[i], &self.smoothing, walls)).collect()
     }
 
-    fn iterate(
+    fn lambdas(
+        &self,
+        iteration: usize,
+        before: &Lambdas,
+        positions_m: &[DVec3],
+        neighbours: &Neighbours,
+        walls: Option<&DomainWalls>,
+    ) -> Vec<f64> {
+        let (smoothing, pbf) = (&self.smoothing, &self.params);
+        parallel::map(positions_m.len(), |i| {
+            let constraint = constrain_density(i, positions_m, &neighbours[i], smoothing, pbf, walls);
+            let (last, total) = (before.last[i], before.totals[i]);
+            match &self.iterations {
+                Iterations::Plain(_) => constraint.lambda,
+                Iterations::Momentum(weights) => momentum_lambda(&constraint, &weights[iteration], last),
+                Iterations::AccumulatedMomentum(weights) => {
+                    accumulated_lambda(&constraint, &weights[iteration], last, total)
+                }
+            }
+        })
+    }
+
+    fn correct(
         &self,
         predicted_m: &[DVec3],
         positions_m: &[DVec3],
+        lambdas: &[f64],
         neighbours: &Neighbours,
         step: &Step,
         walls: Option<&DomainWalls>,
     ) -> Vec<DVec3> {
         let (smoothing, pbf) = (&self.smoothing, &self.params);
-        let count = positions_m.len();
-        let lambdas =
-            parallel::map(count, |i| constrain_density(i, positions_m, &neighbours[i], smoothing, pbf, walls).lambda);
-        parallel::map(count, |i| {
+        parallel::map(positions_m.len(), |i| {
             let none = |_, _| DVec3::ZERO;
             let (start_m, list) = (predicted_m[i], &neighbours[i]);
-            correct_positions(i, positions_m, start_m, &lambdas, list, step, smoothing, pbf, walls, none).position_m
+            correct_positions(i, positions_m, start_m, lambdas, list, step, smoothing, pbf, walls, none).position_m
         })
     }
 }

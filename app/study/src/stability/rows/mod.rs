@@ -1,4 +1,4 @@
-//! The extreme cases (rows of a table with fixed numbers) over precisions, tiers and layouts.
+//! The extreme cases (rows of a table with fixed numbers) over precisions, tiers, layouts and accelerations.
 //!
 //! Of every row: states are finite, no particle is lost, all are inside the walls, none is faster than
 //! the limit; and what the row itself expects. What fails and is said by the program, of this failure
@@ -10,7 +10,7 @@ mod table;
 
 pub use table::ROWS;
 
-use brooklet_fluid::scene::Precision;
+use brooklet_fluid::scene::{Acceleration, Precision};
 use brooklet_gpu::{Tier, tier_name};
 use glam::DVec3;
 
@@ -61,14 +61,14 @@ const TIERS: [Tier; 3] = [Tier::Desktop, Tier::Mobile, Tier::Floor];
 /// Rows that a quick look takes.
 const QUICK: [u32; 6] = [2, 8, 13, 14, 17, 21];
 
-/// Every pair of row, precision, tier and order; real f16 is of the desktop tier alone.
+/// Every pair of row, precision, tier, order and acceleration; real f16 is of the desktop tier alone.
 pub fn row_tasks(quick: bool) -> Vec<Task> {
     let rows: Vec<&Row> =
         ROWS.iter().filter(|row| row.setup.is_some() && (!quick || QUICK.contains(&row.number))).collect();
     let allowed = |row: &[Option<usize>]| row[1] != Some(2) || row[2].is_none_or(|tier| TIERS[tier] == Tier::Desktop);
-    let sizes = [rows.len(), Precision::NAMES.len(), TIERS.len(), SWITCHES.len()];
+    let sizes = [rows.len(), Precision::NAMES.len(), TIERS.len(), SWITCHES.len(), Acceleration::NAMES.len()];
     let combinations = if quick {
-        rows.iter().enumerate().map(|(i, _)| vec![i, i % 3, 0, i % 2]).collect()
+        rows.iter().enumerate().map(|(i, _)| vec![i, i % 3, 0, i % 2, 1]).collect()
     } else {
         covering(&sizes, allowed)
     };
@@ -80,6 +80,7 @@ pub fn row_tasks(quick: bool) -> Vec<Task> {
             settings: vec![
                 format!("solver.precision={}", Precision::NAMES[of[1]]),
                 format!("solver.deterministic={}", SWITCHES[of[3]]),
+                format!("solver.pbf.acceleration={}", Acceleration::NAMES[of[4]]),
             ],
             tier: tier_name(TIERS[of[2]]).into(),
             repeats: 1,

@@ -1,0 +1,151 @@
+//! Weights of Chebyshev's semi-iteration (Golub & Varga 1961; as an acceleration of projective solvers: Wang 2015).
+//!
+//! The residual of a mode with eigenvalue μ after n iterations is p(μ) = T_n((hi + lo − 2 μ)/(hi − lo)) / T, of all
+//! polynomials with p(0) = 1 the one that is least over [lo, hi]: 1/T there. Velocities take what the corrections
+//! moved, so a mode obeys z² − 2 (1 − a) z + (1 − a) = 0 from substep to substep with a = 1 − p, and is stable for p
+//! above −1/3: T must exceed 3. One iteration of weight ω has p = 1 − ω μ, and is stable up to 4/(3 λmax).
+
+use brooklet_kernels::PbfIteration;
+
+use crate::scene::{Acceleration, Method, Scene};
+use crate::spectrum::lambda_max;
+
+/// The upper end of the interval over λmax of the lattice: fluid that is compressed has up to 9 % more.
+const MARGIN: f64 = 1.16;
+/// 1/T is what is left of every mode inside of the interval. More is a narrower interval: slow modes are faster, and
+/// the margin below 3, where energy rises, is less.
+const REDUCTION: f64 = 5.0;
+/// From so many iterations on what a particle gets is accumulated; fewer have too little momentum to need it.
+const ACCUMULATED_FROM: usize = 6;
+
+/// The weights of the iterations of a substep.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Chebyshev {
+    /// In order.
+    pub iterations: Vec<Weights>,
+    /// What they do to a field that varies slowly, as n ω is what n Jacobi iterations of weight ω do.
+    pub response: f64,
+}
+
+/// One iteration's.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Weights {
+    /// Of the constraint.
+    pub step: f64,
+    /// Of what the iteration before added.
+    pub momentum: f64,
+}
+
+impl Chebyshev {
+    /// For `count` iterations of a lattice with `lambda_max`; at least one.
+    pub fn new(count: u32, lambda_max: f64) -> Self {
+        let n = f64::from(count.max(1));
+        let sigma = (REDUCTION.acosh() / n).cosh();
+        let high = MARGIN * lambda_max;
+        let low = high * (sigma - 1.0) / (sigma + 1.0);
+        let [middle, half] = [0.5 * (high + low), 0.5 * (high - low)];
+        let mut ratio = 1.0 / sigma;
+        let mut iterations = vec![Weights { step: 1.0 / middle, momentum: 0.0 }];
+        for _ in 1..count {
+            let next = 1.0 / (2.0 * sigma - ratio);
+            iterations.push(Weights { step: 2.0 * next / half, momentum: next * ratio });
+            ratio = next;
+        }
+        // -p'(0), with T_n' = n sinh(n acosh) / sinh(acosh).
+        let response = n * (1.0 - REDUCTION.powi(-2)).sqrt() / ((sigma * sigma - 1.0).sqrt() * half);
+        Self { iterations, response }
+    }
+
+    /// The weights of `scene`; none if it has no acceleration, or one that answers slow modes less than as many Jacobi
+    /// iterations do: that of a single iteration, and in two dimensions that of two.
+    pub fn of(scene: &Scene) -> Option<Self> {
+        let solver = &scene.solver;
+        let iterations = solver.pbf.iterations;
+        if solver.method != Method::Pbf || solver.pbf.acceleration != Acceleration::Chebyshev || iterations < 2 {
+            return None;
+        }
+        let lambda_max = lambda_max(scene.domain.dimensions, solver.support_ratio, solver.pbf.cfm);
+        let weights = Self::new(iterations, lambda_max);
+        (weights.response > f64::from(iterations) * scene.relaxation()).then_some(weights)
+    }
+
+    /// Whether what a particle gets is accumulated over the iterations.
+    pub fn accumulates(&self) -> bool {
+        self.iterations.len() >= ACCUMULATED_FROM
+    }
+
+    /// What the shaders are given; `relaxation` is the weight of plain iterations.
+    pub(super) fn params(&self, relaxation: f64) -> Vec<PbfIteration> {
+        let one = |weights: &Weights| PbfIteration {
+            step: weights.step as f32,
+            momentum: weights.momentum as f32,
+            guarded_step: weights.step.min(relaxation) as f32,
+            ..PbfIteration::default()
+        };
+        self.iterations.iter().map(one).collect()
+    }
+}
+
+/// What a substep of `scene` does to a constraint that varies slowly, over one iteration of weight 1: n ω, or the
+/// acceleration's. The column law's compression is inverse to it.
+pub fn response(scene: &Scene) -> f64 {
+    let plain = f64::from(scene.solver.pbf.iterations) * scene.relaxation();
+    Chebyshev::of(scene).map_or(plain, |weights| weights.response)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What is left of a mode after all iterations.
+    fn residual(weights: &Chebyshev, mu: f64) -> f64 {
+        let (mut left, mut moved) = (1.0, 0.0);
+        for Weights { step, momentum } in &weights.iterations {
+            moved = step * left + momentum * moved;
+            left -= mu * moved;
+        }
+        left
+    }
+
+    #[test]
+    fn weights_are_the_published_ones() {
+        // `hi` = 3, T = 5: a table of three, four and eight iterations.
+        let of = |count| Chebyshev::new(count, 3.0 / MARGIN);
+        let [three, four, eight] = [3, 4, 8].map(of);
+        let near = |weights: &Chebyshev, steps: &[f64], momenta: &[f64]| {
+            let pairs = steps.iter().zip(momenta).zip(&weights.iterations);
+            for ((step, momentum), found) in pairs {
+                assert!((found.step - step).abs() < 6e-4 && (found.momentum - momentum).abs() < 6e-4, "{weights:?}");
+            }
+            assert_eq!(weights.iterations.len(), steps.len());
+        };
+        near(&three, &[0.588, 0.832, 0.742], &[0.0, 0.414, 0.261]);
+        near(&four, &[0.619, 0.976, 0.870, 0.833], &[0.0, 0.577, 0.406, 0.346]);
+        near(
+            &eight,
+            &[0.653, 1.213, 1.142, 1.094, 1.064, 1.046, 1.036, 1.030],
+            &[0.0, 0.856, 0.748, 0.675, 0.629, 0.601, 0.585, 0.576],
+        );
+        assert_eq!([&three, &four, &eight].map(Chebyshev::accumulates), [false, false, true]);
+    }
+
+    #[test]
+    fn a_fifth_is_left_inside_and_slow_modes_answer_as_said() {
+        for count in [1, 2, 3, 4, 5, 8, 16] {
+            let (lambda_max, mu) = (2.58, 1e-6);
+            let weights = Chebyshev::new(count, lambda_max);
+            let sigma = (REDUCTION.acosh() / f64::from(count)).cosh();
+            let high = MARGIN * lambda_max;
+            let low = high * (sigma - 1.0) / (sigma + 1.0);
+            for k in 0..=100 {
+                let left = residual(&weights, low + (high - low) * f64::from(k) / 100.0);
+                assert!(left.abs() < 1.0 / REDUCTION + 1e-12 && left > -1.0 / 3.0, "{count}: {left}");
+            }
+            assert!((residual(&weights, low).abs() * REDUCTION - 1.0).abs() < 1e-9, "{count}");
+            let slope = (1.0 - residual(&weights, mu)) / mu;
+            assert!((slope / weights.response - 1.0).abs() < 1e-4, "{count}: {slope} {}", weights.response);
+            // Beyond the interval it grows.
+            assert!(residual(&weights, 1.3 * high).abs() > 1.0 / REDUCTION, "{count}");
+        }
+    }
+}
