@@ -140,6 +140,7 @@ fn the_table_has_every_field() {
             "surface.absorption_per_m=[3, 1, 0.5]",
             "surface.caustics=true",
             "surface.self_shadow=true",
+            "surface.auto.px_per_particle=1",
         ],
     )
     .unwrap();
