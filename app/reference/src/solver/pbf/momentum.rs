@@ -59,7 +59,7 @@ mod tests {
     fn an_accumulated_multiplier_gives_back_what_it_got_and_never_pulls() {
         let first = accumulated_lambda(&constraint(0.02), &Weights { momentum: 0.0, ..WEIGHTS }, 0.0, 0.0);
         assert_eq!(first, -0.9 * 0.01);
-        let back = accumulated_lambda(&constraint(-0.03), &WEIGHTS, first, first);
+        let back = accumulated_lambda(&constraint(-0.02), &WEIGHTS, first, first);
         assert!(back > 0.0 && first + back < 0.0, "{first} {back}");
         let all = accumulated_lambda(&constraint(-0.5), &WEIGHTS, back, first + back);
         assert!((first + back + all).abs() < 1e-17, "{all}");
