@@ -1,5 +1,7 @@
 //! `summary.json`, and the short table a run ends with.
 
+use brooklet_fluid::scene::Acceleration;
+use brooklet_fluid::solver::pbf::Chebyshev;
 use brooklet_fluid::{Scene, measure};
 use brooklet_gpu::{Gpu, PassTimes, Passes, Plan, Quantiles, Timings, stages, tier_name};
 use brooklet_render::left_out::Absent;
@@ -67,6 +69,8 @@ pub struct Summary {
 struct Solver {
     name: &'static str,
     iterations: Option<u32>,
+    /// What those of this scene come to: too few are plain, whatever it asks for.
+    acceleration: Option<&'static str>,
     substeps: u32,
     dt_s: f64,
 }
@@ -173,6 +177,10 @@ impl Summary {
             solver: Solver {
                 name: scene.solver.method.name(),
                 iterations: scene.solver.iterations(),
+                acceleration: scene
+                    .solver
+                    .iterations()
+                    .map(|_| Chebyshev::of(scene).map_or(Acceleration::None, |_| Acceleration::Chebyshev).name()),
                 substeps: scene.solver.substeps,
                 dt_s: scene.solver.dt_s,
             },
