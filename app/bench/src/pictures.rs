@@ -70,7 +70,7 @@ pub(crate) fn picture_cost(
     let request = FrameRequest { steps: 1, ..FrameRequest::default() };
     let mut stepping = Stepping { session: &mut session, request, observer };
     stepping.run(steps, &mut Timings::new(0), || observer.advance())?;
-    let mut timings = Timings::new(0);
+    let mut timings = Timings::new(WARM_UP);
     let mut draw = passes.draw.id();
     for number in 0..WARM_UP + u64::from(options.pictures) {
         observer.check()?;
@@ -84,9 +84,7 @@ pub(crate) fn picture_cost(
         session.submit(&request).map_err(BenchError::stopped)?;
         for frame in session.finish().map_err(BenchError::stopped)? {
             passes.learn(&frame.report);
-            if number >= WARM_UP {
-                timings.add(&frame.report, draw);
-            }
+            timings.add(&frame.report, draw);
         }
         observer.advance();
     }

@@ -65,8 +65,7 @@ impl Recorder {
             (self.next_frame, self.last_ns) = (report.frame + 1, report.wall_ns);
             self.timings.add(&report, self.step);
             if let Some(passes) = &mut passes {
-                passes.learn(&report);
-                passes.drawn_mesh(&report).iter().for_each(|counts| self.meshes.add(counts));
+                passes.learn(&report).iter().for_each(|counts| self.meshes.add(counts));
             }
             self.record(|capture| capture.frame(&report));
             if let Some(stats) = stats {

@@ -1,7 +1,8 @@
 //! GPU times as plain data: raw ticks, flags for those that cannot be right, and sums.
 
 use crate::recording::RecordingId;
-use brooklet_kernels::ResourceId;
+use brooklet_kernels::{Buffer, ResourceId};
+use bytemuck::Pod;
 
 /// How GPU times are taken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -119,6 +120,17 @@ pub struct FrameReport {
 }
 
 impl FrameReport {
+    /// What came back of a buffer or texture, if it was asked for.
+    pub fn readback(&self, id: ResourceId) -> Option<&[u8]> {
+        self.readbacks.iter().find(|(back, _)| *back == id).map(|(_, bytes)| bytes.as_slice())
+    }
+
+    /// The first element of a buffer that came back.
+    pub fn first<T: Pod>(&self, buffer: &Buffer<T>) -> Option<T> {
+        let bytes = self.readback(buffer.id)?.get(..size_of::<T>())?;
+        bytemuck::try_pod_read_unaligned(bytes).ok()
+    }
+
     /// Milliseconds and number of spans of each stage, in order of their first span. Negative
     /// spans count as 0.
     pub fn stage_ms(&self) -> Vec<(&'static str, f64, u32)> {

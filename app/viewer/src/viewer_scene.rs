@@ -219,8 +219,7 @@ impl ViewerScene {
 
     /// Takes what a finished frame tells of its picture; what its mesh came to, if it had one.
     pub fn learn(&mut self, report: &FrameReport) -> Option<MeshCounts> {
-        self.passes.learn(report);
-        self.passes.drawn_mesh(report)
+        self.passes.learn(report)
     }
 
     /// Whether the next picture would look different though nothing moves: its surface goes from one method to the other.

@@ -235,8 +235,7 @@ impl Session {
             // Frames that no request made, the first ones, are nobody's.
             while self.in_flight.pop_front_if(|handed| handed.frame < report.frame).is_some() {}
             let Some(handed) = self.in_flight.pop_front_if(|handed| handed.frame == report.frame) else { continue };
-            let measured = report.readbacks.iter().find(|(id, _)| Some(*id) == measure);
-            let stats = measured.map(|(_, bytes)| Stats::new(bytes, &self.scene));
+            let stats = measure.and_then(|id| report.readback(id)).map(|bytes| Stats::new(bytes, &self.scene));
             self.stats = stats.or(self.stats);
             self.kept.push_back(SessionReport { report, steps: handed.steps, simulated_s: handed.simulated_s, stats });
         }

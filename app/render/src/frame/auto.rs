@@ -1,7 +1,7 @@
 //! A picture that either method draws, as the next one is chosen. Frames run one of three recordings: screen space, the mesh,
 //! or both with one picture over the other. What they need they have together.
 
-use brooklet_gpu::{Blend, DrawState, Engine, FrameReport, Load, Recording, RecordingId, ResourceId, Targets};
+use brooklet_gpu::{Blend, DrawState, Engine, FrameReport, Load, Recording, RecordingId, Targets};
 use brooklet_kernels::{
     Buffer, COVERED_GROUP, COVERED_STRIDE, CountCovered, CrossFadeParams, DrawCrossFade, Format, Texture,
 };
@@ -54,8 +54,7 @@ impl AutoPasses {
 
     /// Takes what a finished frame counted.
     pub fn learn(&mut self, report: &FrameReport) {
-        let covered = report.readbacks.iter().find(|(id, _)| *id == self.covered_px.id);
-        if let Some(counted) = covered.and_then(|(_, bytes)| bytemuck::try_pod_read_unaligned::<u32>(bytes).ok()) {
+        if let Some(counted) = report.first(&self.covered_px) {
             self.seen_px = f64::from(counted) * f64::from(COVERED_STRIDE * COVERED_STRIDE);
         }
     }
@@ -79,12 +78,6 @@ impl AutoPasses {
     /// Drawn pixels of fluid that the next picture is chosen by.
     pub fn seen_px(&self) -> f64 {
         self.seen_px
-    }
-
-    /// What the next choice reads of the last picture.
-    pub fn readbacks(&self) -> impl Iterator<Item = ResourceId> {
-        let mesh = self.meshed_water.surface.mesh_counts.as_ref().map(|counts| counts.id);
-        [self.covered_px.id].into_iter().chain(mesh.filter(|_| self.shown != Shown::ScreenSpace))
     }
 }
 

@@ -66,8 +66,8 @@ impl FramePasses {
     /// What is read back with the picture that [`FramePasses::next`] chose: what became of its mesh, and what chooses the
     /// next one ([`FramePasses::learn`]).
     pub fn readbacks(&self) -> impl Iterator<Item = ResourceId> {
-        let mesh = self.mesh_counts().map(|counts| counts.id).filter(|_| self.auto.is_none());
-        self.auto.iter().flat_map(AutoPasses::readbacks).chain(mesh)
+        let mesh = self.mesh_counts().filter(|_| self.draws_mesh()).map(|counts| counts.id);
+        self.auto.iter().map(|auto| auto.covered_px.id).chain(mesh)
     }
 
     /// Whether the next picture of as many particles would show another method's surface, or more of it.
@@ -80,11 +80,12 @@ impl FramePasses {
         self.auto.as_ref().map_or(self.mesh_counts().is_some(), |auto| auto.shown() != Shown::ScreenSpace)
     }
 
-    /// Takes what a finished frame tells of its picture.
-    pub fn learn(&mut self, report: &FrameReport) {
+    /// Takes what a finished frame tells of its picture; what its mesh came to, if it had one.
+    pub fn learn(&mut self, report: &FrameReport) -> Option<MeshCounts> {
         if let Some(auto) = &mut self.auto {
             auto.learn(report);
         }
+        report.first(self.mesh_counts()?)
     }
 
     /// Draws on as the passes before these did, of another plan.
@@ -92,13 +93,6 @@ impl FramePasses {
         if let (Some(auto), Some(before)) = (&mut self.auto, &before.auto) {
             auto.go_on_from(before);
         }
-    }
-
-    /// What the mesh of a frame came to whose report has it.
-    pub fn drawn_mesh(&self, report: &FrameReport) -> Option<MeshCounts> {
-        let counts = self.mesh_counts()?;
-        let (_, bytes) = report.readbacks.iter().find(|(id, _)| *id == counts.id)?;
-        bytemuck::try_pod_read_unaligned(bytes).ok()
     }
 }
 
