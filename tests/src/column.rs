@@ -4,7 +4,7 @@ use crate::cases::walls_of;
 use crate::extreme::{Case, State};
 use brooklet_fluid::Scene;
 use brooklet_fluid::scene::Acceleration;
-use brooklet_fluid::solver::pbf::response;
+use brooklet_fluid::solver::pbf::IterationWeights;
 use brooklet_reference::column::Column;
 use brooklet_reference::grid::list_neighbours::list_neighbours;
 use brooklet_reference::measure::density::density_ratio;
@@ -60,7 +60,7 @@ impl Setup {
             support_ratio: scene.solver.support_ratio,
             gravity_m_s2: -scene.gravity_m_s2[1],
             dt_s: scene.substep_s(),
-            relaxation: response(&scene) / f64::from(self.iterations),
+            relaxation: IterationWeights::of(&scene).response / f64::from(self.iterations),
             iterations: self.iterations,
             cfm: scene.solver.pbf.cfm,
         }

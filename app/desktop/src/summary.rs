@@ -1,7 +1,6 @@
 //! `summary.json`, and the short table a run ends with.
 
-use brooklet_fluid::scene::Acceleration;
-use brooklet_fluid::solver::pbf::Chebyshev;
+use brooklet_fluid::solver::pbf::IterationWeights;
 use brooklet_fluid::{Scene, measure};
 use brooklet_gpu::{Gpu, PassTimes, Passes, Plan, Quantiles, Timings, stages, tier_name};
 use brooklet_render::left_out::Absent;
@@ -177,10 +176,7 @@ impl Summary {
             solver: Solver {
                 name: scene.solver.method.name(),
                 iterations: scene.solver.iterations(),
-                acceleration: scene
-                    .solver
-                    .iterations()
-                    .map(|_| Chebyshev::of(scene).map_or(Acceleration::None, |_| Acceleration::Chebyshev).name()),
+                acceleration: scene.solver.iterations().map(|_| IterationWeights::of(scene).acceleration().name()),
                 substeps: scene.solver.substeps,
                 dt_s: scene.solver.dt_s,
             },

@@ -1,7 +1,7 @@
 //! Domains for closed forms: periodic along an axis, of two dimensions, open. What must hold of any fluid
 //! in them.
 
-use brooklet_fluid::solver::pbf::response;
+use brooklet_fluid::solver::pbf::IterationWeights;
 use brooklet_fluid::{Scene, grid};
 use brooklet_reference::column::Column;
 use brooklet_reference::params::nearest_image;
@@ -161,7 +161,7 @@ fn columns_between_seams_and_in_tanks_are_compressed_as_the_law_says() {
             support_ratio: solver.support_ratio,
             gravity_m_s2: 9.81,
             dt_s: solver.dt_s,
-            relaxation: response(case.scene()) / f64::from(solver.pbf.iterations),
+            relaxation: IterationWeights::of(case.scene()).response / f64::from(solver.pbf.iterations),
             iterations: solver.pbf.iterations,
             cfm: solver.pbf.cfm,
         }

@@ -4,7 +4,7 @@ use brooklet_fluid::{
     Particles, Scene, StepContext,
     grid::{Grid, Neighbours, Scan, Sorted, list_length, listed, params},
     smoothing_kernel_params,
-    solver::pbf,
+    solver::pbf::{self, IterationWeights},
     step_params, visit_slots,
 };
 use brooklet_gpu::{Engine, Recording, Resources};
@@ -74,7 +74,7 @@ pub fn locality(
     init.upload(&mut settings.context.step, &[step_params(scene)]);
     init.upload(&mut settings.context.slots.state, &[visit_slots(count)]);
     init.upload(&mut settings.kernel, &[smoothing_kernel_params(scene)]);
-    init.upload(&mut settings.pbf, &[pbf::params(scene)]);
+    init.upload(&mut settings.pbf, &[pbf::params(scene, &IterationWeights::of(scene))]);
     product.upload(&mut init, &params, in_order);
     by_index.upload(&mut init, &params, lie);
 

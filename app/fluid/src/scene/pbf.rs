@@ -74,8 +74,16 @@ const STABLE_SHARE: f64 = 0.95;
 impl Scene {
     /// The under-relaxation ω of plain iterations: the scene's, or its default.
     pub fn relaxation(&self) -> f64 {
-        let default = || RELAXATION.min(STABLE_SHARE * self.relaxation_limit());
-        self.solver.pbf.relaxation.unwrap_or_else(default)
+        self.relaxation_below(|| self.relaxation_limit())
+    }
+
+    /// As [`Scene::relaxation`], of the kernel's `lambda_max` on the lattice, where that is known.
+    pub(crate) fn relaxation_at(&self, lambda_max: f64) -> f64 {
+        self.relaxation_below(|| self.relaxation_limit_at(lambda_max))
+    }
+
+    fn relaxation_below(&self, limit: impl FnOnce() -> f64) -> f64 {
+        self.solver.pbf.relaxation.unwrap_or_else(|| RELAXATION.min(STABLE_SHARE * limit()))
     }
 
     /// Below which ω plain iterations are stable on the lattice. A mode of eigenvalue μ obeys
@@ -83,10 +91,14 @@ impl Scene {
     /// below 4/3.
     pub fn relaxation_limit(&self) -> f64 {
         let Method::Pbf = self.solver.method else { return 1.0 };
-        let PbfSettings { iterations, cfm, .. } = self.solver.pbf;
+        self.relaxation_limit_at(lambda_max(self.domain.dimensions, self.solver.support_ratio, self.solver.pbf.cfm))
+    }
+
+    fn relaxation_limit_at(&self, lambda_max: f64) -> f64 {
+        let iterations = self.solver.pbf.iterations;
         let odd = iterations % 2 == 1;
         let most = if odd { 1.0 + 3f64.powf(-1.0 / f64::from(iterations)) } else { 2.0 };
-        most / lambda_max(self.domain.dimensions, self.solver.support_ratio, cfm)
+        most / lambda_max
     }
 }
 

@@ -5,7 +5,8 @@ use std::path::PathBuf;
 
 use brooklet_fluid::particles::{is_inactive, is_quarantined};
 use brooklet_fluid::scene::{Method, Scene};
-use brooklet_fluid::{smoothing_kernel_params, solver::pbf};
+use brooklet_fluid::smoothing_kernel_params;
+use brooklet_fluid::solver::pbf::{self, IterationWeights};
 use brooklet_kernels::{Position, Velocity};
 use brooklet_reference::boundary::walls::{DomainWalls, WallScales};
 use brooklet_reference::params::{self, Forces, NonInteracting, Smoothing, Step};
@@ -75,7 +76,8 @@ pub fn reference_fluid(setup: &Setup) -> Fluid {
 fn solver_of(scene: &Scene) -> Solver {
     match scene.solver.method {
         Method::Pbf => {
-            let (kernel, pbf) = (smoothing_kernel_params(scene), pbf::params(scene));
+            let (kernel, weights) = (smoothing_kernel_params(scene), IterationWeights::of(scene));
+            let pbf = pbf::params(scene, &weights);
             Solver::Pbf(Pbf {
                 smoothing: Smoothing {
                     period_m: DVec3::from_array(scene.period_m()),
@@ -90,7 +92,7 @@ fn solver_of(scene: &Scene) -> Solver {
                     separation: f64::from(pbf.separation),
                     separation_lambda: f64::from(pbf.separation_lambda),
                 },
-                iterations: iterations_of(scene),
+                iterations: iterations_of(scene, &weights),
                 forces: Forces { xsph: scene.forces.xsph, vorticity_m_s: scene.forces.vorticity_m_s },
                 grid_ends_at_domain: true,
             })
@@ -107,12 +109,12 @@ fn solver_of(scene: &Scene) -> Solver {
     }
 }
 
-fn iterations_of(scene: &Scene) -> Iterations {
-    let Some(chebyshev) = pbf::Chebyshev::of(scene) else { return Iterations::Plain(scene.solver.pbf.iterations) };
-    let one = |&pbf::Weights { step, momentum }: &pbf::Weights| Weights {
-        step,
-        momentum,
-        guarded_step: step.min(scene.relaxation()),
+fn iterations_of(scene: &Scene, weights: &IterationWeights) -> Iterations {
+    let Some(chebyshev) = &weights.chebyshev else { return Iterations::Plain(scene.solver.pbf.iterations) };
+    let one = |own: &pbf::Weights| Weights {
+        step: own.step,
+        momentum: own.momentum,
+        guarded_step: weights.guarded_step(own),
     };
     let weights = chebyshev.iterations.iter().map(one).collect();
     if chebyshev.accumulates() { Iterations::AccumulatedMomentum(weights) } else { Iterations::Momentum(weights) }

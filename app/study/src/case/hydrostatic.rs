@@ -1,6 +1,6 @@
 //! Water at rest: a column without sides, under its own weight.
 
-use brooklet_fluid::solver::pbf::response;
+use brooklet_fluid::solver::pbf::IterationWeights;
 use brooklet_reference::column::Column;
 
 use super::{Case, Converge, Reference, setting};
@@ -70,7 +70,7 @@ impl Case for Hydrostatic {
             support_ratio: scene.solver.support_ratio,
             gravity_m_s2: -scene.gravity_m_s2[1],
             dt_s: scene.substep_s(),
-            relaxation: response(scene) / f64::from(scene.solver.pbf.iterations.max(1)),
+            relaxation: IterationWeights::of(scene).response / f64::from(scene.solver.pbf.iterations.max(1)),
             iterations: scene.solver.pbf.iterations,
             cfm: scene.solver.pbf.cfm,
         };

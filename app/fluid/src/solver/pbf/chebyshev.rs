@@ -5,11 +5,6 @@
 //! moved, so a mode obeys z² − 2 (1 − a) z + (1 − a) = 0 from substep to substep with a = 1 − p, and is stable for p
 //! above −1/3: T must exceed 3. One iteration of weight ω has p = 1 − ω μ, and is stable up to 4/(3 λmax).
 
-use brooklet_kernels::PbfIteration;
-
-use crate::scene::{Acceleration, Method, Scene};
-use crate::spectrum::lambda_max;
-
 /// The upper end of the interval over λmax of the lattice: fluid that is compressed has up to 9 % more.
 const MARGIN: f64 = 1.16;
 /// 1/T is what is left of every mode inside of the interval. More is a narrower interval: slow modes are faster, and
@@ -56,41 +51,10 @@ impl Chebyshev {
         Self { iterations, response }
     }
 
-    /// The weights of `scene`; none if it has no acceleration, or one that answers slow modes less than as many Jacobi
-    /// iterations do: that of a single iteration, and in two dimensions that of two.
-    pub fn of(scene: &Scene) -> Option<Self> {
-        let solver = &scene.solver;
-        let iterations = solver.pbf.iterations;
-        if solver.method != Method::Pbf || solver.pbf.acceleration != Acceleration::Chebyshev || iterations < 2 {
-            return None;
-        }
-        let lambda_max = lambda_max(scene.domain.dimensions, solver.support_ratio, solver.pbf.cfm);
-        let weights = Self::new(iterations, lambda_max);
-        (weights.response > f64::from(iterations) * scene.relaxation()).then_some(weights)
-    }
-
     /// Whether what a particle gets is accumulated over the iterations.
     pub fn accumulates(&self) -> bool {
         self.iterations.len() >= ACCUMULATED_FROM
     }
-
-    /// What the shaders are given; `relaxation` is the weight of plain iterations.
-    pub(super) fn params(&self, relaxation: f64) -> Vec<PbfIteration> {
-        let one = |weights: &Weights| PbfIteration {
-            step: weights.step as f32,
-            momentum: weights.momentum as f32,
-            guarded_step: weights.step.min(relaxation) as f32,
-            ..PbfIteration::default()
-        };
-        self.iterations.iter().map(one).collect()
-    }
-}
-
-/// What a substep of `scene` does to a constraint that varies slowly, over one iteration of weight 1: n ω, or the
-/// acceleration's. The column law's compression is inverse to it.
-pub fn response(scene: &Scene) -> f64 {
-    let plain = f64::from(scene.solver.pbf.iterations) * scene.relaxation();
-    Chebyshev::of(scene).map_or(plain, |weights| weights.response)
 }
 
 #[cfg(test)]

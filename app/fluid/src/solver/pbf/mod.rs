@@ -10,6 +10,7 @@
 mod chebyshev;
 mod constrain_density;
 mod correct_positions;
+mod iteration_weights;
 mod update_velocity;
 
 use brooklet_gpu::{Recording, Resources};
@@ -21,9 +22,10 @@ use crate::particles::predict;
 use crate::scene::Scene;
 use crate::smoothing_kernel::{lattice, wendland};
 use crate::step_context::{Particles, StepContext};
-pub use chebyshev::{Chebyshev, Weights, response};
+pub use chebyshev::{Chebyshev, Weights};
 use constrain_density::constrain_density;
 use correct_positions::correct_positions;
+pub use iteration_weights::IterationWeights;
 use update_velocity::update_velocity;
 
 /// The solver's settings and buffers.
@@ -33,6 +35,7 @@ pub struct Pbf {
     /// The neighbours of its substep.
     pub(crate) search: NeighbourSearch,
     pub(crate) forces: Forces,
+    weights: IterationWeights,
     iterations: u32,
     s_corr: bool,
     lambdas: Lambdas,
@@ -61,13 +64,14 @@ enum Lambdas {
 /// without a leap.
 const SEPARATION_LAMBDA: f64 = -0.02;
 
-/// What the shaders are given.
-pub fn params(scene: &Scene) -> PbfParams {
+/// What the shaders are given of a scene and its weights.
+pub fn params(scene: &Scene, weights: &IterationWeights) -> PbfParams {
     let solver = &scene.solver;
-    let relaxation = scene.relaxation();
     // What is no constraint's lambda keeps its weight where lambdas have their own.
-    let (relaxation, unconstrained) =
-        if Chebyshev::of(scene).is_some() { (1.0, relaxation) } else { (relaxation, 1.0) };
+    let (relaxation, unconstrained) = match weights.chebyshev {
+        Some(_) => (1.0, weights.relaxation),
+        None => (weights.relaxation, 1.0),
+    };
     PbfParams {
         relaxation: relaxation as f32,
         cfm: (solver.pbf.cfm * lattice(scene.domain.dimensions, solver.support_ratio).stiffness) as f32,
@@ -86,6 +90,8 @@ impl Pbf {
     /// Declares the buffers of the terms that `scene` has.
     pub fn declare(resources: &mut Resources, scene: &Scene, capacity: u32) -> Self {
         let solver = &scene.solver;
+        let weights = IterationWeights::of(scene);
+        let momentum = weights.chebyshev.as_ref();
         Self {
             params: resources.persistent("pbf_params", 1),
             search: NeighbourSearch::declare(resources, scene, capacity),
@@ -96,17 +102,15 @@ impl Pbf {
                 true => Lambdas::Packed(resources.buffer("position_lambdas", capacity)),
                 false => Lambdas::Full(resources.buffer("position_lambdas", capacity)),
             },
-            momentum: Chebyshev::of(scene).map(|weights| Momentum::declare(resources, scene, &weights, capacity)),
+            momentum: momentum.map(|weights| Momentum::declare(resources, scene, weights, capacity)),
+            weights,
         }
     }
 
     pub(super) fn record_init(&mut self, init: &mut Recording, scene: &Scene) {
-        init.upload(&mut self.params, &[params(scene)]);
-        if let (Some(momentum), Some(weights)) = (&mut self.momentum, Chebyshev::of(scene)) {
-            for (buffer, weights) in momentum.weights.iter_mut().zip(weights.params(scene.relaxation())) {
-                init.upload(buffer, &[weights]);
-            }
-        }
+        init.upload(&mut self.params, &[params(scene, &self.weights)]);
+        let buffers = self.momentum.iter_mut().flat_map(|momentum| &mut momentum.weights);
+        buffers.zip(self.weights.params()).for_each(|(buffer, weights)| init.upload(buffer, &[weights]));
         self.search.record_init(init, scene);
         self.forces.record_init(init, scene);
     }
