@@ -2,21 +2,14 @@
 #pragma vertex CrossFadeVertex
 #pragma fragment CrossFadeFragment
 
-#include "camera.hlsli"
+#include "covering.hlsli"
 
 Texture2D<float4> picture;
 ConstantBuffer<CrossFadeParams> cross_fade;
 
-struct Varyings
-{
-    float4 position : SV_Position;
-};
-
 Varyings CrossFadeVertex(uint vertex : SV_VertexID)
 {
-    Varyings output;
-    output.position = float4(CoveringCorner(vertex), 0.0, 1.0);
-    return output;
+    return Covering(vertex);
 }
 
 float4 CrossFadeFragment(Varyings input) : SV_Target0

@@ -4,7 +4,7 @@
 #pragma fragment ResolveFragment
 #pragma multi_compile _ WATER
 
-#include "camera.hlsli"
+#include "covering.hlsli"
 #include "sampling.hlsli"
 
 Texture2D<float4> radiance;
@@ -17,16 +17,9 @@ ConstantBuffer<FrameView> view;
 ConstantBuffer<FrameLight> light;
 ConstantBuffer<FrameStyle> style;
 
-struct Varyings
-{
-    float4 position : SV_Position;
-};
-
 Varyings ResolveVertex(uint vertex : SV_VertexID)
 {
-    Varyings output;
-    output.position = float4(CoveringCorner(vertex), 0.0, 1.0);
-    return output;
+    return Covering(vertex);
 }
 
 #if !defined(WATER)

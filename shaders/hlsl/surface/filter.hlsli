@@ -6,23 +6,11 @@
 
 #include "layout.hlsli"
 #include "inverse_depth.hlsli"
-#include "../frame/camera.hlsli"
+#include "../frame/covering.hlsli"
 
 Texture2D<float> inverse_depth;
 ConstantBuffer<FrameView> view;
 ConstantBuffer<SurfaceParams> surface;
-
-struct Varyings
-{
-    float4 position : SV_Position;
-};
-
-Varyings Covering(uint vertex)
-{
-    Varyings output;
-    output.position = float4(CoveringCorner(vertex), 0.0, 1.0);
-    return output;
-}
 
 float InverseDepthOf(int2 pixel)
 {

@@ -10,7 +10,7 @@
 
 #include "inverse_depth.hlsli"
 #include "sun_map.hlsli"
-#include "../frame/camera.hlsli"
+#include "../frame/covering.hlsli"
 
 Texture2D<float> sun_depth;
 ConstantBuffer<FrameLight> light;
@@ -22,16 +22,9 @@ static const int2 ALONG = int2(0, 1);
 static const int2 ALONG = int2(1, 0);
 #endif
 
-struct Varyings
-{
-    float4 position : SV_Position;
-};
-
 Varyings SmoothSunDepthVertex(uint vertex : SV_VertexID)
 {
-    Varyings output;
-    output.position = float4(CoveringCorner(vertex), 0.0, 1.0);
-    return output;
+    return Covering(vertex);
 }
 
 float4 SmoothSunDepthFragment(Varyings input) : SV_Target0
@@ -54,9 +47,7 @@ float4 SmoothSunDepthFragment(Varyings input) : SV_Target0
         int2 at = texel + i * ALONG;
         float there = SunDepthAt(sun_depth, surface, at);
         float away = float(i);
-        // A surface may fall by twice what it goes aside: the sun seldom stands lower.
-        float range = (surface.range_m + 2.0 * abs(away) * spacing_m) / light.shadow_range_m;
-        if (i != 0 && there > 0.0 && abs(there - here) < range && !IsWall(EntryAt(surface, light, at), there))
+        if (i != 0 && IsSameSurface(surface, light, here, at, there, i))
         {
             float weight = SpatialWeight(away * away, reach);
             weights += weight * float3(1.0, away, away * away);

@@ -53,4 +53,12 @@ float PhotonSpacingM(SurfaceParams surface, FrameLight light)
     return light.shadow_texel_m * light.shadow_texels / surface.photons;
 }
 
+// Whether what sunlight meets at a cell, `there`, goes on the surface that it meets at `depth`, so many cells apart, and is
+// no wall. A surface may fall by twice what it goes aside: the sun seldom stands lower.
+bool IsSameSurface(SurfaceParams surface, FrameLight light, float depth, int2 at, float there, int apart)
+{
+    float range = (surface.range_m + 2.0 * abs(float(apart)) * PhotonSpacingM(surface, light)) / light.shadow_range_m;
+    return there > 0.0 && abs(there - depth) < range && !IsWall(EntryAt(surface, light, at), there);
+}
+
 #endif

@@ -50,7 +50,7 @@ static DRAW_CROSS_FADE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/cross_fade.hlsl",
-    hash: "7e6ca9ed215b380fdc99ef42546192f561c676fc88fa04ce6f4deccebaf952fb",
+    hash: "cf6ed77a3861be345693ca0f20afff9b0704b59fa277ae2c66bc83df1345af52",
 };
 
 static DRAW_CROSS_FADE_FRAGMENT: Module = Module {
@@ -63,5 +63,5 @@ static DRAW_CROSS_FADE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/cross_fade.hlsl",
-    hash: "67c12172f3399d3604a71fd0c041e11c38f7a152d6787da305a6c375dc918a23",
+    hash: "11a7f845be046cad1d4c536a842363f7d4579c5ec7dea3a46262a74d1dd5f356",
 };

@@ -145,7 +145,7 @@ static DRAW_FLOOR_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "c4de5fbb3da993d2cb3a455942b60d44a93c90ec0513e0d37c863d3ae95b4be7",
+    hash: "d3c72d5a7637113d166d5add1126ba99a06fddef12b3ff49641c74a75cd283c6",
 };
 
 static DRAW_FLOOR_FRAGMENT: Module = Module {
@@ -158,7 +158,7 @@ static DRAW_FLOOR_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "e11cadcca1596ad026076368ab31f6a3ff13afa798ffacf2bc25a4c95203e25d",
+    hash: "eeee6c8d087c6bc4db8c65bf20c9f6cc9944bd463621c8ce67b60bd9b9f66174",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW: Module = Module {
@@ -171,7 +171,7 @@ static DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "f520c3ee5bf2e9677def6f0bedeb323f89ef408f25448bd99c482fb638b7b779",
+    hash: "e28f52d3129fac30451b48da057ed6d0402debf178b433c6429c4f63ca903631",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW: Module = Module {
@@ -184,7 +184,7 @@ static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "90f29c660a324cc01b194772ce703c695d67e93fdb27912ee6d16944b35389b0",
+    hash: "5a634dd7f439f63404ef07ca7126f3d71b59b541f7ff6bd1483fc8d600e17da3",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW: Module = Module {
@@ -197,7 +197,7 @@ static DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "3a3ce4a35c2b3c2c3562324e5963dc1c2c9a6cb223dae57b658b4329e17a0e30",
+    hash: "ef27167b68ef8e765b6d51815583505db7dc6afabf0065e8e8b2fa8c555e93ce",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW: Module = Module {
@@ -210,7 +210,7 @@ static DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "7f00b2f2080e125749cf6ffa9147587c14c803f51095885e30499fe5fa8080db",
+    hash: "ee2a6355f4ca0d7e9282871b260d8ed46d435ece49480ed5a96685f9d7a59285",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_CAUSTICS_SHADOW: Module = Module {
@@ -223,7 +223,7 @@ static DRAW_FLOOR_VERTEX_WITH_CAUSTICS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "39b17c4a66e0b49e2d01258ac9c39fb746895d2bcd753b2104d1e4dabd9ba1b1",
+    hash: "73dc70a83200c981997c1baf580e548e89d3b87635dd678e6d49749a0bec0829",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW: Module = Module {
@@ -236,5 +236,5 @@ static DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "c40b34ee1332b13a827cf80786b28d3f20c110eb197975963dbdd18477287557",
+    hash: "e3b1c9cfcef2b24623f5117f8dc7ab94ac498e5cbe39d48dd346b79930a31512",
 };

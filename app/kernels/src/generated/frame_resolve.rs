@@ -88,7 +88,7 @@ static DRAW_RESOLVE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/resolve.hlsl",
-    hash: "abfeb0b462dfa03cfe267f2ef2b1ee6ea1bbf8ccaecf7d32eb03843359ebcf06",
+    hash: "3154cedeb60e61f80d78ce749937e5018293887d010a7f8de0606206cfcf609f",
 };
 
 static DRAW_RESOLVE_FRAGMENT: Module = Module {
@@ -101,7 +101,7 @@ static DRAW_RESOLVE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/resolve.hlsl",
-    hash: "ddcbddb60f3efb754a78d43d46aa1c1a9aa5a8c989aded1289680776dd9b2883",
+    hash: "cd4582f1a38227226b5584acd4a8e21bbef804b263ca35c50d5f69a057876f96",
 };
 
 static DRAW_RESOLVE_FRAGMENT_WITH_WATER: Module = Module {
@@ -114,5 +114,5 @@ static DRAW_RESOLVE_FRAGMENT_WITH_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/resolve.hlsl",
-    hash: "831e32c7c33c64a1be1c85b2631313d40682c44831971da10c5ab36100a12c4e",
+    hash: "de2260d40459433bf18f7da67ba48df73214dade53521d2ed392ba9cce5303eb",
 };

@@ -63,7 +63,7 @@ static DRAW_CAUSTICS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/caustics.hlsl",
-    hash: "37be7bab48bf1d80baa6fd0dff779674e23516b472d85994cac4776527ff8c02",
+    hash: "75e97de50df8afd0c0cf1f247a57a3a85ca75ade8087c0395028461802f011fd",
 };
 
 static DRAW_CAUSTICS_FRAGMENT: Module = Module {
@@ -76,5 +76,5 @@ static DRAW_CAUSTICS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/caustics.hlsl",
-    hash: "7bf8446e8db419ed4c0c70941e5dd06148d1770aebbde47be5c297c2a7d94d81",
+    hash: "2edc207ee9d4c9857ed30c9435e4b8fe823820d71dd8b625a559eb65c92f24c6",
 };

@@ -70,5 +70,5 @@ static REFRACT_PHOTONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refract_photons.compute",
-    hash: "b209c843d7e85494b947c29522562e878bc99fd2b055200b1795258501be23fa",
+    hash: "388786a00c46a27d41c0740b36be0ba4b3740b25ccf666a2bf3fc56a904cd5c1",
 };

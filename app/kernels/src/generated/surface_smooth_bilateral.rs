@@ -77,7 +77,7 @@ static DRAW_SMOOTH_BILATERAL_VERTEX_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "5ac71b460099a610d9389423969746bb83a20b7d0d402410e3b302a92826919d",
+    hash: "cc20bf169a693dcdb5580d6b6ce6a379960baad74175a73049be8b8bbabd0764",
 };
 
 static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_X: Module = Module {
@@ -90,7 +90,7 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "5747063eda67ef7745c4ccca6b176f81230e629c00321a48f701f1e32ca5b57e",
+    hash: "b608a71d3c67033b91b8d792359b12402132247bd85b638500621d05f0fbe63a",
 };
 
 static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_Y: Module = Module {
@@ -103,7 +103,7 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "4f5f76c79de180cdb4f462145d5c8556b1951751ce6348665ab103be2cb54870",
+    hash: "b34e2b9a5b846cd82834e8b4ec6b6cb09ecf9c442e0ccd0990071bdae1bdbef8",
 };
 
 static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
@@ -116,5 +116,5 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "e757025bd1e9bc8cea96523df59e3739af8bbe9ec41ae1ba00dc8f334fcade4e",
+    hash: "832f31815f924afe0ab19409b5024d6d3577427c922afb65bfdcb703ec58d5f8",
 };

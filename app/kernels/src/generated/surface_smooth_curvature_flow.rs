@@ -61,7 +61,7 @@ static DRAW_SMOOTH_CURVATURE_FLOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_curvature_flow.hlsl",
-    hash: "03d58a437b5001f23684599dbe92146838a2e68f0db9cf1d974459bc7b6b531b",
+    hash: "6252e568ce5f0fbe99c15266521affa86530073abe5a797cd077f587539ad3f8",
 };
 
 static DRAW_SMOOTH_CURVATURE_FLOW_FRAGMENT: Module = Module {
@@ -74,5 +74,5 @@ static DRAW_SMOOTH_CURVATURE_FLOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_curvature_flow.hlsl",
-    hash: "efbb0a0a63a6f341d52b90cbab189aa5b477a9fb4ceb4e13a6eea499e89945ae",
+    hash: "2ad751c258111e62902aa7519485b094227e187de44842db9affd3f00b4f47f0",
 };

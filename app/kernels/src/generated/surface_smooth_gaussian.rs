@@ -74,7 +74,7 @@ static DRAW_SMOOTH_GAUSSIAN_VERTEX_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_gaussian.hlsl",
-    hash: "cba7db165021c347d64aa1b663f4354deafb290bfe5049d1dc55e5085ebcd5ae",
+    hash: "49445fc31d34ff2a42ecf8978a8f69caa72bb69ed16d7b3b220fa81db0ad1dde",
 };
 
 static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_X: Module = Module {
@@ -87,7 +87,7 @@ static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_gaussian.hlsl",
-    hash: "9bc2b8fc417a24e86cf0ecbc2d30d253ea901fe8538b8bb1b3cae2e8195287ca",
+    hash: "b6ce7061c26de3c7b2ec1a980cfe22d0bb70352e4a8cb2948abacf1e60943691",
 };
 
 static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_Y: Module = Module {
@@ -100,5 +100,5 @@ static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_gaussian.hlsl",
-    hash: "d8f8e885df9e43341695f2b801ec94435b15ac902bbbcab77509a410f3f770c2",
+    hash: "5a4faecfe2dd66d939790cc2bbdc4ab218eebb2207305bd11487fca7760d2fb2",
 };

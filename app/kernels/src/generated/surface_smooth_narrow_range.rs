@@ -78,7 +78,7 @@ static DRAW_SMOOTH_NARROW_RANGE_VERTEX_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "b9bfe62bc7e3d31857fb17f28cc7669d996ac138a5c7ae36bec475fff7ccdaa2",
+    hash: "3df709182a1c69b0abe9456a127f7c4a0df25330c34cf8f1d35d772a4bae14c1",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_X: Module = Module {
@@ -91,7 +91,7 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "cbbf988ef51a60e0403a51b5dc8fe7d934592219b0b475d8f191f46938afcccc",
+    hash: "45dd9cd0a8e4d19db85dd48382f34fea90d73cba2c92b6e746d58c41b0e60445",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_Y: Module = Module {
@@ -104,7 +104,7 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "da192a49cce91f154646db78e98a4fd01c5e685247d5f2a5b7477f89683ba343",
+    hash: "58bce4517506c987851e4c122a3073888993f2858ba544c633d0bd6a0da6f347",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
@@ -117,5 +117,5 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "c4a875aefdb3168431dae55b72dd2ecf7565f8130d0059da8aa35ae3af1ca073",
+    hash: "64c0e55a15f3ca1102c821d7b2aa702bdc24933966be01bf799a78c310a4954b",
 };

@@ -85,7 +85,7 @@ static SMOOTH_PHOTONS_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_photons.compute",
-    hash: "04b6be1c2b88187161ccd6a95a22776f74db363fdeb4d0dfa85d531375569792",
+    hash: "c23c752507c4257f1037073c946ce581fd03cee88b7d2fd9d3c5dfcd8cc458bc",
 };
 
 static SMOOTH_PHOTONS_WITH_ALONG_Y: Module = Module {
@@ -98,5 +98,5 @@ static SMOOTH_PHOTONS_WITH_ALONG_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_photons.compute",
-    hash: "340fb702e09d551fd3e264fb00f6e39dd89e2d715b716dbb5319bac2fd7e3d20",
+    hash: "a96a8592496bff4b2c55ec130e293a67ed1f25b652c2d0a9a4120be0b2f21c73",
 };

@@ -76,7 +76,7 @@ static DRAW_SMOOTH_SUN_DEPTH_VERTEX_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_sun_depth.hlsl",
-    hash: "a2df5e68ae43a376212efef1e95bf1ac0de5b7351f992b0d182127f34e42f812",
+    hash: "67dfcd1b3e533a768b5e27af595e7465bce5c1a7e3334055dfd18f7e977b5727",
 };
 
 static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_X: Module = Module {
@@ -89,7 +89,7 @@ static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_sun_depth.hlsl",
-    hash: "78b9cf3f8ac16d99d7371a71c6ea04e5c1e5096014cef97f6fd647fc5054cef8",
+    hash: "fb6e0f0309d812dfd709031f8ae55d299d90b853de4a5c4c56d3e157022bc73f",
 };
 
 static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_Y: Module = Module {
@@ -102,5 +102,5 @@ static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_sun_depth.hlsl",
-    hash: "511a2919427f7755fcf750feffdf15b14a366484cb5415bdb63ac42ef58d4b7e",
+    hash: "a6b136f976cebfd0bfd925e77ca663617b53ab395d1e827dd16bee1c1bc263ff",
 };

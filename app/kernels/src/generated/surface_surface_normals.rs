@@ -58,7 +58,7 @@ static DRAW_SURFACE_NORMALS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/surface_normals.hlsl",
-    hash: "058ee0f42827802d678314285659a0cc35819627176c06097e786ce8c6013e0f",
+    hash: "a6cb2eeb7dc794c3b75ae41c86759990030f250cbebc63a8326787a8f23514b1",
 };
 
 static DRAW_SURFACE_NORMALS_FRAGMENT: Module = Module {
@@ -71,5 +71,5 @@ static DRAW_SURFACE_NORMALS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/surface_normals.hlsl",
-    hash: "d1cafb4719669936b2b98cad7dcb4bf3987f4aadc6355de761d2c1b4651b91c2",
+    hash: "cdaf376692dea6dbf289e1a502a666fe496deb7a2521dd7c076e2f99974ffa27",
 };

@@ -1,7 +1,7 @@
 //! Where photons land, without the particles' pattern.
 
 use super::refract_photons::{Photon, smooth_step};
-use super::sun_map::{SunMap, entry_at, photon_spacing_m};
+use super::sun_map::{SunMap, entry_at, is_same_surface, photon_spacing_m};
 use super::{Along, middle_weight, spatial_weight};
 use brooklet_kernels::{FrameLight, SurfaceParams};
 use glam::DVec2;
@@ -42,9 +42,7 @@ pub fn smooth_photons(
             let (u, v) = (x + i * dx, y + i * dy);
             let weight = spatial_weight((i * i) as f64, reach);
             window += weight;
-            let range_m = f64::from(params.range_m) + 2.0 * i.abs() as f64 * photon_m;
-            let apart_m = (sun_depth.at(u, v) - sun_depth.at(x, y)).abs() * f64::from(light.shadow_range_m);
-            if is_free(u, v) && apart_m < range_m {
+            if is_same_surface(sun_depth, params, light, [x, y], [u, v]) {
                 let (other, aside) = moved(u, v);
                 sums.0 += weight;
                 sums.1 += weight * aside;

@@ -1,6 +1,6 @@
 //! The surface that sunlight meets, without the particles' bumps.
 
-use super::sun_map::{SunMap, entry_at, photon_spacing_m};
+use super::sun_map::{SunMap, entry_at, is_same_surface, photon_spacing_m};
 use super::{Along, middle_weight, spatial_weight};
 use brooklet_kernels::{FrameLight, SurfaceParams};
 
@@ -22,11 +22,9 @@ pub fn smooth_sun_depth(from: &SunMap, params: &SurfaceParams, light: &FrameLigh
         // Least squares: sums of w, w i, w i^2, and of w and w i times what is above `here`.
         let (mut weights, mut above) = ([middle_weight(), 0.0, 0.0], [0.0; 2]);
         for i in (-(reach as i64)..=reach as i64).filter(|&i| i != 0) {
-            let (x, y) = (x + i * dx, y + i * dy);
-            let there = from.at(x, y);
-            let range_m = f64::from(params.range_m) + 2.0 * i.abs() as f64 * spacing_m;
-            let is_same = there > 0.0 && (there - here).abs() < range_m / f64::from(light.shadow_range_m);
-            if is_same && !entry_at(params, light, x, y).is_wall(there) {
+            let (u, v) = (x + i * dx, y + i * dy);
+            if is_same_surface(from, params, light, [x, y], [u, v]) {
+                let there = from.at(u, v);
                 let (weight, i) = (spatial_weight((i * i) as f64, reach), i as f64);
                 weights = [weights[0] + weight, weights[1] + weight * i, weights[2] + weight * i * i];
                 above = [above[0] + weight * (there - here), above[1] + weight * i * (there - here)];

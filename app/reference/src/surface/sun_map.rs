@@ -97,3 +97,19 @@ pub(crate) fn entry_at(params: &SurfaceParams, light: &FrameLight, x: i64, y: i6
         wall_depth: AT_WALL * f64::from(params.spacing_m) / (to_sun[axis].abs() * range_m),
     }
 }
+
+/// Whether what sunlight meets at the cell `there` goes on the surface that it meets at `here`, along a row or a column, and
+/// is no wall. (Shader: `IsSameSurface`.)
+pub(super) fn is_same_surface(
+    map: &SunMap,
+    params: &SurfaceParams,
+    light: &FrameLight,
+    here: [i64; 2],
+    there: [i64; 2],
+) -> bool {
+    let [depth, other] = [here, there].map(|[x, y]| map.at(x, y));
+    let apart = (there[0] - here[0]).abs() + (there[1] - here[1]).abs();
+    let range_m = f64::from(params.range_m) + 2.0 * apart as f64 * photon_spacing_m(params, light);
+    let is_near = (other - depth).abs() < range_m / f64::from(light.shadow_range_m);
+    other > 0.0 && is_near && !entry_at(params, light, there[0], there[1]).is_wall(other)
+}

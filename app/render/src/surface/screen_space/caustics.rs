@@ -1,8 +1,9 @@
 //! Sunlight on the floor, bent by the water's surface and carried there photon by photon: photon geometry without noise.
 //!
 //! A grid over the sun's map meets the water as the sun sees it (`surface/sun_depth.hlsl`, `smooth_sun_depth.hlsl`), Snell
-//! bends each photon to the floor (`refract_photons.compute`, evened out by `smooth_photons.compute`), and its light is a tent there (`caustics.hlsl`). Photons
-//! that met no water are not drawn: the floor adds their bilinear mean (`frame/floor.hlsl`).
+//! bends each photon to the floor (`refract_photons.compute`, evened out by `smooth_photons.compute`), and its light is a
+//! tent there (`caustics.hlsl`). Photons that met no water are not drawn: the floor adds their bilinear mean
+//! (`frame/floor.hlsl`).
 
 use brooklet_gpu::{Blend, DepthTest, DrawState, Load, Recording, Resources, Targets};
 use brooklet_kernels::{
