@@ -1,5 +1,5 @@
 // Finds the particles within h of one, for the kernels that say what a sorted slot holds and how a
-// list is written: they define `Found`, CandidateAt, BeginRow, Add and Crowd before they include this.
+// list is written: they define `Found`, CandidateAt, BeginRow, AddFour and Crowd before they include this.
 // Rows of cells along x are cut to the chord of the support sphere and are one range of
 // sorted indices each, so about half as many candidates are looked at as in the 27 cells of width h of the
 // mobile deck.
@@ -32,11 +32,19 @@ void Search(uint i, float3 x_i_m, inout Found found)
             }
             left -= end - start;
             BeginRow(found, start);
-            for (uint sorted = start; sorted < end; ++sorted)
+            // Four at a time: their loads are under way together.
+            for (uint sorted = start; sorted < end; sorted += 4)
             {
-                uint j = CandidateAt(sorted);
-                float3 offset = Offset(x_i, UnpackCoordinates(quantized_positions[j]));
-                Add(found, sorted, j, dot(offset, offset) < 1.0 && j != i);
+                uint4 candidates;
+                bool4 near;
+                [unroll]
+                for (uint k = 0; k < 4; ++k)
+                {
+                    candidates[k] = CandidateAt(min(sorted + k, end - 1));
+                    float3 offset = Offset(x_i, UnpackCoordinates(quantized_positions[candidates[k]]));
+                    near[k] = dot(offset, offset) < 1.0 && candidates[k] != i && sorted + k < end;
+                }
+                AddFour(found, sorted, candidates, near);
             }
         }
     }

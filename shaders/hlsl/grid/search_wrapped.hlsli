@@ -89,15 +89,21 @@ void Search(uint i, float3 x_i_m, inout Found found)
                 }
                 left -= end - start;
                 BeginRow(found, start);
-                for (uint sorted = start; sorted < end; ++sorted)
+                for (uint sorted = start; sorted < end; sorted += 4)
                 {
-                    float3 offset = Offset(x_i, UnpackCoordinates(quantized_positions[sorted]));
-                    bool near = dot(offset, offset) < 1.0 && sorted != i;
+                    uint4 candidates = min(sorted + uint4(0, 1, 2, 3), end - 1);
+                    bool4 near;
+                    [unroll]
+                    for (uint k = 0; k < 4; ++k)
+                    {
+                        float3 offset = Offset(x_i, UnpackCoordinates(quantized_positions[candidates[k]]));
+                        near[k] = dot(offset, offset) < 1.0 && candidates[k] != i && sorted + k < end;
 #if defined(WRAPPED)
-                    if (near)
-                        near = IsNear(x_i_m, sorted_positions[sorted].position_m);
+                        if (near[k])
+                            near[k] = IsNear(x_i_m, sorted_positions[candidates[k]].position_m);
 #endif
-                    Add(found, sorted, sorted, near);
+                    }
+                    AddFour(found, sorted, candidates, near);
                 }
             }
         }

@@ -12,9 +12,10 @@ static const uint SCAN_ITEMS = 16;
 static const uint LIST_SLICE = 64;
 // Neighbours of a particle that lie side by side: one 8-byte load.
 static const uint LIST_CHUNK = 4;
-// A neighbour's delta that stands for nobody, and moves on by the widest delta there is.
+// A neighbour's delta that stands for nobody, and how far it moves on: half of what 16 bits hold, so that a row of
+// candidates that begins within it ends within 16 bits.
 static const uint LIST_ESCAPE = 0;
-static const uint LIST_MAX_DELTA = 65535;
+static const uint LIST_ESCAPE_DELTA = 32768;
 // Candidates that a search for neighbours looks at, at most: forty times those of fluid at rest. With all
 // particles in one cell it would take their number squared, which no driver's watchdog waits for.
 static const uint MAX_CANDIDATES = 2048;

@@ -66,7 +66,7 @@ void NextChunk(inout NeighbourCursor cursor)
 // The next neighbour of particle i, or i itself where the delta is an escape.
 uint NextNeighbour(inout NeighbourCursor cursor, uint delta, uint i)
 {
-    cursor.last += delta == LIST_ESCAPE ? LIST_MAX_DELTA : delta;
+    cursor.last += delta == LIST_ESCAPE ? LIST_ESCAPE_DELTA : delta;
     return delta == LIST_ESCAPE ? i : cursor.last;
 }
 

@@ -93,5 +93,5 @@ static CONSTRAIN_DENSITY_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/constrain_density_by_index.compute",
-    hash: "c8979d6cfdabe180e5f588e6bc6c460d91e5686abc0dab6ceb2b09a47b61c973",
+    hash: "2827f00fd5ad6ad21b5bf84ed0b9d068aaac6ec98f676707eed9d328afae677a",
 };

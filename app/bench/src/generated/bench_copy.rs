@@ -57,5 +57,5 @@ static COPY_ELEMENTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/copy.compute",
-    hash: "8be0f3282be69c7cb8c37ebd3c0672b05fbd96872471bc00110b6f2ffb639520",
+    hash: "82054521eea1bec127ba71f92a33e609ebdd9757148814970bb06eea5ebcee1b",
 };

@@ -74,5 +74,5 @@ static COUNT_CELLS_AGGREGATED: Module = Module {
     shared_bytes: 512,
     tier: Tier::Floor,
     source: "bench/count_cells_aggregated.compute",
-    hash: "5c3f455e6a09ae75c34a3d59eeb2f1c9893e5497ac47da9c1b39e0a1615efd23",
+    hash: "c8919bde86770693924f94a968450807ca899db1c15fa7664100a612d637f07a",
 };

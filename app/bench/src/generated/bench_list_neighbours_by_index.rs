@@ -94,5 +94,5 @@ static LIST_NEIGHBOURS_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/list_neighbours_by_index.compute",
-    hash: "ca44134656a2353885e7f11b92452849b21564475eef3855d52a0f4265c3711d",
+    hash: "c42688f197a0da15e9c05c360589905857c1e7efd4c794eaa8a617735e9343b9",
 };

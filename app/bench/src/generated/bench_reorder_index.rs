@@ -82,5 +82,5 @@ static REORDER_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/reorder_index.compute",
-    hash: "1c5d935a9c31b72ffe6415c65b29c00d18127bf7a0219a65a69824cf8474bef3",
+    hash: "de2eebf74ebaae69f48403539febc74fbfdb02aa4492f4eb4219c6a4db2afa83",
 };

@@ -88,7 +88,7 @@ static SCAN_GROUPS_TREE: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "c452e4d4f2f3f46f658e9acb1efef5c7daed6702464e92dbfc397b5a4113e3a7",
+    hash: "bdf6c32d05cfe6c79bf716d17a09a4cbd06325c6315e7ee5a0a8ca06b00f901d",
 };
 
 static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
@@ -101,7 +101,7 @@ static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "0b9407d7ff4e2c967b46796f3577a77d5118e45e7a46474ce71a7ee19263fae0",
+    hash: "1c72f929563ca853f3dce278f28f98bbedc04b40425af6b9418dc22fd8c6fe78",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
@@ -114,7 +114,7 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "3c57d58d6248212e7f30ccd37dbe49522f1d41b0e2dab75fe4eb019008820bde",
+    hash: "f78d45fba9d1a4ec952a123b0f2115bb2b4d051aa37f959463c306911153d8ee",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
@@ -127,5 +127,5 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "693e6fec346acf4084be271549198f16e91ad6f08f51b7b91f54d81ed5fcedde",
+    hash: "c11b52975b329d2e574e9a23ec8a72999f5b9b08372a06d4cdc3d91b8395d4af",
 };

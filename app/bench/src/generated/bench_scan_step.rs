@@ -54,5 +54,5 @@ static SCAN_STEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/scan_step.compute",
-    hash: "de652d36e41d364432163a17d51a549c4692ca71b62acdbd6f8f0e7b433a0f7c",
+    hash: "dc53813f65df32dc0e47f38639b850a252f2b1bddc0ea772efd79921ec869c8e",
 };

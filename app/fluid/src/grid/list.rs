@@ -5,7 +5,7 @@
 
 use brooklet_gpu::{Recording, Resources};
 use brooklet_kernels::{
-    Buffer, LIST_CHUNK, LIST_ESCAPE, LIST_MAX_DELTA, LIST_SLICE, ListHead, ListNeighbours, ListNeighboursVariant,
+    Buffer, LIST_CHUNK, LIST_ESCAPE, LIST_ESCAPE_DELTA, LIST_SLICE, ListHead, ListNeighbours, ListNeighboursVariant,
 };
 
 use super::{Grid, Sorted};
@@ -29,7 +29,7 @@ pub fn listed(i: u32, head: ListHead, lists: &[[u32; 2]], list_chunks: u32) -> i
     (0..head.entries).filter_map(move |entry| {
         let chunk = lists[(first_chunk + entry / LIST_CHUNK * LIST_SLICE) as usize];
         let delta = chunk[(entry / 2 % 2) as usize] >> (entry % 2 * 16) & 0xffff;
-        last = last.wrapping_add(if delta == LIST_ESCAPE { LIST_MAX_DELTA } else { delta });
+        last = last.wrapping_add(if delta == LIST_ESCAPE { LIST_ESCAPE_DELTA } else { delta });
         (delta != LIST_ESCAPE).then_some(last)
     })
 }

@@ -99,7 +99,7 @@ static CONFINE_VORTICITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/confine_vorticity.compute",
-    hash: "f2cb789d227e9f1dfbb2eeaf621a8dd756179c4fd4be2652b483eb5af9e81974",
+    hash: "2f78161292bc786b1d5fe112a1dd941bdaa2577e5b5ade6883d7b6d71f9e9385",
 };
 
 static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -112,7 +112,7 @@ static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/confine_vorticity.compute",
-    hash: "89bdcdafd4132f060045f523f9a1b3291b52efff469e00b42393a1c73b51ceec",
+    hash: "9e4aa8a871cde6a13a551e2f125cccffce3a7cbf7786cc894c75d9ac8803653e",
 };
 
 static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
@@ -125,5 +125,5 @@ static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/confine_vorticity.compute",
-    hash: "89c63323689e4335f2060d1cbdb8873023671fd1748a4dcbc8b7ec37bbf02130",
+    hash: "04141fcca67076d3c23ead0518aa67a0805716ffe3d81c410a0a9faa16cb3c0d",
 };

@@ -97,7 +97,7 @@ static CURL: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/curl.compute",
-    hash: "44a5da79197754feb6e96194e790e298a62144e2f9274f12c53878c472aae1f4",
+    hash: "441f5cb606dfb74c390607925ec89fcfb189482d20a201a9265818d1561edf1c",
 };
 
 static CURL_WITH_RELAXED_PRECISION: Module = Module {
@@ -110,7 +110,7 @@ static CURL_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/curl.compute",
-    hash: "b604078c3b9d05453bf0e2269435a8e6923ab6dc6804660dfcb20ef264087822",
+    hash: "07ae9665faf7afe043b688453ca54e01b769129823ad525bc7d1e1c93a015d2a",
 };
 
 static CURL_WITH_HALF_PRECISION: Module = Module {
@@ -123,5 +123,5 @@ static CURL_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/curl.compute",
-    hash: "f46d19b3e40b9c1ea8749eb1d5caa3b024cbeca501cab313779703004638b6d9",
+    hash: "60d4b2896728a79fa8fecb91e4b76cf93165986923cb0f8b8105e52001e994be",
 };

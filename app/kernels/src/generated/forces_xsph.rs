@@ -102,7 +102,7 @@ static XSPH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/xsph.compute",
-    hash: "9e47ad109ec33dfc8950531e5148a86c8ff7456ae09ccaa462f50fc757c12d5f",
+    hash: "b433fcadba45f9b76ddc8849d12efdca9e2287d7854da42060225d217e21431e",
 };
 
 static XSPH_WITH_RELAXED_PRECISION: Module = Module {
@@ -115,7 +115,7 @@ static XSPH_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/xsph.compute",
-    hash: "1795a8e5bdf5fa8cb2421e0f57a910e0bc7e1c0c671682dfa5f07f3e12ac329c",
+    hash: "bfec375bcdc3a93453ba4c5da28cc22da81dd6ce70992ea305ed674cddd508c2",
 };
 
 static XSPH_WITH_HALF_PRECISION: Module = Module {
@@ -128,5 +128,5 @@ static XSPH_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/xsph.compute",
-    hash: "085fa6099ca3a770757082b71f8232fcfef5150fdb0c3116b7e3e7b5b9d76075",
+    hash: "482ef26afafccda662043e4eca63aad8c392073a5bd8bbd4c9952ab885c90ffc",
 };

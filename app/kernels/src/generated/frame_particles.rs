@@ -62,7 +62,7 @@ static DRAW_PARTICLES_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "f2a0e1627f9fdf0317fade36de7cbc24bd0d3ca4ca1e87e96f3ba90636ec2be9",
+    hash: "762524b0c99a516f6b7efda658425700011c70744df08c999200934c23120988",
 };
 
 static DRAW_PARTICLES_FRAGMENT: Module = Module {
@@ -75,5 +75,5 @@ static DRAW_PARTICLES_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "e767b390df98249ff17bbcc1893e9624da0c9c8fd564e4af18c5572063a6f46b",
+    hash: "ddf68a95c5fc247c7e3e3107690cde650284636acccda7f6883be03dc9bcf51c",
 };

@@ -130,7 +130,7 @@ static DRAW_SHADE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "08b5b1be9c239344c97464c2399c79a65ad3d67afdd5d51821cef90f40bc0fe7",
+    hash: "a5dc8c7e81b3abfe0ab4a18952b2ad63e84d663335c1bd38b479ca8d691e7a3c",
 };
 
 static DRAW_SHADE_FRAGMENT: Module = Module {
@@ -143,7 +143,7 @@ static DRAW_SHADE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "0d4557c81d75aeecd94e45dbaad4d27e63090a9d723d6d1fd73c39fcdcdc4d0c",
+    hash: "22e204d509246e6ff0ea04c24ca8a2386222e0b38c61d2eccb13865e15936d29",
 };
 
 static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
@@ -156,7 +156,7 @@ static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "2edc5386bcf77834ad31c14a6cf21991cc1b73326773da043112b3f32bc56f25",
+    hash: "951c8c7d5cf9fe5937061197adf5808448750e4d2fbb52e1539b44df6ae1df11",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
@@ -169,7 +169,7 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "7e53b058585c5d12dc5582daef4c55663467c4eef5ff44c1d9947b57ea0129aa",
+    hash: "b29a1cdce9f822974a842f6cd37644bbabb8d42813717f31e495c5b964b0f2d8",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
@@ -182,5 +182,5 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "0d29065f6ce23a0d8f094318d3b290ef08484000fbec244bfa0f6da196899aad",
+    hash: "095e8f5abaa20fc15a5d55c687eacffc2e28e03ef5d10e13ab8f8dd7af736ad8",
 };

@@ -55,7 +55,7 @@ static DRAW_SHADOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "df6fd9f4cbed757d537ab24af6d7a99020c11d05dca4b45d92968e65dc075446",
+    hash: "63d5fb60c1fc17282df58ab8fdd9e93849fcb26fb5fc899a9b608292e924fb45",
 };
 
 static DRAW_SHADOW_FRAGMENT: Module = Module {
@@ -68,5 +68,5 @@ static DRAW_SHADOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "07ef5b720498c70ac85a57ce88ffd7034ba04bd4d760f80346384d847de742a2",
+    hash: "74711e659ba6371d3d0c9a9ff2e779c6e883d88e09853f2112d0a4762d3eb461",
 };

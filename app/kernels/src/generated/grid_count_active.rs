@@ -60,5 +60,5 @@ static COUNT_ACTIVE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_active.compute",
-    hash: "00e63ebc42815e64abed5181f3d90236d734affd100df404b90f6ff62247738e",
+    hash: "cf0ccfa945cfa340db6ff27165062a155aba904a056e94fb162355020b320711",
 };

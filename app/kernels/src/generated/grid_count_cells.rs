@@ -90,7 +90,7 @@ static COUNT_CELLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "72492d200b344f60e56f3c2faf0d5b7ddd6e6feb108fec02b2ac2c8c23be1fd5",
+    hash: "0e41f8818af250b422795e92487918150d83747b775d9df8e18d15697fc0009e",
 };
 
 static COUNT_CELLS_WITH_PERIODIC: Module = Module {
@@ -103,7 +103,7 @@ static COUNT_CELLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "c5c9120604ed436ffed51c3f8f223865855ae8d80c6c12a213e0393dea19640e",
+    hash: "c62522b26f19f7be6564631708172b13680db9ecd58cddfd33189d7e3b93aeb3",
 };
 
 static COUNT_CELLS_WITH_WRAPPED: Module = Module {
@@ -116,7 +116,7 @@ static COUNT_CELLS_WITH_WRAPPED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "0fce1e22c5e891dd268f063536e7ed164ff03aa76d246b74feacef93496fdfa1",
+    hash: "02e4e707c78babd610135c2a8e7d8a06f30e5365faa8d5ccc44cde32d9c07c56",
 };
 
 static COUNT_CELLS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
@@ -129,5 +129,5 @@ static COUNT_CELLS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "9733ee07e30f9674c8f09d631aefc0f8bed085f660e8b1f80cf8e4cc9ea5d6cb",
+    hash: "cc4ddff86b178cf4f60bb212bc13279719bda0b4657193f6a2209c72fd26883f",
 };

@@ -135,7 +135,7 @@ static LIST_NEIGHBOURS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "0971747569c88bba7b8e5c6bf0eb082d5d97065587f80ef807e0b3473b414884",
+    hash: "2cc8dcb6ce50cb6655a8d946addc7b3495126f8070687d56493aaf0766c2ce78",
 };
 
 static LIST_NEIGHBOURS_WITH_RELAXED_PRECISION: Module = Module {
@@ -148,7 +148,7 @@ static LIST_NEIGHBOURS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "39fd2c135023c48654b43968ae4ad6bd923fba56f7acf1a38d31f789e9807591",
+    hash: "51caacaa637a09cbef713e217e90fbdec8536c3515e88f43f0e8d99d93a9046c",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
@@ -161,7 +161,7 @@ static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "d2f119438dd5234a7c42a6da13738bbbda5eaf20c17295126cc06f9e87005ea5",
+    hash: "3b7305067eee8bb068d5f6af7e3f0e13fbbbed9fafcc60f4db62360cb83049d2",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
@@ -174,7 +174,7 @@ static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "68d0ff6c30b676dc4bbca02aaa1fe78a1b906773f49aa3784e4954e0121f62dd",
+    hash: "5441bbb6abea8cf19b22d1de0028fe3fd2687e073dbbbfc5bf976e206f917911",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
@@ -187,7 +187,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "76502615c03d81693ec72291578a6f415ae4a871aabfca37fdfbfb5103375e93",
+    hash: "7bfad1399450ea87cead28e78e98fb2a74e2b039ba5b4c8cc966aa177f166140",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_RELAXED_PRECISION: Module = Module {
@@ -200,7 +200,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "d34a2db28937def88afa43eb1884a911d00af255bb08110e4adc11170b815161",
+    hash: "aa93d384688db632addc61cf7fb993f1104798f596902755a70daa78a0fd1247",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
@@ -213,7 +213,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "1dd79f035740d05c59753b886f57252533cb7e3f8b49be8deb7a26e1444b8a1c",
+    hash: "d1e9d972dfcd2a34a62a73970c000cfe3ec992714ce12c1d4c95d8af2645bd29",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
@@ -226,5 +226,5 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "4e571db03651073e708760ef9190c12669df27b8b076dd8a90b8017cb76ed3e8",
+    hash: "4fccaa0668c3c47cd8feead3a131aa4300a638d4a794c3b8969b2f6580dba207",
 };

@@ -77,5 +77,5 @@ static RANK_BY_ID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/rank_by_id.compute",
-    hash: "cbc370df67a237b62c12d5a64086fad0d62281ea7b7496881a86f93c356920f5",
+    hash: "66650cd81d9d067c14ff5c4638845a39e337697aeb92937a4a52ab057cf81084",
 };

@@ -106,7 +106,7 @@ static REORDER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "b9b64412ce5a0b529d09ed068dd6c08474b96393cb64674fe32dd33b86d3d25b",
+    hash: "8958bff63e6fdddccdf1f4875dafbe3a5a35a11b98186a25853f0dace3024efe",
 };
 
 static REORDER_WITH_RELAXED_PRECISION: Module = Module {
@@ -119,5 +119,5 @@ static REORDER_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "206462ae5dc22d87bd5099ccc5bbf445590dd35a79bc50bf65b72f5b59898fa5",
+    hash: "c099b376b7936df905436f988fb4fba00bbdb170e1bf0fefbf0e9f30e246e040",
 };

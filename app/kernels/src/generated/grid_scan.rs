@@ -109,7 +109,7 @@ static REDUCE_GROUPS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "6d2326f739266a3fb7bbd170fa08fdfcde9d39bfb50e2a5c07ba888ad561e9da",
+    hash: "4be725f5beeef6f7ca03884e435910fdb671e68712d2c1d86aa9032a37c00a96",
 };
 
 static SCAN_GROUPS: Module = Module {
@@ -122,7 +122,7 @@ static SCAN_GROUPS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "324a43fd46e1d5713d4513287c11a014b28c8c67ff674be32f07885e5de77f40",
+    hash: "1aec74bc56893be88a550db57c1294398c84d9518d2ce64a6942eafb4689690f",
 };
 
 static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
@@ -135,5 +135,5 @@ static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "4dcde31a3a2331fb149f8d8bcd445e2e2041af134d12f26d2e04489aaa028b25",
+    hash: "683b035934f2d72c390350ceeb7929c1d4f718f141d6b4a10c2dacb6e0326a71",
 };

@@ -65,5 +65,5 @@ static SCATTER_CELL_MEMBERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/scatter_cell_members.compute",
-    hash: "a6365db6d92383106dc10d801ad1336aec9cc211ec672b48b560f62f080ad613",
+    hash: "8f69e28b5980c959f2485af613985119cf62254d371a1b73eb0615f299f94579",
 };

@@ -97,7 +97,7 @@ static DENSITY_RATIOS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "03c3266b606d029e53dd863ca4f0879e616077588178f1526a2f9fab439256e5",
+    hash: "9753c8a3cbd42f92100395d89d7ce350ed88308f7558fa6d566c928b0dcb27ea",
 };
 
 static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
@@ -110,7 +110,7 @@ static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "8382c085daa433e69b813fb213bbc0a3e8f5c0ee05e4fa9b26f64cf9755407f7",
+    hash: "0307766664e5db61d09c86f2a19465c97f7e28f54f8ffc7a8323eac086c2abf6",
 };
 
 static DENSITY_RATIOS_WITH_WALLS: Module = Module {
@@ -123,7 +123,7 @@ static DENSITY_RATIOS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "778c304d35478b2a405f2828198174ebade5dee3d4b6967528e0dab826e61817",
+    hash: "f45c2792d57aaaee1b07bcf425fca3873a4e4cf8b8c8b2b979f1526159598734",
 };
 
 static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -136,5 +136,5 @@ static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "e4c675c05ebc3294e7035533174b8ec631dd20adad5046826b097b2fb04dd1ba",
+    hash: "7f79b1a044ad01323e4092ec151eac6587c2f4d87e415160241843e555b5b480",
 };

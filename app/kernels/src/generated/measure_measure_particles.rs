@@ -132,7 +132,7 @@ static MEASURE_PARTICLES: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "dc6184b20458a4a04c747a9643aad5c503d8fe5ef3d931c4cc3df5618ad7b314",
+    hash: "dc29d3d436577c668db6a1e012240479fda81516db08521e42c4a36ee52d3214",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
@@ -145,7 +145,7 @@ static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "e999c5163efd6737600439a292ff29aaa47923d284b7732ee783b3bc2fc0ddd4",
+    hash: "f76973f0bfe455218c27b28879995728a2876530c94e817f124c60e36236832d",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
@@ -158,7 +158,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "c6d4949e6a5a2c04da3d9fb04ac1fb810a491f102ba1cec2606b949cf3e28caf",
+    hash: "551b6075e0e94ccacb718d441e36ce8a2bf794803026ba667184a010837120c6",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
@@ -171,7 +171,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "36d8af2e9847027d59a07d0d07f41f35f2db4f9883981a018293f45c33c4200a",
+    hash: "3ebf0c726579d69dfb98a6ff563b86fa2f52bd88695eba50b967563ceecfa5a7",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -184,5 +184,5 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module 
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "7a8c3ec6a4c686b1e83db23600b0b05e695e50999e6815bc45ccead32ad5a234",
+    hash: "9b5205bab619afa01187ac5115e36c36aaf6b6e357f010c399fe0ace1952a846",
 };

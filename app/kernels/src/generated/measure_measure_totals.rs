@@ -73,5 +73,5 @@ static MEASURE_TOTALS: Module = Module {
     shared_bytes: 4616,
     tier: Tier::Floor,
     source: "measure/measure_totals.compute",
-    hash: "89a1b5fa4eb0af27b47b7fbb3671fca17d748c9051ce451d6410fc290016609c",
+    hash: "0d0d689a1c3912212a6562e9c837d966401f71d75ebf085c670a94096ab12b9d",
 };

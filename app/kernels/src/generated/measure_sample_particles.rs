@@ -67,5 +67,5 @@ static SAMPLE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/sample_particles.compute",
-    hash: "a023e687e20d9dbe1f6b72bbbaf95886a804ee8592cd6ce06657afcf7a82cc05",
+    hash: "dd611aa7526d9b6c908e2488f305fb65ea7c2d89653b483848cc25798ed516c9",
 };

@@ -114,7 +114,7 @@ static ACTIVATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/activate.compute",
-    hash: "157bcbc888f622899779c8d6a763c113c6baf4cb3ce94eec377da6ac7e6d8cb2",
+    hash: "1a88d69c04b1b96ad710599e8c44d0b90986e011fbe222a9db81176e2662636d",
 };
 
 static CLAIM_SLOTS: Module = Module {
@@ -127,5 +127,5 @@ static CLAIM_SLOTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/activate.compute",
-    hash: "4d2c20ec80923c7a3269e7fba115ac20c212a06949c188b7bf370ccf7a35dd6e",
+    hash: "060266c1911f6ce780743129f12ae56c9d90ad16bcc61e9f0dac6190c3df7a92",
 };

@@ -50,5 +50,5 @@ static BEGIN_SUBSTEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/begin_substep.compute",
-    hash: "09279ea5f64cb1f7ade783b84e8b7a946361d9fde28ca38dc3752b21b94df6e7",
+    hash: "792026628fa6b4e15aa0790dcc0fceae8a529ab4be28460d7aeb65def95865dc",
 };

@@ -68,5 +68,5 @@ static DEACTIVATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/deactivate.compute",
-    hash: "e092c1224c881d7440eeda266ca2855e16aab26446404f69895e4464176346b6",
+    hash: "cef1a70c3f2982fa19669c30239e8c825a67161226256c4dafd8d0ba86d1dafe",
 };

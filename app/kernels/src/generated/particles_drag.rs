@@ -66,5 +66,5 @@ static DRAG: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/drag.compute",
-    hash: "5ffdf0b966ed12e1400e7e179fbeac1bc0ed0ad2f520b2ca753d6805afd41722",
+    hash: "1e010b5c7f4dacdf52ea58da26fd31024ab383ca6628eddb1e8d68545260e100",
 };

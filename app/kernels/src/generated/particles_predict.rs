@@ -94,7 +94,7 @@ static PREDICT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "bcc9a46f47addcda6a05a0cdce22e591d2049164748bf758773ea7760cf3ae74",
+    hash: "8a49bfc5adab5c1aa7c86496fe7021508100b185cbce412e5cb613e4504dab2d",
 };
 
 static PREDICT_WITH_PERIODIC: Module = Module {
@@ -107,7 +107,7 @@ static PREDICT_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "e762f8c178674cdf2ba281fc11eeaa1733a2237284d65064a205147b88f96aab",
+    hash: "5907b6b0601e69f193e673e0ca811f468365ffd81bf7fb7fb07b0097f6f10ef4",
 };
 
 static PREDICT_WITH_WALLS: Module = Module {
@@ -120,7 +120,7 @@ static PREDICT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "d59d260f1c32f2edd2f7439065a3d0f90f6f87b583d8b414559c78a28a791bea",
+    hash: "d724e103b5dc65499d8d5502212aa011f84fbc3a1fa8a6cb0c8c2a14b7290f81",
 };
 
 static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -133,5 +133,5 @@ static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "18b004e5c22bc7128d74706971bfcb54db0bb2a16df6f66569739f1e71d1f599",
+    hash: "06182bf74a6afc82873e0b33ac19958909c2a034bbc91ba6b25e9c9108db4d11",
 };

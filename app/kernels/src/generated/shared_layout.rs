@@ -18,11 +18,12 @@ pub const LIST_SLICE: u32 = 64;
 /// Neighbours of a particle that lie side by side: one 8-byte load.
 pub const LIST_CHUNK: u32 = 4;
 
-/// A neighbour's delta that stands for nobody, and moves on by the widest delta there is.
+/// A neighbour's delta that stands for nobody, and how far it moves on: half of what 16 bits hold, so that a row of
+/// candidates that begins within it ends within 16 bits.
 pub const LIST_ESCAPE: u32 = 0;
 
-/// `LIST_MAX_DELTA`.
-pub const LIST_MAX_DELTA: u32 = 65535;
+/// `LIST_ESCAPE_DELTA`.
+pub const LIST_ESCAPE_DELTA: u32 = 32768;
 
 /// Candidates that a search for neighbours looks at, at most: forty times those of fluid at rest. With all
 /// particles in one cell it would take their number squared, which no driver's watchdog waits for.

@@ -102,7 +102,7 @@ static INTEGRATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "dd280702df403b0515c81d744a0fec083c1bb741dc513f05fd4322e1aae44cff",
+    hash: "c95d82e6031d542222baa803fbd590b9691ca682c9c52dc931e3735702a45afc",
 };
 
 static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
@@ -115,7 +115,7 @@ static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "72f81da0d8c845d5a22ac3b393c61776aae75b5458639d89a9991fbec0558f8c",
+    hash: "945adaa4b50c4b46a7415a60ca2a01839978533577beabe9608ba9ba907d205e",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
@@ -128,7 +128,7 @@ static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "7b7b70dd05358b6feebac79622f4c7dad506e74807b8eaabf4b5349248d9d9c6",
+    hash: "8d454f538bbe8a76f4db1241c9247f9822cae9988215566b0c8df58db2084901",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -141,5 +141,5 @@ static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "0a4dfe66c9cfeb9c8fb6f94a1e4cdbd2326622b63a5a13b788f36d0b644b483a",
+    hash: "bf4a59c966305da8351fb10a88ff8ec9065bce04887b7f1da08b2e4025e8d388",
 };

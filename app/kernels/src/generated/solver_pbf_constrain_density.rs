@@ -388,7 +388,7 @@ static CONSTRAIN_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "eb507d223428a98e3567ddab21d1fdf1c36dd6c6f14b670cecd98d96e655cf39",
+    hash: "faded81b632b56a5403e7354f41d019df73f3820ad75499925b0de9621bea89c",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -401,7 +401,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "20454ea0e31822e5e11b76479880b0f4cfb7c90d5fafb93d133d8245789c2697",
+    hash: "03f72c0195177227429923eb2aa149db97ee6ba3a800b72c1a43ed36124b9552",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -414,7 +414,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "bf2b6be3c333652ffdacbb4e24900bfcfc4a5335e8eb1255dd479f1d307a9e59",
+    hash: "9c1abe66fdd002867da63c445dd99e20755d8cb304cade976a5f0160f664908c",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
@@ -427,7 +427,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "a9647662f9fd6bbf4209a4e5d7352561890959fe1be47821fd462fddec8125fd",
+    hash: "f05ac242159ee8a9494459cbce11db7c453647cf0033920b2e087cdba6335fd1",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -440,7 +440,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "ca9f0a6a2db7fdddd2e294e9cdaf9b93f301c7ebf270901dd21f29b1371bf972",
+    hash: "ded3e27ecb93142470302be61a1467fdf84af49192ce47b00c17c729649e798a",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -453,7 +453,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "2c657faa574c42d6c58f318dbfb3eec155e6f8fbe53c2dd0e36a09d3f2e7c891",
+    hash: "7d49cb19c776b2fac188dd6349cc1cb7a82d089397fc374a6fe27000a57e97b9",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -466,7 +466,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "a2358324d2e107ec8a60af027c12d9fe19f8a6498d609542d13758b8a8945367",
+    hash: "626a811313de92ec85512876f6452b282c926a2b6f95e99222f64433b419d70a",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -479,7 +479,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "7d3d49566335937a0b4052b94d9db178053c2f43a6f16bd8ef23107e5978e8b8",
+    hash: "b758b5175eca8ba1ad280758c1277f085eabcfdd9426cfce0087f530ed40df71",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -492,7 +492,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "7a4a4642ebe93d692e473839b5c2092344132a03a3d8e4a7e1a7cc7897420431",
+    hash: "abde47e5b4440cf5f01e9e46b2c624a6bc7b74174283a27e11956bba5beed8bd",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
@@ -505,7 +505,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "85912b9e676ba6a1b79d2b74da4092743d196993a8dd62bc5ad6c9abf2136ec5",
+    hash: "732dbd892ae05db2db31eecaa2b9fb1d0c6ccc347cb1dc7f65a94e29aab5c523",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -518,7 +518,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "b9769d7d77145498b9cd022f5475021508cfbb21e0b4a2c59a238c9b01b01622",
+    hash: "2dbe3b2c3f8c524244f727960d501e06ad7b48034a196fe800446bcc0c7fe339",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -531,7 +531,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "4c454d6feda8b9228375277a05bdd05e010050a4fbdb8c5083071d40a1f78e2e",
+    hash: "4ad11ad1ef2e3232ae48003c0e20946dd7ea6a5961310be56def3996d5a33ed2",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
@@ -544,7 +544,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "515e3a1b437fbed18e8171e5b6a8130b888fdf09e3058907d34c1a26cf54fa39",
+    hash: "69a343b6b17dd4022526c007cb10aa96698b25636a5e8da8d9bf5e9a2f8ec5cc",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -557,7 +557,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "4736f1aa43510ac61b9b363e7ddb19edbb11013f11717d6af22d7353b7fd69fe",
+    hash: "68555b76891be2f0287b5fc51647a242c32c22edd8294eb2b5d713a688c2dcf8",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -570,7 +570,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "1e549f5c5e51f7fdb905ad1c458495afbcff5138ed70b506a7b147bd8a78f915",
+    hash: "38c955b748da6de90eb7da548b120cd999a28ea8de15c8d4b940e6c00a256c76",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -583,7 +583,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "04ea5f577fceff3340c8dbf1177909c47904b0145acbd697143f349b2cb11e13",
+    hash: "3833647a65ffa92ec4a8a49ba0bb7fc59d03918bd73586e1c6ff2ca84119e790",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -596,7 +596,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECI
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "bcc003eb7d9c5836b55fd7afad30b46597bf3d825fb3d3366c06f269b490433b",
+    hash: "fe5b41c2d4101e33a8497da54b0f4d6af406427fb7b36466825acf5d278db014",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -609,5 +609,5 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISIO
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "2591b7a19d034fc09761243b2646c8a5510d4973848547ce341d9cdb0fd16658",
+    hash: "a33fda4f96d27fc880d3700bda961d36e938c4a6c1494009c707d48a9b9d29ce",
 };

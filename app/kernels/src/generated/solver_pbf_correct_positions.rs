@@ -180,7 +180,7 @@ static CORRECT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "dc1b4f62fb729342a53780c92531a48af29b7c43a44f27af8cee88c4ea72449f",
+    hash: "9a46f26d7a64e02763160b2ea31a6cd9b9a570d484a5425735401e22f4cdaacb",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
@@ -193,7 +193,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "d36635f3609a12d74ebbe72ba3c3f8303038d82231cc77275af091f60c20e3d5",
+    hash: "02ae3a5df663a9ff0d6111dfc4861a583d4aa5b711cea39de9e6f89c7bda7487",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
@@ -206,7 +206,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "17879ec10ac9287218a9ba48664bd3e19f220f7fc14897f1b8fdbcca6cf8b753",
+    hash: "8d26d860b902244e30b14f7a5107b0b7ed61d54e2eee0712db2cfde231e14888",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
@@ -219,7 +219,7 @@ static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "27f7349061d7bfa0c0b0c23d5a6936ce4441377eb39c137be93fd4b51eeaf174",
+    hash: "2a9977cb13e8d9ea5f62e4ee66f2da607119dfe793c78eb30fb147422651043c",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -232,7 +232,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "5923e87a02019ae1c79c702a5f1ab48350c2bde2bef83af72bb03559d53b60c5",
+    hash: "737785a22eaa6bab00adbda73a964b77dc6ff606feee76fc0ad53a86b1880c5b",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -245,7 +245,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "29de0c0eb753c5298fc721b2b413a276c1504ee2c96bf6e784a2c08fe564fa67",
+    hash: "fed333317ff20fa888f861630a3037bdb8d881aea6b5f46a71fde3d978eb5dcd",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
@@ -258,7 +258,7 @@ static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "f492549f1626548f353406047e0db6f64ec6dae22f8725308ea94b6ce148d0f7",
+    hash: "5c4002d88b7dc6a3d9ac9f994dcfec8a74845b3fbb3281a038c4d43f7e18d5ae",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -271,7 +271,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "0a3e62e327a5e3923312ff9373e072f1e99027ae40b1adaf8038ae9be7f44c78",
+    hash: "8fdfd982f6a4379c245166e40943e069ce04040bf99463035dd969307a559e1b",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -284,7 +284,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "5d07fb95dc938604f51f8fdd07201b101cfef99cc0e4da217c5a21d825fb54ef",
+    hash: "5acb9cc48b871c551f2cb51c5e464aa4018bce1aefe036978026facd08a45542",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
@@ -297,7 +297,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "7fe7409bd0b5ad381dd766fc61b61e6c3277e15a37f305d0774ee43b16df9a5f",
+    hash: "0dd282e6891c55dfa41d723073ece81a4edd7f652d38a60827e04fe42345674e",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -310,7 +310,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "4402f568c492c6a6910a2cb4f39bb4cf8f7e6b67232c829dfc401eb6b3f697c5",
+    hash: "87bd1c3ed08f09f24901a099bbafb70761a6ba413a5500725d42f07d41569360",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -323,5 +323,5 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "f61cca78565f099b94a0fb8405a6575d5368f8a28684d9079d745243ef87a04e",
+    hash: "d8cb7dcb6af1b352619d2cf7f9753c7f58fd0667331e94e0b37f55e3bb82d1d6",
 };

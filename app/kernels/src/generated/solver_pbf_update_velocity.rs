@@ -129,7 +129,7 @@ static UPDATE_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "1aae75e45bb21390a1aa36dc1dfffdf2e9d43b387ee343e0f904fc168f35c682",
+    hash: "c8f2da7af18c5f2a5995663a51d1a2eec023604e8fa8d4dab38abb55215366cc",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
@@ -142,7 +142,7 @@ static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "ec7b0c689bc56bde1f71ae4678c4ca2310fe90135ec179dbfef4a1bfb4f230f5",
+    hash: "47ebd1bc7a0e005bf6156c30bb3e355ca8579b1bb7642fa7dd3a097d37bba61a",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -155,7 +155,7 @@ static UPDATE_VELOCITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "2a425b6e1479f560ea881bca8743cd37bb24731cd5ce8e9bb7223b8b7aa10282",
+    hash: "6935aa51809e338c776452a901de53e013658c502ea9f586e3c3fc2c5e51d3bc",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC: Module = Module {
@@ -168,5 +168,5 @@ static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "b0cb2cc65ec7d98e0e5707ecc40742971a3a090c64b52289d80cc98b9b5cd9d8",
+    hash: "60b798f40165c1885a39a5f2cc946826dcdedd500842d74de4853a7cbb43e53a",
 };

@@ -77,5 +77,5 @@ static ANISOTROPY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/anisotropy.compute",
-    hash: "e74cae52aefb8c6bf6fc6e5fcf795ab284b7e1d43297dd8caa0bc1b4c3676dd1",
+    hash: "48162f2d72d8d94b815bf791c273f2c91b024224cd36ce576d0a7a230dd3a8d4",
 };

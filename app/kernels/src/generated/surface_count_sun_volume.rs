@@ -69,5 +69,5 @@ static COUNT_SUN_VOLUME: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/count_sun_volume.compute",
-    hash: "11d769e998fd277ed15a4f52c22a0709b1b10d8869f40b43293e541570db3a49",
+    hash: "6109a2754eaee50ea9f59858b9d12263d1fe12f9949d8ec272be34ae94698fc2",
 };

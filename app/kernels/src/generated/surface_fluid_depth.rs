@@ -112,7 +112,7 @@ static DRAW_FLUID_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "9c23e298a886dd79f9fbab595d9a1ead3881ab50174c7dfe172e07bb68ed3a45",
+    hash: "c2e5f08b0201617c3035e826a95124250bfc5d602cd950088a274c37371370b3",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
@@ -125,7 +125,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "847ad4bd6ddcf89e32447df7f1d6f2a908620ff13dc31693d678fd27cd99df8e",
+    hash: "c9c68ad26939adfd6466f46c6e143a388243891982f58b86ae5f9e7af4b7cbf8",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -138,7 +138,7 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "b1b4d2c1e0bd2d2e6a9c432e7fb0596d12923244928ba2785e42b23b8b2ca690",
+    hash: "b249bff0d39c8af5691a2c199e6bf9772c11c83f107b49981a202e23a8d78947",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -151,7 +151,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "5710a2b98690c366961c3efba9481127c454185d5970b0948ce7561cdbd8918d",
+    hash: "1b88e7c86c9106ae41e3a9dbfccf88dfda032364e84f2996e56edcf3088c3537",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -164,5 +164,5 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "c623bcba943067a1413432ec533d25e90fbbe0803f239682a644650390ef1fb6",
+    hash: "e522e6842201c43343b5fabc438398e5f4ddf2517d50d3fb9a88a476d03cd5eb",
 };

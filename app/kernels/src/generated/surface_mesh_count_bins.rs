@@ -103,7 +103,7 @@ static COUNT_BINS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/count_bins.compute",
-    hash: "45f8b0ce9b3339394c86c407a245a888798ea05518a01521385570e7d6a6c90d",
+    hash: "b3c63425e50e219f14a186548c4c5b405b5c15c1119e01a297173705c8dde49e",
 };
 
 static COUNT_BINS_WITH_ANISOTROPIC: Module = Module {
@@ -116,5 +116,5 @@ static COUNT_BINS_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/count_bins.compute",
-    hash: "58773f0bec15e05636f9519b4907bf2546ad91613fd210caa7b972037451f75e",
+    hash: "3288a5869d1d2fb0963f68b93aca411d53dbf505834a437df98a5c6881d3c2d8",
 };

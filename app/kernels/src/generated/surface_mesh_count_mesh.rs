@@ -88,5 +88,5 @@ static COUNT_MESH: Module = Module {
     shared_bytes: 112,
     tier: Tier::Floor,
     source: "surface/mesh/count_mesh.compute",
-    hash: "7830fcd83672f4a2eca098d8c1587bff026e5e77e85cfb05929f46d487bd5eb2",
+    hash: "ec78a29bd77b67c95e75ae394d636ced347fb69c5e3fb3283af46db86fdeaefa",
 };

@@ -109,5 +109,5 @@ static EMIT_TRIANGLES: Module = Module {
     shared_bytes: 112,
     tier: Tier::Floor,
     source: "surface/mesh/emit_triangles.compute",
-    hash: "15a9b240ad5923f4064d3ee181573ab7e0096faccee06b2552ec8167953860e9",
+    hash: "05c6adbd1bfc6dff5210b3c3b28ed77d3a593356e900566c5a9b49310e8e9d7f",
 };

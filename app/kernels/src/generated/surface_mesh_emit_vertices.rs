@@ -103,5 +103,5 @@ static EMIT_VERTICES: Module = Module {
     shared_bytes: 112,
     tier: Tier::Floor,
     source: "surface/mesh/emit_vertices.compute",
-    hash: "2353b2952c25412326f503ce721b7244eda042509fb0b3428bcdfd013a087b42",
+    hash: "587eafecf35a15eb63d4456feb2f61ed756be4431c95db240e96def8b9e7059a",
 };

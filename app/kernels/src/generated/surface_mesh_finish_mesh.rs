@@ -74,5 +74,5 @@ static FINISH_MESH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/finish_mesh.compute",
-    hash: "15ba51ba758a97b79ff5143a6480ea76037258e5754c535b5c22d91bf1e89657",
+    hash: "49b31944db84393a8aa93fb0df9eb2caaf956e81c015d6a0304d42a9fb40dcbf",
 };

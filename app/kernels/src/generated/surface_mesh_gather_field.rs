@@ -115,7 +115,7 @@ static GATHER_FIELD: Module = Module {
     shared_bytes: 64,
     tier: Tier::Floor,
     source: "surface/mesh/gather_field.compute",
-    hash: "b4f741daf50165e1d11efd846b0e77be122cc5f82bb0db8e92d15c451b52b08e",
+    hash: "48c964d50d6a96b0915fd69c7d3fee11a557b452a71daf749178795c49f0ab91",
 };
 
 static GATHER_FIELD_WITH_ANISOTROPIC: Module = Module {
@@ -128,5 +128,5 @@ static GATHER_FIELD_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 64,
     tier: Tier::Floor,
     source: "surface/mesh/gather_field.compute",
-    hash: "c79d90ae9103ca54572f77ac13f4345baca2e4ef722b57e8de4dcdb82e4fba09",
+    hash: "d5a45f93e1e966501c7c102b2a1d0abf0f9c424933dc6afcc72a23ea84d00364",
 };

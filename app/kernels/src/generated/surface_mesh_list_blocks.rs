@@ -82,5 +82,5 @@ static LIST_BLOCKS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/list_blocks.compute",
-    hash: "0902ffe0ef52a34188df1f65c8f34338f949c56a42a541a2231896c28d478830",
+    hash: "15d4f69bee4bca2d3e1f0a5a4ee7f4c50d3934252c77d3bb905349c347d5f2d6",
 };

@@ -84,5 +84,5 @@ static MARK_BLOCKS: Module = Module {
     shared_bytes: 500,
     tier: Tier::Floor,
     source: "surface/mesh/mark_blocks.compute",
-    hash: "73b3fe5c28789ffd5c114af250304b7de35837cd21664e7b3414f22447224b1d",
+    hash: "27a173d2f6450609dfc77a09e44676930f7124c769470afacc9f33491eaee0c6",
 };

@@ -72,7 +72,7 @@ static DRAW_MESH_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_depth.hlsl",
-    hash: "6329ef33dc0a0e59310e71ab72dbf474b7d4c4cb4dd03ffb8d75c8abb3bf26b5",
+    hash: "8415381db6dda3e802145a58b6865309513d1f882e020febdd7b194c55f0b414",
 };
 
 static DRAW_MESH_DEPTH_FRAGMENT: Module = Module {
@@ -85,5 +85,5 @@ static DRAW_MESH_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_depth.hlsl",
-    hash: "a414fb7445ebd28a7f948dd445ab913b75ae27ed540f3575dee59bb1f2e6e0a1",
+    hash: "8dbdde84186ab078e162623b1716c6dfe26aec4a43867476d169e52452a173b2",
 };

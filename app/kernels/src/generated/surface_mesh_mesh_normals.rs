@@ -97,7 +97,7 @@ static MESH_NORMALS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_normals.compute",
-    hash: "65605d253797449917f69553cc70d24ad580049924b1017d928338396eec1356",
+    hash: "c20ce3bc990ef1b692c4fe3a179d5a8a9906c065e3685662f2f57521b481054c",
 };
 
 static MESH_NORMALS_WITH_ANISOTROPIC: Module = Module {
@@ -110,5 +110,5 @@ static MESH_NORMALS_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_normals.compute",
-    hash: "35afaf7c177fda44f40612c3d6ccec910f8af0fe7f8a9eefbd0a8599409d99ba",
+    hash: "fbff8f24d9c45024fde699e973c4a2164e06aa883151e0762dc721f7404c83d7",
 };

@@ -100,7 +100,7 @@ static SCATTER_BINS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/scatter_bins.compute",
-    hash: "f92cf10f9d443e81df08c6c341e7af3b79343c15e15c2c1f7f774e1787bcd0f5",
+    hash: "81d183666b43a17996365a4b172854fccd7fd255d8f16d57d5e5e60f01ec0a9a",
 };
 
 static SCATTER_BINS_WITH_ANISOTROPIC: Module = Module {
@@ -113,5 +113,5 @@ static SCATTER_BINS_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/scatter_bins.compute",
-    hash: "9f19aa1c3231a780954394d0f4080a9dc45c9f5f4bb719678a1d064b721f06a1",
+    hash: "b3cff842d5f41c6961c5ee6b24aa27e27fbb5af471dc09a77b447e1c610532ed",
 };

@@ -64,5 +64,5 @@ static COUNT_EDGES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/count_edges.compute",
-    hash: "cb97fc3a114643bd280f8aaca8365cbc95386c25355a28d31754ea6163af478f",
+    hash: "9cf67661abc8a56043c9bb76ad60b10ad131ec6216c6267a0e7484bf38528d4b",
 };

@@ -71,5 +71,5 @@ static COUNT_RINGS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/count_rings.compute",
-    hash: "e2be9a89786e0a5dd9000d2f9d2b75fbce13f60780112a4f0725f2bde0cc275e",
+    hash: "5c210bdc89d2c2be7f7ea50c51e8b6e1168a88e74e36a7f1247983061e63dc3b",
 };

@@ -66,5 +66,5 @@ static FINISH_SUBDIVISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/finish_subdivision.compute",
-    hash: "f158b368712f47f2c300831548389803d279f88eb4ecfcbe5c471157b9301a70",
+    hash: "541d9aad12233e80862f15adb59d92984b85dcfb1dd055eac8f9595129eda2d1",
 };

@@ -64,5 +64,5 @@ static LIST_RINGS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/list_rings.compute",
-    hash: "c02a6c54300d7597676249da060834cc53c766c9bce89f4f78f3a196e39e32ea",
+    hash: "630b1ab9c9f0d4b842df8a2e04f9018a620738e8b52dd57ec8171bccc253048b",
 };

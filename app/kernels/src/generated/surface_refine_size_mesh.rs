@@ -50,5 +50,5 @@ static SIZE_MESH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/size_mesh.compute",
-    hash: "1b0ccebae9f1e54becf99ce2513a14f7d7d945de5f3db99be4626217a66afe40",
+    hash: "be09961aae8f4660c23ac40e9aab26a2890ab76298c01f8fd939c712c6cb02d6",
 };

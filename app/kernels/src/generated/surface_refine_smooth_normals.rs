@@ -77,5 +77,5 @@ static SMOOTH_NORMALS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/smooth_normals.compute",
-    hash: "57c6b487179df2eee0998589d4ce3e79681d7db8aca0d6e1e9290571d6ea7d55",
+    hash: "999b646016e1efc70115a821f32fe688349d69c3454c7ca537c1fc46259a6c06",
 };

@@ -57,5 +57,5 @@ static SORT_RINGS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/sort_rings.compute",
-    hash: "be886e5fae36b0b58340c86ba081d758cfd64c8f9c4eb2df969b55a2b7263eb8",
+    hash: "7ee63b70d91bf26bb77a6e0d38758ca44d890044dfd198d7c682703c8e54afec",
 };

@@ -81,5 +81,5 @@ static SUBDIVIDE_EDGES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/subdivide_edges.compute",
-    hash: "702a70c4ea44be13782ba1d137eaf995ce815417dee64a9a49eb329424794490",
+    hash: "8d72264e25a92754769b062c1e395b5b0635819b19a387191e7d89d3df99ce20",
 };

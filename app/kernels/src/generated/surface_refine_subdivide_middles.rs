@@ -76,5 +76,5 @@ static SUBDIVIDE_MIDDLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/subdivide_middles.compute",
-    hash: "c6043248c042ee2308f130b14c18df5487f8b4ab558cac106056c826277c35d5",
+    hash: "f431b6fb606c4f3de47a467475bb3ef57e8e8cd5bc0852565a990659721712e0",
 };

@@ -85,5 +85,5 @@ static SUBDIVIDE_TRIANGLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/subdivide_triangles.compute",
-    hash: "a7a28f1402205e16e5634838300222b8ac0bef696e171505446705ff1e963c65",
+    hash: "157d1f2dac4c9595f8bab7da07e629182d1c0bfbedda1a326f741169a2b1d844",
 };

@@ -70,5 +70,5 @@ static REFRACT_PHOTONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refract_photons.compute",
-    hash: "388786a00c46a27d41c0740b36be0ba4b3740b25ccf666a2bf3fc56a904cd5c1",
+    hash: "4778cc5658cd6f46b55f92ec34f78ffee177a9641adae79af8c1f2f782937628",
 };

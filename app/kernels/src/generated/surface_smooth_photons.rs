@@ -85,7 +85,7 @@ static SMOOTH_PHOTONS_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_photons.compute",
-    hash: "c23c752507c4257f1037073c946ce581fd03cee88b7d2fd9d3c5dfcd8cc458bc",
+    hash: "d7525b19ea067e0a074bea1f4a59709075df561d9b9fa8b5ba28069c17db60c6",
 };
 
 static SMOOTH_PHOTONS_WITH_ALONG_Y: Module = Module {
@@ -98,5 +98,5 @@ static SMOOTH_PHOTONS_WITH_ALONG_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_photons.compute",
-    hash: "a96a8592496bff4b2c55ec130e293a67ed1f25b652c2d0a9a4120be0b2f21c73",
+    hash: "eefb7c78d05ac434e1c0c3ade999296d7e39588dcb46d6d7d0096bc23bb859e3",
 };

@@ -64,5 +64,5 @@ static SUM_SUN_VOLUME: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sum_sun_volume.compute",
-    hash: "68c4840db98d6a56456d147f4cf6a4b7f855d0641814ecc42c43f34f7a8d5573",
+    hash: "1a02a642fce88596e2f60707f95fa94e1c28048a2f73d1f376327ed297039f5e",
 };

@@ -114,7 +114,7 @@ static DRAW_SUN_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "b8361d6e222ae2cb88fea4ff650bc8fd5915f1cbd008b77d1bc2797b44905b11",
+    hash: "3cc324c106f730e25a056e9f20b3428182931fe3f399732d8c2381f2cbcb8d27",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
@@ -127,7 +127,7 @@ static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "18cd2b821d0188ffbe8d4d7e2b79c3ee426742d9a5bc5a2a9f996d109093379a",
+    hash: "c6988bda142974fa185d6241ee818c910c8272c6d5421c37d3e09191bffaf1c6",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -140,7 +140,7 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "916342f2f1a5046a7959e003ceedead7935bdc85e0f2a05da4af3a7ce4c7d173",
+    hash: "ee21eb3eec785bfa041d64291b06ba2a5dd078075ec791bc348f4ca84d207d8a",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -153,7 +153,7 @@ static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "d64199439c833e598e55503f8e13b8b64bfa5eb9541c26c9c36419493f728952",
+    hash: "fa6e3a6a3de5f3e5993daa29e7fde0e2573cb15fe29d808cf3319b713cc09341",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -166,5 +166,5 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "9b42c82b38126557e0589893dea5cdbf1db6197d9cfa9b76dd09fd2ae4e4304f",
+    hash: "b49a59a746b95c42f5ea32b3d3e03804ec54342bee4683bd6e91efbd4ea1095e",
 };

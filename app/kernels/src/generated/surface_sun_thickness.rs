@@ -85,7 +85,7 @@ static DRAW_SUN_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "d8ea7fa8a62698f0c8e7eafea4af4b2d34066584d5eb17ed8e6017ab030f083b",
+    hash: "377cba9f19f2505c683aa4dc001c0bcad33951b67ad5e725e0f8d57b3e3b5455",
 };
 
 static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
@@ -98,7 +98,7 @@ static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "6e1caed0aaa3bb79407f580606de35b0890d21825f80ed3471295ac071bcf73d",
+    hash: "a4ae30818dd0e2ae9cd39bf41a940b5ac15da1c586f1cc3e4123d83a5d7e88cd",
 };
 
 static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -111,5 +111,5 @@ static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "ff36aec7b3895b5ea1d88920bbce1394b67a585798fe777d8fb590e9823e770d",
+    hash: "41092421267653013ca0a02f1b5c36703ed190ea8cbba03e4097285f38dc0abc",
 };

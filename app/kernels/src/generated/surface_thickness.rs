@@ -91,7 +91,7 @@ static DRAW_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "970a55984a5f5d288ed9ced7079d278bbac5e80f1851fbac98d310eb681705a3",
+    hash: "5cfd46c898c2250b39411072a17ff78934981f203c77314366a1f2ea80a19e8b",
 };
 
 static DRAW_THICKNESS_FRAGMENT: Module = Module {
@@ -104,7 +104,7 @@ static DRAW_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "9b6bb129a1187f4229913dcd0134c2aced69d603e0579c210206c7bea756bf8a",
+    hash: "c94503606c178938d4bcd946558be8b275fc16a8fa8aac3c85a8ad5a103993b6",
 };
 
 static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -117,5 +117,5 @@ static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "ecf2a62e8b56196569956ab3626d6a52b6c95a18d32add10780c0ccac267c19d",
+    hash: "92935634417c62d5a18d8e66cd7320ebc49b5826f350c34854904f85bcb2736c",
 };

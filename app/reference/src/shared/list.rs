@@ -1,6 +1,6 @@
 //! The neighbour list's encoding: ascending indices as 16-bit deltas. (Shader: `shared/list.hlsli`.)
 
-use brooklet_kernels::{LIST_CHUNK, LIST_ESCAPE, LIST_MAX_DELTA, LIST_SLICE, ListHead};
+use brooklet_kernels::{LIST_CHUNK, LIST_ESCAPE, LIST_ESCAPE_DELTA, LIST_SLICE, ListHead};
 
 /// Where entry `entry` of particle `i` stands in lists of `chunks` runs: which run, and where in it.
 pub fn entry_slot(i: usize, entry: usize, chunks: u32) -> (usize, usize) {
@@ -8,8 +8,8 @@ pub fn entry_slot(i: usize, entry: usize, chunks: u32) -> (usize, usize) {
     ((i / slice * chunks as usize + entry / run) * slice + i % slice, entry % run)
 }
 
-/// The deltas of ascending `neighbours`, counted from `first` - 1: too wide a delta takes an entry of its
-/// own, which stands for nobody, for each time that the widest one fits.
+/// The deltas of ascending `neighbours`, counted from `first` - 1: a delta wider than an escape's takes an
+/// escape, which stands for nobody, for each time that one fits.
 ///
 /// # Panics
 /// When they do not ascend, or begin before `first`.
@@ -19,9 +19,9 @@ pub fn deltas(first: u32, neighbours: &[usize]) -> Vec<u32> {
     for &j in neighbours {
         let mut delta = j as i64 - last;
         assert!(delta > 0, "{j} after {last}");
-        while delta > i64::from(LIST_MAX_DELTA) {
+        while delta > i64::from(LIST_ESCAPE_DELTA) {
             deltas.push(LIST_ESCAPE);
-            delta -= i64::from(LIST_MAX_DELTA);
+            delta -= i64::from(LIST_ESCAPE_DELTA);
         }
         deltas.push(delta as u32);
         last = j as i64;
@@ -35,7 +35,7 @@ pub fn followed(first: u32, deltas: &[u32]) -> Vec<usize> {
     let mut neighbours = Vec::new();
     for &delta in deltas {
         if delta == LIST_ESCAPE {
-            last += i64::from(LIST_MAX_DELTA);
+            last += i64::from(LIST_ESCAPE_DELTA);
         } else {
             last += i64::from(delta);
             neighbours.push(last as usize);
@@ -78,7 +78,7 @@ mod tests {
 
     #[test]
     fn gaps_lead_back_to_the_neighbours() {
-        let wide = LIST_MAX_DELTA as usize;
+        let wide = LIST_ESCAPE_DELTA as usize;
         for list in [
             vec![],
             vec![0],
@@ -88,12 +88,12 @@ mod tests {
         ] {
             for first in [0, list.first().map_or(0, |&j| j as u32)] {
                 let deltas = deltas(first, &list);
-                assert!(deltas.iter().all(|&delta| delta <= LIST_MAX_DELTA));
+                assert!(deltas.iter().all(|&delta| delta <= LIST_ESCAPE_DELTA));
                 assert_eq!(followed(first, &deltas), list);
             }
         }
         // As wide as it gets is one entry; one more is two.
-        assert_eq!(deltas(0, &[0, wide]), [1, LIST_MAX_DELTA]);
+        assert_eq!(deltas(0, &[0, wide]), [1, LIST_ESCAPE_DELTA]);
         assert_eq!(deltas(0, &[0, wide + 1]), [1, LIST_ESCAPE, 1]);
     }
 
