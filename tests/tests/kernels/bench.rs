@@ -1,8 +1,8 @@
 //! The kernels that only `brooklet bench` runs, against the twins of those they are held against.
 
 use brooklet_bench::kernels::{
-    ConstrainDensityByIndex, CopyElements, CountCellsAggregated, ListNeighboursByIndex, ReorderIndex, ScanGroupsTree,
-    ScanGroupsTreeVariant, ScanStep,
+    ConstrainDensityByIndex, CopyElements, CountCellsAggregated, ListNeighboursByIndex, ReorderIndex,
+    ScanGroupsDoubling, ScanGroupsDoublingVariant, ScanGroupsTree, ScanGroupsTreeVariant, ScanStep,
 };
 use brooklet_fluid::particles::is_simulated;
 use brooklet_kernels::{CellSlot, GridParams, Kernel, LIST_CHUNK, Position, PositionLambda, SCAN_ITEMS};
@@ -344,4 +344,32 @@ fn scan_groups_tree_matches_the_twin_of_scan_groups() {
         }
     }
     report_exact(ScanGroupsTree::STAGE, cases);
+}
+
+#[test]
+fn scan_groups_doubling_matches_the_twin_of_scan_groups() {
+    let mut rng = rng(65);
+    let group = (ScanGroupsDoubling::GROUP_SIZE[0] * SCAN_ITEMS) as usize;
+    let mut cases = 0;
+    for size in [1, 3, 4, 5, group - 1, group, group + 1, 7 * group + 333] {
+        let values = numbers(&mut rng, size);
+        let offsets = numbers(&mut rng, size.div_ceil(group));
+        for with_offsets in [false, true] {
+            let mut bench = Bench::new();
+            let input = bench.input("values", &values);
+            let before = bench.input("group_offsets", &offsets);
+            let mut scanned = bench.output("scanned", size);
+            let kernel = ScanGroupsDoubling {
+                variant: ScanGroupsDoublingVariant { group_offsets: with_offsets },
+                values: input.read(),
+                group_offsets: with_offsets.then(|| before.read()),
+                scanned: scanned.write(),
+            };
+            bench.dispatch(&kernel, size.div_ceil(SCAN_ITEMS as usize));
+            let expected = scan::scan_groups(&values, group, with_offsets.then_some(&offsets[..]));
+            check_exact(&bench.run().read(&scanned, size), &expected).unwrap();
+            cases += size;
+        }
+    }
+    report_exact(ScanGroupsDoubling::STAGE, cases);
 }

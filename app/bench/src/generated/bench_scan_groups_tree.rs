@@ -15,9 +15,8 @@ pub struct ScanGroupsTreeVariant {
     pub padded: bool,
 }
 
-/// ScanGroups with the threads' sums scanned by a tree (Blelloch 1990) instead of Hillis & Steele's
-/// doubling: less work and more barriers, and strides of powers of two, whose threads meet in one
-/// bank of the groupshared memory. PADDED puts a word behind every 32nd, as in Harris et al. 2007
+/// ScanGroups with the threads' sums scanned by a tree (Blelloch 1990) instead of in blocks: more
+/// barriers, and strides of powers of two, whose threads meet in one bank of the groupshared memory. PADDED puts a word behind every 32nd, as in Harris et al. 2007
 /// (GPU Gems 3, chapter 39). What `brooklet bench sorting` holds against it is grid/scan.compute.
 #[derive(Debug)]
 pub struct ScanGroupsTree<'a> {
@@ -88,7 +87,7 @@ static SCAN_GROUPS_TREE: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "bdf6c32d05cfe6c79bf716d17a09a4cbd06325c6315e7ee5a0a8ca06b00f901d",
+    hash: "3610f0b71d383f98054e7890b20dfb8c121278dd35a30b9869d146d79db57acc",
 };
 
 static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
@@ -101,7 +100,7 @@ static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "1c72f929563ca853f3dce278f28f98bbedc04b40425af6b9418dc22fd8c6fe78",
+    hash: "4e633c208bc6ca9d1b5ce909381900c8b71d17089323b26c3578532861c582c6",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
@@ -114,7 +113,7 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "f78d45fba9d1a4ec952a123b0f2115bb2b4d051aa37f959463c306911153d8ee",
+    hash: "622b47b3f758a8ada8890a6247ceda16df987b51440e1c8555b848514c7a1643",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
@@ -127,5 +126,5 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "c11b52975b329d2e574e9a23ec8a72999f5b9b08372a06d4cdc3d91b8395d4af",
+    hash: "50d67f7474189250b17952f095c315be715f554a0b408c897846ca14005720fa",
 };

@@ -7,6 +7,7 @@ mod bench_copy;
 mod bench_count_cells_aggregated;
 mod bench_list_neighbours_by_index;
 mod bench_reorder_index;
+mod bench_scan_groups_doubling;
 mod bench_scan_groups_tree;
 mod bench_scan_step;
 
@@ -15,6 +16,7 @@ pub use bench_copy::*;
 pub use bench_count_cells_aggregated::*;
 pub use bench_list_neighbours_by_index::*;
 pub use bench_reorder_index::*;
+pub use bench_scan_groups_doubling::*;
 pub use bench_scan_groups_tree::*;
 pub use bench_scan_step::*;
 
@@ -26,6 +28,7 @@ pub fn modules() -> impl Iterator<Item = &'static brooklet_kernels::Module> {
         bench_count_cells_aggregated::MODULES,
         bench_list_neighbours_by_index::MODULES,
         bench_reorder_index::MODULES,
+        bench_scan_groups_doubling::MODULES,
         bench_scan_groups_tree::MODULES,
         bench_scan_step::MODULES,
     ]

@@ -71,10 +71,15 @@ pub fn run(gpu: &Gpu, options: Options, observer: &dyn Observer) -> Result<Sorti
     let values = counts(&shuffled, &fine);
     let case = format!("{} cells", values.len());
     outcomes.push(scan::shared_memory(&ring, case.clone(), &values)?);
-    let [doubling, tree, padded] = [Inner::Doubling, Inner::Tree { padded: false }, Inner::Tree { padded: true }];
-    outcomes.push(scan::inner(&ring, "scan of a group", case.clone(), &values, [doubling, tree])?);
-    outcomes.push(scan::inner(&ring, "bank-conflict padding", case.clone(), &values, [tree, padded])?);
-    outcomes.push(scan::inner(&ring, "bank-conflict padding", case, &values, [doubling, padded])?);
+    let [tree, padded] = [false, true].map(|padded| Inner::Tree { padded });
+    for (optimisation, ways) in [
+        ("scan of a group", [Inner::Blocks, Inner::Doubling]),
+        ("scan of a group", [Inner::Blocks, tree]),
+        ("bank-conflict padding", [tree, padded]),
+        ("bank-conflict padding", [Inner::Blocks, padded]),
+    ] {
+        outcomes.push(scan::inner(&ring, optimisation, case.clone(), &values, ways)?);
+    }
 
     let info = gpu.info();
     Ok(Sorting {

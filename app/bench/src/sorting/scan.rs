@@ -7,7 +7,7 @@ use brooklet_kernels::{Buffer, SCAN_ITEMS, ScanGroups, ScanGroupsVariant};
 use super::contest::{Names, Outcome, Ring, Ways};
 use crate::{
     BenchError,
-    kernels::{ScanGroupsTree, ScanGroupsTreeVariant, ScanStep},
+    kernels::{ScanGroupsDoubling, ScanGroupsDoublingVariant, ScanGroupsTree, ScanGroupsTreeVariant, ScanStep},
 };
 
 /// The whole scan of `values`: reduce-then-scan in groupshared memory, or a dispatch for each
@@ -50,7 +50,9 @@ pub fn shared_memory(ring: &Ring<'_>, case: String, values: &[u32]) -> Result<Ou
 /// How the scan of a group's threads is made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Inner {
-    /// Hillis & Steele, the product's.
+    /// Sums of blocks of threads, then of blocks: the product's.
+    Blocks,
+    /// Hillis & Steele's.
     Doubling,
     /// Blelloch's tree.
     Tree { padded: bool },
@@ -59,6 +61,7 @@ pub enum Inner {
 impl Inner {
     fn name(self) -> &'static str {
         match self {
+            Inner::Blocks => "blocks of threads",
             Inner::Doubling => "doubling (Hillis & Steele)",
             Inner::Tree { padded: false } => "tree (Blelloch)",
             Inner::Tree { padded: true } => "tree, padded",
@@ -75,9 +78,13 @@ impl Inner {
         let threads = values.len.div_ceil(SCAN_ITEMS);
         let (values, group_offsets, scanned) = (values.read(), Some(offsets.read()), scanned.write());
         match self {
-            Inner::Doubling => {
+            Inner::Blocks => {
                 let variant = ScanGroupsVariant { group_offsets: true };
                 recording.dispatch(&ScanGroups { variant, values, group_offsets, scanned }, threads);
+            }
+            Inner::Doubling => {
+                let variant = ScanGroupsDoublingVariant { group_offsets: true };
+                recording.dispatch(&ScanGroupsDoubling { variant, values, group_offsets, scanned }, threads);
             }
             Inner::Tree { padded } => {
                 let variant = ScanGroupsTreeVariant { group_offsets: true, padded };

@@ -106,10 +106,10 @@ static REDUCE_GROUPS: Module = Module {
     spirv: include_bytes!("../../spirv/reduce_groups.spv"),
     bindings: BINDINGS_0,
     group_size: [128, 1, 1],
-    shared_bytes: 1024,
+    shared_bytes: 576,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "4be725f5beeef6f7ca03884e435910fdb671e68712d2c1d86aa9032a37c00a96",
+    hash: "253ebeca4637c19b2c5b5a764357db097281db5575957945835ab036067c9204",
 };
 
 static SCAN_GROUPS: Module = Module {
@@ -119,10 +119,10 @@ static SCAN_GROUPS: Module = Module {
     spirv: include_bytes!("../../spirv/scan_groups.spv"),
     bindings: BINDINGS_1,
     group_size: [128, 1, 1],
-    shared_bytes: 1024,
+    shared_bytes: 576,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "1aec74bc56893be88a550db57c1294398c84d9518d2ce64a6942eafb4689690f",
+    hash: "3b96a797bb160dc6c0fe5daf6aeb36cf7e3b307d3e9eec7b6f4dfb64302a0017",
 };
 
 static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
@@ -132,8 +132,8 @@ static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
     spirv: include_bytes!("../../spirv/scan_groups+group_offsets.spv"),
     bindings: BINDINGS_2,
     group_size: [128, 1, 1],
-    shared_bytes: 1024,
+    shared_bytes: 576,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "683b035934f2d72c390350ceeb7929c1d4f718f141d6b4a10c2dacb6e0326a71",
+    hash: "5e70751e6420a49dc08b465c6522c9074245567eca00a885d5ae0d2d1a5a1ae7",
 };
