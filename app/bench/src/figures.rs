@@ -4,7 +4,11 @@ use brooklet_gpu::{PassTimes, Passes, Quantiles};
 use serde::Serialize;
 
 pub use crate::traffic::Traffic;
-use crate::workload::Load;
+use crate::{
+    bounds::{Bounds, Limit},
+    rates::Rates,
+    workload::Load,
+};
 
 /// The whole table.
 #[derive(Clone, Debug, Serialize)]
@@ -17,8 +21,8 @@ pub struct Scaling {
     pub driver: String,
     /// What the device was used as.
     pub tier: &'static str,
-    /// What a copy of a large buffer reads and writes in a second, 1e9 bytes.
-    pub copy_gb_per_s: f64,
+    /// What it can do at most.
+    pub rates: Rates,
     /// By size, then by load.
     pub rows: Vec<Row>,
     /// Sizes without a row.
@@ -87,10 +91,14 @@ pub struct Pass {
     pub gb_per_s: f64,
     /// Compulsory and gathered bytes over the median, 1e9 bytes a second.
     pub gb_per_s_gathers_too: f64,
-    /// What a copy of the compulsory bytes would take, ms.
+    /// The least time by each of the device's rates.
+    pub bounds: Bounds,
+    /// The one of them that is nearest.
+    pub nearest: Limit,
+    /// That least time, ms.
     pub bound_ms: f64,
-    /// The median over that.
-    pub times_its_bound: f64,
+    /// The same over the median: 1 at the bound.
+    pub share_of_bound: f64,
 }
 
 /// A size that is not in the table.

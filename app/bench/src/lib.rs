@@ -3,13 +3,14 @@
 //!
 //! A benchmark is a function of a device, some options and an [`Observer`]; what it gives is plain data.
 
-mod bandwidth;
+pub mod bounds;
 mod error;
 pub mod figures;
 mod generated;
 mod observer;
 pub mod pictures;
 mod plot;
+pub mod rates;
 pub mod scaling;
 mod scene_options;
 pub mod single;

@@ -6,8 +6,10 @@ use brooklet_fluid::{FrameRequest, Session};
 use brooklet_gpu::{Gpu, Passes, Timings, stages, tier_name};
 
 use crate::{
-    BenchError, Observer, bandwidth,
+    BenchError, Observer,
+    bounds::Bounds,
     figures::{LeftOut, Pass, Row, Scaling},
+    rates::{self, Rates},
     stepping::Stepping,
     targets, traffic,
     workload::{self, EDGES, LOADS, Load},
@@ -38,8 +40,8 @@ impl Options {
 /// Every [`BenchError`].
 pub fn run(gpu: &Gpu, options: &Options, observer: &dyn Observer) -> Result<Scaling, BenchError> {
     options.check()?;
-    let copy_bytes_per_s = bandwidth::copy_bytes_per_s(gpu, observer)?;
-    let mut bencher = Bencher { gpu, options, observer, copy_bytes_per_s, begun: Instant::now() };
+    let rates = rates::measure(gpu, observer)?;
+    let mut bencher = Bencher { gpu, options, observer, rates, begun: Instant::now() };
     let (rows, left_out) = bencher.all()?;
     let info = gpu.info();
     Ok(Scaling {
@@ -47,7 +49,7 @@ pub fn run(gpu: &Gpu, options: &Options, observer: &dyn Observer) -> Result<Scal
         device_type: info.device_type.clone(),
         driver: format!("{} {}", info.driver, info.driver_info),
         tier: tier_name(gpu.tier()),
-        copy_gb_per_s: copy_bytes_per_s * 1e-9,
+        rates,
         targets: targets::verdicts(&rows),
         rows,
         left_out,
@@ -58,7 +60,7 @@ struct Bencher<'a> {
     gpu: &'a Gpu,
     options: &'a Options,
     observer: &'a dyn Observer,
-    copy_bytes_per_s: f64,
+    rates: Rates,
     begun: Instant,
 }
 
@@ -166,15 +168,18 @@ impl Bencher<'_> {
             }
             let traffic = traffic::of(plan, info.recording, stage, neighbours);
             let all_bytes = traffic.compulsory_bytes + traffic.gathered_bytes;
-            let bound_ms = traffic.compulsory_bytes as f64 / self.copy_bytes_per_s * 1e3;
+            let bounds = Bounds::of(plan, info.recording, stage, traffic, neighbours, &self.rates);
+            let (nearest, bound_ms) = bounds.nearest();
             let pass = Pass {
                 times,
                 ns_per_particle_iteration: ms_a_step * 1e6 / work,
                 traffic,
                 gb_per_s: traffic.compulsory_bytes as f64 / median_ms * 1e-6,
                 gb_per_s_gathers_too: all_bytes as f64 / median_ms * 1e-6,
+                bounds,
+                nearest,
                 bound_ms,
-                times_its_bound: median_ms / bound_ms,
+                share_of_bound: bound_ms / median_ms,
             };
             passes.push((stage, pass));
         }

@@ -9,7 +9,7 @@
 //! `list_neighbours` also looks at particles that it does not list; those are its own cost, not
 //! part of the bound.
 //!
-//! A pass's bound is the time that the device's own copy needs for the compulsory bytes.
+//! What they bound: [`crate::bounds`].
 
 use brooklet_gpu::{Command, Plan, RecordingId, ResourceId, Shape};
 use brooklet_kernels::BindingKind;

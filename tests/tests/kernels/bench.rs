@@ -1,9 +1,10 @@
 //! The kernels that only `brooklet bench` runs, against the twins of those they are held against.
 
 use brooklet_bench::kernels::{
-    ConstrainDensityByIndex, CopyElements, CountCellsAggregated, ListNeighboursByIndex, ReorderIndex,
-    ScanGroupsDoubling, ScanGroupsDoublingVariant, ScanGroupsTree, ScanGroupsTreeVariant, ScanStep,
+    ConstrainDensityByIndex, CopyElements, CountCellsAggregated, GatherElements, ListNeighboursByIndex, MultiplyAdd,
+    ReorderIndex, ScanGroupsDoubling, ScanGroupsDoublingVariant, ScanGroupsTree, ScanGroupsTreeVariant, ScanStep,
 };
+use brooklet_bench::rates::{GATHER_AHEAD, GATHER_ROW, GATHER_RUN, GATHER_RUNS, MULTIPLY_ADD_ROUNDS};
 use brooklet_fluid::particles::is_simulated;
 use brooklet_kernels::{CellSlot, GridParams, Kernel, LIST_CHUNK, Position, PositionLambda, SCAN_ITEMS};
 use brooklet_reference::grid::count_cells::cell_of;
@@ -39,6 +40,53 @@ fn copy_elements_copies() {
         cases += size;
     }
     report_exact(CopyElements::STAGE, cases);
+}
+
+#[test]
+fn gather_elements_reads_every_run() {
+    let mut rng = rng(66);
+    let mut cases = 0;
+    for size in sizes(GatherElements::GROUP_SIZE[0] as usize).into_iter().chain([20_000]) {
+        let elements: Vec<[u32; 2]> = (0..size + GATHER_AHEAD as usize).map(|_| rng.random()).collect();
+        let mut bench = Bench::new();
+        let from = bench.input("from_elements", &elements);
+        let mut gathered = bench.output("gathered", size);
+        bench.dispatch(&GatherElements { from_elements: from.read(), gathered: gathered.write() }, size);
+        let of = |i: usize| {
+            let reads = (0..GATHER_RUNS).flat_map(|run| (0..GATHER_RUN).map(move |k| run * GATHER_ROW + k));
+            reads.fold(0_u32, |result, ahead| {
+                let [x, y] = elements[i + ahead as usize];
+                result.rotate_left(1) ^ x ^ y
+            })
+        };
+        check_exact(&bench.run().read(&gathered, size), &(0..size).map(of).collect::<Vec<_>>()).unwrap();
+        cases += size;
+    }
+    report_exact(GatherElements::STAGE, cases);
+}
+
+#[test]
+fn multiply_add_goes_along_eight_chains() {
+    let mut rng = rng(67);
+    // 128 rounds of two roundings, each shrunk by the factor (.875 at most) in the rounds behind it: 1/(1 - .875)
+    // times two; then eight numbers are added.
+    let mut worst = Worst::new(MultiplyAdd::STAGE, (2.0 * 8.0 + 8.0) * ROUNDING);
+    for size in sizes(MultiplyAdd::GROUP_SIZE[0] as usize) {
+        let starts: Vec<f32> = (0..size).map(|_| rng.random()).collect();
+        let mut bench = Bench::new();
+        let mut chain_sums = bench.input("chain_sums", &starts);
+        bench.dispatch(&MultiplyAdd { chain_sums: chain_sums.write() }, size);
+        for (got, start) in bench.run().read(&chain_sums, size).into_iter().zip(&starts) {
+            let start = f64::from(*start);
+            let chain = |k: i32| {
+                (0..MULTIPLY_ADD_ROUNDS).fold(start + 0.125 * f64::from(k), |a, _| a * (0.75 + 0.125 * start) + start)
+            };
+            let expected: f64 = (0..8).map(chain).sum();
+            worst.check(got, expected, expected.max(1.0)).unwrap();
+        }
+    }
+    worst.report();
+    assert!(Worst::new("wrong", 24.0 * ROUNDING).check(1.0001, 1.0, 1.0).is_err());
 }
 
 /// Particles along x, so that many of one cell follow each other; some outside or quarantined.

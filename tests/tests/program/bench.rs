@@ -16,7 +16,10 @@ fn the_table_has_every_load_and_its_figures_belong_together() {
     let loads: Vec<_> =
         rows.iter().map(|row| (row["iterations"].as_u64().unwrap(), row["terms"].as_str().unwrap())).collect();
     assert_eq!(loads, [(4, "default terms"), (6, "default terms"), (4, "every term, measuring")]);
-    let copy_gb_per_s = number(&table["copy_gb_per_s"]);
+    let rates = &table["rates"];
+    for rate in ["copy_bytes_per_s", "gathers_per_s", "multiply_adds_per_s", "launch_s"] {
+        assert!(number(&rates[rate]) > 0.0, "{rates}");
+    }
     for row in rows {
         assert_eq!(row["particles"], 4096);
         // What is at rest keeps the neighbours of a slightly disordered lattice.
@@ -30,7 +33,15 @@ fn the_table_has_every_load_and_its_figures_belong_together() {
             let (median, bound) = (number(&pass["median_ms"]), number(&pass["bound_ms"]));
             let bytes = number(&pass["compulsory_bytes"]);
             assert!(bytes > 0.0, "{stage} moves nothing");
-            assert!((bytes / (copy_gb_per_s * 1e6) / bound - 1.0).abs() < 1e-9, "{stage}: {pass}");
+            let bounds = pass["bounds"].as_object().unwrap();
+            let nearest = bounds.values().map(number).max_by(f64::total_cmp).unwrap();
+            assert_eq!(
+                (bound, &bounds[&format!("{}_ms", pass["nearest"].as_str().unwrap())]),
+                (nearest, &bound.into())
+            );
+            let copied = bytes / number(&rates["copy_bytes_per_s"]) * 1e3;
+            assert!((copied / number(&bounds["memory_ms"]) - 1.0).abs() < 1e-9, "{stage}: {pass}");
+            assert!((number(&pass["share_of_bound"]) * median / bound - 1.0).abs() < 1e-9, "{stage}: {pass}");
             assert!((number(&pass["gb_per_s"]) * median * 1e6 / bytes - 1.0).abs() < 1e-9, "{stage}: {pass}");
         }
         let every_term = row["terms"] != "default terms";

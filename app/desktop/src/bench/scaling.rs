@@ -13,7 +13,15 @@ pub fn print(scaling: &Scaling) {
     if scaling.device_type == "cpu" {
         say!("(this driver runs on the processor: its times are the processor's)");
     }
-    say!("a copy of a large buffer moves {:.1} GB/s, read and written\n", scaling.copy_gb_per_s);
+    let rates = &scaling.rates;
+    say!(
+        "a copy moves {:.1} GB/s, read and written; {:.2} G elements of 8 bytes gathered a second; {:.1} G\n\
+         multiplications with an addition; {:.1} us a dispatch behind another\n",
+        rates.copy_bytes_per_s * 1e-9,
+        rates.gathers_per_s * 1e-9,
+        rates.multiply_adds_per_s * 1e-9,
+        rates.launch_s * 1e6
+    );
     print_sizes(&scaling.rows);
     for load in LOADS {
         let rows: Vec<&Row> = scaling.rows.iter().filter(|row| row.is_of(load)).collect();
@@ -23,16 +31,19 @@ pub fn print(scaling: &Scaling) {
                 let (Some(median), Some(p95)) = (pass.times.median_ms, pass.times.p95_ms) else { return "-".into() };
                 format!("{median:.2} ({p95:.2})")
             });
-            say!("\n... GB/s of compulsory bytes / with gathers (times its bound)\n");
+            say!("\n... GB/s of compulsory bytes / with gathers; the nearest bound, and how near\n");
             print_passes(&rows, |pass| {
-                format!("{:.1} / {:.1} ({:.1}x)", pass.gb_per_s, pass.gb_per_s_gathers_too, pass.times_its_bound)
+                let share = 100.0 * pass.share_of_bound;
+                let (bytes, gathers_too) = (pass.gb_per_s, pass.gb_per_s_gathers_too);
+                format!("{bytes:.1} / {gathers_too:.1} ({} {share:.0} %)", pass.nearest.word())
             });
         }
     }
     say!(
         "\nA pass's compulsory bytes are its buffers, each once a dispatch; its gathers are an element of each\n\
-         neighbour in the list; its bound is the copy's time for the compulsory bytes. Below 1x it finds its\n\
-         buffers in the caches.\n"
+         neighbour in the list. Of four bounds (the copy's time for its bytes, gathers, arithmetic of pairs, empty\n\
+         dispatches) the nearest is named: 100 % is as fast as the device can; above, it finds in caches what\n\
+         counts as memory's.\n"
     );
     let mut list = table(&["target", "", "measured", ""], &[1, 2]);
     for verdict in &scaling.targets {
