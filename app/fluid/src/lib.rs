@@ -26,11 +26,13 @@ mod step_params;
 
 pub use measure::Stats;
 pub use scene::{Scene, SceneError, shipped_scenes};
-pub use session::{FrameRequest, ParticleSource, Session, SessionError, SessionPlan, SessionRecorder, SessionReport};
+pub use session::{
+    FrameRequest, ParticleSource, Relaxation, Session, SessionError, SessionPlan, SessionRecorder, SessionReport,
+};
 pub use slot_changes::{DrainBox, ParticleBlock, SlotChanges, activate_params, deactivate_params, record_slot_changes};
 pub use slots::{Slots, step_state, visit_slots};
 pub use smoothing_kernel_params::smoothing_kernel_params;
 pub use stat_fields::{STAT_FIELDS, StatField, captured_fields, captured_values};
-pub use step::{Recorded, RecordedMeasure, record, record_count, record_particles};
+pub use step::{Recorded, RecordedMeasure, RecordedRelaxation, record, record_count, record_particles};
 pub use step_context::{Particles, StepContext};
 pub use step_params::step_params;

@@ -22,6 +22,9 @@ pub struct Recorded {
     pub step: Recording,
     /// A measurement, if the scene measures.
     pub measure: Option<RecordedMeasure>,
+    /// What takes out compression while time stands. In a plan only where it is asked for
+    /// ([`crate::SessionRecorder::with_relaxation`]); it has no buffers of its own.
+    pub relaxation: RecordedRelaxation,
     /// Where the particles are after a step, relative to the domain's lowest corner; in cell
     /// order, named by the ids in their tags.
     pub positions: Buffer<Position>,
@@ -41,6 +44,14 @@ pub struct RecordedMeasure {
     pub recording: Recording,
     /// What it writes, and a frame reads back ([`crate::Stats::new`]).
     pub output: Buffer<Measure>,
+}
+
+/// What takes out compression while time stands.
+pub struct RecordedRelaxation {
+    /// Lists the particles' neighbours where they are, so that they can be measured.
+    pub list: Recording,
+    /// Moves them by a substep's iterations; leaves velocities and time alone.
+    pub relax: Recording,
 }
 
 impl Recorded {
@@ -111,6 +122,10 @@ pub fn record_count(resources: &mut Resources, scene: &Scene, capacity: u32) -> 
         solver.record_substep(&mut step, &mut context, &mut particles);
     }
 
+    let mut relaxation = RecordedRelaxation { list: resources.recording("list"), relax: resources.recording("relax") };
+    let RecordedRelaxation { list, relax } = &mut relaxation;
+    solver.record_relaxation([list, relax], &mut context, &mut particles);
+
     let measure = (scene.outputs.measure_every_steps > 0).then(|| {
         let mut measuring = Measuring::declare(resources, capacity);
         let mut recording = resources.recording("measure");
@@ -121,6 +136,7 @@ pub fn record_count(resources: &mut Resources, scene: &Scene, capacity: u32) -> 
         init,
         step,
         measure,
+        relaxation,
         neighbours: solver.search().map(|search| search.neighbours.alias()),
         densities: solver.search().map(|search| Densities::of(&context, search)),
         slots: context.slots,

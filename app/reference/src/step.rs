@@ -22,6 +22,11 @@ impl Fluid {
     pub fn substep(&mut self) {
         self.solver.substep(&mut self.particles, &self.step, self.walls.as_ref());
     }
+
+    /// Takes out compression while time stands.
+    pub fn relax(&mut self) {
+        self.solver.relax(&mut self.particles, &self.step, self.walls.as_ref());
+    }
 }
 
 #[cfg(test)]

@@ -19,6 +19,8 @@ pub struct Setup {
     pub particles: ParticleSet,
     /// Times of the samples in rising order, s; the last ends the run.
     pub sample_times_s: Vec<f64>,
+    /// Whether compression is taken out of the particles before time begins.
+    pub relaxes: bool,
 }
 
 impl Setup {
@@ -31,7 +33,13 @@ impl Setup {
         let scene = Scene::from_toml(text, name, settings).map_err(Box::new)?;
         let particles = sample_lattice(&scene);
         let sample_times_s = (1..=samples).map(|k| end_s * f64::from(k) / f64::from(samples)).collect();
-        Ok(Self { scene, particles, sample_times_s })
+        Ok(Self { scene, particles, sample_times_s, relaxes: false })
+    }
+
+    /// The same, relaxed before time begins: compression of the start would else become motion, the more the shorter
+    /// the substep.
+    pub fn relaxed(self) -> Self {
+        Self { relaxes: true, ..self }
     }
 
     /// When it ends, s.

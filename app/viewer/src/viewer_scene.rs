@@ -106,6 +106,7 @@ impl ViewerScene {
     ) -> Result<ViewerScene, ViewerError> {
         let simulated = desc.rung.scene(&desc.scene);
         progress(0, 0, "filling the scene with particles");
+        let resampled = matches!(desc.start, Start::Resampled { .. });
         let (source, steps, simulated_s) = match desc.start {
             Start::Scene => (ParticleSource::Scene, 0, 0.0),
             Start::Carry(count) => (ParticleSource::Count(count), 0, 0.0),
@@ -126,7 +127,10 @@ impl ViewerScene {
         let passes = passes.ok_or(ViewerError::NoPicture)?;
         planned.start_at(steps, simulated_s);
         planned.plan = desc.modules.put_into(planned.plan).map_err(ViewerError::Shader)?;
-        let session = Session::start_with_progress(gpu, planned, progress)?;
+        let mut session = Session::start_with_progress(gpu, planned, progress)?;
+        if resampled {
+            session.relax_start()?;
+        }
         Ok(ViewerScene { scene: desc.scene, session, left_out, view, options, passes })
     }
 
@@ -264,7 +268,7 @@ fn options(scene: &Scene, rung: &Rung, tier: Tier, mesh_room: Option<MeshRoom>) 
 }
 
 fn plan(scene: &Scene, source: ParticleSource, view: View, options: FrameOptions) -> Result<ScenePlan, ViewerError> {
-    let recorder = SessionRecorder::new(scene, source).with_drag().with_samples(MOST_POINTS);
+    let recorder = SessionRecorder::new(scene, source).with_relaxation().with_drag().with_samples(MOST_POINTS);
     Ok(ScenePlan::sweep(scene, recorder, Some((view, options)))?)
 }
 

@@ -27,6 +27,7 @@ mod peers;
 mod physics;
 mod plan;
 mod precision;
+mod relaxation;
 mod resample;
 mod scene_schema;
 mod session;

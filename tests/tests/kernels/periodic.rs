@@ -145,7 +145,7 @@ fn update_velocity_matches_its_twin() {
                 let step_state = bench.uniform("step_state", step_state(size, params.dt_s));
                 bench.dispatch(
                     &UpdateVelocity {
-                        variant: UpdateVelocityVariant { precision, periodic: true },
+                        variant: UpdateVelocityVariant { precision, periodic: true, keep_velocity: false },
                         quantized_positions: at.read(),
                         step_state: step_state.uniform(),
                         kernel: kernel.uniform(),
@@ -153,8 +153,8 @@ fn update_velocity_matches_its_twin() {
                         sorted_velocities: sorted_velocities.read(),
                         positions: positions.write(),
                         velocities: velocities.write(),
-                        counters: counters.write(),
-                        step_params: step_params.uniform(),
+                        counters: Some(counters.write()),
+                        step_params: Some(step_params.uniform()),
                     },
                     size,
                 );

@@ -268,7 +268,7 @@ fn update_velocity_matches_its_twin() {
                 .map(|&at| quantization.pack(quantization.coordinates(at).map(|c| c.wrapping_add(moved_h()))))
                 .collect();
             let params = case.step_params();
-            let (positions, velocities, counters) = run_update(&case, &corrected, params, precision);
+            let (positions, velocities, counters) = run_update(&case, &corrected, params, precision, false);
             let step = step_of(&params, false);
             let mut clamps = 0;
             for i in 0..size {
@@ -289,6 +289,10 @@ fn update_velocity_matches_its_twin() {
             }
             assert_eq!(counters.speed_clamps, clamps);
             slowed += clamps;
+            // Positions are those of the other variant, whatever velocities are.
+            let (moved, kept, counters) = run_update(&case, &corrected, params, precision, true);
+            assert!(moved == positions && kept == case.velocities);
+            assert_eq!(counters.speed_clamps, 0);
         }
         worst.report();
         moves.report();
@@ -301,6 +305,7 @@ fn run_update(
     corrected: &[[u32; 2]],
     params: StepParams,
     precision: PrecisionKeyword,
+    keep_velocity: bool,
 ) -> (Vec<brooklet_kernels::Position>, Vec<Velocity>, Counters) {
     let mut bench = Bench::new();
     let corrected = bench.input("quantized_positions", corrected);
@@ -312,9 +317,10 @@ fn run_update(
     let mut counters = bench.input("counters", &[Counters::default()]);
     let step_params = bench.uniform("step_params", params);
     let step_state = bench.uniform("step_state", step_state(case.count(), params.dt_s));
+    let periodic = params.period_m != [0.0; 3];
     bench.dispatch(
         &UpdateVelocity {
-            variant: UpdateVelocityVariant { precision, periodic: params.period_m != [0.0; 3] },
+            variant: UpdateVelocityVariant { precision, periodic, keep_velocity },
             quantized_positions: corrected.read(),
             step_state: step_state.uniform(),
             kernel: kernel.uniform(),
@@ -322,8 +328,8 @@ fn run_update(
             sorted_velocities: sorted_velocities.read(),
             positions: positions.write(),
             velocities: velocities.write(),
-            counters: counters.write(),
-            step_params: step_params.uniform(),
+            counters: (!keep_velocity).then(|| counters.write()),
+            step_params: (!keep_velocity || periodic).then(|| step_params.uniform()),
         },
         case.count(),
     );

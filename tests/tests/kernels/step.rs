@@ -1,7 +1,7 @@
 //! A whole step of the chain, as the fluid records it, against the f64 twin's.
 
 use brooklet_fluid::particles::ParticleSet;
-use brooklet_fluid::{Scene, Session};
+use brooklet_fluid::{ParticleSource, Scene, Session, SessionRecorder};
 use brooklet_kernels::{Position, Velocity};
 use brooklet_reference::params::nearest_image;
 use brooklet_tests::compare::{Worst, vector};
@@ -230,6 +230,51 @@ fn a_missing_or_wrong_term_is_seen() {
         let twin_scene = scene_with(&[setting]);
         assert_ne!(twin_scene, scene, "{setting} changes nothing");
         assert!(follow(&scene, &twin_scene, 1, &mut worst).is_err(), "a twin with {setting} was not told apart");
+    }
+}
+
+/// Relaxes the scene's particles for a number of rounds, moved off their lattice, on the GPU and as the twin of
+/// `twin_scene` does, and compares where they end.
+fn relax(scene: &Scene, twin_scene: &Scene, rounds: usize, worst: &mut Worst) -> Result<(), String> {
+    let planned = SessionRecorder::new(scene, ParticleSource::Scene).with_relaxation().sweep().unwrap();
+    let mut session = Session::start(&gpu(), planned).unwrap();
+    let (positions, velocities) = start(&mut session);
+    let mut fluid = twin(twin_scene, &positions, &velocities);
+    let relax = session.recorded().relaxation.relax.id();
+    for _ in 0..rounds {
+        session.engine_mut().run(&[relax], &[]).unwrap();
+        fluid.relax();
+    }
+    let ParticleSet { positions: after, velocities: kept } = session.read_particles().unwrap();
+    let mut furthest = 0.0_f64;
+    for (position, velocity) in after.iter().zip(&kept) {
+        let id = (position.tag & 0xff_ffff) as usize;
+        assert_eq!(*velocity, velocities[id], "a round changes no velocity");
+        let expected_m = fluid.particles[id].position_m;
+        furthest = furthest.max((expected_m - vector(positions[id].position_m)).length());
+        let got_m = vector(position.position_m);
+        let image_m = got_m + nearest_image(expected_m - got_m, fluid.step.period_m);
+        worst.check3(position.position_m, image_m, scene.spacing_m)?;
+    }
+    assert!(furthest > 0.02 * scene.spacing_m, "the fluid hardly moved: {furthest} m");
+    Ok(())
+}
+
+#[test]
+fn relaxation_matches_its_twin() {
+    let chebyshev = "solver.pbf.acceleration=chebyshev";
+    for (text, settings) in
+        [(SCENE, &[][..]), (SCENE, &[chebyshev, "solver.pbf.iterations=8"]), (CHANNEL, &[]), (FLAT, &[])]
+    {
+        let mut worst = Worst::new("relaxation", 1e-4);
+        let scene = scene_of(text, settings);
+        relax(&scene, &scene, 2, &mut worst).unwrap();
+        worst.report();
+    }
+    let scene = scene_with(&[]);
+    for wrong in ["solver.pbf.iterations=3", "solver.pbf.relaxation=0.52", "domain.walls=false"] {
+        let mut worst = Worst::new("relaxation", 1e-4);
+        assert!(relax(&scene, &scene_with(&[wrong]), 2, &mut worst).is_err(), "a twin with {wrong} was not told apart");
     }
 }
 

@@ -1,8 +1,10 @@
 //! A scene running on a GPU: what every program that steps one goes through.
 
 mod plan;
+mod relax;
 
 pub use plan::{ParticleSource, SessionPlan, SessionRecorder};
+pub use relax::{MOST_ROUNDS, NO_COMPRESSION, Relaxation};
 
 use std::collections::VecDeque;
 
@@ -90,6 +92,7 @@ pub struct Session {
     drag: Option<DragPass>,
     slot_changes: Option<SlotChanges>,
     sample: Option<Sample>,
+    relaxes: bool,
     init: Vec<RecordingId>,
     steps: u64,
     since: TimeBase,
@@ -128,7 +131,19 @@ impl Session {
         planned: SessionPlan,
         progress: &mut dyn FnMut(usize, usize, &str),
     ) -> Result<Self, GpuError> {
-        let SessionPlan { plan, recorded, scene, particles, drag, slot_changes, sample, init, start } = planned;
+        let SessionPlan {
+            plan,
+            recorded,
+            scene,
+            particles,
+            drag,
+            slot_changes,
+            sample,
+            relaxes,
+            is_fresh,
+            init,
+            start,
+        } = planned;
         let mut session = Self {
             engine: Engine::new_with_progress(gpu, plan, progress)?,
             scene,
@@ -136,6 +151,7 @@ impl Session {
             drag,
             slot_changes,
             sample,
+            relaxes,
             init,
             steps: start.steps,
             since: start,
@@ -150,6 +166,9 @@ impl Session {
         }
         for recording in &session.init {
             session.engine.run(&[*recording], &[])?;
+        }
+        if is_fresh {
+            session.relax_start()?;
         }
         Ok(session)
     }
@@ -277,7 +296,8 @@ impl Session {
             return Ok(false);
         }
         self.since = TimeBase { steps: self.steps, simulated_s: self.simulated_s() };
-        self.scene = planned.scene.clone();
+        let before = std::mem::replace(&mut self.scene, planned.scene.clone());
+        self.relax_after(&before)?;
         Ok(true)
     }
 
@@ -290,7 +310,7 @@ impl Session {
         self.engine.adopt(&old.engine, &self.init)?;
         self.steps = old.steps;
         self.since = TimeBase { steps: old.steps, simulated_s: old.simulated_s() };
-        Ok(())
+        self.relax_after(&old.scene)
     }
 
     /// Runs with other modules from the next frame on: `plan` is this session's with some of them exchanged

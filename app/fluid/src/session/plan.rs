@@ -35,6 +35,8 @@ pub struct SessionRecorder {
     drag: Option<DragPass>,
     slot_changes: Option<SlotChanges>,
     sample: Option<Sample>,
+    relaxes: bool,
+    is_fresh: bool,
     init: Vec<RecordingId>,
     others: Vec<Recording>,
     wanted: Vec<ResourceId>,
@@ -43,6 +45,7 @@ pub struct SessionRecorder {
 impl SessionRecorder {
     /// Records `scene`: its start, a step, and a measurement if the scene measures.
     pub fn new(scene: &Scene, source: ParticleSource) -> Self {
+        let is_fresh = matches!(source, ParticleSource::Scene);
         let (particles, count) = match source {
             ParticleSource::Scene => with_count(sample_lattice(scene), scene),
             ParticleSource::Given(particles) => with_count(particles, scene),
@@ -60,6 +63,8 @@ impl SessionRecorder {
             drag: None,
             slot_changes: None,
             sample: None,
+            relaxes: false,
+            is_fresh,
             others: Vec::new(),
         }
     }
@@ -87,6 +92,16 @@ impl SessionRecorder {
         self.others.push(sample.recording.clone());
         self.wanted.push(sample.samples.id);
         self.sample = Some(sample);
+        self
+    }
+
+    /// Takes out compression while time stands: of a scene's own particles when the session starts, of what a change
+    /// of settings leaves over ([`crate::Session::apply`], [`crate::Session::adopt`]), and on demand
+    /// ([`crate::Session::relax`]). Needs a scene that measures.
+    pub fn with_relaxation(mut self) -> Self {
+        let relaxation = &self.recorded.relaxation;
+        self.others.extend([relaxation.list.clone(), relaxation.relax.clone()]);
+        self.relaxes = true;
         self
     }
 
@@ -121,6 +136,8 @@ impl SessionRecorder {
             drag: self.drag,
             slot_changes: self.slot_changes,
             sample: self.sample,
+            relaxes: self.relaxes,
+            is_fresh: self.is_fresh,
             init: self.init,
             start: TimeBase::default(),
         })
@@ -146,6 +163,8 @@ pub struct SessionPlan {
     pub(super) drag: Option<DragPass>,
     pub(super) slot_changes: Option<SlotChanges>,
     pub(super) sample: Option<Sample>,
+    pub(super) relaxes: bool,
+    pub(super) is_fresh: bool,
     pub(super) init: Vec<RecordingId>,
     pub(super) start: TimeBase,
 }

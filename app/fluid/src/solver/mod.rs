@@ -45,6 +45,20 @@ impl Solver {
         }
     }
 
+    /// Records what lists the neighbours of `particles` where they are, and what takes out some of their compression
+    /// while time stands; nothing of particles that do not interact.
+    pub fn record_relaxation(
+        &mut self,
+        [list, relax]: [&mut Recording; 2],
+        context: &mut StepContext,
+        particles: &mut Particles,
+    ) {
+        if let Self::Pbf(pbf) = self {
+            pbf.record_list(list, context, particles);
+            pbf.record_relaxation(relax, context, particles);
+        }
+    }
+
     /// Neighbours as the last substep listed them; `None` of particles that do not interact.
     pub fn search(&self) -> Option<&NeighbourSearch> {
         match self {

@@ -14,11 +14,14 @@ pub struct UpdateVelocityVariant {
     pub precision: PrecisionKeyword,
     /// Keyword `PERIODIC`.
     pub periodic: bool,
+    /// Keyword `KEEP_VELOCITY`.
+    pub keep_velocity: bool,
 }
 
 /// The velocity that the corrections amount to (Macklin & Muller 2013, algorithm 1, line 21).
 /// Only what the corrections added is divided by dt: (x\* - x)/dt of the whole path would lose
 /// x's last bits to the velocity, and a particle falling freely would not fall exactly.
+/// With KEEP\_VELOCITY time stands: compression is taken out, and is to make no motion.
 #[derive(Debug)]
 pub struct UpdateVelocity<'a> {
     /// Its variant.
@@ -34,11 +37,11 @@ pub struct UpdateVelocity<'a> {
     /// `RWStructuredBuffer<Velocity> velocities`.
     pub velocities: BufMut<'a, Velocity>,
     /// `RWStructuredBuffer<Counters> counters`.
-    pub counters: BufMut<'a, Counters>,
+    pub counters: Option<BufMut<'a, Counters>>,
     /// `ConstantBuffer<StepState> step_state`.
     pub step_state: Uniform<'a, StepState>,
     /// `ConstantBuffer<StepParams> step_params`.
-    pub step_params: Uniform<'a, StepParams>,
+    pub step_params: Option<Uniform<'a, StepParams>>,
     /// `ConstantBuffer<SmoothingKernelParams> kernel`.
     pub kernel: Uniform<'a, SmoothingKernelParams>,
 }
@@ -48,13 +51,27 @@ impl Kernel for UpdateVelocity<'_> {
     const GROUP_SIZE: [u32; 3] = [64, 1, 1];
 
     fn module(&self) -> &'static Module {
-        match (self.variant.precision, self.variant.periodic) {
-            (PrecisionKeyword::Off, false) => &UPDATE_VELOCITY,
-            (PrecisionKeyword::Off, true) => &UPDATE_VELOCITY_WITH_PERIODIC,
-            (PrecisionKeyword::RelaxedPrecision, false) => &UPDATE_VELOCITY_WITH_RELAXED_PRECISION,
-            (PrecisionKeyword::RelaxedPrecision, true) => &UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC,
-            (PrecisionKeyword::HalfPrecision, false) => &UPDATE_VELOCITY_WITH_RELAXED_PRECISION,
-            (PrecisionKeyword::HalfPrecision, true) => &UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC,
+        match (self.variant.precision, self.variant.periodic, self.variant.keep_velocity) {
+            (PrecisionKeyword::Off, false, false) => &UPDATE_VELOCITY,
+            (PrecisionKeyword::Off, false, true) => &UPDATE_VELOCITY_WITH_KEEP_VELOCITY,
+            (PrecisionKeyword::Off, true, false) => &UPDATE_VELOCITY_WITH_PERIODIC,
+            (PrecisionKeyword::Off, true, true) => &UPDATE_VELOCITY_WITH_PERIODIC_WITH_KEEP_VELOCITY,
+            (PrecisionKeyword::RelaxedPrecision, false, false) => &UPDATE_VELOCITY_WITH_RELAXED_PRECISION,
+            (PrecisionKeyword::RelaxedPrecision, false, true) => {
+                &UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_KEEP_VELOCITY
+            }
+            (PrecisionKeyword::RelaxedPrecision, true, false) => &UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC,
+            (PrecisionKeyword::RelaxedPrecision, true, true) => {
+                &UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC_WITH_KEEP_VELOCITY
+            }
+            (PrecisionKeyword::HalfPrecision, false, false) => &UPDATE_VELOCITY_WITH_RELAXED_PRECISION,
+            (PrecisionKeyword::HalfPrecision, false, true) => {
+                &UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_KEEP_VELOCITY
+            }
+            (PrecisionKeyword::HalfPrecision, true, false) => &UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC,
+            (PrecisionKeyword::HalfPrecision, true, true) => {
+                &UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC_WITH_KEEP_VELOCITY
+            }
         }
     }
     fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
@@ -66,9 +83,9 @@ impl Kernel for UpdateVelocity<'_> {
                 ("sorted_velocities", Some(self.sorted_velocities.id)),
                 ("positions", Some(self.positions.id)),
                 ("velocities", Some(self.velocities.id)),
-                ("counters", Some(self.counters.id)),
+                ("counters", self.counters.as_ref().map(|bound| bound.id)),
                 ("step_state", Some(self.step_state.id)),
-                ("step_params", Some(self.step_params.id)),
+                ("step_params", self.step_params.as_ref().map(|bound| bound.id)),
                 ("kernel", Some(self.kernel.id)),
             ],
         )
@@ -78,9 +95,13 @@ impl Kernel for UpdateVelocity<'_> {
 /// The modules of this file.
 pub(super) static MODULES: &[&Module] = &[
     &UPDATE_VELOCITY,
+    &UPDATE_VELOCITY_WITH_KEEP_VELOCITY,
     &UPDATE_VELOCITY_WITH_PERIODIC,
+    &UPDATE_VELOCITY_WITH_PERIODIC_WITH_KEEP_VELOCITY,
     &UPDATE_VELOCITY_WITH_RELAXED_PRECISION,
+    &UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_KEEP_VELOCITY,
     &UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC,
+    &UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC_WITH_KEEP_VELOCITY,
 ];
 
 static BINDINGS_0: &[BindingInfo] = &[
@@ -119,6 +140,67 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "kernel", slot: 8, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
+static BINDINGS_1: &[BindingInfo] = &[
+    BindingInfo {
+        name: "quantized_positions",
+        slot: 0,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 },
+    },
+    BindingInfo {
+        name: "sorted_positions",
+        slot: 1,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+    },
+    BindingInfo {
+        name: "sorted_velocities",
+        slot: 2,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+    },
+    BindingInfo {
+        name: "positions",
+        slot: 3,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
+    },
+    BindingInfo {
+        name: "velocities",
+        slot: 4,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
+    },
+    BindingInfo { name: "step_state", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "kernel", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
+];
+
+static BINDINGS_2: &[BindingInfo] = &[
+    BindingInfo {
+        name: "quantized_positions",
+        slot: 0,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 },
+    },
+    BindingInfo {
+        name: "sorted_positions",
+        slot: 1,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+    },
+    BindingInfo {
+        name: "sorted_velocities",
+        slot: 2,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+    },
+    BindingInfo {
+        name: "positions",
+        slot: 3,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
+    },
+    BindingInfo {
+        name: "velocities",
+        slot: 4,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
+    },
+    BindingInfo { name: "step_state", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 6, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
+];
+
 static UPDATE_VELOCITY: Module = Module {
     name: "UpdateVelocity",
     entry: "UpdateVelocity",
@@ -129,7 +211,20 @@ static UPDATE_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "c8f2da7af18c5f2a5995663a51d1a2eec023604e8fa8d4dab38abb55215366cc",
+    hash: "0f4ad8d4929002f939b7c432e5a6cca9616185b54eeddc494cbacdbd126c8c9e",
+};
+
+static UPDATE_VELOCITY_WITH_KEEP_VELOCITY: Module = Module {
+    name: "UpdateVelocity+KEEP_VELOCITY",
+    entry: "UpdateVelocity",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/update_velocity+keep_velocity.spv"),
+    bindings: BINDINGS_1,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/pbf/update_velocity.compute",
+    hash: "bd253fff71241430e2646c2dae99343c525ab25e02c707ca073f0856392fc534",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
@@ -142,7 +237,20 @@ static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "47ebd1bc7a0e005bf6156c30bb3e355ca8579b1bb7642fa7dd3a097d37bba61a",
+    hash: "8c0da0b418e967067e10684e8831775de09caed3a226d0c661627ce1df60f02b",
+};
+
+static UPDATE_VELOCITY_WITH_PERIODIC_WITH_KEEP_VELOCITY: Module = Module {
+    name: "UpdateVelocity+PERIODIC+KEEP_VELOCITY",
+    entry: "UpdateVelocity",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/update_velocity+periodic+keep_velocity.spv"),
+    bindings: BINDINGS_2,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/pbf/update_velocity.compute",
+    hash: "16d490a8103e97460707ab9724989e59e2e95705cc97c20540d41bd8be206b5c",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -155,7 +263,20 @@ static UPDATE_VELOCITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "6935aa51809e338c776452a901de53e013658c502ea9f586e3c3fc2c5e51d3bc",
+    hash: "a4867173667e9403ebef682194f53fa93f78b470be9691ee832461166c3ccd00",
+};
+
+static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_KEEP_VELOCITY: Module = Module {
+    name: "UpdateVelocity+RELAXED_PRECISION+KEEP_VELOCITY",
+    entry: "UpdateVelocity",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/update_velocity+relaxed_precision+keep_velocity.spv"),
+    bindings: BINDINGS_1,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/pbf/update_velocity.compute",
+    hash: "3287591866c5def814ef99ad2e6e39acec0a032e2cb88e9d43f2a275ba241b40",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC: Module = Module {
@@ -168,5 +289,18 @@ static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "60b798f40165c1885a39a5f2cc946826dcdedd500842d74de4853a7cbb43e53a",
+    hash: "a8dd241a1bebe75360bcfbdec632390aa7aa50e999340414177b7605d7982142",
+};
+
+static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC_WITH_KEEP_VELOCITY: Module = Module {
+    name: "UpdateVelocity+RELAXED_PRECISION+PERIODIC+KEEP_VELOCITY",
+    entry: "UpdateVelocity",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/update_velocity+relaxed_precision+periodic+keep_velocity.spv"),
+    bindings: BINDINGS_2,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/pbf/update_velocity.compute",
+    hash: "f81b82f0d1060efca90490d47882590b5da2a647154c881c31aff9ce989a3099",
 };

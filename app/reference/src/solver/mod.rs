@@ -30,4 +30,11 @@ impl Solver {
             }
         }
     }
+
+    /// Takes out compression while time stands; nothing of particles that do not interact.
+    pub fn relax(&self, particles: &mut [Particle], step: &Step, walls: Option<&DomainWalls>) {
+        if let Self::Pbf(pbf) = self {
+            pbf.relax(particles, step, walls);
+        }
+    }
 }

@@ -61,13 +61,17 @@ pub fn run(gpu: &Gpu, setup: &Setup, options: &Options<'_>) -> Result<GpuRun, Se
     let mut scene = setup.scene.clone();
     // Measured when sampled, not in between: the scene must have the stage at all.
     scene.outputs.measure_every_steps = 1;
-    let mut planned = SessionRecorder::new(&scene, ParticleSource::Given(setup.particles.clone())).sweep()?;
+    let recorder = SessionRecorder::new(&scene, ParticleSource::Given(setup.particles.clone()));
+    let mut planned = if setup.relaxes { recorder.with_relaxation() } else { recorder }.sweep()?;
     if let Some(edit) = options.edit {
         planned.plan = edit(planned.plan);
     }
     let (init, step) = (planned.recorded.init.id(), planned.recorded.step.id());
     let mut run = GpuRun { bytes: planned.plan.bytes_of(&[init, step]), gpu_clock: true, ..GpuRun::default() };
     let mut session = Session::start(gpu, planned)?;
+    if setup.relaxes {
+        session.relax_start()?;
+    }
     session.finish()?;
     let (count, dt_s) = (setup.count(), scene.solver.dt_s);
     let mut done = 0;

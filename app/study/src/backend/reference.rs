@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use brooklet_fluid::particles::{is_inactive, is_quarantined};
 use brooklet_fluid::scene::{Method, Scene};
+use brooklet_fluid::session::{MOST_ROUNDS, NO_COMPRESSION};
 use brooklet_fluid::smoothing_kernel_params;
 use brooklet_fluid::solver::pbf::{self, IterationWeights};
 use brooklet_kernels::{Position, Velocity};
@@ -123,6 +124,9 @@ fn iterations_of(scene: &Scene, weights: &IterationWeights) -> Iterations {
 /// Runs `setup` in f64; `None` if `stop` says so before its end.
 pub fn run_reference(setup: &Setup, stop: &dyn Fn() -> bool) -> Option<Vec<Sample>> {
     let mut fluid = reference_fluid(setup);
+    if setup.relaxes && !relax(&mut fluid, stop) {
+        return None;
+    }
     let mut samples = Vec::new();
     let mut done = 0;
     for due in setup.sample_steps() {
@@ -143,6 +147,23 @@ pub fn run_reference(setup: &Setup, stop: &dyn Fn() -> bool) -> Option<Vec<Sampl
         });
     }
     Some(samples)
+}
+
+/// Takes out the start's compression as a session does, measuring after each round; false if it was stopped.
+fn relax(fluid: &mut Fluid, stop: &dyn Fn() -> bool) -> bool {
+    let Solver::Pbf(pbf) = fluid.solver.clone() else { return true };
+    for _ in 0..MOST_ROUNDS {
+        let ratios = pbf.density_ratios(&fluid.particles, &fluid.step, fluid.walls.as_ref());
+        let compression = ratios.iter().map(|ratio| (ratio - 1.0).max(0.0)).sum::<f64>();
+        if compression <= NO_COMPRESSION * ratios.len() as f64 {
+            return true;
+        }
+        if stop() {
+            return false;
+        }
+        fluid.relax();
+    }
+    true
 }
 
 /// Where f64 runs are kept, if anywhere.
@@ -223,6 +244,9 @@ fn content_hash(setup: &Setup) -> String {
             hash.update(x.to_le_bytes());
         }
         hash.update(position.tag.to_le_bytes());
+    }
+    if setup.relaxes {
+        hash.update(b"relaxed");
     }
     for time_s in &setup.sample_times_s {
         hash.update(time_s.to_le_bytes());

@@ -66,7 +66,7 @@ impl Case for ColumnCollapse {
             support_ratio = {FLAT_SUPPORT_RATIO}
             dt_s = {dt_s}"
         );
-        Setup::new(self.name(), &text, settings, END_S, 12)
+        Ok(Setup::new(self.name(), &text, settings, END_S, 12)?.relaxed())
     }
 
     fn figures(&self, setup: &Setup, samples: &[Sample], converge: Converge<'_>) -> Option<Vec<Figure>> {

@@ -120,7 +120,7 @@ impl Case for DamBreak {
             1.5 * height_m,
             self.base_m,
         );
-        Setup::new(self.name, &text, settings, end_s, 60)
+        Ok(Setup::new(self.name, &text, settings, end_s, 60)?.relaxed())
     }
 
     fn figures(&self, setup: &Setup, samples: &[Sample], _: Converge<'_>) -> Option<Vec<Figure>> {

@@ -55,7 +55,7 @@ impl Case for EllipticalDrop {
         );
         let mut setup = Setup::new(self.name(), &text, settings, END_S, 20)?;
         setup.place(|at, velocity| *velocity = DVec3::new(HALF_M - at.x, at.y - HALF_M, 0.0));
-        Ok(setup)
+        Ok(setup.relaxed())
     }
 
     fn figures(&self, setup: &Setup, samples: &[Sample], _: Converge<'_>) -> Option<Vec<Figure>> {

@@ -64,7 +64,7 @@ impl Case for ReservoirGauge {
             [solver]
             dt_s = {dt_s}"
         );
-        Setup::new(self.name(), &text, settings, END_S, 40)
+        Ok(Setup::new(self.name(), &text, settings, END_S, 40)?.relaxed())
     }
 
     fn figures(&self, setup: &Setup, samples: &[Sample], _: Converge<'_>) -> Option<Vec<Figure>> {

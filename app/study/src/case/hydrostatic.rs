@@ -57,7 +57,7 @@ impl Case for Hydrostatic {
             1.5 * self.height_m,
             self.height_m,
         );
-        Setup::new(self.name(), &text, settings, self.end_s, 20)
+        Ok(Setup::new(self.name(), &text, settings, self.end_s, 20)?.relaxed())
     }
 
     fn figures(&self, setup: &Setup, samples: &[Sample], _: Converge<'_>) -> Option<Vec<Figure>> {

@@ -57,7 +57,7 @@ impl Case for SquarePatch {
         );
         let mut setup = Setup::new(self.name(), &text, settings, END_S, 10)?;
         setup.place(|at, velocity| *velocity = OMEGA_PER_S * DVec3::new(at.y - HALF_M, HALF_M - at.x, 0.0));
-        Ok(setup)
+        Ok(setup.relaxed())
     }
 
     fn figures(&self, setup: &Setup, samples: &[Sample], _: Converge<'_>) -> Option<Vec<Figure>> {

@@ -74,7 +74,7 @@ impl Case for StandingWave {
             at.x -= scale * (k * x).sin() * (k * y).cosh();
             at.y += scale * (k * x).cos() * (k * y).sinh();
         });
-        Ok(setup)
+        Ok(setup.relaxed())
     }
 
     fn figures(&self, setup: &Setup, samples: &[Sample], _: Converge<'_>) -> Option<Vec<Figure>> {

@@ -60,7 +60,7 @@ impl Case for TaylorGreen {
         );
         let mut setup = Setup::new(self.name(), &text, settings, END_S, 10)?;
         setup.place(|at, velocity| *velocity = exact_m_s(*at, side_m));
-        Ok(setup)
+        Ok(setup.relaxed())
     }
 
     fn figures(&self, setup: &Setup, samples: &[Sample], _: Converge<'_>) -> Option<Vec<Figure>> {

@@ -34,14 +34,19 @@ pub fn equal_work_tasks() -> Vec<Task> {
 fn setup(task: &Task) -> SetupResult {
     let scene = Scene::load(&task.case, &task.settings).map_err(Box::new)?;
     let particles = sample_lattice(&scene);
-    Ok(Setup { scene, particles, sample_times_s: (1..=5).map(|k| END_S * f64::from(k) / 5.0).collect() })
+    Ok(Setup {
+        scene,
+        particles,
+        sample_times_s: (1..=5).map(|k| END_S * f64::from(k) / 5.0).collect(),
+        relaxes: false,
+    })
 }
 
 /// Particle iterations, without making the particles.
 pub fn equal_work_cost(task: &Task) -> Option<f64> {
     let scene = Scene::load(&task.case, &task.settings).ok()?;
     let count = scene.particle_count();
-    let empty = Setup { scene, particles: ParticleSet::default(), sample_times_s: vec![END_S] };
+    let empty = Setup { scene, particles: ParticleSet::default(), sample_times_s: vec![END_S], relaxes: false };
     Some(empty.particle_iterations_of(count))
 }
 

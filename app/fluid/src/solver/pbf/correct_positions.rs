@@ -6,7 +6,7 @@ use brooklet_kernels::{CorrectPositions, CorrectPositionsVariant};
 use super::{Lambdas, Pbf};
 use crate::step_context::StepContext;
 
-pub(super) fn correct_positions(recording: &mut Recording, pbf: &mut Pbf, context: &mut StepContext) {
+pub(super) fn correct_positions(recording: &mut Recording, pbf: &mut Pbf, context: &mut StepContext, s_corr: bool) {
     let (position_lambdas, packed_position_lambdas) = match &pbf.lambdas {
         Lambdas::Full(lambdas) => (Some(lambdas.read()), None),
         Lambdas::Packed(lambdas) => (None, Some(lambdas.read())),
@@ -15,7 +15,7 @@ pub(super) fn correct_positions(recording: &mut Recording, pbf: &mut Pbf, contex
     context.slots.dispatch(
         recording,
         &CorrectPositions {
-            variant: CorrectPositionsVariant { walls: context.walls, s_corr: pbf.s_corr, precision: sorted.precision },
+            variant: CorrectPositionsVariant { walls: context.walls, s_corr, precision: sorted.precision },
             position_lambdas,
             packed_position_lambdas,
             sorted_positions: sorted.positions.read(),

@@ -26,7 +26,7 @@ pub use chebyshev::{Chebyshev, Weights};
 use constrain_density::constrain_density;
 use correct_positions::correct_positions;
 pub use iteration_weights::IterationWeights;
-use update_velocity::update_velocity;
+use update_velocity::{Velocities, update_velocity};
 
 /// The solver's settings and buffers.
 pub struct Pbf {
@@ -63,6 +63,17 @@ enum Lambdas {
 /// Of two particles at one point: as much as about 4 % of compression gives, so that they part in some ten steps
 /// without a leap.
 const SEPARATION_LAMBDA: f64 = -0.02;
+/// Substeps that are shorter than this share of the time in which gravity moves by a spacing, sqrt(d/g), part them in
+/// as much time, not in as many substeps: the speed of parting would else grow as 1/dt.
+const SEPARATION_TIME: f64 = 0.055;
+
+/// That of a scene. Without gravity the step is what others' substeps are held against.
+fn separation_lambda(scene: &Scene) -> f64 {
+    let g_m_s2 = scene.gravity_m_s2.iter().map(|g| g * g).sum::<f64>().sqrt();
+    let fall_s = SEPARATION_TIME * (scene.fitted_spacing_m() / g_m_s2).sqrt();
+    let whole_s = if g_m_s2 > 0.0 { fall_s } else { scene.solver.dt_s };
+    SEPARATION_LAMBDA * (scene.substep_s() / whole_s).min(1.0)
+}
 
 /// What the shaders are given of a scene and its weights.
 pub fn params(scene: &Scene, weights: &IterationWeights) -> PbfParams {
@@ -81,7 +92,7 @@ pub fn params(scene: &Scene, weights: &IterationWeights) -> PbfParams {
         max_correction_m: (0.5 * scene.fitted_spacing_m()) as f32,
         // Half a spacing: fluid at rest, however dense, keeps further apart.
         separation: (0.5 / solver.support_ratio) as f32,
-        separation_lambda: (unconstrained * SEPARATION_LAMBDA) as f32,
+        separation_lambda: (unconstrained * separation_lambda(scene)) as f32,
         ..PbfParams::default()
     }
 }
@@ -124,13 +135,49 @@ impl Pbf {
         predict(recording, context, particles);
         self.search.sort(recording, context, particles);
         self.search.list(recording, context);
+        self.iterate(recording, context, self.s_corr);
+        let updated = self.forces.input(&mut particles.velocities);
+        let what = Velocities::TakeCorrections;
+        update_velocity(recording, context, &self.search, &mut particles.positions, updated, what);
+        self.forces.record(recording, context, &self.search, &mut particles.velocities);
+    }
+
+    /// Sorts and lists the particles where they are, and leaves them there.
+    pub(super) fn record_list(
+        &mut self,
+        recording: &mut Recording,
+        context: &mut StepContext,
+        particles: &mut Particles,
+    ) {
+        self.search.sort(recording, context, particles);
+        self.search.list(recording, context);
+        self.move_particles(recording, context, particles);
+    }
+
+    /// A substep's iterations while time stands: they move particles, and change no velocity. Artificial pressure is
+    /// left out, which would push on for ever.
+    pub(super) fn record_relaxation(
+        &mut self,
+        recording: &mut Recording,
+        context: &mut StepContext,
+        particles: &mut Particles,
+    ) {
+        self.search.sort(recording, context, particles);
+        self.search.list(recording, context);
+        self.iterate(recording, context, false);
+        self.move_particles(recording, context, particles);
+    }
+
+    fn iterate(&mut self, recording: &mut Recording, context: &mut StepContext, s_corr: bool) {
         for iteration in 0..self.iterations {
             constrain_density(recording, self, context, iteration as usize);
-            correct_positions(recording, self, context);
+            correct_positions(recording, self, context, s_corr);
         }
-        let updated = self.forces.input(&mut particles.velocities);
-        update_velocity(recording, context, &self.search, &mut particles.positions, updated);
-        self.forces.record(recording, context, &self.search, &mut particles.velocities);
+    }
+
+    fn move_particles(&self, recording: &mut Recording, context: &mut StepContext, particles: &mut Particles) {
+        let Particles { positions, velocities } = particles;
+        update_velocity(recording, context, &self.search, positions, velocities, Velocities::Keep);
     }
 }
 
@@ -143,5 +190,28 @@ impl Momentum {
             accumulates: weights.accumulates(),
             totals: totals.then(|| resources.buffer("lambda_totals", capacity)),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pairs_part_at_a_speed_that_short_substeps_do_not_raise() {
+        let scene = |settings: &[&str]| {
+            let settings: Vec<String> = settings.iter().map(|&s| s.into()).collect();
+            Scene::load("dam-break", &settings).unwrap()
+        };
+        // As much as an iteration moves over the time that it takes: a speed, but for h.
+        let speed = |settings: &[&str]| -separation_lambda(&scene(settings)) / scene(settings).substep_s();
+        assert_eq!(separation_lambda(&scene(&[])), SEPARATION_LAMBDA, "the step's own");
+        let most = 1.7 * speed(&[]);
+        for settings in [["solver.substeps=8"], ["solver.substeps=64"], ["solver.dt_s=0.00001"]] {
+            assert!(speed(&settings) < most, "{settings:?}: {}", speed(&settings));
+        }
+        let weightless = "gravity_m_s2=[0, 0, 0]";
+        let [one, eight] = [1, 8].map(|n| speed(&[weightless, &format!("solver.substeps={n}")]));
+        assert!((one / eight - 1.0).abs() < 1e-9);
     }
 }

@@ -64,14 +64,7 @@ impl Pbf {
         }
         let predicted_m = positions_m(particles);
         let neighbours = self.neighbours(particles, step);
-        let mut corrected_m = predicted_m.clone();
-        let none = vec![0.0; particles.len()];
-        let mut lambdas = Lambdas { last: none.clone(), totals: none };
-        for iteration in 0..self.iterations.count() {
-            lambdas.last = self.lambdas(iteration, &lambdas, &corrected_m, &neighbours, walls);
-            lambdas.totals.iter_mut().zip(&lambdas.last).for_each(|(total, lambda)| *total += lambda);
-            corrected_m = self.correct(&predicted_m, &corrected_m, &lambdas.last, &neighbours, step, walls);
-        }
+        let corrected_m = self.iterate(&predicted_m, &neighbours, step, walls);
         for (i, particle) in particles.iter_mut().enumerate() {
             if particle.is_simulated() {
                 let (velocity_m_s, _) = update_velocity(predicted_m[i], corrected_m[i], particle.velocity_m_s, step);
@@ -85,6 +78,37 @@ impl Pbf {
         for (particle, velocity_m_s) in particles.iter_mut().zip(forced) {
             particle.velocity_m_s = velocity_m_s;
         }
+    }
+
+    /// Takes out compression while time stands: moves particles by a substep's iterations and leaves velocities
+    /// alone. Without artificial pressure, which would push on for ever.
+    pub fn relax(&self, particles: &mut [Particle], step: &Step, walls: Option<&DomainWalls>) {
+        let without = Self { params: params::Pbf { s_corr_k: 0.0, ..self.params }, ..self.clone() };
+        let neighbours = without.neighbours(particles, step);
+        let relaxed_m = without.iterate(&positions_m(particles), &neighbours, step, walls);
+        for (particle, relaxed_m) in particles.iter_mut().zip(relaxed_m).filter(|(particle, _)| particle.is_simulated())
+        {
+            particle.position_m = step.wrapped(relaxed_m);
+        }
+    }
+
+    /// Where the iterations move particles from where they were predicted.
+    fn iterate(
+        &self,
+        predicted_m: &[DVec3],
+        neighbours: &Neighbours,
+        step: &Step,
+        walls: Option<&DomainWalls>,
+    ) -> Vec<DVec3> {
+        let mut corrected_m = predicted_m.to_vec();
+        let none = vec![0.0; predicted_m.len()];
+        let mut lambdas = Lambdas { last: none.clone(), totals: none };
+        for iteration in 0..self.iterations.count() {
+            lambdas.last = self.lambdas(iteration, &lambdas, &corrected_m, neighbours, walls);
+            lambdas.totals.iter_mut().zip(&lambdas.last).for_each(|(total, lambda)| *total += lambda);
+            corrected_m = self.correct(predicted_m, &corrected_m, &lambdas.last, neighbours, step, walls);
+        }
+        corrected_m
     }
 
     /// The neighbour lists of the particles' positions.
