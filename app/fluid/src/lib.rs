@@ -28,6 +28,7 @@ pub use measure::Stats;
 pub use scene::{Scene, SceneError, shipped_scenes};
 pub use session::{
     FrameRequest, ParticleSource, Relaxation, Session, SessionError, SessionPlan, SessionRecorder, SessionReport,
+    relax_particles,
 };
 pub use slot_changes::{DrainBox, ParticleBlock, SlotChanges, activate_params, deactivate_params, record_slot_changes};
 pub use slots::{Slots, step_state, visit_slots};

@@ -1,6 +1,8 @@
 //! Compression that a start or a change of settings leaves over is taken out while time stands.
 
-use brooklet_fluid::{ParticleSource, Scene, Session, SessionPlan, SessionRecorder, Stats};
+use brooklet_fluid::particles::{ParticleSet, sample_lattice};
+use brooklet_fluid::session::{MOST_ROUNDS, NO_COMPRESSION};
+use brooklet_fluid::{ParticleSource, Scene, Session, SessionPlan, SessionRecorder, Stats, relax_particles};
 use brooklet_tests::gpu;
 
 /// A pool in two dimensions, 40 x 20 particles.
@@ -91,6 +93,58 @@ fn a_start_is_relaxed_before_time_begins() {
     // Nothing is recorded for who does not ask.
     let mut without = Session::start(&gpu(), planned(&pool(&[]), ParticleSource::Scene, false)).unwrap();
     assert_eq!(without.relax_start().unwrap(), None);
+}
+
+/// Two blocks that are closer to each other than lattices are, in short substeps.
+fn two_blocks() -> Scene {
+    let close = POOL.replace(
+        "[0.8, 0.4, 0.02] }",
+        "[0.4, 0.4, 0.02] }\n[[fluid]]\nblock = { min_m = [0.39, 0, 0], max_m = [0.8, 0.4, 0.02] }",
+    );
+    Scene::from_toml(
+        &close,
+        "two-blocks.toml",
+        &["outputs.measure_every_steps=0", "solver.substeps=8"].map(String::from),
+    )
+    .unwrap()
+}
+
+#[test]
+fn a_session_of_a_scene_begins_without_compression_measured_or_not() {
+    let scene = two_blocks();
+    let start = |source: ParticleSource| {
+        let mut session = Session::start(&gpu(), planned(&scene, source, false)).unwrap();
+        let before = session.read_particles().unwrap();
+        session.step().unwrap();
+        let after = session.read_particles().unwrap();
+        let fastest = after.velocities.iter().map(|v| v.velocity_m_s.map(f32::abs).into_iter().fold(0.0, f32::max));
+        (session.start_relaxation(), before, fastest.fold(0.0, f32::max))
+    };
+    let (done, relaxed, fastest_m_s) = start(ParticleSource::Scene);
+    let [before, after] = done.unwrap().compression;
+    assert!(before.max > 0.01 && after.is_within(&NO_COMPRESSION), "{done:?}");
+    // What gravity gives in a step is .04 m/s.
+    assert!(fastest_m_s < 0.1, "{fastest_m_s} m/s");
+    let lattice = sample_lattice(&scene);
+    let ids = |particles: &ParticleSet| particles.positions.iter().map(|at| at.tag).collect::<Vec<_>>();
+    assert!(ids(&relaxed) == ids(&lattice) && relaxed.velocities == lattice.velocities);
+    assert!(start(ParticleSource::Scene).1.positions == relaxed.positions, "bit for bit, as ordered");
+    let (none, given, fastest_m_s) = start(ParticleSource::Given(lattice.clone()));
+    assert!(none.is_none() && given.positions == lattice.positions, "a saved state stays");
+    assert!(fastest_m_s > 0.3, "{fastest_m_s} m/s: this test sees nothing");
+    // What is held between walls is given up early.
+    let full = Scene::from_toml(POOL, "full.toml", &["domain.max_m=[0.8, 0.4, 0.02]".into()]).unwrap();
+    let mut squashed = sample_lattice(&full);
+    squashed.positions.iter_mut().take(80).for_each(|at| at.position_m[1] = 0.2);
+    let more = sample_lattice(&full).positions.len();
+    let mut both = squashed.clone();
+    both.positions.extend(squashed.positions.iter().take(more / 5).map(|at| brooklet_kernels::Position {
+        position_m: [at.position_m[0] + 0.007, at.position_m[1] + 0.007, at.position_m[2]],
+        tag: at.tag + more as u32,
+    }));
+    both.velocities.extend(squashed.velocities.iter().take(more / 5));
+    let done = relax_particles(&gpu(), &full, &mut both).unwrap().unwrap();
+    assert!(done.rounds < MOST_ROUNDS / 2 && !done.compression[1].is_within(&NO_COMPRESSION), "{done:?}");
 }
 
 #[test]

@@ -4,7 +4,8 @@ mod plan;
 mod relax;
 
 pub use plan::{ParticleSource, SessionPlan, SessionRecorder};
-pub use relax::{MOST_ROUNDS, NO_COMPRESSION, Relaxation};
+use relax::run_relaxation;
+pub use relax::{MOST_ROUNDS, NO_COMPRESSION, Relaxation, relax_particles};
 
 use std::collections::VecDeque;
 
@@ -93,6 +94,7 @@ pub struct Session {
     slot_changes: Option<SlotChanges>,
     sample: Option<Sample>,
     relaxes: bool,
+    start_relaxation: Option<Relaxation>,
     init: Vec<RecordingId>,
     steps: u64,
     since: TimeBase,
@@ -113,8 +115,8 @@ impl Session {
         Ok(Self::start(gpu, SessionRecorder::new(scene, ParticleSource::Scene).sweep()?)?)
     }
 
-    /// Allocates what the plan keeps, fills it with the particles and runs the first recordings, each a frame of
-    /// its own.
+    /// Takes the compression out of a scene's own particles, allocates what the plan keeps, fills it with them and runs
+    /// the first recordings, each a frame of its own.
     ///
     /// # Errors
     /// If the device lacks memory or limits for the plan.
@@ -135,15 +137,19 @@ impl Session {
             plan,
             recorded,
             scene,
-            particles,
+            mut particles,
             drag,
             slot_changes,
             sample,
             relaxes,
-            is_fresh,
+            relaxation,
             init,
             start,
         } = planned;
+        let start_relaxation = match (relaxation, &mut particles) {
+            (Some(relaxation), Some(particles)) => run_relaxation(gpu, *relaxation, particles)?,
+            _ => None,
+        };
         let mut session = Self {
             engine: Engine::new_with_progress(gpu, plan, progress)?,
             scene,
@@ -152,6 +158,7 @@ impl Session {
             slot_changes,
             sample,
             relaxes,
+            start_relaxation,
             init,
             steps: start.steps,
             since: start,
@@ -166,9 +173,6 @@ impl Session {
         }
         for recording in &session.init {
             session.engine.run(&[*recording], &[])?;
-        }
-        if is_fresh {
-            session.relax_start()?;
         }
         Ok(session)
     }
@@ -325,6 +329,11 @@ impl Session {
     /// The scene.
     pub fn scene(&self) -> &Scene {
         &self.scene
+    }
+
+    /// What was taken out of the scene's particles before time began; none of particles from elsewhere.
+    pub fn start_relaxation(&self) -> Option<Relaxation> {
+        self.start_relaxation
     }
 
     /// Steps done.

@@ -3,6 +3,7 @@
 use brooklet_gpu::{Plan, PlanError, Recording, RecordingId, ResourceId, Resources};
 
 use super::TimeBase;
+use super::relax::plan_relaxation;
 use crate::drag::{DragPass, record_drag};
 use crate::measure::{Sample, record_sample};
 use crate::particles::{ParticleSet, sample_lattice};
@@ -13,7 +14,7 @@ use crate::step::{Recorded, record_count};
 /// Where a session's particles come from.
 #[derive(Clone, Debug)]
 pub enum ParticleSource {
-    /// The scene's fluids, on their lattice.
+    /// The scene's fluids, on their lattice, without compression where blocks overlap.
     Scene,
     /// These.
     Given(ParticleSet),
@@ -95,9 +96,9 @@ impl SessionRecorder {
         self
     }
 
-    /// Takes out compression while time stands: of a scene's own particles when the session starts, of what a change
-    /// of settings leaves over ([`crate::Session::apply`], [`crate::Session::adopt`]), and on demand
-    /// ([`crate::Session::relax`]). Needs a scene that measures.
+    /// Takes out compression while time stands: what a change of settings leaves over ([`crate::Session::apply`],
+    /// [`crate::Session::adopt`]), and on demand ([`crate::Session::relax`]). Needs a scene that measures. A scene's own
+    /// particles start without compression whether it is asked for or not ([`super::relax_particles`]).
     pub fn with_relaxation(mut self) -> Self {
         let relaxation = &self.recorded.relaxation;
         self.others.extend([relaxation.list.clone(), relaxation.relax.clone()]);
@@ -127,6 +128,7 @@ impl SessionRecorder {
     /// # Errors
     /// If a recording is wrong: a fault of the program that recorded it.
     pub fn sweep(self) -> Result<SessionPlan, PlanError> {
+        let relaxation = if self.is_fresh { plan_relaxation(&self.scene, self.recorded.slots.capacity)? } else { None };
         let recordings = self.recorded.recordings().into_iter().chain(self.others).collect();
         Ok(SessionPlan {
             plan: Plan::sweep(self.resources, recordings, &self.wanted)?,
@@ -137,7 +139,7 @@ impl SessionRecorder {
             slot_changes: self.slot_changes,
             sample: self.sample,
             relaxes: self.relaxes,
-            is_fresh: self.is_fresh,
+            relaxation: relaxation.map(Box::new),
             init: self.init,
             start: TimeBase::default(),
         })
@@ -164,7 +166,7 @@ pub struct SessionPlan {
     pub(super) slot_changes: Option<SlotChanges>,
     pub(super) sample: Option<Sample>,
     pub(super) relaxes: bool,
-    pub(super) is_fresh: bool,
+    pub(super) relaxation: Option<Box<SessionPlan>>,
     pub(super) init: Vec<RecordingId>,
     pub(super) start: TimeBase,
 }

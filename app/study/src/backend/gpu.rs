@@ -2,7 +2,7 @@
 //! outside the times.
 
 use brooklet_fluid::particles::{id_of, is_quarantined};
-use brooklet_fluid::{ParticleSource, Session, SessionError, SessionRecorder, SessionReport, Stats};
+use brooklet_fluid::{ParticleSource, Session, SessionError, SessionRecorder, SessionReport, Stats, relax_particles};
 use brooklet_gpu::{Gpu, Plan, RecordingId};
 use brooklet_kernels::{Position, Velocity};
 use glam::DVec3;
@@ -30,6 +30,8 @@ impl Default for Options<'_> {
 /// What a run gave.
 #[derive(Clone, Debug, Default)]
 pub struct GpuRun {
+    /// Before the first step, relaxed if the setup is.
+    pub start: Sample,
     /// At the times asked for, as far as it came.
     pub samples: Vec<Sample>,
     /// The program's own measurement at the same times.
@@ -61,17 +63,19 @@ pub fn run(gpu: &Gpu, setup: &Setup, options: &Options<'_>) -> Result<GpuRun, Se
     let mut scene = setup.scene.clone();
     // Measured when sampled, not in between: the scene must have the stage at all.
     scene.outputs.measure_every_steps = 1;
-    let recorder = SessionRecorder::new(&scene, ParticleSource::Given(setup.particles.clone()));
-    let mut planned = if setup.relaxes { recorder.with_relaxation() } else { recorder }.sweep()?;
+    let mut particles = setup.particles.clone();
+    if setup.relaxes {
+        relax_particles(gpu, &scene, &mut particles)?;
+    }
+    let start = sample(0.0, &particles.positions, &particles.velocities, setup.count());
+    let mut planned = SessionRecorder::new(&scene, ParticleSource::Given(particles)).sweep()?;
     if let Some(edit) = options.edit {
         planned.plan = edit(planned.plan);
     }
     let (init, step) = (planned.recorded.init.id(), planned.recorded.step.id());
     let mut run = GpuRun { bytes: planned.plan.bytes_of(&[init, step]), gpu_clock: true, ..GpuRun::default() };
+    run.start = start;
     let mut session = Session::start(gpu, planned)?;
-    if setup.relaxes {
-        session.relax_start()?;
-    }
     session.finish()?;
     let (count, dt_s) = (setup.count(), scene.solver.dt_s);
     let mut done = 0;

@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::PathBuf;
 
+use brooklet_fluid::measure::Summary;
 use brooklet_fluid::particles::{is_inactive, is_quarantined};
 use brooklet_fluid::scene::{Method, Scene};
 use brooklet_fluid::session::{MOST_ROUNDS, NO_COMPRESSION};
@@ -154,8 +155,7 @@ fn relax(fluid: &mut Fluid, stop: &dyn Fn() -> bool) -> bool {
     let Solver::Pbf(pbf) = fluid.solver.clone() else { return true };
     for _ in 0..MOST_ROUNDS {
         let ratios = pbf.density_ratios(&fluid.particles, &fluid.step, fluid.walls.as_ref());
-        let compression = ratios.iter().map(|ratio| (ratio - 1.0).max(0.0)).sum::<f64>();
-        if compression <= NO_COMPRESSION * ratios.len() as f64 {
+        if compression(&ratios).is_within(&NO_COMPRESSION) {
             return true;
         }
         if stop() {
@@ -164,6 +164,17 @@ fn relax(fluid: &mut Fluid, stop: &dyn Fn() -> bool) -> bool {
         fluid.relax();
     }
     true
+}
+
+fn compression(ratios: &[f64]) -> Summary {
+    let mut all: Vec<f64> = ratios.iter().map(|ratio| (ratio - 1.0).max(0.0)).collect();
+    all.sort_unstable_by(f64::total_cmp);
+    let at = |share: f64| all.get(((share * all.len() as f64).ceil() as usize).saturating_sub(1)).copied();
+    Summary {
+        mean: all.iter().sum::<f64>() / all.len().max(1) as f64,
+        p99: at(0.99).unwrap_or(0.0),
+        max: at(1.0).unwrap_or(0.0),
+    }
 }
 
 /// Where f64 runs are kept, if anywhere.
