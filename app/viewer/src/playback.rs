@@ -90,12 +90,14 @@ impl Playback {
         (self.mesh, self.mesh_room) = (None, None);
         self.is_stale = true;
         let density_error = std::mem::take(&mut self.times.density_error);
+        let energy_j = std::mem::take(&mut self.times.energy_j);
         let passes = current.session.engine().plan().passes();
         self.times.restart(current.frame_recordings().into_iter().flat_map(|recording| {
             passes.iter().filter(move |pass| pass.recording == recording).map(|pass| pass.stage)
         }));
         if carries {
             self.times.density_error = density_error;
+            self.times.energy_j = energy_j;
         }
         self.measured_step = current.session.steps();
         self.last_advance = Instant::now();
@@ -215,6 +217,11 @@ impl Playback {
         let time_s = (in_flight.handed - self.started).as_secs_f64();
         self.times.take(report, (current.session.step_id(), in_flight.request.steps), time_s);
         self.fresh_times = true;
+        if let Some(stats) = stats {
+            let [kinetic_j, energy_j] = &mut self.times.energy_j;
+            kinetic_j.push(time_s, stats.kinetic_j);
+            energy_j.push(time_s, stats.kinetic_j + stats.potential_j);
+        }
         if let Some(stats) = stats.filter(|stats| stats.has_density) {
             self.times.density_error.push(time_s, 100.0 * stats.density_error.mean);
         }

@@ -27,6 +27,9 @@ pub struct Times {
     pub draw_ms: History,
     /// Mean density error, %.
     pub density_error: History,
+    /// Kinetic energy and that with the potential energy from the domain's lowest corner, J. The sum falls by what walls
+    /// and damping take; nothing but a hand or new settings may raise it.
+    pub energy_j: [History; 2],
     /// Simulated seconds a second.
     pub speed: History,
     /// Passes in the order of their first run.

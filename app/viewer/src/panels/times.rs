@@ -1,4 +1,4 @@
-//! Where the time goes: the frame, each pass, the density error; and what is not there at all.
+//! Where the time goes: the frame, each pass; the density error and the energy; and what is not there at all.
 
 use brooklet_fluid::Stats;
 use egui::{Color32, Grid, Rect, RichText, ScrollArea, Sense, Stroke, StrokeKind, Ui, vec2};
@@ -14,7 +14,7 @@ pub(super) fn show(ui: &mut Ui, shown: &PanelInput<'_>) {
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
         let times = shown.times;
         heading(ui, "GPU", times.gpu_ms.quantiles().map(|ms| format!("{:.1} ms, p95 {:.1}", ms.p50, ms.p95)));
-        plot(ui, "gpu plot", &times.gpu_ms, style::ACCENT, Some(shown.governor.budget_ms));
+        plot(ui, "gpu plot", &[(&times.gpu_ms, style::ACCENT)], Some(shown.governor.budget_ms));
         bars(ui, &times.passes);
         if times.flagged_spans > 0 {
             let text =
@@ -23,7 +23,13 @@ pub(super) fn show(ui: &mut Ui, shown: &PanelInput<'_>) {
         }
         ui.add_space(4.0);
         heading(ui, "Density error", times.density_error.last().map(|error| format!("{error:.2} %")));
-        plot(ui, "density plot", &times.density_error, Color32::from_rgb(150, 210, 130), None);
+        plot(ui, "density plot", &[(&times.density_error, Color32::from_rgb(150, 210, 130))], None);
+        ui.add_space(4.0);
+        let [kinetic_j, energy_j] = &times.energy_j;
+        let now_j = energy_j.last().zip(kinetic_j.last());
+        heading(ui, "Energy", now_j.map(|(all, kinetic)| format!("{all:.3} J, {kinetic:.3} kinetic")));
+        let lines = [(energy_j, Color32::from_rgb(230, 190, 110)), (kinetic_j, Color32::from_rgb(130, 180, 230))];
+        plot(ui, "energy plot", &lines, None);
         ui.add_space(4.0);
         facts(ui, shown);
         left_out(ui, shown);
@@ -39,8 +45,7 @@ fn heading(ui: &mut Ui, name: &str, value: Option<String>) {
     });
 }
 
-fn plot(ui: &mut Ui, name: &str, history: &History, color: Color32, limit: Option<f64>) {
-    let points: PlotPoints<'_> = history.points().collect();
+fn plot(ui: &mut Ui, name: &str, histories: &[(&History, Color32)], limit: Option<f64>) {
     let plot = Plot::new(name)
         .height(58.0)
         .include_y(0.0)
@@ -55,7 +60,10 @@ fn plot(ui: &mut Ui, name: &str, history: &History, color: Color32, limit: Optio
         if let Some(limit) = limit {
             plot.hline(HLine::new("budget", limit).color(style::WARNING.gamma_multiply(0.6)).width(1.0));
         }
-        plot.line(Line::new(name, points).color(color).width(1.5));
+        for (index, (history, color)) in histories.iter().enumerate() {
+            let points: PlotPoints<'_> = history.points().collect();
+            plot.line(Line::new(format!("{name} {index}"), points).color(*color).width(1.5));
+        }
     });
     mark(&shown.response, name);
 }
