@@ -1,36 +1,32 @@
 //! Energy of published cases and of a pool whose substeps are raised, with starts relaxed and as they are placed:
 //! `cargo run --release -p brooklet-tests --example energy`.
 
-use brooklet_fluid::{ParticleSource, Scene, Session, SessionRecorder};
+use brooklet_fluid::{ParticleSource, Scene, Session, SessionRecorder, relax_particles};
 use brooklet_study::backend::{Options, run};
 use brooklet_study::case::case;
-use brooklet_study::{Sample, Setup};
-
-/// Kinetic and potential energy over mass, J/kg.
-fn energy(setup: &Setup, sample: &Sample) -> [f64; 2] {
-    let g = glam::DVec3::from_array(setup.scene.gravity_m_s2);
-    [sample.kinetic_m2_s2(), -g.dot(sample.middle_m())]
-}
+use brooklet_study::{Setup, energy};
 
 fn waves() {
-    for (name, substeps) in
-        [("standing-wave", &[1, 2, 4, 8][..]), ("taylor-green", &[1, 4]), ("elliptical-drop", &[1, 4])]
-    {
-        for substeps in substeps {
+    for (name, settings) in [
+        ("standing-wave", &["solver.substeps=1", "solver.substeps=2", "solver.substeps=4", "solver.substeps=8"][..]),
+        ("taylor-green", &["solver.substeps=1", "solver.substeps=4", "spacing_m=0.013888888"]),
+        ("taylor-green-jittered", &["solver.substeps=1", "solver.substeps=4", "spacing_m=0.013888888"]),
+        ("elliptical-drop", &["solver.substeps=1", "solver.substeps=4", "solver.support_ratio=3.5"]),
+        ("elliptical-drop", &["solver.support_ratio=2", "solver.support_ratio=4", "spacing_m=0.03125"]),
+    ] {
+        for (setting, relaxes) in settings.iter().flat_map(|setting| [(setting, false), (setting, true)]) {
             let case = case(name).unwrap();
-            let setup = case.setup(&[format!("solver.substeps={substeps}")]).unwrap();
+            let setup = Setup { relaxes, ..case.setup(&[(*setting).into()]).unwrap() };
             let run = run(&brooklet_tests::gpu(), &setup, &Options::default()).unwrap();
             let figures = case.figures(&setup, &run.samples, &|_| None).unwrap();
-            let start: f64 = energy(&setup, &setup.start()).iter().sum();
-            let most = run.samples.iter().map(|s| energy(&setup, s).iter().sum::<f64>()).fold(f64::MIN, f64::max);
-            let [kinetic, potential] = energy(&setup, run.samples.last().unwrap());
-            let told: Vec<String> =
-                figures.iter().map(|f| format!("{} {:.4}", f.name, f.value.unwrap_or(f64::NAN))).collect();
-            println!(
-                "{name} {substeps}: {}; energy start {start:.4}, most {most:.4}, end {:.4} (kinetic {kinetic:.5}) J/kg",
-                told.join(", "),
-                kinetic + potential
-            );
+            let energy = energy::figures(&setup, &run, case.energy_rise());
+            let kept = run.samples.last().unwrap().kinetic_m2_s2() / run.start.kinetic_m2_s2();
+            let told: Vec<String> = figures
+                .iter()
+                .chain(&energy)
+                .map(|f| format!("{} {:.4}", f.name, f.value.unwrap_or(f64::NAN)))
+                .collect();
+            println!("{name} {setting} relaxed {relaxes}: {}; kinetic kept {kept:.3}", told.join(", "));
         }
     }
 }
@@ -89,9 +85,11 @@ fn pool(relaxes: bool, xsph: f64) {
 fn starts() {
     for (name, _) in brooklet_fluid::shipped_scenes() {
         let scene = Scene::load(name, &[]).unwrap();
-        let particles = brooklet_fluid::particles::sample_lattice(&scene);
-        let planned = SessionRecorder::new(&scene, ParticleSource::Given(particles)).with_relaxation().sweep().unwrap();
-        println!("{}: {:?}", name, Session::start(&brooklet_tests::gpu(), planned).unwrap().relax_start().unwrap());
+        let mut particles = brooklet_fluid::particles::sample_lattice(&scene);
+        let gpu = brooklet_tests::gpu();
+        let begun = std::time::Instant::now();
+        let done = relax_particles(&gpu, &scene, &mut particles).unwrap();
+        println!("{name}: {:.0} ms, {done:?}", 1e3 * begun.elapsed().as_secs_f64());
     }
 }
 

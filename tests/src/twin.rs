@@ -9,5 +9,11 @@ use brooklet_study::{Setup, backend::reference_fluid};
 /// The twin of `scene` with these particles, in their order.
 pub fn twin(scene: &Scene, positions: &[Position], velocities: &[Velocity]) -> Fluid {
     let particles = ParticleSet { positions: positions.to_vec(), velocities: velocities.to_vec() };
-    reference_fluid(&Setup { scene: scene.clone(), particles, sample_times_s: Vec::new(), relaxes: false })
+    reference_fluid(&Setup {
+        scene: scene.clone(),
+        particles,
+        sample_times_s: Vec::new(),
+        relaxes: false,
+        squeezed: false,
+    })
 }

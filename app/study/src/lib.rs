@@ -13,6 +13,7 @@
 
 pub mod backend;
 pub mod case;
+pub mod energy;
 pub mod error;
 mod figure;
 pub mod knob;

@@ -21,6 +21,8 @@ pub struct Setup {
     pub sample_times_s: Vec<f64>,
     /// Whether compression is taken out of the particles before time begins.
     pub relaxes: bool,
+    /// Whether the start is squeezed on purpose: energy is judged from when that is spent.
+    pub squeezed: bool,
 }
 
 impl Setup {
@@ -33,13 +35,18 @@ impl Setup {
         let scene = Scene::from_toml(text, name, settings).map_err(Box::new)?;
         let particles = sample_lattice(&scene);
         let sample_times_s = (1..=samples).map(|k| end_s * f64::from(k) / f64::from(samples)).collect();
-        Ok(Self { scene, particles, sample_times_s, relaxes: false })
+        Ok(Self { scene, particles, sample_times_s, relaxes: false, squeezed: false })
     }
 
     /// The same, relaxed before time begins: compression of the start would else become motion, the more the shorter
     /// the substep.
     pub fn relaxed(self) -> Self {
         Self { relaxes: true, ..self }
+    }
+
+    /// The same, told to be squeezed on purpose.
+    pub fn squeezed(self) -> Self {
+        Self { squeezed: true, ..self }
     }
 
     /// When it ends, s.

@@ -232,7 +232,7 @@ fn try_one(
     }
     let dt_s = scene.solver.dt_s;
     let sample_times_s = (1..=MOMENTS).map(|k| seconds * f64::from(k) / f64::from(MOMENTS)).collect();
-    let setup = Setup { scene, particles, sample_times_s, relaxes: false };
+    let setup = Setup { scene, particles, sample_times_s, relaxes: true, squeezed: false };
     let options = Options { stop, ..Options::default() };
     let run = run(gpu, &setup, &options)?;
     if run.stopped {

@@ -24,7 +24,7 @@ fn unrest(scene: &Scene, particles: ParticleSet) -> (f64, f64) {
     let heights_m: f64 = particles.positions.iter().map(|p| f64::from(p.position_m[1])).sum();
     let first_m = heights_m / particles.positions.len() as f64;
     let sample_times_s = (1..=80).map(|k| f64::from(k) / 80.0).collect();
-    let setup = Setup { scene: scene.clone(), particles, sample_times_s, relaxes: false };
+    let setup = Setup { scene: scene.clone(), particles, sample_times_s, relaxes: false, squeezed: false };
     let measured = run(&gpu(), &setup, &Options::default()).unwrap().measured;
     let most_j = measured.iter().map(|m| m.stats.kinetic_j).fold(0.0, f64::max);
     (most_j, first_m - measured.last().unwrap().stats.centre_of_mass_m[1])

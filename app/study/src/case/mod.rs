@@ -21,12 +21,12 @@ pub use gauge::ReservoirGauge;
 pub use hydrostatic::{HYDROSTATIC, SHALLOW};
 pub use square_patch::SquarePatch;
 pub use standing_wave::StandingWave;
-pub use taylor_green::TaylorGreen;
+pub use taylor_green::{TAYLOR_GREEN, TAYLOR_GREEN_JITTERED};
 pub use waiting::{WAITING, Waiting};
 
 use serde::{Deserialize, Serialize};
 
-use crate::{Figure, Sample, Series, Setup, SetupResult};
+use crate::{Figure, Sample, Series, Setup, SetupResult, energy};
 
 /// What a case is held against. Figures of different kinds are never merged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
@@ -77,6 +77,11 @@ pub trait Case: Sync {
     /// If its scene does not allow one.
     fn setup(&self, settings: &[String]) -> SetupResult;
 
+    /// What its energy may rise by, over that at play ([`crate::energy`]).
+    fn energy_rise(&self) -> f64 {
+        energy::RISE
+    }
+
     /// What `samples` of a run of `setup` are judged by; none if its reference was stopped.
     fn figures(&self, setup: &Setup, samples: &[Sample], converge: Converge<'_>) -> Option<Vec<Figure>>;
 
@@ -97,7 +102,8 @@ pub const CASES: &[&dyn Case] = &[
     &StandingWave,
     &EllipticalDrop,
     &SquarePatch,
-    &TaylorGreen,
+    &TAYLOR_GREEN,
+    &TAYLOR_GREEN_JITTERED,
     &MARTIN_MOYCE,
     &SQUARE_COLUMN,
     &ReservoirGauge,

@@ -6,6 +6,7 @@ use brooklet_fluid::particles::{ParticleSet, sample_lattice};
 
 use super::{EQUAL_WORK_PART, common};
 use crate::backend::GpuRun;
+use crate::energy;
 use crate::session::{Session, StudyError, state_of};
 use crate::{Figure, Outcome, Setup, SetupResult, State, Task};
 
@@ -38,7 +39,8 @@ fn setup(task: &Task) -> SetupResult {
         scene,
         particles,
         sample_times_s: (1..=5).map(|k| END_S * f64::from(k) / 5.0).collect(),
-        relaxes: false,
+        relaxes: true,
+        squeezed: false,
     })
 }
 
@@ -46,7 +48,8 @@ fn setup(task: &Task) -> SetupResult {
 pub fn equal_work_cost(task: &Task) -> Option<f64> {
     let scene = Scene::load(&task.case, &task.settings).ok()?;
     let count = scene.particle_count();
-    let empty = Setup { scene, particles: ParticleSet::default(), sample_times_s: vec![END_S], relaxes: false };
+    let empty =
+        Setup { scene, particles: ParticleSet::default(), sample_times_s: vec![END_S], relaxes: true, squeezed: false };
     Some(empty.particle_iterations_of(count))
 }
 
@@ -73,7 +76,7 @@ pub fn run_equal_work(session: &Session<'_>, task: &Task) -> Result<Option<Outco
         Figure::told("mean compression", mean(|s| s.compression.mean), "", "mean of five moments"),
         Figure::told("mean p99", mean(|s| s.compression.p99), "", "of 99 of 100 particles, mean of five moments"),
     ];
-    outcome.figures.extend(common(&run));
+    outcome.figures.extend(common(&setup, &run, energy::RISE));
     outcome.particles = setup.count() as u64;
     outcome.device = gpu.info().name.clone();
     outcome.cost = GpuRun::cost(&[run], 10, setup.scene.solver.dt_s);

@@ -17,10 +17,11 @@ use brooklet_gpu::tier_name;
 
 use crate::backend::GpuRun;
 use crate::case::{self, CASES, Case};
+use crate::energy;
 use crate::knob::knobs;
 use crate::method::{METHODS, Method};
 use crate::session::{Session, StudyError, state_of};
-use crate::{Figure, Outcome, State, Task};
+use crate::{Figure, Outcome, Setup, State, Task};
 
 /// Part of a study: points of curves.
 pub const PART: &str = "error";
@@ -155,10 +156,10 @@ pub fn run_case(session: &Session<'_>, task: &Task) -> Result<Option<Outcome>, S
     let (state, reason) = state_of(&runs[0]);
     let mut outcome = Outcome::empty(state, reason);
     if matches!(state, State::Stable | State::Clamped) {
-        let converge = |setup: &crate::Setup| session.converge(setup);
+        let converge = |setup: &Setup| session.converge(setup);
         let Some(figures) = case.figures(&setup, &runs[0].samples, &converge) else { return Ok(None) };
         outcome.figures = figures;
-        outcome.figures.extend(common(&runs[0]));
+        outcome.figures.extend(common(&setup, &runs[0], case.energy_rise()));
         outcome.series = case.series(&setup, &runs[0].samples);
     }
     let warm_up = WARM_UP.min(setup.steps() as usize / 4);
@@ -169,8 +170,13 @@ pub fn run_case(session: &Session<'_>, task: &Task) -> Result<Option<Outcome>, S
     Ok(Some(outcome))
 }
 
-/// What every run is told by: the program's own measurement of its density.
-pub(crate) fn common(run: &GpuRun) -> Vec<Figure> {
+/// Of every run: its energy, which may rise by so much of that at play; and its density.
+pub(crate) fn common(setup: &Setup, run: &GpuRun, energy_rise: f64) -> Vec<Figure> {
+    energy::figures(setup, run, energy_rise).into_iter().chain(densities(run)).collect()
+}
+
+/// The program's own measurement of its density.
+pub(crate) fn densities(run: &GpuRun) -> Vec<Figure> {
     let Some(last) = run.measured.last() else { return Vec::new() };
     let worst = run.measured.iter().map(|m| m.stats.compression.p99).fold(0.0, f64::max);
     let compression = last.stats.compression;

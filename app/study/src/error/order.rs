@@ -3,7 +3,7 @@
 use super::{ORDER_PART, task};
 use crate::case::{Case, EllipticalDrop, StandingWave};
 use crate::session::{Session, StudyError};
-use crate::{Figure, Outcome, State, Task, case};
+use crate::{Figure, Outcome, Sample, State, Task, case, energy};
 
 /// Cases whose order is shown, which figure falls, and the spacings (multiples of the case's own, falling).
 pub const ORDER_CASES: &[(&dyn Case, &str, &[f64])] =
@@ -38,6 +38,8 @@ pub fn run_order(session: &Session<'_>, task: &Task) -> Result<Option<Outcome>, 
     let Some(samples) = session.converge(&setup) else { return Ok(None) };
     let none = |_: &crate::Setup| None;
     let Some(mut figures) = case.figures(&setup, &samples, &none) else { return Ok(None) };
+    let moments: Vec<&Sample> = samples.iter().collect();
+    figures.extend(energy::of_samples(&setup, &moments, case.energy_rise()));
     figures.push(Figure::told("spacing", setup.scene.spacing_m, "m", "of the lattice at the start"));
     let mut outcome = Outcome::empty(State::Stable, "");
     outcome.figures = figures;

@@ -16,7 +16,8 @@ use glam::DVec3;
 
 use super::{ROWS_PART, covering};
 use crate::backend::{GpuRun, run_reference};
-use crate::error::common;
+use crate::energy;
+use crate::error::densities;
 use crate::session::{Session, StudyError, state_of};
 use crate::{Figure, Outcome, Sample, Setup, SetupResult, State, Task, Verdict};
 
@@ -124,6 +125,7 @@ pub fn run_row(session: &Session<'_>, task: &Task) -> Result<Option<Outcome>, St
         Err(reason) => return Ok(Some(refused(row, reason))),
     };
     let mut figures = every_row(&setup, &run, row.injected);
+    figures.extend(energy::figures(&setup, &run, energy::RISE));
     match row.also {
         Also::Refused | Also::Waits(_) => {}
         Also::Rests => figures.extend(rests(&setup, &run)),
@@ -145,7 +147,7 @@ pub fn run_row(session: &Session<'_>, task: &Task) -> Result<Option<Outcome>, St
     let (state, reason) = judge(row, &run, &figures);
     let mut outcome = Outcome::empty(state, reason);
     outcome.figures = figures;
-    outcome.figures.extend(common(&run));
+    outcome.figures.extend(densities(&run));
     outcome.particles = setup.count() as u64;
     outcome.device = gpu.info().name.clone();
     outcome.cost = GpuRun::cost(&[run], 10, setup.scene.solver.dt_s);

@@ -28,7 +28,7 @@ pub(super) fn two_particles(settings: &[String]) -> SetupResult {
 pub(super) fn one_point(settings: &[String]) -> SetupResult {
     let mut setup = Setup::new("one-point", &pool([0.3; 3], [0.08; 3], ""), settings, 2.0, 8)?;
     setup.place(|at, _| *at = DVec3::new(0.15, 0.1, 0.15));
-    Ok(setup)
+    Ok(setup.squeezed())
 }
 
 pub(super) fn one_cell(settings: &[String]) -> SetupResult {
@@ -36,7 +36,7 @@ pub(super) fn one_cell(settings: &[String]) -> SetupResult {
     let middle = DVec3::new(0.2, 0.1, 0.2);
     // A cell is 2 cm: the block shrinks to 1.5 cm.
     setup.place(|at, _| *at = middle + (*at - DVec3::splat(0.1)) * 0.075);
-    Ok(setup)
+    Ok(setup.squeezed())
 }
 
 pub(super) fn list_overflow(settings: &[String]) -> SetupResult {
