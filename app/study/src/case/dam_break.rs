@@ -139,7 +139,7 @@ impl Case for DamBreak {
                 shifted,
                 "a",
                 0.3,
-                "root mean square after one shift of the clock, 2 % of the way; the data agree among themselves within .06",
+                "root mean square after one shift of the clock, 2 % of the way; the data agree among themselves within .06; walls have no friction yet",
             ),
             Figure::told("front error unshifted", plain, "a", "root mean square on the clock as it is"),
             Figure::told("shift", shift, "T", "of at most .2: the gate's release"),
@@ -148,7 +148,7 @@ impl Case for DamBreak {
                 slope(&fronts) / slope(&front) - 1.0,
                 "",
                 0.1,
-                "mean dZ/dT, which needs no clock; Ritter's inviscid front is 20 % above it",
+                "mean dZ/dT, which needs no clock; Ritter's inviscid front is 20 % above it; walls have no friction yet",
             ),
             Figure::judged(
                 "height error",
@@ -167,7 +167,7 @@ impl Case for DamBreak {
             Series {
                 name: "front".into(),
                 x,
-                y: "front / a".into(),
+                y: "front / a (walls without friction)".into(),
                 computed: self.fronts(setup, samples),
                 reference: Self::data(self.front),
                 measured: true,

@@ -72,7 +72,7 @@ fn jacobi_plot(store: &Store) -> Plot {
     Plot {
         title: "Jacobi against Gauss-Seidel, in f64".into(),
         x: "sweeps".into(),
-        y: "compression left, root mean square".into(),
+        y: "density error inside, root mean square".into(),
         log_x: false,
         log_y: true,
         lines,
