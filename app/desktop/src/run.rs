@@ -48,6 +48,7 @@ pub fn run(options: &RunOptions) -> Result<(), Failure> {
         (planned.recorded.bytes_per_particle(&plan), planned.recorded.measure.is_some());
     let start = SystemTime::now();
     let session = brooklet_render::start(&gpu, planned).map_err(Failure::input)?;
+    let start_relaxation = session.start_relaxation();
     let interrupt = Interrupt::listen()?;
 
     let default_out = Path::new("out").join(&scene.name);
@@ -116,6 +117,7 @@ pub fn run(options: &RunOptions) -> Result<(), Failure> {
         interrupted: done < steps,
         timings: &recorder.timings,
         measured: &recorder.measured,
+        start_relaxation,
         meshes: &recorder.meshes,
         mesh,
         left_out,

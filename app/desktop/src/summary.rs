@@ -1,7 +1,7 @@
 //! `summary.json`, and the short table a run ends with.
 
 use brooklet_fluid::solver::pbf::IterationWeights;
-use brooklet_fluid::{Scene, measure};
+use brooklet_fluid::{Relaxation, Scene, measure};
 use brooklet_gpu::{Gpu, PassTimes, Passes, Plan, Quantiles, Timings, stages, tier_name};
 use brooklet_render::left_out::Absent;
 use serde::Serialize;
@@ -53,6 +53,8 @@ pub struct Summary {
     measured: Measurements,
     /// What was drawn as a mesh, if anything was.
     drawn_meshes: Option<DrawnMeshes>,
+    /// What was taken out of the scene's particles before the first step.
+    start_relaxation: Option<Relaxation>,
     /// What --mesh wrote.
     mesh: Option<WrittenMesh>,
     buffers: Map<String, Value>,
@@ -144,6 +146,8 @@ pub struct Facts<'a> {
     pub timings: &'a Timings,
     /// Measurements.
     pub measured: &'a Measured,
+    /// What was taken out of the start.
+    pub start_relaxation: Option<Relaxation>,
     /// Meshes of the pictures.
     pub meshes: &'a DrawnMeshes,
     /// The mesh that was written.
@@ -206,6 +210,7 @@ impl Summary {
                 last_step: any.then_some(measured.last_step),
             },
             drawn_meshes: facts.meshes.last().map(|_| facts.meshes.clone()),
+            start_relaxation: facts.start_relaxation,
             mesh: facts.mesh,
             buffers: plan.buffers().into_iter().map(|buffer| (buffer.label, buffer.bytes.into())).collect(),
             bytes_per_particle: facts.bytes_per_particle,
@@ -241,6 +246,15 @@ impl Summary {
         );
         if let Some(other) = &self.other_spacing {
             say!("{other}");
+        }
+        if let Some(Relaxation { rounds, compression: [before, after] }) = &self.start_relaxation
+            && *rounds > 0
+        {
+            say!(
+                "the start was relaxed: its largest compression, {:.2} %, is {:.2} % after {rounds} rounds",
+                100.0 * before.max,
+                100.0 * after.max,
+            );
         }
         match &self.gpu_ms_per_step {
             Some(step) => say!(

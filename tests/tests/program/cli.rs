@@ -10,7 +10,7 @@ use serde_json::Value;
 const RUN: [&str; 10] = ["run", "scene.toml", "--steps", "8", "--images", "2", "--particles", "ply", "--out", "result"];
 
 /// Every key of `summary.json`, as scripts rely on it.
-const SUMMARY_KEYS: [&str; 30] = [
+const SUMMARY_KEYS: [&str; 31] = [
     "scene",
     "particles",
     "steps",
@@ -33,6 +33,7 @@ const SUMMARY_KEYS: [&str; 30] = [
     "worst",
     "measured",
     "drawn_meshes",
+    "start_relaxation",
     "mesh",
     "buffers",
     "bytes_per_particle",

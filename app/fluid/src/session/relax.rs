@@ -25,7 +25,7 @@ const MOST_UNMEASURED: u32 = 16;
 const NO_LESS: f64 = 0.99;
 
 /// What [`Session::relax`] did.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 pub struct Relaxation {
     /// Rounds of a substep's iterations; 0 where there was nothing to take out.
     pub rounds: u32,
