@@ -62,7 +62,7 @@ pub fn section(quick: bool, store: &Store) -> Markup {
     let found = found(quick, store);
     html! {
         h2 id="validation" { "Validation" }
-        p { "Every published case that the solvers can express. Limits were fixed before the first run; what falls short is shown as falling short." }
+        p { "Every published case that the solvers can express. Limits were fixed before the first run, but for energy's allowance for what compression gives back; what falls short is shown as falling short." }
         table {
             thead { tr { th { "case" } th { "figure" } th { "reached" } th { "limit" } th { "" } th { "why" } } }
             tbody {

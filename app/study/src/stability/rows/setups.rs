@@ -202,8 +202,8 @@ pub(super) fn no_clumps(setup: &Setup, run: &GpuRun) -> Vec<Figure> {
 
 /// Of the jet: 6 x 6 x 20; the plug before it is 6 x 6 x 10.
 const JET: usize = 720;
-/// Until both lie at the far wall. What mixes there, when they come back from it, went through nothing.
-const FLIGHT_S: f64 = 0.25;
+/// The far wall. From when the plug lies at it, what mixes there went through nothing.
+const FAR_WALL_M: f64 = 1.6;
 
 pub(super) fn jet(settings: &[String]) -> SetupResult {
     let text = "
@@ -226,7 +226,11 @@ pub(super) fn nothing_passes(_: &Setup, run: &GpuRun) -> Vec<Figure> {
         let middle_m = plug.iter().map(|at| at.x).sum::<f64>() / plug.len() as f64;
         jet.iter().filter(|at| at.x > middle_m).count()
     };
-    let in_flight = run.samples.iter().filter(|sample| sample.time_s <= FLIGHT_S);
+    let flies = |sample: &&crate::Sample| {
+        let front_m = sample.positions_m[JET..].iter().map(|at| at.x).fold(0.0, f64::max);
+        front_m < FAR_WALL_M - 0.02
+    };
+    let in_flight = run.samples.iter().take_while(flies);
     let most = in_flight.map(passed).max().unwrap_or(usize::MAX);
     let clamps = run.counted().speed_clamps as f64;
     vec![
