@@ -1,4 +1,5 @@
-//! A column of water at rest between walls, on the GPU, beside the column law.
+//! A column of water at rest between walls, on the GPU, beside the column law: of iterations without a coarse correction,
+//! whose law it is.
 
 use crate::cases::walls_of;
 use crate::extreme::{Case, State};
@@ -76,7 +77,8 @@ impl Setup {
         let text = format!(
             "spacing_m = {SPACING_M}\n[domain]\nmin_m = [0, 0, 0]\nmax_m = [{width_m}, {}, {width_m}]\n\
              [[fluid]]\nblock = {{ min_m = [0, 0, 0], max_m = [{width_m}, {height_m}, {width_m}] }}\n\
-             [solver]\ndt_s = {}\nsubsteps = {}\n[solver.pbf]\niterations = {}\nacceleration = \"{}\"\n[outputs]\nmeasure_every_steps = 0\n",
+             [solver]\ndt_s = {}\nsubsteps = {}\n[solver.pbf]\niterations = {}\nacceleration = \"{}\"\n\
+             coarse_correction = false\n[outputs]\nmeasure_every_steps = 0\n",
             height_m + 4.0 * SPACING_M,
             self.dt_s,
             self.substeps,

@@ -1,6 +1,6 @@
 //! `summary.json`, and the short table a run ends with.
 
-use brooklet_fluid::solver::pbf::IterationWeights;
+use brooklet_fluid::solver::pbf::{IterationWeights, has_coarse_correction};
 use brooklet_fluid::{Relaxation, Scene, measure};
 use brooklet_gpu::{Gpu, PassTimes, Passes, Plan, Quantiles, Timings, stages, tier_name};
 use brooklet_render::left_out::Absent;
@@ -72,6 +72,8 @@ struct Solver {
     iterations: Option<u32>,
     /// What those of this scene come to: too few are plain, whatever it asks for.
     acceleration: Option<&'static str>,
+    /// Whether the first of them has a coarse correction.
+    coarse_correction: Option<bool>,
     substeps: u32,
     dt_s: f64,
 }
@@ -166,6 +168,7 @@ impl Summary {
         let Facts { scene, plan, timings, measured, gpu, .. } = facts;
         let last = measured.last;
         let any = last.is_some();
+        let weights = scene.solver.iterations().map(|_| IterationWeights::of(scene));
         Self {
             scene: scene.name.clone(),
             particles: scene.particle_count(),
@@ -180,7 +183,8 @@ impl Summary {
             solver: Solver {
                 name: scene.solver.method.name(),
                 iterations: scene.solver.iterations(),
-                acceleration: scene.solver.iterations().map(|_| IterationWeights::of(scene).acceleration().name()),
+                acceleration: weights.as_ref().map(|weights| weights.acceleration().name()),
+                coarse_correction: weights.as_ref().map(|weights| has_coarse_correction(scene, weights)),
                 substeps: scene.solver.substeps,
                 dt_s: scene.solver.dt_s,
             },

@@ -55,7 +55,11 @@ pub fn tune(options: &TuneOptions) -> Result<(), Failure> {
 
 fn line(tried: &Tried) -> String {
     let candidate = tried.candidate;
-    let plain = if candidate.accelerated { "" } else { ", not accelerated" };
+    let plain = match (candidate.accelerated, candidate.coarse) {
+        (true, true) => "",
+        (true, false) => ", no coarse correction",
+        (false, _) => ", not accelerated",
+    };
     let relaxed = if candidate.relaxed { ", relaxed" } else { "" };
     let Tried { step_ms, error, .. } = tried;
     format!(
@@ -70,7 +74,7 @@ fn print(found: &Found, goal: Goal) {
     let mut rows = found.tried.clone();
     rows.sort_by(|a, b| a.step_ms.total_cmp(&b.step_ms));
     let mut shown =
-        table(&["substeps", "iterations", "accelerated", "relaxed", "step ms", "error %", ""], &[0, 1, 4, 5]);
+        table(&["substeps", "iterations", "accelerated", "coarse", "relaxed", "step ms", "error %", ""], &[0, 1, 5, 6]);
     for tried in &rows {
         let beaten = rows.iter().any(|other| other.step_ms < tried.step_ms && other.error <= tried.error);
         let mark = match (tried.candidate == found.chosen.candidate, beaten) {
@@ -82,6 +86,7 @@ fn print(found: &Found, goal: Goal) {
             tried.candidate.substeps.to_string(),
             tried.candidate.iterations.to_string(),
             if tried.candidate.accelerated { "yes" } else { "no" }.into(),
+            if tried.candidate.coarse { "yes" } else { "no" }.into(),
             if tried.candidate.relaxed { "yes" } else { "no" }.into(),
             format!("{:.2}", tried.step_ms),
             format!("{:.3}", 100.0 * tried.error),
@@ -103,6 +108,7 @@ fn as_json(found: &Found, goal: Goal, out: &std::path::Path) -> String {
             "substeps": tried.candidate.substeps,
             "iterations": tried.candidate.iterations,
             "accelerated": tried.candidate.accelerated,
+            "coarse_correction": tried.candidate.coarse,
             "relaxed": tried.candidate.relaxed,
             "step_ms": tried.step_ms,
             "error": tried.error,

@@ -64,6 +64,7 @@ mod tests {
                     separation_lambda: 0.0,
                 },
                 iterations: Iterations::Plain(4),
+                coarse_grid: None,
                 forces: Forces { xsph: 0.05, vorticity_m_s },
                 grid_ends_at_domain: false,
             }),

@@ -1,7 +1,7 @@
 //! The cheapest setting of a scene for an error, or the most exact one for a time, by a bounded search.
 //!
-//! What is searched: substeps and iterations with `solver.pbf.acceleration = "chebyshev"`, then without it, and
-//! `solver.precision = "relaxed"`. The first guess comes from what the study found: a substep costs what an iteration
+//! What is searched: substeps and iterations with `solver.pbf.acceleration = "chebyshev"` and a coarse correction, then
+//! without the latter, without both, and `solver.precision = "relaxed"`. The first guess comes from what the study found: a substep costs what an iteration
 //! does and about two more, and the column law makes the error fall with what the iterations do to slow modes and with
 //! the square of the substeps. Every candidate that counts is then
 //! run; what is chosen was measured, and is run once more.
@@ -35,6 +35,8 @@ pub struct Candidate {
     pub iterations: u32,
     /// Whether iterations are accelerated, whatever the scene says.
     pub accelerated: bool,
+    /// Whether the first iteration has a coarse correction where it can.
+    pub coarse: bool,
     /// Whether the precision is `relaxed`, whatever the scene says.
     pub relaxed: bool,
 }
@@ -111,6 +113,8 @@ impl Candidate {
         scene.solver.substeps = self.substeps;
         scene.solver.pbf.iterations = self.iterations;
         scene.solver.pbf.acceleration = if self.accelerated { Acceleration::Chebyshev } else { Acceleration::None };
+        // Left out it is there where it can be: a single iteration has nothing to take back what is too much.
+        scene.solver.pbf.coarse_correction = if self.coarse { None } else { Some(false) };
         if self.accelerated && scene.solver.pbf.relaxation.is_some_and(|own| own >= scene.relaxation_limit()) {
             // A weight that an acceleration refuses.
             scene.solver.pbf.relaxation = None;
@@ -124,8 +128,8 @@ impl Candidate {
 
 /// Candidates that nothing beats by cost and law, cheapest first.
 fn ladder() -> Vec<Candidate> {
-    let of =
-        |substeps| ITERATIONS.map(|iterations| Candidate { substeps, iterations, accelerated: true, relaxed: false });
+    let one = Candidate { substeps: 1, iterations: 1, accelerated: true, coarse: true, relaxed: false };
+    let of = |substeps| ITERATIONS.map(|iterations| Candidate { substeps, iterations, ..one });
     let mut all: Vec<Candidate> = SUBSTEPS.iter().flat_map(|&substeps| of(substeps)).collect();
     all.sort_by(|a, b| a.cost().total_cmp(&b.cost()).then(a.law().total_cmp(&b.law())));
     let mut best: Vec<Candidate> = Vec::new();
@@ -179,7 +183,7 @@ fn search(
     let (mut low, mut high) = (0, ladder.len() - 1);
     let rising = matches!(goal, Goal::MaxError(_));
     // The edge between fit and unfit, by halves.
-    while low < high && tried.len() + 5 < MOST_TRIED {
+    while low < high && tried.len() + 6 < MOST_TRIED {
         let middle = (low + high) / 2 + usize::from(!rising);
         let fit = fits(&look(ladder[middle], &mut tried)?);
         match (rising, fit) {
@@ -189,7 +193,7 @@ fn search(
             (false, false) => high = middle - 1,
         }
     }
-    // The ladder's order is a guess: its neighbours by measure, and the relaxed and the plain one, may be better.
+    // The ladder's order is a guess: its neighbours by measure, and those with less in them, may be better.
     for at in [low.checked_sub(1), Some(low), Some(low + 1)].into_iter().flatten() {
         if let Some(&candidate) = ladder.get(at)
             && tried.len() < MOST_TRIED
@@ -197,7 +201,9 @@ fn search(
             look(candidate, &mut tried)?;
         }
     }
-    for other in [Candidate { relaxed: true, ..ladder[low] }, Candidate { accelerated: false, ..ladder[low] }] {
+    let found = ladder[low];
+    let fine = Candidate { coarse: false, ..found };
+    for other in [Candidate { relaxed: true, ..found }, fine, Candidate { accelerated: false, ..fine }] {
         if tried.len() < MOST_TRIED {
             look(other, &mut tried)?;
         }
@@ -252,7 +258,7 @@ mod tests {
     /// A device and a fluid that do what the guess says, or not quite.
     fn made_up(candidate: Candidate, skew: f64) -> Tried {
         let packing = if candidate.relaxed { 0.95 } else { 1.0 };
-        let gain = if candidate.accelerated { 1.0 } else { 0.5 };
+        let gain = if candidate.accelerated { 1.0 } else { 0.5 } * if candidate.coarse { 1.0 } else { 0.7 };
         let iterations = gain * f64::from(candidate.iterations).powf(1.0 + skew);
         let step_ms = f64::from(candidate.substeps) * (f64::from(candidate.iterations) + 2.0 + 3.0 * skew) * packing;
         let error = 0.3 / (iterations * f64::from(candidate.substeps).powf(2.0 - skew)) * (2.0 - packing);
@@ -305,7 +311,7 @@ mod tests {
         for candidate in ladder() {
             let tuned = candidate.apply(&scene);
             assert_eq!(Scene::from_toml(&tuned.to_toml(), "tuned", &[]).unwrap().solver, tuned.solver);
-            let plain = Candidate { accelerated: false, ..candidate }.apply(&scene);
+            let plain = Candidate { accelerated: false, coarse: false, ..candidate }.apply(&scene);
             assert_eq!(plain.solver.pbf.relaxation, Some(0.9));
         }
     }

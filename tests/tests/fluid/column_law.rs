@@ -6,6 +6,7 @@
 
 use brooklet_fluid::scene::Acceleration;
 use brooklet_tests::column::{Settled, Setup};
+use brooklet_tests::extreme::Case;
 
 const COLUMN: Setup =
     Setup { layers: 60, width: 4, iterations: 4, substeps: 1, dt_s: 1.0 / 240.0, acceleration: Acceleration::None };
@@ -50,6 +51,39 @@ fn accelerated_iterations_leave_what_the_law_says_below_their_guard() {
         let plain = Setup { acceleration: Acceleration::None, ..setup }.column().bottom_compression();
         assert!(plain > 2.0 * settled.law, "{plain} {}", settled.law);
     }
+}
+
+/// 60 layers between periodic sides, from the lattice. The law of plain iterations says 10 % for the bottom.
+const TALL: &str = "
+spacing_m = 0.02
+[domain]
+min_m = [0, 0, 0]
+max_m = [0.16, 1.4, 0.16]
+periodic = [true, false, true]
+[[fluid]]
+block = { min_m = [0, 0, 0], max_m = [0.16, 1.2, 0.16] }
+[solver]
+dt_s = 0.003790
+[outputs]
+measure_every_steps = 1
+";
+
+#[test]
+fn a_coarse_correction_leaves_less_than_a_tenth_of_it() {
+    let most = |settings: &[&str], steps: u32| {
+        let mut case = Case::new(TALL, settings);
+        case.run(steps);
+        case.run(1).compression.p99
+    };
+    let law = COLUMN.at(0.1);
+    assert!((law.dt_s / 0.003790 - 1.0).abs() < 1e-3, "{law:?}");
+    let (with, without) = (most(&[], 150), most(&["solver.pbf.coarse_correction=false"], 75));
+    println!(
+        "column of 60, law 10 %: {:.2} % with a coarse correction, {:.2} % without",
+        100.0 * with,
+        100.0 * without
+    );
+    assert!(with < 0.01 && without > 0.02, "{with} {without}");
 }
 
 #[test]

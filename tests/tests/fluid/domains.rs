@@ -80,7 +80,10 @@ fn a_seam_is_nowhere() {
         let text = filled(side, side[1], if dimensions == 3 { BOX } else { SHEET });
         for (name, size, steps, tolerance) in [("lattice", 1.0, 240, 1e-2), ("drop", 0.97, 20, 2e-3)] {
             let start = |velocity_m_s: [f64; 3]| {
-                let mut case = Case::new(&text, &["solver.deterministic=true", "solver.max_speed_m_s=20"]);
+                // The cells of a coarse correction stay where they are: it is not the same for what is shifted.
+                let settings =
+                    ["solver.deterministic=true", "solver.max_speed_m_s=20", "solver.pbf.coarse_correction=false"];
+                let mut case = Case::new(&text, &settings);
                 let middle = case.state().at_m().iter().sum::<DVec3>() / case.count() as f64;
                 case.place(|_, position, velocity| {
                     *velocity = velocity_m_s.map(|v| v as f32);

@@ -331,6 +331,7 @@ fn momentum(settings: &[&str]) -> (Vec<&'static str>, Vec<String>) {
 #[test]
 fn an_acceleration_that_is_off_or_has_nothing_to_do_brings_no_code_and_no_buffer() {
     let plain = (vec!["ConstrainDensity+WALLS"], vec![]);
+    let momentum = |settings: &[&str]| momentum(&[settings, &["solver.pbf.coarse_correction=false"]].concat());
     let chebyshev = "solver.pbf.acceleration=chebyshev";
     assert_eq!(momentum(&["solver.pbf.acceleration=none"]), plain);
     for nothing_to_do in ["solver.pbf.iterations=0", "solver.pbf.iterations=1"] {
@@ -346,6 +347,38 @@ fn an_acceleration_that_is_off_or_has_nothing_to_do_brings_no_code_and_no_buffer
     let (modules, buffers) = momentum(&[chebyshev, many, "solver.precision=relaxed"]);
     assert_eq!(modules, ["ConstrainDensity+WALLS+ACCUMULATED_MOMENTUM+RELAXED_PRECISION"]);
     assert_eq!(buffers, [&["lambda_totals".to_owned()][..], &six].concat());
+}
+
+#[test]
+fn a_coarse_correction_brings_a_few_small_passes_whose_number_does_not_depend_on_the_sweeps() {
+    let settings = |more: &[&str]| plan(&[&["outputs.images=0"][..], more].concat());
+    let (off, on) =
+        (settings(&["solver.pbf.coarse_correction=false"]), settings(&["solver.pbf.coarse_correction=true"]));
+    assert_eq!(stages(&settings(&[])), stages(&on), "the default has it");
+    let too_few = settings(&["solver.pbf.iterations=1"]);
+    assert!(!stages(&too_few).contains("relax_multiplier"), "iterations without momentum do without");
+    // What is full has no surface, what is thin nothing but walls, and of what is huge the cells do not fit.
+    let full = ["fluid.0.block.max_m.1=0.5"];
+    let thin = ["domain.max_m.2=0.3", "fluid.0.block.max_m.2=0.3"];
+    let huge = ["domain.max_m=[60, 60, 60]"];
+    for none in [&full[..], &thin, &huge] {
+        assert!(!stages(&settings(none)).contains("relax_multiplier"), "{none:?}");
+    }
+    let brought: BTreeSet<_> = stages(&on).difference(&stages(&off)).copied().collect();
+    // The pool is a single tile of the coarse grid.
+    assert_eq!(brought, ["relax_multiplier", "prolong_multiplier"].into_iter().collect());
+    let fallen: BTreeSet<_> = buffers(&on).difference(&buffers(&off)).cloned().collect();
+    assert_eq!(
+        fallen,
+        ["coarse_grid_0", "coarse_cells_0", "coarse_multipliers_0"].map(str::to_owned).into_iter().collect()
+    );
+    assert!(modules(&on).contains("ConstrainDensity+WALLS+RESTRICTED_MOMENTUM"));
+    assert!(!modules(&off).iter().any(|module| module.contains("RESTRICTED")));
+    // Twice as many cells along an axis are two dispatches more.
+    let count = |plan: &Plan, stage| plan.passes().iter().filter(|p| p.stage == stage).map(|p| p.count).sum::<u32>();
+    let large = settings(&["solver.pbf.coarse_correction=true", "domain.max_m=[12.8, 0.5, 0.5]"]);
+    let passes = ["coarsen_constraint", "relax_multiplier", "prolong_multiplier"].map(|stage| count(&large, stage));
+    assert_eq!(passes, [2, 3, 1]);
 }
 
 #[test]

@@ -44,6 +44,8 @@ fn summed(case: &Case, precision: PrecisionKeyword) -> Vec<f64> {
             step_params: step_params.uniform(),
             kernel: kernel.uniform(),
             pbf: pbf.uniform(),
+            coarse_cells: None,
+            coarse: None,
             iteration: None,
         },
         case.count(),

@@ -48,6 +48,8 @@ fn changed(scene: &Scene, setting: &Setting) -> Scene {
             .to_vec(),
         (Kind::Vector(_), _) => vec!["[0.5,0.25,0.125]".to_owned()],
         (Kind::Choice(names), _) => names.iter().map(|name| (*name).to_owned()).collect(),
+        // What is left out is there by default.
+        (Kind::Switch, None) => vec!["false".to_owned()],
         (Kind::Switch, value) => vec![(value != &Some(Value::Boolean(true))).to_string()],
         (Kind::Switches, _) => vec!["[true,false,false]".to_owned(), "[false,false,true]".to_owned()],
         (Kind::Text, _) => vec!["another".to_owned()],
@@ -84,7 +86,8 @@ fn run(scene: &Scene, particles: Option<ParticleSet>) -> Running {
 impl Running {
     /// The bytes of every uniform buffer of the simulation.
     fn uniforms(&mut self) -> Vec<(String, Vec<u8>)> {
-        let labels = ["grid_params", "smoothing_kernel_params", "pbf_params", "force_params", "step_params"];
+        let labels =
+            ["grid_params", "coarse_grid_0", "smoothing_kernel_params", "pbf_params", "force_params", "step_params"];
         let buffers: Vec<_> =
             self.session.engine().plan().buffers().into_iter().filter(|b| labels.contains(&b.label.as_str())).collect();
         assert_eq!(buffers.len(), labels.len());

@@ -89,6 +89,8 @@ fn run_iteration(
             step_params: step_params.uniform(),
             kernel: kernel.uniform(),
             pbf: pbf.uniform(),
+            coarse_cells: None,
+            coarse: None,
             iteration: momentum.is_some().then(|| iteration.uniform()),
         },
         case.count(),

@@ -4,6 +4,7 @@ mod anisotropic_mesh;
 mod anisotropy;
 mod bench;
 mod boundary;
+mod coarse_correction;
 mod constrain_density;
 mod count_covered;
 mod drag;

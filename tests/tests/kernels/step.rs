@@ -169,6 +169,20 @@ fn an_accelerated_step_matches_its_twin() {
 }
 
 #[test]
+fn a_step_with_a_coarse_correction_matches_its_twin() {
+    let on = ["solver.pbf.acceleration=chebyshev", "solver.pbf.coarse_correction=true"];
+    matches(&on, 1, 1e-4, "step with coarse correction");
+    matches(&[&on[..], &["domain.walls=false"]].concat(), 1, 1e-4, "open step with coarse correction");
+    matches(&[&on[..], &["solver.precision=relaxed"]].concat(), 1, 4e-3, "packed step with coarse correction");
+    matches_scene(scene_of(CHANNEL, &on), 1, 1e-4, "step across seams with coarse correction");
+    matches_scene(scene_of(FLAT, &on), 1, 1e-4, "step in two dimensions with coarse correction");
+    let scene = scene_with(&on);
+    let mut worst = Worst::new("step with coarse correction", 1e-4);
+    let twin_scene = scene.with_setting("solver.pbf.coarse_correction=false").unwrap();
+    assert!(follow(&scene, &twin_scene, 1, &mut worst).is_err(), "a twin without it was not told apart");
+}
+
+#[test]
 fn a_step_in_an_open_domain_matches_its_twin() {
     matches(&["domain.walls=false", "solver.pbf.iterations=1"], 1, 1e-4, "step without walls");
 }

@@ -126,6 +126,13 @@ fn too_much_relaxation_is_found() {
 }
 
 #[test]
+fn too_much_of_a_coarse_correction_is_found() {
+    let weight = [("solver/pbf/coarse_correction.hlsli", "COARSE_WEIGHT = 0.3;", "COARSE_WEIGHT = 3.0;")];
+    let faulty = Faulty::compile("solver/pbf/prolong_multiplier.compute", &weight);
+    check(&validated("hydrostatic"), Fault { plan: &|plan| faulty.put_into(plan), ..SOUND });
+}
+
+#[test]
 fn a_dropped_range_of_neighbours_is_found() {
     let rows = [(
         "grid/rows.hlsli",
@@ -138,7 +145,14 @@ fn a_dropped_range_of_neighbours_is_found() {
 
 #[test]
 fn compression_of_three_per_cent_that_is_overlooked_is_found() {
-    let deaf = [("solver/pbf/momentum.hlsli", "return sums.density > 1.0 ?", "return sums.density > 1.03 ?")];
+    let deaf = [
+        ("solver/pbf/momentum.hlsli", "excess = sums.density - 1.0", "excess = sums.density - 1.03"),
+        (
+            "solver/pbf/constrain_density.compute",
+            "sorted_positions[i], sums.density - 1.0",
+            "sorted_positions[i], sums.density - 1.03",
+        ),
+    ];
     let faulty = Faulty::compile("solver/pbf/constrain_density.compute", &deaf);
     check(&validated("hydrostatic"), Fault { plan: &|plan| faulty.put_into(plan), ..SOUND });
 }

@@ -145,6 +145,8 @@ fn reorder_everything(
                 step_params: settings.context.step.uniform(),
                 kernel: settings.kernel.uniform(),
                 pbf: settings.pbf.uniform(),
+                coarse_cells: None,
+                coarse: None,
                 iteration: None,
             },
             way.particles.positions.len,

@@ -10,6 +10,7 @@ use super::fields::kind_of;
 use super::fill::{self, MAX_FLUIDS, MAX_PARTICLES};
 use super::paths::as_number;
 use super::{Acceleration, Fluid, Method, PointColor, Scene, SceneError};
+use crate::solver::pbf::{IterationWeights, MAX_CELLS, finest_cells, narrow_axis};
 
 /// Spacings a side of the domain may have: f32 positions then still tell 1/256 of a spacing apart.
 const MAX_SPACINGS_A_SIDE: f64 = 65_536.0;
@@ -97,6 +98,7 @@ impl Scene {
             Method::Pbf => {
                 self.check_iterations(&check, self.solver.pbf.iterations, "solver.pbf.iterations")?;
                 self.check_relaxation(&check)?;
+                self.check_coarse_correction(&check)?;
             }
             Method::None => check.require(
                 self.surface.color_by != PointColor::Density,
@@ -164,6 +166,47 @@ impl Scene {
                 pbf.iterations,
                 Short(self.solver.support_ratio),
                 self.domain.dimensions
+            ),
+        )
+    }
+
+    /// Iterations that take back what a coarse correction overshoots, cells that fit the domain, and no more of them than
+    /// there may be.
+    fn check_coarse_correction(&self, check: &Checker) -> Result<(), SceneError> {
+        let pbf = &self.solver.pbf;
+        if pbf.coarse_correction != Some(true) {
+            return Ok(());
+        }
+        check.require(
+            IterationWeights::of(self).chebyshev.is_some(),
+            "solver.pbf.coarse_correction",
+            "true",
+            format_args!(
+                "not with solver.pbf.acceleration = \"{}\" and solver.pbf.iterations = {}: it needs iterations with \
+                 momentum, two a substep at least, three in two dimensions",
+                pbf.acceleration.name(),
+                pbf.iterations
+            ),
+        )?;
+        let cell_m = Short(tidied(2.0 * self.support_m()));
+        let narrow = narrow_axis(self);
+        check.require(
+            narrow.is_none(),
+            "solver.pbf.coarse_correction",
+            "true",
+            format_args!(
+                "the domain is narrower along {} than a cell of 2 h = {cell_m} m",
+                ["x", "y", "z"][narrow.unwrap_or_default()]
+            ),
+        )?;
+        let [x, y, z] = finest_cells(self);
+        check.require(
+            u128::from(x) * u128::from(y) * u128::from(z) <= u128::from(MAX_CELLS),
+            "solver.pbf.coarse_correction",
+            "true",
+            format_args!(
+                "the domain has {x} x {y} x {z} cells of 2 h = {cell_m} m, and {MAX_CELLS} fit: make it smaller, or \
+                 spacing_m more"
             ),
         )
     }

@@ -105,6 +105,11 @@ pub const FIELDS: &[Field] = &[
         .of(PBF)
         .term("none", "chebyshev")
         .knob("acceleration", Acceleration::NAMES, &[0, 1]),
+    Field::new("solver.pbf.coarse_correction", Kind::Switch, REBUILD).of(PBF).term("false", "true").knob(
+        "coarse correction",
+        &["false", "true"],
+        &[0, 1],
+    ),
     Field::new("solver.pbf.relaxation", number(1.0e-3, 1.0, ""), LIVE).of(PBF).slider(0.05, 1.0).knob_with(
         "relaxation",
         &["0.2", "0.35", "0.5", "0.65", "0.8"],

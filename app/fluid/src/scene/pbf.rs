@@ -39,6 +39,10 @@ pub struct PbfSettings {
     pub iterations: u32,
     /// What makes them converge faster. A single iteration has nothing to accelerate, and is plain Jacobi.
     pub acceleration: Acceleration,
+    /// Whether what varies slowly in the density is corrected on a coarse grid first, cells of 2 h over the domain: deep
+    /// fluid then is hardly more compressed than shallow fluid. It needs iterations with momentum, and a domain that is no
+    /// narrower than a cell. Default: on where it can be, but not in a closed domain that begins full of fluid.
+    pub coarse_correction: Option<bool>,
     /// Jacobi under-relaxation ω. With an acceleration it is the weight of what that leaves plain: very compressed
     /// fluid, close pairs that part, the artificial pressure. Jacobi is stable below 2/λmax of the kernel's spectrum,
     /// 0.77 at h = 2 d and 0.61 at h = 3 d in two dimensions; an odd number of iterations a substep below
@@ -58,6 +62,7 @@ impl Default for PbfSettings {
         Self {
             iterations: 4,
             acceleration: Acceleration::Chebyshev,
+            coarse_correction: None,
             relaxation: None,
             cfm: 0.01,
             s_corr_k: 0.0,
@@ -160,5 +165,23 @@ mod tests {
         assert!(load(&["solver.pbf.relaxation=0.8"]).is_err(), "the default is accelerated");
         let message = load(&["solver.pbf.acceleration=anderson"]).unwrap_err();
         assert!(message.contains("solver.pbf.acceleration") && message.contains("\"chebyshev\""), "{message}");
+    }
+
+    #[test]
+    fn a_coarse_correction_that_cannot_be_is_refused_with_its_reason() {
+        let on = "solver.pbf.coarse_correction=true";
+        assert!(load(&[on]).is_ok());
+        let flat = ["domain.dimensions=2", "solver.support_ratio=3"];
+        for (settings, words) in [
+            (&["solver.pbf.acceleration=none"][..], "not with solver.pbf.acceleration = \"none\" and"),
+            (&["solver.pbf.iterations=1"], "solver.pbf.iterations = 1: it needs iterations with momentum"),
+            (&[flat[0], flat[1], "solver.pbf.iterations=2"], "three in two dimensions"),
+            (&["domain.max_m.0=0.3"], "the domain is narrower along x than a cell of 2 h = 0.4 m"),
+            (&["domain.max_m=[60, 60, 60]"], "150 x 150 x 150 cells of 2 h = 0.4 m, and 2097152 fit"),
+        ] {
+            let message = load(&[settings, &[on]].concat()).unwrap_err();
+            let start = "column.toml: solver.pbf.coarse_correction = true: ";
+            assert!(message.contains(start) && message.contains(words), "{message}");
+        }
     }
 }

@@ -135,6 +135,7 @@ fn the_table_has_every_field() {
             "capacity=5000",
             "solver.max_speed_m_s=5",
             "solver.neighbour_slots=64",
+            "solver.pbf.coarse_correction=true",
             "solver.pbf.relaxation=0.4",
             "surface.iterations=3",
             "surface.absorption_per_m=[3, 1, 0.5]",

@@ -36,7 +36,7 @@ pub enum FilterKeyword {
     FilterPlane,
 }
 
-/// `#pragma multi_compile _ MOMENTUM ACCUMULATED_MOMENTUM`.
+/// `#pragma multi_compile _ MOMENTUM ACCUMULATED_MOMENTUM RESTRICTED_MOMENTUM`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum MomentumKeyword {
     /// None of them is on.
@@ -46,6 +46,8 @@ pub enum MomentumKeyword {
     Momentum,
     /// `ACCUMULATED_MOMENTUM` is on.
     AccumulatedMomentum,
+    /// `RESTRICTED_MOMENTUM` is on.
+    RestrictedMomentum,
 }
 
 /// `#pragma multi_compile _ RELAXED_PRECISION HALF_PRECISION`.

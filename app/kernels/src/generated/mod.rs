@@ -34,8 +34,12 @@ mod particles_predict;
 mod shared_layout;
 mod solver_none_integrate_particles;
 mod solver_none_layout;
+mod solver_pbf_coarsen_constraint;
 mod solver_pbf_constrain_density;
 mod solver_pbf_correct_positions;
+mod solver_pbf_layout;
+mod solver_pbf_prolong_multiplier;
+mod solver_pbf_relax_multiplier;
 mod solver_pbf_update_velocity;
 mod surface_anisotropy;
 mod surface_caustics;
@@ -113,8 +117,12 @@ pub use particles_predict::*;
 pub use shared_layout::*;
 pub use solver_none_integrate_particles::*;
 pub use solver_none_layout::*;
+pub use solver_pbf_coarsen_constraint::*;
 pub use solver_pbf_constrain_density::*;
 pub use solver_pbf_correct_positions::*;
+pub use solver_pbf_layout::*;
+pub use solver_pbf_prolong_multiplier::*;
+pub use solver_pbf_relax_multiplier::*;
 pub use solver_pbf_update_velocity::*;
 pub use surface_anisotropy::*;
 pub use surface_caustics::*;
@@ -191,8 +199,11 @@ pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
         particles_drag::MODULES,
         particles_predict::MODULES,
         solver_none_integrate_particles::MODULES,
+        solver_pbf_coarsen_constraint::MODULES,
         solver_pbf_constrain_density::MODULES,
         solver_pbf_correct_positions::MODULES,
+        solver_pbf_prolong_multiplier::MODULES,
+        solver_pbf_relax_multiplier::MODULES,
         solver_pbf_update_velocity::MODULES,
         surface_anisotropy::MODULES,
         surface_caustics::MODULES,

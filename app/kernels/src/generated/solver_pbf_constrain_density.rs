@@ -3,8 +3,8 @@
 //! Kernels of `solver/pbf/constrain_density.compute`.
 
 use super::{
-    ListHead, MomentumKeyword, PbfIteration, PbfParams, Position, PositionLambda, PrecisionKeyword,
-    SmoothingKernelParams, StepParams, StepState,
+    CoarseCell, CoarseGridParams, ListHead, MomentumKeyword, PbfIteration, PbfParams, Position, PositionLambda,
+    PrecisionKeyword, SmoothingKernelParams, StepParams, StepState,
 };
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
@@ -15,7 +15,7 @@ use crate::{
 pub struct ConstrainDensityVariant {
     /// Keyword `WALLS`.
     pub walls: bool,
-    /// Keyword `MOMENTUM` or `ACCUMULATED_MOMENTUM`.
+    /// Keyword `MOMENTUM` or `ACCUMULATED_MOMENTUM` or `RESTRICTED_MOMENTUM`.
     pub momentum: MomentumKeyword,
     /// Keyword `RELAXED_PRECISION` or `HALF_PRECISION`.
     pub precision: PrecisionKeyword,
@@ -50,6 +50,10 @@ pub struct ConstrainDensity<'a> {
     pub lambda_totals: Option<BufMut<'a, f32>>,
     /// `StructuredBuffer<Position> sorted_positions`.
     pub sorted_positions: Option<Buf<'a, Position>>,
+    /// `RWStructuredBuffer<CoarseCell> coarse_cells`.
+    pub coarse_cells: Option<BufMut<'a, CoarseCell>>,
+    /// `ConstantBuffer<CoarseGridParams> coarse`.
+    pub coarse: Option<Uniform<'a, CoarseGridParams>>,
 }
 
 impl Kernel for ConstrainDensity<'_> {
@@ -79,6 +83,15 @@ impl Kernel for ConstrainDensity<'_> {
             (false, MomentumKeyword::AccumulatedMomentum, PrecisionKeyword::HalfPrecision) => {
                 &CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION
             }
+            (false, MomentumKeyword::RestrictedMomentum, PrecisionKeyword::Off) => {
+                &CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM
+            }
+            (false, MomentumKeyword::RestrictedMomentum, PrecisionKeyword::RelaxedPrecision) => {
+                &CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION
+            }
+            (false, MomentumKeyword::RestrictedMomentum, PrecisionKeyword::HalfPrecision) => {
+                &CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION
+            }
             (true, MomentumKeyword::Off, PrecisionKeyword::Off) => &CONSTRAIN_DENSITY_WITH_WALLS,
             (true, MomentumKeyword::Off, PrecisionKeyword::RelaxedPrecision) => {
                 &CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION
@@ -102,6 +115,15 @@ impl Kernel for ConstrainDensity<'_> {
             (true, MomentumKeyword::AccumulatedMomentum, PrecisionKeyword::HalfPrecision) => {
                 &CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION
             }
+            (true, MomentumKeyword::RestrictedMomentum, PrecisionKeyword::Off) => {
+                &CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM
+            }
+            (true, MomentumKeyword::RestrictedMomentum, PrecisionKeyword::RelaxedPrecision) => {
+                &CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION
+            }
+            (true, MomentumKeyword::RestrictedMomentum, PrecisionKeyword::HalfPrecision) => {
+                &CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION
+            }
         }
     }
     fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
@@ -120,6 +142,8 @@ impl Kernel for ConstrainDensity<'_> {
                 ("iteration", self.iteration.as_ref().map(|bound| bound.id)),
                 ("lambda_totals", self.lambda_totals.as_ref().map(|bound| bound.id)),
                 ("sorted_positions", self.sorted_positions.as_ref().map(|bound| bound.id)),
+                ("coarse_cells", self.coarse_cells.as_ref().map(|bound| bound.id)),
+                ("coarse", self.coarse.as_ref().map(|bound| bound.id)),
             ],
         )
     }
@@ -136,6 +160,9 @@ pub(super) static MODULES: &[&Module] = &[
     &CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM,
     &CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION,
     &CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION,
+    &CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM,
+    &CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION,
+    &CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION,
     &CONSTRAIN_DENSITY_WITH_WALLS,
     &CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION,
     &CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION,
@@ -145,6 +172,9 @@ pub(super) static MODULES: &[&Module] = &[
     &CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM,
     &CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION,
     &CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION,
+    &CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM,
+    &CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION,
+    &CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION,
 ];
 
 static BINDINGS_0: &[BindingInfo] = &[
@@ -268,10 +298,17 @@ static BINDINGS_5: &[BindingInfo] = &[
         slot: 4,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
-    BindingInfo { name: "step_state", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "step_params", slot: 6, kind: BindingKind::Uniform { bytes: 96 } },
-    BindingInfo { name: "kernel", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "pbf", slot: 8, kind: BindingKind::Uniform { bytes: 32 } },
+    BindingInfo {
+        name: "coarse_cells",
+        slot: 5,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
+    },
+    BindingInfo { name: "step_state", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 7, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 8, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "pbf", slot: 9, kind: BindingKind::Uniform { bytes: 32 } },
+    BindingInfo { name: "iteration", slot: 10, kind: BindingKind::Uniform { bytes: 16 } },
+    BindingInfo { name: "coarse", slot: 11, kind: BindingKind::Uniform { bytes: 80 } },
 ];
 
 static BINDINGS_6: &[BindingInfo] = &[
@@ -292,10 +329,22 @@ static BINDINGS_6: &[BindingInfo] = &[
         slot: 4,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
     },
-    BindingInfo { name: "step_state", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "step_params", slot: 6, kind: BindingKind::Uniform { bytes: 96 } },
-    BindingInfo { name: "kernel", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "pbf", slot: 8, kind: BindingKind::Uniform { bytes: 32 } },
+    BindingInfo {
+        name: "lambda_totals",
+        slot: 5,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 },
+    },
+    BindingInfo {
+        name: "coarse_cells",
+        slot: 6,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
+    },
+    BindingInfo { name: "step_state", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 8, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 9, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "pbf", slot: 10, kind: BindingKind::Uniform { bytes: 32 } },
+    BindingInfo { name: "iteration", slot: 11, kind: BindingKind::Uniform { bytes: 16 } },
+    BindingInfo { name: "coarse", slot: 12, kind: BindingKind::Uniform { bytes: 80 } },
 ];
 
 static BINDINGS_7: &[BindingInfo] = &[
@@ -320,7 +369,6 @@ static BINDINGS_7: &[BindingInfo] = &[
     BindingInfo { name: "step_params", slot: 6, kind: BindingKind::Uniform { bytes: 96 } },
     BindingInfo { name: "kernel", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "pbf", slot: 8, kind: BindingKind::Uniform { bytes: 32 } },
-    BindingInfo { name: "iteration", slot: 9, kind: BindingKind::Uniform { bytes: 16 } },
 ];
 
 static BINDINGS_8: &[BindingInfo] = &[
@@ -345,10 +393,59 @@ static BINDINGS_8: &[BindingInfo] = &[
     BindingInfo { name: "step_params", slot: 6, kind: BindingKind::Uniform { bytes: 96 } },
     BindingInfo { name: "kernel", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "pbf", slot: 8, kind: BindingKind::Uniform { bytes: 32 } },
-    BindingInfo { name: "iteration", slot: 9, kind: BindingKind::Uniform { bytes: 16 } },
 ];
 
 static BINDINGS_9: &[BindingInfo] = &[
+    BindingInfo {
+        name: "quantized_positions",
+        slot: 0,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 },
+    },
+    BindingInfo {
+        name: "sorted_positions",
+        slot: 1,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+    },
+    BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo { name: "list_heads", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo {
+        name: "position_lambdas",
+        slot: 4,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
+    },
+    BindingInfo { name: "step_state", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 6, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "pbf", slot: 8, kind: BindingKind::Uniform { bytes: 32 } },
+    BindingInfo { name: "iteration", slot: 9, kind: BindingKind::Uniform { bytes: 16 } },
+];
+
+static BINDINGS_10: &[BindingInfo] = &[
+    BindingInfo {
+        name: "quantized_positions",
+        slot: 0,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 },
+    },
+    BindingInfo {
+        name: "sorted_positions",
+        slot: 1,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+    },
+    BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo { name: "list_heads", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo {
+        name: "packed_position_lambdas",
+        slot: 4,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
+    },
+    BindingInfo { name: "step_state", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 6, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "pbf", slot: 8, kind: BindingKind::Uniform { bytes: 32 } },
+    BindingInfo { name: "iteration", slot: 9, kind: BindingKind::Uniform { bytes: 16 } },
+];
+
+static BINDINGS_11: &[BindingInfo] = &[
     BindingInfo {
         name: "quantized_positions",
         slot: 0,
@@ -388,7 +485,7 @@ static CONSTRAIN_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "faded81b632b56a5403e7354f41d019df73f3820ad75499925b0de9621bea89c",
+    hash: "74e13e1df463e8a516c704f7eaad8f0703ca4b565dbba03b83179e6bd98e4518",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -401,7 +498,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "03f72c0195177227429923eb2aa149db97ee6ba3a800b72c1a43ed36124b9552",
+    hash: "afbef2df6910e9491a5b8324f11ef9b4113c5b66753cb8236160a25bf618619f",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -414,7 +511,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "9c1abe66fdd002867da63c445dd99e20755d8cb304cade976a5f0160f664908c",
+    hash: "6df465c09f52c522f54d7cfd489812038adbd66003dcd9ad79b82c9b4da4b878",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
@@ -427,7 +524,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "f05ac242159ee8a9494459cbce11db7c453647cf0033920b2e087cdba6335fd1",
+    hash: "e478d8151bf9356b149d759bcaa6e9f73e9d332b73c850d9a88a80d2e1b0c512",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -440,7 +537,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "ded3e27ecb93142470302be61a1467fdf84af49192ce47b00c17c729649e798a",
+    hash: "1de0f68e38cb36054d1ce31f7ad396d7056be4054781de6c63bbbfc62d09793d",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -453,7 +550,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "7d49cb19c776b2fac188dd6349cc1cb7a82d089397fc374a6fe27000a57e97b9",
+    hash: "d899e6b1cd07a8e8e463b405636b1f3e93aac9046f047d901a3f84f72e68d443",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -466,7 +563,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "626a811313de92ec85512876f6452b282c926a2b6f95e99222f64433b419d70a",
+    hash: "4190dbe4c52788e7b63bcd2964e29278a2b1f4b910b8bc2d5047a7ccc6704d77",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -479,7 +576,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "b758b5175eca8ba1ad280758c1277f085eabcfdd9426cfce0087f530ed40df71",
+    hash: "6e92b4d190942466126926bed3b8fe4a56e887261ede9361cb775d6e9a91b818",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -492,7 +589,46 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "abde47e5b4440cf5f01e9e46b2c624a6bc7b74174283a27e11956bba5beed8bd",
+    hash: "1c250acced3379584cf4b0d1b25df9a1547839771d98e797c5ab44dac5126eb4",
+};
+
+static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM: Module = Module {
+    name: "ConstrainDensity+RESTRICTED_MOMENTUM",
+    entry: "ConstrainDensity",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/constrain_density+restricted_momentum.spv"),
+    bindings: BINDINGS_5,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/pbf/constrain_density.compute",
+    hash: "3148f8ba2b88fe3c591e24e655de3a1704ad3a93d34fd32528bae75c0078c1b6",
+};
+
+static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
+    name: "ConstrainDensity+RESTRICTED_MOMENTUM+RELAXED_PRECISION",
+    entry: "ConstrainDensity",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/constrain_density+restricted_momentum+relaxed_precision.spv"),
+    bindings: BINDINGS_6,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/pbf/constrain_density.compute",
+    hash: "37b2cf9dc6e4f90034b198f615fecf6f79fbcce3d7d1559727c43a45935039ec",
+};
+
+static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
+    name: "ConstrainDensity+RESTRICTED_MOMENTUM+HALF_PRECISION",
+    entry: "ConstrainDensity",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/constrain_density+restricted_momentum+half_precision.spv"),
+    bindings: BINDINGS_6,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Desktop,
+    source: "solver/pbf/constrain_density.compute",
+    hash: "cff1486d4d12d43039151b03f8a1649539afb03725703ac4850f13d21e575655",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
@@ -500,12 +636,12 @@ static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
     spirv: include_bytes!("../../spirv/constrain_density+walls.spv"),
-    bindings: BINDINGS_5,
+    bindings: BINDINGS_7,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "732dbd892ae05db2db31eecaa2b9fb1d0c6ccc347cb1dc7f65a94e29aab5c523",
+    hash: "fc9326d0e6368b8bb6f87ee94235709acdb8c9ee368d18c005638c9d1c95528d",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -513,12 +649,12 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
     spirv: include_bytes!("../../spirv/constrain_density+walls+relaxed_precision.spv"),
-    bindings: BINDINGS_6,
+    bindings: BINDINGS_8,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "2dbe3b2c3f8c524244f727960d501e06ad7b48034a196fe800446bcc0c7fe339",
+    hash: "9db24a4f4d150ef6abdcbcce578bf6c7ba7303a0f1b1b80c1b0fe6af1c096d35",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -526,12 +662,12 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
     spirv: include_bytes!("../../spirv/constrain_density+walls+half_precision.spv"),
-    bindings: BINDINGS_6,
+    bindings: BINDINGS_8,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "4ad11ad1ef2e3232ae48003c0e20946dd7ea6a5961310be56def3996d5a33ed2",
+    hash: "848a2bbb67499bca6e49cdd973add84c188662de57cf1726ef365dd091519fa8",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
@@ -539,12 +675,12 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
     spirv: include_bytes!("../../spirv/constrain_density+walls+momentum.spv"),
-    bindings: BINDINGS_7,
+    bindings: BINDINGS_9,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "69a343b6b17dd4022526c007cb10aa96698b25636a5e8da8d9bf5e9a2f8ec5cc",
+    hash: "358fc1c16d6c598da1a485cbf7da3d868344f27d3645926c0b0d0143c025d53f",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -552,12 +688,12 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
     spirv: include_bytes!("../../spirv/constrain_density+walls+momentum+relaxed_precision.spv"),
-    bindings: BINDINGS_8,
+    bindings: BINDINGS_10,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "68555b76891be2f0287b5fc51647a242c32c22edd8294eb2b5d713a688c2dcf8",
+    hash: "122a0f1fb9c63d9ede2cf94945f433650f084dbef531863a331950dd5d804d38",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -565,12 +701,12 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = 
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
     spirv: include_bytes!("../../spirv/constrain_density+walls+momentum+half_precision.spv"),
-    bindings: BINDINGS_8,
+    bindings: BINDINGS_10,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "38c955b748da6de90eb7da548b120cd999a28ea8de15c8d4b940e6c00a256c76",
+    hash: "8fcd801f67103773c0f36228ac1c258941723759210ab0889af89d11ca453ff5",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -578,12 +714,12 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
     spirv: include_bytes!("../../spirv/constrain_density+walls+accumulated_momentum.spv"),
-    bindings: BINDINGS_7,
+    bindings: BINDINGS_9,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "3833647a65ffa92ec4a8a49ba0bb7fc59d03918bd73586e1c6ff2ca84119e790",
+    hash: "1b8654628f1e13fc0694aff0941badd8fe2de2ae91b73cbe3c627f12f8cff3da",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -591,12 +727,12 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECI
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
     spirv: include_bytes!("../../spirv/constrain_density+walls+accumulated_momentum+relaxed_precision.spv"),
-    bindings: BINDINGS_9,
+    bindings: BINDINGS_11,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "fe5b41c2d4101e33a8497da54b0f4d6af406427fb7b36466825acf5d278db014",
+    hash: "d9f9178d6205d2bbfa19878110fd16feead339294a9638286612104d592e49fa",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -604,10 +740,49 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISIO
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
     spirv: include_bytes!("../../spirv/constrain_density+walls+accumulated_momentum+half_precision.spv"),
-    bindings: BINDINGS_9,
+    bindings: BINDINGS_11,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "a33fda4f96d27fc880d3700bda961d36e938c4a6c1494009c707d48a9b9d29ce",
+    hash: "78dc87fefb045c9eba7c3e49d0f8838d04fa90a464df2f695cd72c8f83d53a87",
+};
+
+static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
+    name: "ConstrainDensity+WALLS+RESTRICTED_MOMENTUM",
+    entry: "ConstrainDensity",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/constrain_density+walls+restricted_momentum.spv"),
+    bindings: BINDINGS_5,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/pbf/constrain_density.compute",
+    hash: "8b93dfa078cfb91bd25be994658178558d0ac0ec1c4e989f00de87cd91ac7906",
+};
+
+static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
+    name: "ConstrainDensity+WALLS+RESTRICTED_MOMENTUM+RELAXED_PRECISION",
+    entry: "ConstrainDensity",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/constrain_density+walls+restricted_momentum+relaxed_precision.spv"),
+    bindings: BINDINGS_6,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/pbf/constrain_density.compute",
+    hash: "ba4079ebc2b6987a3fd4ffe67c215c63a4d106ae94f845383c7eb1103025b126",
+};
+
+static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
+    name: "ConstrainDensity+WALLS+RESTRICTED_MOMENTUM+HALF_PRECISION",
+    entry: "ConstrainDensity",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/constrain_density+walls+restricted_momentum+half_precision.spv"),
+    bindings: BINDINGS_6,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Desktop,
+    source: "solver/pbf/constrain_density.compute",
+    hash: "b6905a2ed1d53b98a785192715c13290d14ee9bc6577b75b962b02a40416c6c9",
 };

@@ -9,11 +9,12 @@ use brooklet_fluid::scene::{Method, Scene};
 use brooklet_fluid::session::{MOST_ROUNDS, NO_COMPRESSION};
 use brooklet_fluid::smoothing_kernel_params;
 use brooklet_fluid::solver::pbf::{self, IterationWeights};
-use brooklet_kernels::{Position, Velocity};
+use brooklet_kernels::{COARSE_OPEN, COARSE_PERIODIC, CoarseGridParams, Position, Velocity};
 use brooklet_reference::boundary::walls::{DomainWalls, WallScales};
 use brooklet_reference::params::{self, Forces, NonInteracting, Smoothing, Step};
 use brooklet_reference::particles::predict::Particle;
 use brooklet_reference::solver::Solver;
+use brooklet_reference::solver::pbf::coarse_correction::{CoarseGrid, End};
 use brooklet_reference::solver::pbf::momentum::Weights;
 use brooklet_reference::solver::pbf::substep::{Iterations, Pbf};
 use brooklet_reference::step::Fluid;
@@ -26,7 +27,7 @@ use crate::task::hex;
 use crate::{Sample, Setup};
 
 /// Of what the twins compute: changes with them, so that nothing an older program kept is taken.
-const VERSION: u32 = 1;
+const VERSION: u32 = 2;
 
 /// The f64 twin of a particle.
 pub fn reference_particle(position: &Position, velocity: &Velocity) -> Particle {
@@ -79,6 +80,7 @@ fn solver_of(scene: &Scene) -> Solver {
     match scene.solver.method {
         Method::Pbf => {
             let (kernel, weights) = (smoothing_kernel_params(scene), IterationWeights::of(scene));
+            let coarse_grid = coarse_grid_of(&pbf::coarse_grid_params(scene, &weights));
             let pbf = pbf::params(scene, &weights);
             Solver::Pbf(Pbf {
                 smoothing: Smoothing {
@@ -94,7 +96,8 @@ fn solver_of(scene: &Scene) -> Solver {
                     separation: f64::from(pbf.separation),
                     separation_lambda: f64::from(pbf.separation_lambda),
                 },
-                iterations: iterations_of(scene, &weights),
+                iterations: iterations_of(scene, &weights, coarse_grid.is_some()),
+                coarse_grid: coarse_grid.map(Box::new),
                 forces: Forces { xsph: scene.forces.xsph, vorticity_m_s: scene.forces.vorticity_m_s },
                 grid_ends_at_domain: true,
             })
@@ -111,7 +114,7 @@ fn solver_of(scene: &Scene) -> Solver {
     }
 }
 
-fn iterations_of(scene: &Scene, weights: &IterationWeights) -> Iterations {
+fn iterations_of(scene: &Scene, weights: &IterationWeights, corrects_coarsely: bool) -> Iterations {
     let Some(chebyshev) = &weights.chebyshev else { return Iterations::Plain(scene.solver.pbf.iterations) };
     let one = |own: &pbf::Weights| Weights {
         step: own.step,
@@ -119,7 +122,27 @@ fn iterations_of(scene: &Scene, weights: &IterationWeights) -> Iterations {
         guarded_step: weights.guarded_step(own),
     };
     let weights = chebyshev.iterations.iter().map(one).collect();
-    if chebyshev.accumulates() { Iterations::AccumulatedMomentum(weights) } else { Iterations::Momentum(weights) }
+    let accumulates = chebyshev.accumulates() || corrects_coarsely;
+    if accumulates { Iterations::AccumulatedMomentum(weights) } else { Iterations::Momentum(weights) }
+}
+
+/// The twin of a coarse grid with these levels, finest first; none of no levels.
+pub fn coarse_grid_of(levels: &[CoarseGridParams]) -> Option<CoarseGrid> {
+    let finest = levels.first()?;
+    Some(CoarseGrid {
+        finest_cells: finest.finest_cells.map(|n| n as usize),
+        cell_m: 1.0 / DVec3::from_array(finest.inverse_cell_size_per_m.map(f64::from)),
+        conductance: DVec3::from_array(finest.conductance.map(f64::from)),
+        mixing: f64::from(finest.mixing),
+        most: f64::from(finest.most),
+        particles_a_cell: f64::from(finest.particles_a_cell),
+        ends: finest.ends.map(|end| match end {
+            COARSE_PERIODIC => End::Periodic,
+            COARSE_OPEN => End::Open,
+            _ => End::Wall,
+        }),
+        sweeps: levels.iter().map(|level| level.sweeps).collect(),
+    })
 }
 
 /// Runs `setup` in f64; `None` if `stop` says so before its end.
@@ -323,7 +346,7 @@ mod tests {
         assert_eq!(kept.len(), 2);
         for path in &kept {
             let text = fs::read_to_string(path).unwrap();
-            fs::write(path, text.replace("\"version\":1", "\"version\":0")).unwrap();
+            fs::write(path, text.replace(&format!("\"version\":{VERSION}"), "\"version\":0")).unwrap();
         }
         let (anew, origin) = go(&setup(0.01));
         assert!(matches!(&origin, Origin::Replaced(what) if what.contains("version 0")), "{origin:?}");

@@ -3,18 +3,24 @@
 use brooklet_gpu::Recording;
 use brooklet_kernels::{ConstrainDensity, ConstrainDensityVariant, MomentumKeyword};
 
-use super::{Lambdas, Momentum, Pbf};
+use super::{CoarseCorrection, Lambdas, Momentum, Pbf};
 use crate::step_context::StepContext;
 
 /// From quantized positions to `pbf.lambdas`, in the substep's iteration of a number.
 pub(super) fn constrain_density(recording: &mut Recording, pbf: &mut Pbf, context: &StepContext, iteration: usize) {
-    let (momentum, weights, lambda_totals) = match &mut pbf.momentum {
-        None => (MomentumKeyword::Off, None, None),
-        Some(Momentum { accumulates: false, weights, .. }) => (MomentumKeyword::Momentum, Some(weights), None),
-        Some(Momentum { weights, totals, .. }) => {
-            (MomentumKeyword::AccumulatedMomentum, Some(weights), totals.as_mut().map(|totals| totals.write()))
+    let (momentum, weights, lambda_totals, coarse) = match &mut pbf.momentum {
+        None => (MomentumKeyword::Off, None, None, None),
+        Some(Momentum { accumulates: false, weights, .. }) => (MomentumKeyword::Momentum, Some(weights), None, None),
+        Some(Momentum { weights, totals, coarse, .. }) => {
+            let coarse = coarse.as_mut().filter(|_| iteration == 0).map(CoarseCorrection::finest);
+            let keyword = match coarse {
+                Some(_) => MomentumKeyword::RestrictedMomentum,
+                None => MomentumKeyword::AccumulatedMomentum,
+            };
+            (keyword, Some(weights), totals.as_mut().map(|totals| totals.write()), coarse)
         }
     };
+    let (coarse_cells, coarse) = coarse.map(|(cells, params)| (cells.write(), params.uniform())).unzip();
     let (position_lambdas, packed_position_lambdas) = match &mut pbf.lambdas {
         Lambdas::Full(lambdas) => (Some(lambdas.write()), None),
         Lambdas::Packed(lambdas) => (None, Some(lambdas.write())),
@@ -25,7 +31,7 @@ pub(super) fn constrain_density(recording: &mut Recording, pbf: &mut Pbf, contex
         &ConstrainDensity {
             variant: ConstrainDensityVariant { walls: context.walls, momentum, precision: sorted.precision },
             quantized_positions: sorted.quantized_positions.read(),
-            sorted_positions: context.walls.then(|| sorted.positions.read()),
+            sorted_positions: (context.walls || coarse.is_some()).then(|| sorted.positions.read()),
             neighbours: neighbours.deltas.read(),
             list_heads: neighbours.heads.read(),
             position_lambdas,
@@ -35,6 +41,8 @@ pub(super) fn constrain_density(recording: &mut Recording, pbf: &mut Pbf, contex
             step_params: context.step.uniform(),
             kernel: pbf.search.smoothing_kernel.uniform(),
             pbf: pbf.params.uniform(),
+            coarse_cells,
+            coarse,
             iteration: weights.map(|weights| weights[iteration].uniform()),
         },
     );

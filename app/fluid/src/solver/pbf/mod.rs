@@ -8,6 +8,7 @@
 //! the lower precisions.
 
 mod chebyshev;
+mod coarse_correction;
 mod constrain_density;
 mod correct_positions;
 mod iteration_weights;
@@ -23,6 +24,9 @@ use crate::scene::Scene;
 use crate::smoothing_kernel::{lattice, wendland};
 use crate::step_context::{Particles, StepContext};
 pub use chebyshev::{Chebyshev, Weights};
+use coarse_correction::CoarseCorrection;
+pub(crate) use coarse_correction::{MAX_CELLS, finest_cells, narrow_axis};
+pub use coarse_correction::{coarse_grid_params, has_coarse_correction};
 use constrain_density::constrain_density;
 use correct_positions::correct_positions;
 pub use iteration_weights::IterationWeights;
@@ -50,6 +54,7 @@ struct Momentum {
     accumulates: bool,
     /// That sum, where the lambdas' buffer has no room for it.
     totals: Option<Buffer<f32>>,
+    coarse: Option<CoarseCorrection>,
 }
 
 /// Quantized positions with their lambdas, as they are during one iteration.
@@ -102,7 +107,7 @@ impl Pbf {
     pub fn declare(resources: &mut Resources, scene: &Scene, capacity: u32) -> Self {
         let solver = &scene.solver;
         let weights = IterationWeights::of(scene);
-        let momentum = weights.chebyshev.as_ref();
+        let momentum = Momentum::declare(resources, scene, &weights, capacity);
         Self {
             params: resources.persistent("pbf_params", 1),
             search: NeighbourSearch::declare(resources, scene, capacity),
@@ -113,15 +118,20 @@ impl Pbf {
                 true => Lambdas::Packed(resources.buffer("position_lambdas", capacity)),
                 false => Lambdas::Full(resources.buffer("position_lambdas", capacity)),
             },
-            momentum: momentum.map(|weights| Momentum::declare(resources, scene, weights, capacity)),
+            momentum,
             weights,
         }
     }
 
     pub(super) fn record_init(&mut self, init: &mut Recording, scene: &Scene) {
         init.upload(&mut self.params, &[params(scene, &self.weights)]);
-        let buffers = self.momentum.iter_mut().flat_map(|momentum| &mut momentum.weights);
-        buffers.zip(self.weights.params()).for_each(|(buffer, weights)| init.upload(buffer, &[weights]));
+        if let Some(momentum) = &mut self.momentum {
+            let buffers = momentum.weights.iter_mut();
+            buffers.zip(self.weights.params()).for_each(|(buffer, weights)| init.upload(buffer, &[weights]));
+            if let Some(coarse) = &mut momentum.coarse {
+                coarse.record_init(init, scene, &self.weights);
+            }
+        }
         self.search.record_init(init, scene);
         self.forces.record_init(init, scene);
     }
@@ -169,8 +179,14 @@ impl Pbf {
     }
 
     fn iterate(&mut self, recording: &mut Recording, context: &mut StepContext, s_corr: bool) {
+        if let Some(Momentum { coarse: Some(coarse), .. }) = &mut self.momentum {
+            coarse.clear(recording);
+        }
         for iteration in 0..self.iterations {
             constrain_density(recording, self, context, iteration as usize);
+            if let (0, Some(Momentum { coarse: Some(coarse), totals, .. })) = (iteration, &mut self.momentum) {
+                coarse.record(recording, context, &self.search.sorted, &mut self.lambdas, totals.as_mut());
+            }
             correct_positions(recording, self, context, s_corr);
         }
     }
@@ -182,14 +198,20 @@ impl Pbf {
 }
 
 impl Momentum {
-    fn declare(resources: &mut Resources, scene: &Scene, weights: &Chebyshev, capacity: u32) -> Self {
-        let iterations = 0..weights.iterations.len();
-        let totals = weights.accumulates() && scene.solver.precision.packs_positions();
-        Self {
+    /// None if the iterations are plain.
+    fn declare(resources: &mut Resources, scene: &Scene, weights: &IterationWeights, capacity: u32) -> Option<Self> {
+        let chebyshev = weights.chebyshev.as_ref()?;
+        let iterations = 0..chebyshev.iterations.len();
+        let coarse = CoarseCorrection::declare(resources, scene, weights);
+        // A coarse multiplier is more than the first iteration asks for: the next ones give back what is too much.
+        let accumulates = chebyshev.accumulates() || coarse.is_some();
+        let totals = accumulates && scene.solver.precision.packs_positions();
+        Some(Self {
             weights: iterations.map(|n| resources.persistent(&format!("pbf_iteration_{n}"), 1)).collect(),
-            accumulates: weights.accumulates(),
+            accumulates,
             totals: totals.then(|| resources.buffer("lambda_totals", capacity)),
-        }
+            coarse,
+        })
     }
 }
 

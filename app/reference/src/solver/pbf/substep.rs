@@ -1,5 +1,6 @@
 //! A whole substep of Position Based Fluids, in the order of the GPU's.
 
+use super::coarse_correction::{CoarseGrid, coarse_multipliers, prolong_multiplier, share};
 use super::constrain_density::constrain_density;
 use super::correct_positions::correct_positions;
 use super::momentum::{Weights, accumulated_lambda, momentum_lambda};
@@ -22,6 +23,8 @@ pub struct Pbf {
     pub params: params::Pbf,
     /// What a substep iterates.
     pub iterations: Iterations,
+    /// What corrects the first of them on a coarse grid, if anything does.
+    pub coarse_grid: Option<Box<CoarseGrid>>,
     /// What acts on velocities alone.
     pub forces: Forces,
     /// Whether particles outside the domain have no neighbours, being outside the grid.
@@ -64,7 +67,7 @@ impl Pbf {
         }
         let predicted_m = positions_m(particles);
         let neighbours = self.neighbours(particles, step);
-        let corrected_m = self.iterate(&predicted_m, &neighbours, step, walls);
+        let corrected_m = self.iterate(particles, &predicted_m, &neighbours, step, walls);
         for (i, particle) in particles.iter_mut().enumerate() {
             if particle.is_simulated() {
                 let (velocity_m_s, _) = update_velocity(predicted_m[i], corrected_m[i], particle.velocity_m_s, step);
@@ -85,7 +88,7 @@ impl Pbf {
     pub fn relax(&self, particles: &mut [Particle], step: &Step, walls: Option<&DomainWalls>) {
         let without = Self { params: params::Pbf { s_corr_k: 0.0, ..self.params }, ..self.clone() };
         let neighbours = without.neighbours(particles, step);
-        let relaxed_m = without.iterate(&positions_m(particles), &neighbours, step, walls);
+        let relaxed_m = without.iterate(particles, &positions_m(particles), &neighbours, step, walls);
         for (particle, relaxed_m) in particles.iter_mut().zip(relaxed_m).filter(|(particle, _)| particle.is_simulated())
         {
             particle.position_m = step.wrapped(relaxed_m);
@@ -95,6 +98,7 @@ impl Pbf {
     /// Where the iterations move particles from where they were predicted.
     fn iterate(
         &self,
+        particles: &[Particle],
         predicted_m: &[DVec3],
         neighbours: &Neighbours,
         step: &Step,
@@ -105,6 +109,9 @@ impl Pbf {
         let mut lambdas = Lambdas { last: none.clone(), totals: none };
         for iteration in 0..self.iterations.count() {
             lambdas.last = self.lambdas(iteration, &lambdas, &corrected_m, neighbours, walls);
+            if let (0, Some(grid)) = (iteration, &self.coarse_grid) {
+                self.correct_coarsely(grid, particles, &mut lambdas.last, neighbours, walls);
+            }
             lambdas.totals.iter_mut().zip(&lambdas.last).for_each(|(total, lambda)| *total += lambda);
             corrected_m = self.correct(predicted_m, &corrected_m, &lambdas.last, neighbours, step, walls);
         }
@@ -148,6 +155,26 @@ impl Pbf {
                 }
             }
         })
+    }
+
+    /// Adds the coarse grid's multiplier to the lambdas of particles where they were predicted.
+    fn correct_coarsely(
+        &self,
+        grid: &CoarseGrid,
+        particles: &[Particle],
+        lambdas: &mut [f64],
+        neighbours: &Neighbours,
+        walls: Option<&DomainWalls>,
+    ) {
+        let predicted_m = positions_m(particles);
+        let excesses = parallel::map(predicted_m.len(), |i| {
+            constrain_density(i, &predicted_m, &neighbours[i], &self.smoothing, &self.params, walls).excess
+        });
+        let simulated = || (0..predicted_m.len()).filter(|&i| particles[i].is_simulated());
+        let multipliers = coarse_multipliers(grid, simulated().map(|i| (predicted_m[i], excesses[i])));
+        for i in simulated() {
+            lambdas[i] += share(excesses[i]) * prolong_multiplier(grid, &multipliers, predicted_m[i]);
+        }
     }
 
     fn correct(

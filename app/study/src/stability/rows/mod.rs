@@ -1,4 +1,5 @@
-//! The extreme cases (rows of a table with fixed numbers) over precisions, tiers, layouts and accelerations.
+//! The extreme cases (rows of a table with fixed numbers) over precisions, tiers, layouts, accelerations and coarse
+//! corrections.
 //!
 //! Of every row: states are finite, no particle is lost, all are inside the walls, none is faster than
 //! the limit; and what the row itself expects. What fails and is said by the program, of this failure
@@ -62,14 +63,20 @@ const TIERS: [Tier; 3] = [Tier::Desktop, Tier::Mobile, Tier::Floor];
 /// Rows that a quick look takes.
 const QUICK: [u32; 6] = [2, 8, 13, 14, 17, 21];
 
-/// Every pair of row, precision, tier, order and acceleration; real f16 is of the desktop tier alone.
+/// Every pair of row, precision, tier, order, acceleration and whether coarse corrections are left out. Real f16 is of
+/// the desktop tier alone, and there is no coarse correction without an acceleration.
 pub fn row_tasks(quick: bool) -> Vec<Task> {
     let rows: Vec<&Row> =
         ROWS.iter().filter(|row| row.setup.is_some() && (!quick || QUICK.contains(&row.number))).collect();
-    let allowed = |row: &[Option<usize>]| row[1] != Some(2) || row[2].is_none_or(|tier| TIERS[tier] == Tier::Desktop);
-    let sizes = [rows.len(), Precision::NAMES.len(), TIERS.len(), SWITCHES.len(), Acceleration::NAMES.len()];
+    let allowed = |row: &[Option<usize>]| {
+        let has_f16 = row[1] != Some(2) || row[2].is_none_or(|tier| TIERS[tier] == Tier::Desktop);
+        has_f16 && (row[4] != Some(0) || row[5] != Some(0))
+    };
+    let coarse = [None, Some("solver.pbf.coarse_correction=false")];
+    let sizes =
+        [rows.len(), Precision::NAMES.len(), TIERS.len(), SWITCHES.len(), Acceleration::NAMES.len(), coarse.len()];
     let combinations = if quick {
-        rows.iter().enumerate().map(|(i, _)| vec![i, i % 3, 0, i % 2, 1]).collect()
+        rows.iter().enumerate().map(|(i, _)| vec![i, i % 3, 0, i % 2, 1, 0]).collect()
     } else {
         covering(&sizes, allowed)
     };
@@ -78,11 +85,14 @@ pub fn row_tasks(quick: bool) -> Vec<Task> {
         .map(|of| Task {
             part: ROWS_PART.into(),
             case: rows[of[0]].name.into(),
-            settings: vec![
+            settings: [
                 format!("solver.precision={}", Precision::NAMES[of[1]]),
                 format!("solver.deterministic={}", SWITCHES[of[3]]),
                 format!("solver.pbf.acceleration={}", Acceleration::NAMES[of[4]]),
-            ],
+            ]
+            .into_iter()
+            .chain(coarse[of[5]].map(str::to_owned))
+            .collect(),
             tier: tier_name(TIERS[of[2]]).into(),
             repeats: 1,
         })

@@ -240,7 +240,7 @@ pub(super) fn nothing_passes(_: &Setup, run: &GpuRun) -> Vec<Figure> {
 }
 
 /// Two drops in an open domain so large that its cells are wrapped, one ten wrapped grids of 64 cells from
-/// the other. Spacing and places are powers of two and their multiples: both drops begin alike. For 24 steps:
+/// the other. Spacing and places are powers of two and their multiples: both drops begin alike. For 16 steps:
 /// later the coarser rounding of the far one has grown to what a wrong neighbour would do.
 pub(super) fn two_drops(settings: &[String]) -> SetupResult {
     let text = "
@@ -254,7 +254,7 @@ pub(super) fn two_drops(settings: &[String]) -> SetupResult {
         sphere = { centre_m = [2.0, 1.25, 1.25], radius_m = 0.1 }
         [[fluid]]
         sphere = { centre_m = [12.0, 1.25, 1.25], radius_m = 0.1 }";
-    let mut setup = Setup::new("wrap", text, settings, 0.1, 4)?;
+    let mut setup = Setup::new("wrap", text, settings, 16.0 / 240.0, 4)?;
     setup.place(|at, v| {
         let middle_m = if at.x < 6.0 { 2.0 } else { 12.0 };
         *v = DVec3::new(-2.0 * (at.x - middle_m), 2.0 * (at.y - 1.25), 0.0);
