@@ -56,9 +56,10 @@ fn raised(relaxes: bool) -> [f64; 2] {
 fn more_substeps_do_not_throw_a_pool_up() {
     let [before, after] = raised(true);
     assert!(after < 1.5 * before, "{before} J became {after} J");
-    // Left in, the pool's compression becomes motion.
+    // Left in, the pool's compression becomes motion: measured 7.5 times, and over 100 without the coarse correction,
+    // which leaves less of it.
     let [before, after] = raised(false);
-    assert!(after > 20.0 * before, "{before} J became {after} J: this test sees nothing");
+    assert!(after > 4.0 * before, "{before} J became {after} J: this test sees nothing");
 }
 
 #[test]
@@ -71,7 +72,7 @@ fn a_shorter_step_does_not_either() {
         stepped(&mut session, 1).kinetic_j / before
     };
     let [with, without] = [true, false].map(raised);
-    assert!(with < 1.5 && without > 20.0, "{with} {without}");
+    assert!(with < 1.5 && without > 4.0, "{with} {without}");
 }
 
 #[test]
@@ -123,8 +124,9 @@ fn a_session_of_a_scene_begins_without_compression_measured_or_not() {
     let (done, relaxed, fastest_m_s) = start(ParticleSource::Scene);
     let [before, after] = done.unwrap().compression;
     assert!(before.max > 0.01 && after.is_within(&NO_COMPRESSION), "{done:?}");
-    // What gravity gives in a step is .04 m/s.
-    assert!(fastest_m_s < 0.1, "{fastest_m_s} m/s");
+    // What gravity gives in a step is .04 m/s. The coarse correction takes out at once what little is left of
+    // compression everywhere, which plain iterations take many substeps for: measured .16, without it below .1.
+    assert!(fastest_m_s < 0.2, "{fastest_m_s} m/s");
     let lattice = sample_lattice(&scene);
     let ids = |particles: &ParticleSet| particles.positions.iter().map(|at| at.tag).collect::<Vec<_>>();
     assert!(ids(&relaxed) == ids(&lattice) && relaxed.velocities == lattice.velocities);
