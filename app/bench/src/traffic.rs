@@ -111,11 +111,11 @@ mod tests {
         let bytes = |labels: &[&str]| -> u64 {
             labels.iter().map(|label| kept.iter().find(|buffer| buffer.label == *label).unwrap().bytes).sum()
         };
-        // 4 iterations; what is bound once each, of the list what is in use, and 8 bytes of each
-        // neighbour's place.
+        // 4 iterations; what is bound once each, of the list what is in use, and 8 bytes of each neighbour's place; the
+        // first also sums up for the coarse grid.
         let constrain = of(&planned.plan, step, "constrain_density", 27 * n);
         let once = bytes(&["quantized_positions", "sorted_positions", "list_heads", "position_lambdas"]);
-        assert_eq!(constrain.compulsory_bytes, 4 * (once + 2 * 27 * n));
+        assert_eq!(constrain.compulsory_bytes, 4 * (once + 2 * 27 * n) + bytes(&["coarse_cells_0"]));
         assert_eq!(constrain.gathered_bytes, 4 * 27 * n * 8);
         // Nothing is gathered where nothing is listed.
         let update = of(&planned.plan, step, "update_velocity", 27 * n);
