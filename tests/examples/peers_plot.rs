@@ -18,15 +18,15 @@ const WARM_UP: u64 = 24;
 const CURVES: [(&str, &[&str], &[u32]); 3] = [
     ("plain Jacobi", &["solver.pbf.acceleration=none", "solver.pbf.coarse_correction=false"], &[2, 4, 8]),
     ("with momentum", &["solver.pbf.coarse_correction=false"], &[3, 4, 8]),
-    ("and a coarse correction", &[], &[2, 3, 4, 8]),
+    ("and coarse correction", &[], &[2, 3, 4, 8]),
 ];
 /// Other programs on this workload with 4 iterations, their own if not PBF: time over plain Brooklet's in one run of both,
 /// mean compression by the same yardstick. Measured on two CPU cores, 2026-11-26.
 const OTHERS: [(&str, f64, f64); 4] = [
-    ("Taichi, PBF, native", 1.08, 0.13),
-    ("Taichi, PBF, Vulkan", 1.9, 0.13),
-    ("SPlisHSPlasH, PBF, native", 2.6, 0.013),
-    ("SPlisHSPlasH, DFSPH, native", 2.7, 0.004),
+    ("Taichi PBF, CPU", 1.08, 0.13),
+    ("Taichi PBF, Vulkan", 1.9, 0.13),
+    ("SPlisHSPlasH PBF", 2.6, 0.013),
+    ("SPlisHSPlasH DFSPH", 2.7, 0.004),
 ];
 
 fn main() -> ExitCode {
