@@ -104,13 +104,19 @@ impl Session {
     /// # Errors
     /// If the device is lost.
     pub fn relax(&mut self, limit: &Summary) -> Result<Option<Relaxation>, GpuError> {
+        self.relax_to(|_| *limit)
+    }
+
+    /// As [`Session::relax`], to a limit that follows from the compression before.
+    fn relax_to(&mut self, limit: impl FnOnce(&Summary) -> Summary) -> Result<Option<Relaxation>, GpuError> {
         if !self.relaxes || self.recorded.measure.is_none() || !self.scene.solver.method.interacts() {
             return Ok(None);
         }
         let list = self.recorded.relaxation.list.id();
         let relax = self.recorded.relaxation.relax.id();
         let Some(before) = self.measure_now(&[list])? else { return Ok(None) };
-        let is_enough = |now: &Summary| now.is_within(&limit.or(&NO_COMPRESSION));
+        let limit = limit(&before.compression).or(&NO_COMPRESSION);
+        let is_enough = |now: &Summary| now.is_within(&limit);
         let (mut after, mut rounds, mut next) = (before.compression, 0, 1);
         while !is_enough(&after) && rounds < MOST_ROUNDS {
             let now = vec![relax; next as usize];
@@ -137,15 +143,11 @@ impl Session {
     /// Takes out what the scene's settings do not leave of the compression under those of `before`.
     pub(super) fn relax_after(&mut self, before: &Scene) -> Result<(), GpuError> {
         let left = share_left(before, &self.scene);
-        if left >= 1.0 || !self.relaxes {
+        if left >= 1.0 {
             return Ok(());
         }
-        let list = self.recorded.relaxation.list.id();
-        if let Some(stats) = self.measure_now(&[list])? {
-            let Summary { mean, p99, max } = stats.compression;
-            self.relax(&Summary { mean: left * mean, p99: left * p99, max: left * max })?;
-        }
-        Ok(())
+        self.relax_to(|&Summary { mean, p99, max }| Summary { mean: left * mean, p99: left * p99, max: left * max })
+            .map(drop)
     }
 
     /// Runs recordings and measures, and waits for it.
@@ -155,8 +157,7 @@ impl Session {
         let frame = self.engine.run(&[recordings, &[run]].concat(), &[output])?;
         let reports = self.engine.finish()?;
         let mine = reports.iter().find(|report| report.frame == frame);
-        let bytes = mine.and_then(|report| report.readbacks.iter().find(|(id, _)| *id == output));
-        let stats = bytes.map(|(_, bytes)| Stats::new(bytes, &self.scene));
+        let stats = mine.and_then(|report| report.readback(output)).map(|bytes| Stats::new(bytes, &self.scene));
         self.keep(reports);
         Ok(stats)
     }
