@@ -10,7 +10,7 @@ use super::fields::kind_of;
 use super::fill::{self, MAX_FLUIDS, MAX_PARTICLES};
 use super::paths::as_number;
 use super::{Acceleration, Fluid, Method, PointColor, Scene, SceneError};
-use crate::solver::pbf::{IterationWeights, MAX_CELLS, finest_cells, narrow_axis};
+use crate::solver::pbf::{IterationWeights, MAX_CELLS, are_few_cells, finest_cells, narrow_axis};
 
 /// Spacings a side of the domain may have: f32 positions then still tell 1/256 of a spacing apart.
 const MAX_SPACINGS_A_SIDE: f64 = 65_536.0;
@@ -201,7 +201,7 @@ impl Scene {
         )?;
         let [x, y, z] = finest_cells(self);
         check.require(
-            u128::from(x) * u128::from(y) * u128::from(z) <= u128::from(MAX_CELLS),
+            are_few_cells([x, y, z]),
             "solver.pbf.coarse_correction",
             "true",
             format_args!(

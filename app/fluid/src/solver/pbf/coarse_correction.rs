@@ -37,6 +37,7 @@ pub(super) struct CoarseCorrection {
 }
 
 struct Level {
+    given: CoarseGridParams,
     params: Buffer<CoarseGridParams>,
     cells: Buffer<CoarseCell>,
     multipliers: Buffer<f32>,
@@ -44,13 +45,15 @@ struct Level {
     tiles: [u32; 3],
 }
 
-/// Length of each axis of `scene`, in cells that are not fitted to it.
-fn lengths(scene: &Scene) -> [f64; 3] {
+/// Each side of `scene`'s domain, m; a period along axes that have one.
+fn sides_m(scene: &Scene) -> [f64; 3] {
     let (size_m, period_m) = (scene.domain.size_m(), scene.period_m());
-    std::array::from_fn(|axis| {
-        let side_m = if scene.domain.periodic[axis] { period_m[axis] } else { size_m[axis] };
-        side_m / (CELL_SUPPORTS * scene.support_m())
-    })
+    std::array::from_fn(|axis| if scene.domain.periodic[axis] { period_m[axis] } else { size_m[axis] })
+}
+
+/// The same in cells that are not fitted to it.
+fn lengths(scene: &Scene) -> [f64; 3] {
+    sides_m(scene).map(|side_m| side_m / (CELL_SUPPORTS * scene.support_m()))
 }
 
 /// Finest cells along each axis of `scene`.
@@ -61,6 +64,11 @@ pub(crate) fn finest_cells(scene: &Scene) -> [u64; 3] {
         true => (lengths[axis] - 1e-6).ceil().max(1.0) as u64,
         false => 1,
     })
+}
+
+/// Whether there may be so many of them.
+pub(crate) fn are_few_cells(finest_cells: [u64; 3]) -> bool {
+    finest_cells.iter().map(|&n| u128::from(n)).product::<u128>() <= u128::from(MAX_CELLS)
 }
 
 /// The first axis that is narrower than a cell: all of the fluid there is beside walls, where a multiplier that varies
@@ -93,18 +101,14 @@ pub fn coarse_grid_params(scene: &Scene, weights: &IterationWeights) -> Vec<Coar
     let finest = finest_cells(scene);
     let is_wanted = scene.solver.pbf.coarse_correction.unwrap_or_else(|| !is_full(scene));
     let is_on = is_wanted && weights.chebyshev.is_some();
-    let count = finest.iter().map(|&n| u128::from(n)).product::<u128>();
-    if !is_on || count > u128::from(MAX_CELLS) || narrow_axis(scene).is_some() {
+    if !is_on || !are_few_cells(finest) || narrow_axis(scene).is_some() {
         return Vec::new();
     }
     let finest = finest.map(|n| n as u32);
     let (dimensions, support_ratio) = (scene.domain.dimensions, scene.solver.support_ratio);
-    let (size_m, period_m) = (scene.domain.size_m(), scene.period_m());
     let axes = 0..dimensions as usize;
-    let cell_m: [f64; 3] = std::array::from_fn(|axis| {
-        let side_m = if scene.domain.periodic[axis] { period_m[axis] } else { size_m[axis] };
-        side_m / f64::from(finest[axis])
-    });
+    let sides_m = sides_m(scene);
+    let cell_m: [f64; 3] = std::array::from_fn(|axis| sides_m[axis] / f64::from(finest[axis]));
     let moment = second_moment(dimensions, support_ratio);
     let spacing_m = scene.support_m() / support_ratio;
     let along = |axis: usize, value: f64| if axes.contains(&axis) { value as f32 } else { 0.0 };
@@ -151,24 +155,25 @@ impl CoarseCorrection {
     /// Declares the levels' buffers; none if `scene` has no coarse correction.
     pub(super) fn declare(resources: &mut Resources, scene: &Scene, weights: &IterationWeights) -> Option<Self> {
         let levels: Vec<Level> = coarse_grid_params(scene, weights)
-            .iter()
+            .into_iter()
             .enumerate()
-            .map(|(level, params)| {
-                let count = params.cells.iter().product();
+            .map(|(level, given)| {
+                let count = given.cells.iter().product();
                 Level {
+                    given,
                     params: resources.persistent(&format!("coarse_grid_{level}"), 1),
                     cells: resources.buffer(&format!("coarse_cells_{level}"), count),
                     multipliers: resources.buffer(&format!("coarse_multipliers_{level}"), count),
-                    tiles: params.cells.map(|n| n.div_ceil(COARSE_TILE)),
+                    tiles: given.cells.map(|n| n.div_ceil(COARSE_TILE)),
                 }
             })
             .collect();
         (!levels.is_empty()).then_some(Self { levels })
     }
 
-    pub(super) fn record_init(&mut self, init: &mut Recording, scene: &Scene, weights: &IterationWeights) {
-        for (level, params) in self.levels.iter_mut().zip(coarse_grid_params(scene, weights)) {
-            init.upload(&mut level.params, &[params]);
+    pub(super) fn record_init(&mut self, init: &mut Recording) {
+        for Level { given, params, .. } in &mut self.levels {
+            init.upload(params, &[*given]);
         }
     }
 
@@ -205,7 +210,7 @@ impl CoarseCorrection {
         }
         for n in (0..self.levels.len()).rev() {
             let (finer, coarser) = self.levels.split_at_mut(n + 1);
-            let Level { params, cells, multipliers, tiles } = &mut finer[n];
+            let Level { params, cells, multipliers, tiles, .. } = &mut finer[n];
             let kernel = RelaxMultiplier {
                 variant: RelaxMultiplierVariant { prolonged: !coarser.is_empty() },
                 coarse_cells: cells.read(),

@@ -25,7 +25,7 @@ use crate::smoothing_kernel::{lattice, wendland};
 use crate::step_context::{Particles, StepContext};
 pub use chebyshev::{Chebyshev, Weights};
 use coarse_correction::CoarseCorrection;
-pub(crate) use coarse_correction::{MAX_CELLS, finest_cells, narrow_axis};
+pub(crate) use coarse_correction::{MAX_CELLS, are_few_cells, finest_cells, narrow_axis};
 pub use coarse_correction::{coarse_grid_params, has_coarse_correction};
 use constrain_density::constrain_density;
 use correct_positions::correct_positions;
@@ -129,7 +129,7 @@ impl Pbf {
             let buffers = momentum.weights.iter_mut();
             buffers.zip(self.weights.params()).for_each(|(buffer, weights)| init.upload(buffer, &[weights]));
             if let Some(coarse) = &mut momentum.coarse {
-                coarse.record_init(init, scene, &self.weights);
+                coarse.record_init(init);
             }
         }
         self.search.record_init(init, scene);
