@@ -49,4 +49,18 @@ int2 EndsOfRow(float3 x_i_m, Rows rows, float dz_m, int y)
                 min(int(floor((x_i_m.x + chord_m) * grid.inverse_cell_size_per_m)), rows.high.x));
 }
 
+// Which of four candidates, of a row from `sorted` to `end`, are within h of particle i. Their loads are under way
+// together.
+bool4 AreNear(uint i, uint3 x_i, uint4 candidates, uint sorted, uint end)
+{
+    bool4 near;
+    [unroll]
+    for (uint k = 0; k < 4; ++k)
+    {
+        float3 offset = Offset(x_i, UnpackCoordinates(quantized_positions[candidates[k]]));
+        near[k] = dot(offset, offset) < 1.0 && candidates[k] != i && sorted + k < end;
+    }
+    return near;
+}
+
 #endif

@@ -32,19 +32,13 @@ void Search(uint i, float3 x_i_m, inout Found found)
             }
             left -= end - start;
             BeginRow(found, start);
-            // Four at a time: their loads are under way together.
             for (uint sorted = start; sorted < end; sorted += 4)
             {
                 uint4 candidates;
-                bool4 near;
                 [unroll]
                 for (uint k = 0; k < 4; ++k)
-                {
                     candidates[k] = CandidateAt(min(sorted + k, end - 1));
-                    float3 offset = Offset(x_i, UnpackCoordinates(quantized_positions[candidates[k]]));
-                    near[k] = dot(offset, offset) < 1.0 && candidates[k] != i && sorted + k < end;
-                }
-                AddFour(found, sorted, candidates, near);
+                AddFour(found, sorted, candidates, AreNear(i, x_i, candidates, sorted, end));
             }
         }
     }

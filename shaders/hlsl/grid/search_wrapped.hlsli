@@ -92,17 +92,15 @@ void Search(uint i, float3 x_i_m, inout Found found)
                 for (uint sorted = start; sorted < end; sorted += 4)
                 {
                     uint4 candidates = min(sorted + uint4(0, 1, 2, 3), end - 1);
-                    bool4 near;
+                    bool4 near = AreNear(i, x_i, candidates, sorted, end);
+#if defined(WRAPPED)
                     [unroll]
                     for (uint k = 0; k < 4; ++k)
                     {
-                        float3 offset = Offset(x_i, UnpackCoordinates(quantized_positions[candidates[k]]));
-                        near[k] = dot(offset, offset) < 1.0 && candidates[k] != i && sorted + k < end;
-#if defined(WRAPPED)
                         if (near[k])
                             near[k] = IsNear(x_i_m, sorted_positions[candidates[k]].position_m);
-#endif
                     }
+#endif
                     AddFour(found, sorted, candidates, near);
                 }
             }

@@ -6,7 +6,7 @@ use brooklet_bench::kernels::{
 };
 use brooklet_bench::rates::{GATHER_AHEAD, GATHER_ROW, GATHER_RUN, GATHER_RUNS, MULTIPLY_ADD_ROUNDS};
 use brooklet_fluid::particles::is_simulated;
-use brooklet_kernels::{CellSlot, GridParams, Kernel, LIST_CHUNK, Position, PositionLambda, SCAN_ITEMS};
+use brooklet_kernels::{Buffer, CellSlot, GridParams, Kernel, LIST_CHUNK, Position, PositionLambda, SCAN_ITEMS};
 use brooklet_reference::grid::count_cells::cell_of;
 use brooklet_reference::grid::list_neighbours::{check_list, list_neighbours};
 use brooklet_reference::grid::reorder::{self as twin, reorder};
@@ -366,38 +366,15 @@ fn scan_steps_make_the_twins_scan() {
     report_exact(ScanStep::STAGE, cases);
 }
 
-#[test]
-fn scan_groups_tree_matches_the_twin_of_scan_groups() {
-    let mut rng = rng(64);
-    let group = (ScanGroupsTree::GROUP_SIZE[0] * SCAN_ITEMS) as usize;
-    let mut cases = 0;
-    for size in [1, 3, 4, 5, group - 1, group, group + 1, 7 * group + 333] {
-        let values = numbers(&mut rng, size);
-        let offsets = numbers(&mut rng, size.div_ceil(group));
-        for (padded, with_offsets) in [(false, false), (false, true), (true, false), (true, true)] {
-            let mut bench = Bench::new();
-            let input = bench.input("values", &values);
-            let before = bench.input("group_offsets", &offsets);
-            let mut scanned = bench.output("scanned", size);
-            let kernel = ScanGroupsTree {
-                variant: ScanGroupsTreeVariant { group_offsets: with_offsets, padded },
-                values: input.read(),
-                group_offsets: with_offsets.then(|| before.read()),
-                scanned: scanned.write(),
-            };
-            bench.dispatch(&kernel, size.div_ceil(SCAN_ITEMS as usize));
-            let expected = scan::scan_groups(&values, group, with_offsets.then_some(&offsets[..]));
-            check_exact(&bench.run().read(&scanned, size), &expected).unwrap();
-            cases += size;
-        }
-    }
-    report_exact(ScanGroupsTree::STAGE, cases);
-}
-
-#[test]
-fn scan_groups_doubling_matches_the_twin_of_scan_groups() {
-    let mut rng = rng(65);
-    let group = (ScanGroupsDoubling::GROUP_SIZE[0] * SCAN_ITEMS) as usize;
+/// Holds a way to scan groups of `group` values against the twin of the product's: `dispatch` records it, of values, the
+/// groups' offsets if there are any, what is scanned, and the number of threads.
+fn check_scan_groups(
+    stage: &str,
+    group: usize,
+    seed: u64,
+    dispatch: impl Fn(&mut Bench, &Buffer<u32>, Option<&Buffer<u32>>, &mut Buffer<u32>, usize),
+) {
+    let mut rng = rng(seed);
     let mut cases = 0;
     for size in [1, 3, 4, 5, group - 1, group, group + 1, 7 * group + 333] {
         let values = numbers(&mut rng, size);
@@ -407,17 +384,36 @@ fn scan_groups_doubling_matches_the_twin_of_scan_groups() {
             let input = bench.input("values", &values);
             let before = bench.input("group_offsets", &offsets);
             let mut scanned = bench.output("scanned", size);
-            let kernel = ScanGroupsDoubling {
-                variant: ScanGroupsDoublingVariant { group_offsets: with_offsets },
-                values: input.read(),
-                group_offsets: with_offsets.then(|| before.read()),
-                scanned: scanned.write(),
-            };
-            bench.dispatch(&kernel, size.div_ceil(SCAN_ITEMS as usize));
+            let threads = size.div_ceil(SCAN_ITEMS as usize);
+            dispatch(&mut bench, &input, with_offsets.then_some(&before), &mut scanned, threads);
             let expected = scan::scan_groups(&values, group, with_offsets.then_some(&offsets[..]));
             check_exact(&bench.run().read(&scanned, size), &expected).unwrap();
             cases += size;
         }
     }
-    report_exact(ScanGroupsDoubling::STAGE, cases);
+    report_exact(stage, cases);
+}
+
+#[test]
+fn scan_groups_tree_matches_the_twin_of_scan_groups() {
+    let group = (ScanGroupsTree::GROUP_SIZE[0] * SCAN_ITEMS) as usize;
+    for padded in [false, true] {
+        check_scan_groups(ScanGroupsTree::STAGE, group, 64, |bench, values, offsets, scanned, threads| {
+            let variant = ScanGroupsTreeVariant { group_offsets: offsets.is_some(), padded };
+            let group_offsets = offsets.map(Buffer::read);
+            let kernel = ScanGroupsTree { variant, values: values.read(), group_offsets, scanned: scanned.write() };
+            bench.dispatch(&kernel, threads);
+        });
+    }
+}
+
+#[test]
+fn scan_groups_doubling_matches_the_twin_of_scan_groups() {
+    let group = (ScanGroupsDoubling::GROUP_SIZE[0] * SCAN_ITEMS) as usize;
+    check_scan_groups(ScanGroupsDoubling::STAGE, group, 65, |bench, values, offsets, scanned, threads| {
+        let variant = ScanGroupsDoublingVariant { group_offsets: offsets.is_some() };
+        let group_offsets = offsets.map(Buffer::read);
+        let kernel = ScanGroupsDoubling { variant, values: values.read(), group_offsets, scanned: scanned.write() };
+        bench.dispatch(&kernel, threads);
+    });
 }

@@ -94,5 +94,5 @@ static LIST_NEIGHBOURS_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/list_neighbours_by_index.compute",
-    hash: "c42688f197a0da15e9c05c360589905857c1e7efd4c794eaa8a617735e9343b9",
+    hash: "e6021545af48b6664470d3b260c1854519268010a3ebe2aae28ec5b760b83afa",
 };

@@ -74,7 +74,7 @@ static SCAN_GROUPS_DOUBLING: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "bench/scan_groups_doubling.compute",
-    hash: "12718f8643b1df89dec5f71a73d03d92aaf5e2a390ed3d3a7b52b616e94aae0d",
+    hash: "15417224e4dcb7fe35d4fa5198b2a90791b13477d640c70372a3c5c1cd96fb93",
 };
 
 static SCAN_GROUPS_DOUBLING_WITH_GROUP_OFFSETS: Module = Module {
@@ -87,5 +87,5 @@ static SCAN_GROUPS_DOUBLING_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "bench/scan_groups_doubling.compute",
-    hash: "a4c5522113a3e0e076564fa0e49b330ef3e5e6830a81e9432919ec466bdba94e",
+    hash: "0b9c498d89f04b9465a9d326f555c7a075e8938215c6229fdface7460fd81108",
 };

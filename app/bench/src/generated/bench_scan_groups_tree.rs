@@ -16,8 +16,8 @@ pub struct ScanGroupsTreeVariant {
 }
 
 /// ScanGroups with the threads' sums scanned by a tree (Blelloch 1990) instead of in blocks: more
-/// barriers, and strides of powers of two, whose threads meet in one bank of the groupshared memory. PADDED puts a word behind every 32nd, as in Harris et al. 2007
-/// (GPU Gems 3, chapter 39). What `brooklet bench sorting` holds against it is grid/scan.compute.
+/// barriers, and strides of powers of two, whose threads meet in one bank of the groupshared memory.
+/// PADDED puts a word behind every 32nd, as in Harris et al. 2007 (GPU Gems 3, chapter 39). What `brooklet bench sorting` holds against it is grid/scan.compute.
 #[derive(Debug)]
 pub struct ScanGroupsTree<'a> {
     /// Its variant.
@@ -87,7 +87,7 @@ static SCAN_GROUPS_TREE: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "3610f0b71d383f98054e7890b20dfb8c121278dd35a30b9869d146d79db57acc",
+    hash: "830463cbf4cbf80d6c8c97d2e042c8c05672d807a3df11d151dc334db313d3cd",
 };
 
 static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
@@ -100,7 +100,7 @@ static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "4e633c208bc6ca9d1b5ce909381900c8b71d17089323b26c3578532861c582c6",
+    hash: "7e506cd4c17cc3325fad96f382fcc9c76a2d544d08f1945d5b78a5d6e6fc62e3",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
@@ -113,7 +113,7 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "622b47b3f758a8ada8890a6247ceda16df987b51440e1c8555b848514c7a1643",
+    hash: "62867094edd01112459baeed94eb01257bc29083ce0bf1b8abefa69bb093f773",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
@@ -126,5 +126,5 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "50d67f7474189250b17952f095c315be715f554a0b408c897846ca14005720fa",
+    hash: "42b3d3c4777fb3f9b30fea8f7885e421236a876cfe6f0dd83758ddef31adc9d4",
 };

@@ -135,7 +135,7 @@ static LIST_NEIGHBOURS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "2cc8dcb6ce50cb6655a8d946addc7b3495126f8070687d56493aaf0766c2ce78",
+    hash: "c4f2e3e372e4d0f2760e14e15902856e7fce8b2245ed7f432ebb8fb4da62815a",
 };
 
 static LIST_NEIGHBOURS_WITH_RELAXED_PRECISION: Module = Module {
@@ -148,7 +148,7 @@ static LIST_NEIGHBOURS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "51caacaa637a09cbef713e217e90fbdec8536c3515e88f43f0e8d99d93a9046c",
+    hash: "2078da1492d62fc306c393651e5885b430b8a344acac7fef8c220f9d909abd59",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
@@ -161,7 +161,7 @@ static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "3b7305067eee8bb068d5f6af7e3f0e13fbbbed9fafcc60f4db62360cb83049d2",
+    hash: "a27980cd5c15a3fe008068e3c478fd9b34dc3fafde8357a38e3307d9eb1710dd",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
@@ -174,7 +174,7 @@ static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "5441bbb6abea8cf19b22d1de0028fe3fd2687e073dbbbfc5bf976e206f917911",
+    hash: "066d7ab96b0085d7d9f67d4d6dc8f5728fc5f470703d03732f1107f7e5272dc3",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
@@ -187,7 +187,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "7bfad1399450ea87cead28e78e98fb2a74e2b039ba5b4c8cc966aa177f166140",
+    hash: "aa3473929c6eed0b318e74d29b3c7371317df7b8e7ad65d81426a5c574abe1aa",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_RELAXED_PRECISION: Module = Module {
@@ -200,7 +200,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "aa93d384688db632addc61cf7fb993f1104798f596902755a70daa78a0fd1247",
+    hash: "25ed7821eae0098dcf38483c5f8613f24848f26a2f66fc6e0f5bfe27007f7904",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
@@ -213,7 +213,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "d1e9d972dfcd2a34a62a73970c000cfe3ec992714ce12c1d4c95d8af2645bd29",
+    hash: "b8488f93635883b1076bb0408daa9e4d0fd0ee7f22fd1bd006ba8024b813a95e",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
@@ -226,5 +226,5 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "4fccaa0668c3c47cd8feead3a131aa4300a638d4a794c3b8969b2f6580dba207",
+    hash: "4bf090690c3eea8ff68c6fad4d224a0e79644de467d7fc9e587e15582a14ccb7",
 };

@@ -109,7 +109,7 @@ static REDUCE_GROUPS: Module = Module {
     shared_bytes: 576,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "253ebeca4637c19b2c5b5a764357db097281db5575957945835ab036067c9204",
+    hash: "1589ac30064d094be3f6f3551ff9addff9f8cdba0798354bb357742470a2da46",
 };
 
 static SCAN_GROUPS: Module = Module {
@@ -122,7 +122,7 @@ static SCAN_GROUPS: Module = Module {
     shared_bytes: 576,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "3b96a797bb160dc6c0fe5daf6aeb36cf7e3b307d3e9eec7b6f4dfb64302a0017",
+    hash: "6668d381e34ef23cebd8cea12e8003da12bfc73eb2b77343477e77a626323ce8",
 };
 
 static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
@@ -135,5 +135,5 @@ static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 576,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "5e70751e6420a49dc08b465c6522c9074245567eca00a885d5ae0d2d1a5a1ae7",
+    hash: "a4fc5663da56b172f8844f9e20c1c93b81bfb4a662c267f688d2244bb62fd7b3",
 };
