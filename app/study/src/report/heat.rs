@@ -1,4 +1,4 @@
-//! A map as coloured cells, with theory's line over it.
+//! A map as coloured cells, with theory's line over it and the energy budget in it.
 
 use plotters::prelude::*;
 
@@ -23,7 +23,9 @@ pub struct Heat<'a> {
     pub limit: bool,
 }
 
-const CELL_PX: (i32, i32) = (92, 46);
+type Area<'a> = DrawingArea<SVGBackend<'a>, plotters::coord::Shift>;
+
+const CELL_PX: (i32, i32) = (92, 58);
 const LEFT_PX: i32 = 74;
 const TOP_PX: i32 = 46;
 
@@ -67,31 +69,7 @@ impl Heat<'_> {
         for cell in self.cells {
             let column = xs.iter().position(|x| *x == cell.x).unwrap_or(0);
             let row = ys.iter().position(|y| *y == cell.y).unwrap_or(0);
-            let corner = (left(column), top(row));
-            let opposite = (corner.0 + CELL_PX.0 - 2, corner.1 + CELL_PX.1 - 2);
-            let sound = matches!(cell.state, State::Stable | State::Clamped);
-            let fill = match cell.value {
-                Some(value) => self.color(value),
-                None => RGBColor(245, 245, 245),
-            };
-            area.draw(&Rectangle::new([corner, opposite], fill.filled()))?;
-            if !sound {
-                area.draw(&Rectangle::new([corner, opposite], RED.stroke_width(2)))?;
-            }
-            let dark = cell.value.is_some_and(|value| value > (self.range.0 * self.range.1).sqrt());
-            let label = ("sans-serif", 13).into_font().color(if dark { &WHITE } else { &INK });
-            let value = cell.value.map_or("–".into(), short);
-            area.draw(&Text::new(value, (corner.0 + 8, corner.1 + 6), label.clone()))?;
-            let below = match (sound, self.limit) {
-                (false, _) => cell.state.word().to_string(),
-                (true, false) => format!("law {}", short(cell.theory)),
-                (true, true) => String::new(),
-            };
-            area.draw(&Text::new(
-                below,
-                (corner.0 + 8, corner.1 + 24),
-                ("sans-serif", 11).into_font().color(if dark { &WHITE } else { &INK }),
-            ))?;
+            self.draw_cell(&area, cell, (left(column), top(row)))?;
         }
         for (column, x) in xs.iter().enumerate() {
             area.draw(&Text::new(
@@ -101,7 +79,7 @@ impl Heat<'_> {
             ))?;
         }
         for (row, y) in ys.iter().enumerate() {
-            area.draw(&Text::new(y.to_string(), (LEFT_PX - 34, top(row) + 14), ink(13)))?;
+            area.draw(&Text::new(y.to_string(), (LEFT_PX - 34, top(row) + 20), ink(13)))?;
         }
         area.draw(&Text::new(self.x, (LEFT_PX, size_px.1 - 24), ink(13)))?;
         area.draw(&Text::new(self.y, (8, TOP_PX - 20), ink(13)))?;
@@ -112,13 +90,36 @@ impl Heat<'_> {
         Ok(())
     }
 
+    fn draw_cell(&self, area: &Area<'_>, cell: &Cell, corner: (i32, i32)) -> Drawn<()> {
+        let opposite = (corner.0 + CELL_PX.0 - 2, corner.1 + CELL_PX.1 - 2);
+        let sound = matches!(cell.state, State::Stable | State::Clamped);
+        let fill = match cell.value {
+            Some(value) => self.color(value),
+            None => RGBColor(245, 245, 245),
+        };
+        area.draw(&Rectangle::new([corner, opposite], fill.filled()))?;
+        if !sound {
+            area.draw(&Rectangle::new([corner, opposite], RED.stroke_width(2)))?;
+        }
+        let dark = cell.value.is_some_and(|value| value > (self.range.0 * self.range.1).sqrt());
+        let ink = if dark { &WHITE } else { &INK };
+        let theory = match (sound, self.limit) {
+            (false, _) => cell.state.word().to_string(),
+            (true, false) => format!("law {}", short(cell.theory)),
+            (true, true) => String::new(),
+        };
+        let energy =
+            cell.energy.map(|(rise, most)| if rise > most { format!("E {} !", short(rise)) } else { "E ok".into() });
+        let lines = [(cell.value.map_or("–".into(), short), 13), (theory, 11), (energy.unwrap_or_default(), 11)];
+        for ((text, size), below) in lines.into_iter().zip([6, 24, 39]) {
+            let style = ("sans-serif", size).into_font().color(ink);
+            area.draw(&Text::new(text, (corner.0 + 8, corner.1 + below), style))?;
+        }
+        Ok(())
+    }
+
     /// Steps at theory's largest y of each column, between the rows it lies between.
-    fn draw_limit(
-        &self,
-        area: &DrawingArea<SVGBackend<'_>, plotters::coord::Shift>,
-        xs: &[f64],
-        ys: &[f64],
-    ) -> Drawn<()> {
+    fn draw_limit(&self, area: &Area<'_>, xs: &[f64], ys: &[f64]) -> Drawn<()> {
         let mut path = Vec::new();
         for (column, x) in xs.iter().enumerate() {
             let Some(limit) = self.cells.iter().find(|cell| cell.x == *x).map(|cell| cell.theory) else { continue };
@@ -148,11 +149,13 @@ mod tests {
 
     #[test]
     fn cells_that_failed_have_a_frame() {
-        let cell = |x: f64, state| Cell { x, y: 0.5, state, value: Some(0.01), theory: 0.7 };
+        let cell =
+            |x: f64, state| Cell { x, y: 0.5, state, value: Some(0.01), energy: Some((x - 2.0, 0.01)), theory: 0.7 };
         let cells = [cell(2.0, State::Stable), cell(3.0, State::Unstable)];
         let heat = |cells| Heat { title: "t", x: "x", y: "y", cells, range: (1e-4, 1.0), limit: true };
         let svg = heat(&cells).svg();
         assert!(svg.contains("unstable, said"));
+        assert!(svg.contains("E ok") && svg.contains("E 1.000 !"), "{svg}");
         assert_eq!(heat(&[]).svg(), "");
     }
 }

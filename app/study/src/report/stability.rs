@@ -15,7 +15,7 @@ fn heat(map: Map, quick: bool, store: &Store) -> String {
     let cells = map.cells(quick, store);
     match map {
         Map::Compression => Heat {
-            title: "compression (p99) of a column of 20 layers, and the column law's",
+            title: "compression (p99) of a column of 20 layers, and the column law's; E: energy beyond the budget, over g d",
             x: "iterations a substep",
             y: "substeps",
             cells: &cells,
@@ -23,7 +23,7 @@ fn heat(map: Map, quick: bool, store: &Store) -> String {
             limit: false,
         },
         Map::Relaxation => Heat {
-            title: "kinetic energy over g H of a column that should rest; the line is 2/λmax",
+            title: "kinetic energy over g H of a column that should rest; the line is 2/λmax; E: energy",
             x: "h/d",
             y: "relaxation ω",
             cells: &cells,
@@ -53,7 +53,7 @@ pub fn section(quick: bool, store: &Store) -> Markup {
     let found = found(quick, store);
     html! {
         h2 id="stability" { "Stability" }
-        p { "Every pair of extreme case, precision, tier and order meets in at least one run. SILENT would be a run that went wrong without the program's own counts or measurements saying so." }
+        p { "Every pair of extreme case, precision, tier, order, acceleration and coarse correction meets in at least one run. SILENT would be a run that went wrong without the program's own counts or measurements saying so." }
         div.plots {
             (PreEscaped(heat(Map::Compression, quick, store)))
             (PreEscaped(heat(Map::Relaxation, quick, store)))
@@ -89,6 +89,11 @@ fn run_as(task: &Task) -> String {
     let mut text = format!("{}, {}", task.tier, value("solver.precision"));
     if value("solver.deterministic") == "true" {
         text.push_str(", deterministic");
+    }
+    if value("solver.pbf.acceleration") == "none" {
+        text.push_str(", plain Jacobi");
+    } else if value("solver.pbf.coarse_correction") == "false" {
+        text.push_str(", no coarse correction");
     }
     text
 }

@@ -33,6 +33,8 @@ pub struct Cell {
     pub state: State,
     /// The map's figure: compression p99, or kinetic energy over g H.
     pub value: Option<f64>,
+    /// What its energy rose by beyond what its compression holds, and the most that it may.
+    pub energy: Option<(f64, f64)>,
     /// What theory says there: the column law's compression, or the largest relaxation.
     pub theory: f64,
 }
@@ -86,7 +88,12 @@ impl Map {
                 Self::Compression => outcome.figure("law's compression").and_then(|figure| figure.value)?,
                 Self::Relaxation => 2.0 / lambda_max(3, x, 0.01),
             };
-            Some(Cell { x, y, state: outcome.state, value: outcome.figure(name).and_then(|f| f.value), theory })
+            let value = |name: &str| outcome.figure(name)?.value;
+            let energy = || {
+                let rise = outcome.figure("energy rise")?;
+                Some((rise.value?, rise.limit?))
+            };
+            Some(Cell { x, y, state: outcome.state, value: value(name), energy: energy(), theory })
         };
         self.tasks(quick).into_iter().filter_map(cell).collect()
     }
