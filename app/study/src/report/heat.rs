@@ -25,6 +25,8 @@ pub struct Heat<'a> {
 
 type Area<'a> = DrawingArea<SVGBackend<'a>, plotters::coord::Shift>;
 
+/// What the last line of a cell says.
+const ENERGY: &str = "E: what energy rose by beyond what compression holds, over g d; ok up to 0.01";
 const CELL_PX: (i32, i32) = (92, 58);
 const LEFT_PX: i32 = 74;
 const TOP_PX: i32 = 46;
@@ -59,7 +61,7 @@ impl Heat<'_> {
             return Err("no cells".into());
         }
         let size_px =
-            ((LEFT_PX + CELL_PX.0 * xs.len() as i32 + 20).max(620), TOP_PX + CELL_PX.1 * ys.len() as i32 + 54);
+            ((LEFT_PX + CELL_PX.0 * xs.len() as i32 + 20).max(620), TOP_PX + CELL_PX.1 * ys.len() as i32 + 72);
         let area = SVGBackend::with_string(text, (size_px.0 as u32, size_px.1 as u32)).into_drawing_area();
         area.fill(&WHITE)?;
         let ink = |size: i32| ("sans-serif", size).into_font().color(&INK);
@@ -81,7 +83,8 @@ impl Heat<'_> {
         for (row, y) in ys.iter().enumerate() {
             area.draw(&Text::new(y.to_string(), (LEFT_PX - 34, top(row) + 20), ink(13)))?;
         }
-        area.draw(&Text::new(self.x, (LEFT_PX, size_px.1 - 24), ink(13)))?;
+        area.draw(&Text::new(self.x, (LEFT_PX, size_px.1 - 42), ink(13)))?;
+        area.draw(&Text::new(ENERGY, (LEFT_PX, size_px.1 - 20), ink(11)))?;
         area.draw(&Text::new(self.y, (8, TOP_PX - 20), ink(13)))?;
         if self.limit {
             self.draw_limit(&area, &xs, &ys)?;

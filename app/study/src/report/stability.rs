@@ -15,7 +15,7 @@ fn heat(map: Map, quick: bool, store: &Store) -> String {
     let cells = map.cells(quick, store);
     match map {
         Map::Compression => Heat {
-            title: "compression (p99) of a column of 20 layers, and the column law's; E: energy beyond the budget, over g d",
+            title: "compression (p99) of a column of 20 layers, and the column law's",
             x: "iterations a substep",
             y: "substeps",
             cells: &cells,
@@ -23,7 +23,7 @@ fn heat(map: Map, quick: bool, store: &Store) -> String {
             limit: false,
         },
         Map::Relaxation => Heat {
-            title: "kinetic energy over g H of a column that should rest; the line is 2/λmax; E: energy",
+            title: "kinetic energy over g H of a column that should rest; the line is 2/λmax",
             x: "h/d",
             y: "relaxation ω",
             cells: &cells,
