@@ -249,6 +249,7 @@ pub fn pbf_of(params: &PbfParams) -> Pbf {
         max_correction_m: f64::from(params.max_correction_m),
         separation: f64::from(params.separation),
         separation_lambda: f64::from(params.separation_lambda),
+        warm_start: f64::from(params.warm_start),
     }
 }
 

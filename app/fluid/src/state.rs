@@ -1,7 +1,8 @@
 //! A running scene in a file: saved in one go, read back whole or not at all.
 //!
-//! A running scene is its scene and its particles; nothing else lasts from step to step. So a saved state goes on bit
-//! for bit where sorting is deterministic, and a scene of another spacing takes the fluid over by resampling it.
+//! A running scene is its scene and its particles. So a saved state goes on bit for bit where sorting is deterministic, and
+//! a scene of another spacing takes the fluid over by resampling it. With `solver.pbf.warm_start` the last substep's
+//! pressure lasts as well; it is not saved, and the first substep begins cold.
 //!
 //! A `.brooklet` file is, in this order and little-endian:
 //!

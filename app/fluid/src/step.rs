@@ -1,7 +1,7 @@
 //! A scene as recordings: its start, one step of its solver's substeps, and its measurement.
 
 use brooklet_gpu::{Engine, GpuError, Plan, Recording, RecordingId, Resources};
-use brooklet_kernels::{Buffer, Counters, Measure, Position, ResourceId, Velocity};
+use brooklet_kernels::{Buffer, Counters, Measure, Position, ResourceId, Velocity, WarmStart};
 
 use crate::grid::Neighbours;
 use crate::measure::{Densities, Measuring};
@@ -32,6 +32,8 @@ pub struct Recorded {
     pub velocities: Buffer<Velocity>,
     /// Their neighbours, as the last step listed them; `None` of particles that do not interact.
     pub neighbours: Option<Neighbours>,
+    /// What a substep begins with of the last one's pressure; none of scenes that begin cold.
+    pub warm_starts: Option<Buffer<WarmStart>>,
     /// Events since the last measurement.
     pub counters: Buffer<Counters>,
     /// What their density ratios are computed from, if they have neighbours.
@@ -138,6 +140,7 @@ pub fn record_count(resources: &mut Resources, scene: &Scene, capacity: u32) -> 
         measure,
         relaxation,
         neighbours: solver.search().map(|search| search.neighbours.alias()),
+        warm_starts: solver.warm_starts().map(Buffer::alias),
         densities: solver.search().map(|search| Densities::of(&context, search)),
         slots: context.slots,
         counters: context.counters,

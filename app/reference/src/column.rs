@@ -116,6 +116,7 @@ mod tests {
                 max_correction_m: 1.0,
                 separation: 0.0,
                 separation_lambda: 0.0,
+                warm_start: 0.0,
             };
             let denominator = constrain_density(middle, &points, &lists[middle], &smoothing, &pbf, None).denominator;
             pbf.cfm = 0.01 * denominator;

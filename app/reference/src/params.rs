@@ -121,6 +121,8 @@ pub struct Pbf {
     pub separation: f64,
     /// What is added to their lambdas at one point.
     pub separation_lambda: f64,
+    /// Share of the last substep's pressure that the next one begins with.
+    pub warm_start: f64,
 }
 
 /// What acts on velocities alone; see `ForceParams`. A coefficient of 0 leaves its force out.

@@ -62,6 +62,7 @@ mod tests {
                     max_correction_m: SPACING,
                     separation: 0.0,
                     separation_lambda: 0.0,
+                    warm_start: 0.0,
                 },
                 iterations: Iterations::Plain(4),
                 coarse_grid: None,

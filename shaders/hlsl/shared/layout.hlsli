@@ -145,7 +145,14 @@ struct PbfParams
     float max_correction_m; // an iteration moves a particle no further
     float separation;       // two particles closer than this part even below rest density
     float separation_lambda; // what is added to their lambdas at one point
-    float reserved;
+    float warm_start;       // share of the last substep's pressure that the next one begins with
+};
+
+// What the corrections of a substep came to, for the next one to begin with (solver/pbf/start_warm.compute).
+struct WarmStart
+{
+    float3 acceleration_m_s2;
+    float multiplier_per_s2;    // all of its lambdas, over dt^2 as the acceleration is
 };
 
 // One of the iterations of a substep whose lambdas have momentum (solver/pbf/momentum.hlsli).
@@ -154,7 +161,7 @@ struct PbfIteration
     float step;             // weight of the constraint
     float momentum;         // of the particle's lambda of the iteration before; 0 in the first
     float guarded_step;     // weight of the constraint where the fluid is very compressed
-    float reserved;
+    uint begins_cold;       // 1 of the first iteration, unless a warm start wrote what stands before it
 };
 
 // What acts on velocities alone, whichever solver there is.

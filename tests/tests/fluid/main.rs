@@ -34,3 +34,4 @@ mod session;
 mod settings;
 mod slots;
 mod state;
+mod warm_start;

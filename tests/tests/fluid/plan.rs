@@ -382,6 +382,18 @@ fn a_coarse_correction_brings_a_few_small_passes_whose_number_does_not_depend_on
 }
 
 #[test]
+fn a_warm_start_brings_two_passes_and_a_buffer() {
+    let settings = |more: &[&str]| plan(&[&["outputs.images=0"][..], more].concat());
+    for coarse in ["solver.pbf.coarse_correction=false", "solver.pbf.coarse_correction=true"] {
+        let (off, on) = (settings(&[coarse]), settings(&[coarse, "solver.pbf.warm_start=0.3"]));
+        let brought: BTreeSet<_> = stages(&on).difference(&stages(&off)).copied().collect();
+        assert_eq!(brought, ["start_warm", "keep_pressure"].into_iter().collect());
+        let new: BTreeSet<_> = buffers(&on).difference(&buffers(&off)).cloned().collect();
+        assert_eq!(new, BTreeSet::from(["warm_starts".to_owned()]));
+    }
+}
+
+#[test]
 fn domains_of_other_shapes_bring_no_code_but_that_of_periodic_axes() {
     let settings = |domain: &str| plan(&[&format!("domain={{ min_m = [0, 0, 0], max_m = [0.8, 0.8, 0.8]{domain} }}")]);
     let solid = settings("");

@@ -12,7 +12,8 @@ use brooklet_render::{FrameOptions, ScenePlan, View};
 use brooklet_tests::gpu;
 use toml::Value;
 
-/// Every term on, so that a small change of none leaves it out.
+/// Every term on, so that a small change of none leaves it out; but for a warm start, without which alone iterations can do
+/// without an acceleration.
 const TERMS_ON: &[&str] = &[
     "spacing_m=0.1",
     "solver.pbf.s_corr_k=0.01",
@@ -21,6 +22,8 @@ const TERMS_ON: &[&str] = &[
     "camera.eye_m=[4,2,5]",
     "camera.target_m=[0,0,0]",
 ];
+
+const WARM: &str = "solver.pbf.warm_start=0.2";
 
 fn scene(settings: &[&str]) -> Scene {
     let settings: Vec<String> = TERMS_ON.iter().chain(settings).map(|&s| s.into()).collect();
@@ -33,7 +36,7 @@ fn changed(scene: &Scene, setting: &Setting) -> Scene {
     let texts: Vec<String> = match (setting.kind, &setting.value) {
         (Kind::Number(limits), value) => {
             let value = value.as_ref().map_or(limits.least, number);
-            [1.25 * value, 0.8 * value, 5.0, 0.5].map(|number| number.to_string()).to_vec()
+            [1.25 * value, 0.8 * value, 5.0, 0.5, 0.25].map(|number| number.to_string()).to_vec()
         }
         (Kind::Whole(_), value) => {
             let value = value.as_ref().map_or(1.0, number);
@@ -130,7 +133,7 @@ fn with(scene: &Scene, update: Update) -> Vec<(Setting, Scene)> {
 
 #[test]
 fn writing_a_live_field_is_what_a_new_engine_would_have() {
-    let scene = scene(&[]);
+    let scene = scene(&[WARM]);
     let mut running = run(&scene, None);
     let before = running.uniforms();
     let mut moved = BTreeSet::new();
@@ -157,6 +160,7 @@ fn writing_a_live_field_is_what_a_new_engine_would_have() {
         "solver.pbf.relaxation",
         "solver.pbf.s_corr_distance_ratio",
         "solver.pbf.s_corr_k",
+        "solver.pbf.warm_start",
     ];
     assert_eq!(moved.iter().map(String::as_str).collect::<Vec<_>>(), expected, "what the uniforms hold");
     // And it steps as the new engine does.
@@ -191,8 +195,14 @@ fn a_rebuild_carries_the_particles_over_bit_for_bit() {
 
 #[test]
 fn a_term_that_comes_or_goes_is_a_rebuild() {
-    let on = scene(&[]);
-    for setting in ["forces.xsph", "forces.vorticity_m_s", "solver.pbf.s_corr_k", "outputs.measure_every_steps"] {
+    let on = scene(&[WARM]);
+    for setting in [
+        "forces.xsph",
+        "forces.vorticity_m_s",
+        "solver.pbf.s_corr_k",
+        "solver.pbf.warm_start",
+        "outputs.measure_every_steps",
+    ] {
         let off = on.with_setting(&format!("{setting}=0")).unwrap();
         for (from, to) in [(&on, &off), (&off, &on)] {
             let change = from.change_to(to);

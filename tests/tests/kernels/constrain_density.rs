@@ -163,7 +163,7 @@ fn random_momentum(rng: &mut impl rand::Rng, count: usize, accumulates: bool, fi
         step: 0.976,
         momentum: if first { 0.0 } else { 0.577 },
         guarded_step: 0.5,
-        ..PbfIteration::default()
+        begins_cold: u32::from(first),
     };
     // As f16 holds them; of the first iteration what should not be read.
     let mut random = |least: f32| match first {

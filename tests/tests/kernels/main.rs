@@ -27,3 +27,4 @@ mod solver;
 mod step;
 mod surface;
 mod velocity;
+mod warm_start;

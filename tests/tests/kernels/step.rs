@@ -183,6 +183,26 @@ fn a_step_with_a_coarse_correction_matches_its_twin() {
 }
 
 #[test]
+fn a_warm_step_matches_its_twin() {
+    // The second of two substeps begins with what the first one kept.
+    let on = ["solver.pbf.acceleration=chebyshev", "solver.pbf.coarse_correction=false", "solver.pbf.warm_start=0.3"];
+    let coarse = [&on[..], &["solver.pbf.coarse_correction=true"]].concat();
+    matches(&on, 1, 1e-4, "warm step");
+    matches(&[&on[..], &["solver.precision=relaxed"]].concat(), 1, 4e-3, "packed warm step");
+    // A total is f16 while the coarse multiplier is not added.
+    matches(&coarse, 1, 1e-3, "warm step with coarse correction");
+    matches(&[&coarse[..], &["solver.precision=relaxed"]].concat(), 1, 4e-3, "packed warm step with coarse correction");
+    matches_scene(scene_of(CHANNEL, &on), 1, 1e-4, "warm step across seams");
+    matches_scene(scene_of(FLAT, &on), 1, 1e-4, "warm step in two dimensions");
+    let scene = scene_with(&on);
+    for wrong in ["solver.pbf.warm_start=0", "solver.pbf.warm_start=0.25"] {
+        let mut worst = Worst::new("warm step", 1e-4);
+        let twin_scene = scene.with_setting(wrong).unwrap();
+        assert!(follow(&scene, &twin_scene, 1, &mut worst).is_err(), "a twin with {wrong} was not told apart");
+    }
+}
+
+#[test]
 fn a_step_in_an_open_domain_matches_its_twin() {
     matches(&["domain.walls=false", "solver.pbf.iterations=1"], 1, 1e-4, "step without walls");
 }

@@ -93,5 +93,5 @@ static CONSTRAIN_DENSITY_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/constrain_density_by_index.compute",
-    hash: "2827f00fd5ad6ad21b5bf84ed0b9d068aaac6ec98f676707eed9d328afae677a",
+    hash: "6ec5bfa83b84df347f3bcad6aae25ee792390baac95640378388e513bcbb58c6",
 };

@@ -57,5 +57,5 @@ static COPY_ELEMENTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/copy.compute",
-    hash: "82054521eea1bec127ba71f92a33e609ebdd9757148814970bb06eea5ebcee1b",
+    hash: "57f7e162c5b8b09b48ba98e602bcf9dc41a2a99e1952c6cebd16f0ae22f779e7",
 };

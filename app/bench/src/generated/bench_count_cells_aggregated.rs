@@ -74,5 +74,5 @@ static COUNT_CELLS_AGGREGATED: Module = Module {
     shared_bytes: 512,
     tier: Tier::Floor,
     source: "bench/count_cells_aggregated.compute",
-    hash: "c8919bde86770693924f94a968450807ca899db1c15fa7664100a612d637f07a",
+    hash: "32cfd8670f1ee2ce706ec291a93cb7fc705414cd331b2692c5736df66132f3c5",
 };

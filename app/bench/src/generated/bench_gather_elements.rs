@@ -55,5 +55,5 @@ static GATHER_ELEMENTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/gather_elements.compute",
-    hash: "4a3a29e7a2f2d93a147bec9b793e5a176b3f869eb7a91826fb11915329bbd62a",
+    hash: "46b6cdbda805b0044ec5f45a49a773a2d372ca76cc0c23bcd06c956ae2d0c8cf",
 };

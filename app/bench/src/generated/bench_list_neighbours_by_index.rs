@@ -94,5 +94,5 @@ static LIST_NEIGHBOURS_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/list_neighbours_by_index.compute",
-    hash: "e6021545af48b6664470d3b260c1854519268010a3ebe2aae28ec5b760b83afa",
+    hash: "b607713243528886181370411478778b11d8e2eec253dc0697e3dcb6f13794b2",
 };

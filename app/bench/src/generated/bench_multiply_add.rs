@@ -45,5 +45,5 @@ static MULTIPLY_ADD: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/multiply_add.compute",
-    hash: "7772ddd9793f77124f1a4c2701539747b5ad52a5a5090594d7382ab893769b46",
+    hash: "315d5095ea9fa5c9724d176c0e0205c4e849857a15f4f0eb2d7ef5745536e26a",
 };

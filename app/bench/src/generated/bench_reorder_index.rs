@@ -82,5 +82,5 @@ static REORDER_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/reorder_index.compute",
-    hash: "de2eebf74ebaae69f48403539febc74fbfdb02aa4492f4eb4219c6a4db2afa83",
+    hash: "ea4fa6ebcc03f7432f75e3511aaa5811d4b562e46e954f9b6ec41ef105f0550a",
 };

@@ -74,7 +74,7 @@ static SCAN_GROUPS_DOUBLING: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "bench/scan_groups_doubling.compute",
-    hash: "15417224e4dcb7fe35d4fa5198b2a90791b13477d640c70372a3c5c1cd96fb93",
+    hash: "5ba4822580a571613d0e29aaa96e1f1c03e63c131760c4ed6a142e3152ab29d9",
 };
 
 static SCAN_GROUPS_DOUBLING_WITH_GROUP_OFFSETS: Module = Module {
@@ -87,5 +87,5 @@ static SCAN_GROUPS_DOUBLING_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "bench/scan_groups_doubling.compute",
-    hash: "0b9c498d89f04b9465a9d326f555c7a075e8938215c6229fdface7460fd81108",
+    hash: "e0b27982c20422f425e14a7c601ee826d09da4ef58436ae0854492c8f5470de5",
 };

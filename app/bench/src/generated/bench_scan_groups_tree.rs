@@ -87,7 +87,7 @@ static SCAN_GROUPS_TREE: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "830463cbf4cbf80d6c8c97d2e042c8c05672d807a3df11d151dc334db313d3cd",
+    hash: "7dc7aa9e184b62ffcfe35d2d253b8cf7a1abd836ccbb329a65b372d203190212",
 };
 
 static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
@@ -100,7 +100,7 @@ static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "7e506cd4c17cc3325fad96f382fcc9c76a2d544d08f1945d5b78a5d6e6fc62e3",
+    hash: "8e105780b8b375c7c68d23b32f9ed28052fd76cdbb33923be9fb0480f0f73c42",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
@@ -113,7 +113,7 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "62867094edd01112459baeed94eb01257bc29083ce0bf1b8abefa69bb093f773",
+    hash: "528a88e26a8ebb06ef6be59e57f3b3b01b13b6a663a5f4c919816a87e5960e89",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
@@ -126,5 +126,5 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "42b3d3c4777fb3f9b30fea8f7885e421236a876cfe6f0dd83758ddef31adc9d4",
+    hash: "6efde478ed97810699128ce5db4be85707233de18ae77f88dd0278b1ae28c903",
 };

@@ -54,5 +54,5 @@ static SCAN_STEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/scan_step.compute",
-    hash: "dc53813f65df32dc0e47f38639b850a252f2b1bddc0ea772efd79921ec869c8e",
+    hash: "f3aeac88d778c45afad7242c14b09f660376cc45c85ec642b651e117dcaa581f",
 };

@@ -10,7 +10,7 @@ use super::fields::kind_of;
 use super::fill::{self, MAX_FLUIDS, MAX_PARTICLES};
 use super::paths::as_number;
 use super::{Acceleration, Fluid, Method, PointColor, Scene, SceneError};
-use crate::solver::pbf::{IterationWeights, MAX_CELLS, are_few_cells, finest_cells, narrow_axis};
+use crate::solver::pbf::{IterationWeights, MAX_CELLS, MOST_WARM_START, are_few_cells, finest_cells, narrow_axis};
 
 /// Spacings a side of the domain may have: f32 positions then still tell 1/256 of a spacing apart.
 const MAX_SPACINGS_A_SIDE: f64 = 65_536.0;
@@ -99,6 +99,7 @@ impl Scene {
                 self.check_iterations(&check, self.solver.pbf.iterations, "solver.pbf.iterations")?;
                 self.check_relaxation(&check)?;
                 self.check_coarse_correction(&check)?;
+                self.check_warm_start(&check)?;
             }
             Method::None => check.require(
                 self.surface.color_by != PointColor::Density,
@@ -166,6 +167,33 @@ impl Scene {
                 pbf.iterations,
                 Short(self.solver.support_ratio),
                 self.domain.dimensions
+            ),
+        )
+    }
+
+    /// A share that no mode grows with, and iterations that hold it against what they find.
+    fn check_warm_start(&self, check: &Checker) -> Result<(), SceneError> {
+        let pbf = &self.solver.pbf;
+        if pbf.warm_start == 0.0 {
+            return Ok(());
+        }
+        check.require(
+            pbf.warm_start <= MOST_WARM_START,
+            "solver.pbf.warm_start",
+            Short(pbf.warm_start),
+            format_args!(
+                "at most {MOST_WARM_START}: energy was measured to rise at 0.4, and slow modes grow from 0.5 on"
+            ),
+        )?;
+        check.require(
+            IterationWeights::of(self).chebyshev.is_some(),
+            "solver.pbf.warm_start",
+            Short(pbf.warm_start),
+            format_args!(
+                "not with solver.pbf.acceleration = \"{}\" and solver.pbf.iterations = {}: it needs iterations with \
+                 momentum, two a substep at least, three in two dimensions",
+                pbf.acceleration.name(),
+                pbf.iterations
             ),
         )
     }

@@ -110,6 +110,11 @@ pub const FIELDS: &[Field] = &[
         &["false", "true"],
         &[0, 1],
     ),
+    Field::new("solver.pbf.warm_start", number(0.0, 1.0, ""), TERM).of(PBF).slider(0.0, 0.3).term("0", "0.3").knob(
+        "warm start",
+        &["0", "0.1", "0.2", "0.3"],
+        &[0, 3],
+    ),
     Field::new("solver.pbf.relaxation", number(1.0e-3, 1.0, ""), LIVE).of(PBF).slider(0.05, 1.0).knob_with(
         "relaxation",
         &["0.2", "0.35", "0.5", "0.65", "0.8"],

@@ -10,7 +10,7 @@ pub use relax::{MOST_ROUNDS, NO_COMPRESSION, Relaxation, relax_particles};
 use std::collections::VecDeque;
 
 use brooklet_gpu::{Engine, FrameReport, Gpu, GpuError, Plan, PlanError, RecordingId, ResourceId};
-use brooklet_kernels::{Buffer, Position};
+use brooklet_kernels::{Buffer, Position, WarmStart};
 use thiserror::Error;
 
 use crate::drag::{Drag, DragPass};
@@ -286,6 +286,24 @@ impl Session {
         self.engine.write(&slots.state, &[step_state(particles, self.simulated_s())]);
         self.engine.write(&self.recorded.positions, &particles.positions);
         self.engine.write(&self.recorded.velocities, &particles.velocities);
+        // Whose pressure it was is another's now.
+        self.begin_cold();
+    }
+
+    /// Leaves behind what does not fit the scene's settings of what those of `before` left.
+    fn go_on_after(&mut self, before: &Scene) -> Result<(), GpuError> {
+        if before.solver != self.scene.solver {
+            // Pressure that balanced other substeps, or came of another kernel.
+            self.begin_cold();
+        }
+        self.relax_after(before)
+    }
+
+    /// The next substep begins with nothing of the last one's pressure.
+    fn begin_cold(&mut self) {
+        if let Some(warm_starts) = &self.recorded.warm_starts {
+            self.engine.write(warm_starts, &vec![WarmStart::default(); warm_starts.len as usize]);
+        }
     }
 
     /// Goes on as `planned`, which was made as this session's plan was, of another scene: from the next frame on,
@@ -301,7 +319,7 @@ impl Session {
         }
         self.since = TimeBase { steps: self.steps, simulated_s: self.simulated_s() };
         let before = std::mem::replace(&mut self.scene, planned.scene.clone());
-        self.relax_after(&before)?;
+        self.go_on_after(&before)?;
         Ok(true)
     }
 
@@ -314,7 +332,7 @@ impl Session {
         self.engine.adopt(&old.engine, &self.init)?;
         self.steps = old.steps;
         self.since = TimeBase { steps: old.steps, simulated_s: old.simulated_s() };
-        self.relax_after(&old.scene)
+        self.go_on_after(&old.scene)
     }
 
     /// Runs with other modules from the next frame on: `plan` is this session's with some of them exchanged

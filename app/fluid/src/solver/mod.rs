@@ -5,6 +5,7 @@ pub mod none;
 pub mod pbf;
 
 use brooklet_gpu::{Recording, Resources};
+use brooklet_kernels::{Buffer, WarmStart};
 
 use crate::grid::NeighbourSearch;
 use crate::scene::{Method, Scene};
@@ -56,6 +57,14 @@ impl Solver {
         if let Self::Pbf(pbf) = self {
             pbf.record_list(list, context, particles);
             pbf.record_relaxation(relax, context, particles);
+        }
+    }
+
+    /// What the next substep begins with of the last one's pressure; none of what begins cold.
+    pub fn warm_starts(&self) -> Option<&Buffer<WarmStart>> {
+        match self {
+            Self::Pbf(pbf) => pbf.warm_starts(),
+            Self::None(_) => None,
         }
     }
 

@@ -99,7 +99,7 @@ static CONFINE_VORTICITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/confine_vorticity.compute",
-    hash: "2f78161292bc786b1d5fe112a1dd941bdaa2577e5b5ade6883d7b6d71f9e9385",
+    hash: "8b3284fc41e3798c007f0ed721c71681be1623dd3721bfd82609c1c538a6384b",
 };
 
 static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -112,7 +112,7 @@ static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/confine_vorticity.compute",
-    hash: "9e4aa8a871cde6a13a551e2f125cccffce3a7cbf7786cc894c75d9ac8803653e",
+    hash: "85d172caa583804153b8fb6e654d64326272a49fad6109ce73968fe35aa673a2",
 };
 
 static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
@@ -125,5 +125,5 @@ static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/confine_vorticity.compute",
-    hash: "04141fcca67076d3c23ead0518aa67a0805716ffe3d81c410a0a9faa16cb3c0d",
+    hash: "d9eeeafa5878272b8b1f1c9333699c6e3e7d2034b0fcced140d97f8c436d44f9",
 };

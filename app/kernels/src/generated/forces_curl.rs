@@ -97,7 +97,7 @@ static CURL: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/curl.compute",
-    hash: "441f5cb606dfb74c390607925ec89fcfb189482d20a201a9265818d1561edf1c",
+    hash: "92f10008f24ecb5934036473f1c5b592a5e9c6ff0aee0390d87f7b9b16ec5697",
 };
 
 static CURL_WITH_RELAXED_PRECISION: Module = Module {
@@ -110,7 +110,7 @@ static CURL_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/curl.compute",
-    hash: "07ae9665faf7afe043b688453ca54e01b769129823ad525bc7d1e1c93a015d2a",
+    hash: "23d2ef6d8c6804623e23f3f5f12c81b961b72258b36d01133c94818f025f70ac",
 };
 
 static CURL_WITH_HALF_PRECISION: Module = Module {
@@ -123,5 +123,5 @@ static CURL_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/curl.compute",
-    hash: "60d4b2896728a79fa8fecb91e4b76cf93165986923cb0f8b8105e52001e994be",
+    hash: "f7e776ee49285e18e8e8d37cbdf402cad5ec6fb2cf65fde7f4467a369892df03",
 };

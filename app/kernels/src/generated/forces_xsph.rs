@@ -102,7 +102,7 @@ static XSPH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/xsph.compute",
-    hash: "b433fcadba45f9b76ddc8849d12efdca9e2287d7854da42060225d217e21431e",
+    hash: "6f5d582dedb02b32a27beb392d15237cee1b240004d8b55d49e4157fe5ad2052",
 };
 
 static XSPH_WITH_RELAXED_PRECISION: Module = Module {
@@ -115,7 +115,7 @@ static XSPH_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/xsph.compute",
-    hash: "bfec375bcdc3a93453ba4c5da28cc22da81dd6ce70992ea305ed674cddd508c2",
+    hash: "85084687ebf01c11aa91b518328db5ef83b57aabd86b3e39afa0522d118e63b5",
 };
 
 static XSPH_WITH_HALF_PRECISION: Module = Module {
@@ -128,5 +128,5 @@ static XSPH_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/xsph.compute",
-    hash: "482ef26afafccda662043e4eca63aad8c392073a5bd8bbd4c9952ab885c90ffc",
+    hash: "603efd1ddd4fe0b420ce214786b194221c1d0a12915a9a1a4b79853fb05aa0ab",
 };

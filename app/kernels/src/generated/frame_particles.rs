@@ -62,7 +62,7 @@ static DRAW_PARTICLES_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "762524b0c99a516f6b7efda658425700011c70744df08c999200934c23120988",
+    hash: "82b1bfd0dddc179a0e34d9fa07352ea32d32dcc4b7f871bdb8a43ff97f000213",
 };
 
 static DRAW_PARTICLES_FRAGMENT: Module = Module {
@@ -75,5 +75,5 @@ static DRAW_PARTICLES_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "ddf68a95c5fc247c7e3e3107690cde650284636acccda7f6883be03dc9bcf51c",
+    hash: "f9fe97ee7854317d10ab9f0c9e10dca6f8c0cadc1470fc90a35f934f00aa8343",
 };

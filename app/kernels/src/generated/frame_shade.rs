@@ -130,7 +130,7 @@ static DRAW_SHADE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "a5dc8c7e81b3abfe0ab4a18952b2ad63e84d663335c1bd38b479ca8d691e7a3c",
+    hash: "6870e12d2fd64a119b262627c7d6e641923f25b0b216ea0bad07c15156a2fa3e",
 };
 
 static DRAW_SHADE_FRAGMENT: Module = Module {
@@ -143,7 +143,7 @@ static DRAW_SHADE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "22e204d509246e6ff0ea04c24ca8a2386222e0b38c61d2eccb13865e15936d29",
+    hash: "2c12f1e9f461dfff9fbf54b1fade0173aafc5c30878f88adee3b08e547518693",
 };
 
 static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
@@ -156,7 +156,7 @@ static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "951c8c7d5cf9fe5937061197adf5808448750e4d2fbb52e1539b44df6ae1df11",
+    hash: "a0cf8208a1aadf9788460f1c602cce64bcf551cf84881ba4e52f5d5b296f67c6",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
@@ -169,7 +169,7 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "b29a1cdce9f822974a842f6cd37644bbabb8d42813717f31e495c5b964b0f2d8",
+    hash: "212993e74b12088e4d996ce30fb279410d42c2ed17b9c90ae58f025d39b7b3c2",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
@@ -182,5 +182,5 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "095e8f5abaa20fc15a5d55c687eacffc2e28e03ef5d10e13ab8f8dd7af736ad8",
+    hash: "286de3d6e3ebe8af5797e8ec73aa80ed1b694313b545adb81e3d1fcb6afc9bd7",
 };

@@ -55,7 +55,7 @@ static DRAW_SHADOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "63d5fb60c1fc17282df58ab8fdd9e93849fcb26fb5fc899a9b608292e924fb45",
+    hash: "481cb7f1c2c5ffcb6416ada7f63229abeeee473cc34ce9cabc8ffa29e5a9e8a9",
 };
 
 static DRAW_SHADOW_FRAGMENT: Module = Module {
@@ -68,5 +68,5 @@ static DRAW_SHADOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "74711e659ba6371d3d0c9a9ff2e779c6e883d88e09853f2112d0a4762d3eb461",
+    hash: "42592b25516ac188b15fcbf524707ad15ed6208f3dec61e7493182c88b338e2f",
 };

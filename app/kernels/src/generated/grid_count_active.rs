@@ -60,5 +60,5 @@ static COUNT_ACTIVE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_active.compute",
-    hash: "cf0ccfa945cfa340db6ff27165062a155aba904a056e94fb162355020b320711",
+    hash: "261c2911154d7fd49d5b6bb3de9547a774981d148ce5c4b3875b47a2dc009c44",
 };

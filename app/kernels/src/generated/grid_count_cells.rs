@@ -90,7 +90,7 @@ static COUNT_CELLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "0e41f8818af250b422795e92487918150d83747b775d9df8e18d15697fc0009e",
+    hash: "480412437fc71f5c8bc6a066de95d55ff5184eb42e7d86adb567956c986df4cf",
 };
 
 static COUNT_CELLS_WITH_PERIODIC: Module = Module {
@@ -103,7 +103,7 @@ static COUNT_CELLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "c62522b26f19f7be6564631708172b13680db9ecd58cddfd33189d7e3b93aeb3",
+    hash: "82e8947114136a796c09742704c447aefd42a7cb7ecaac5158ce26691523c6c6",
 };
 
 static COUNT_CELLS_WITH_WRAPPED: Module = Module {
@@ -116,7 +116,7 @@ static COUNT_CELLS_WITH_WRAPPED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "02e4e707c78babd610135c2a8e7d8a06f30e5365faa8d5ccc44cde32d9c07c56",
+    hash: "01542ad8a02b428b9e0f84574f430fd1c00ba4be4ad013275ad9640bd1e73da3",
 };
 
 static COUNT_CELLS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
@@ -129,5 +129,5 @@ static COUNT_CELLS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "cc4ddff86b178cf4f60bb212bc13279719bda0b4657193f6a2209c72fd26883f",
+    hash: "5642b2b74a675ba5910dce203c82e6a2369f7d7e8436e8c70c77d15b6b4ffdf5",
 };

@@ -135,7 +135,7 @@ static LIST_NEIGHBOURS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "c4f2e3e372e4d0f2760e14e15902856e7fce8b2245ed7f432ebb8fb4da62815a",
+    hash: "6b7dd674f9e10925c621de05431f77658a9bdaff2e37ccd59ea7ef57296326aa",
 };
 
 static LIST_NEIGHBOURS_WITH_RELAXED_PRECISION: Module = Module {
@@ -148,7 +148,7 @@ static LIST_NEIGHBOURS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "2078da1492d62fc306c393651e5885b430b8a344acac7fef8c220f9d909abd59",
+    hash: "6734e2855d3a8162be7f866720c6fa05c1a7ffb7e7f0330a4c4d48ed0c1a89b2",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
@@ -161,7 +161,7 @@ static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "a27980cd5c15a3fe008068e3c478fd9b34dc3fafde8357a38e3307d9eb1710dd",
+    hash: "bce371ccc9e0b37f5f55fa9b305fee3a4515035409c71745fe3fa2dfb021ddef",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
@@ -174,7 +174,7 @@ static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "066d7ab96b0085d7d9f67d4d6dc8f5728fc5f470703d03732f1107f7e5272dc3",
+    hash: "5d3392cac7214886856fc08798734386f1b28ae2bdd00a0adc943e48f352f052",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
@@ -187,7 +187,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "aa3473929c6eed0b318e74d29b3c7371317df7b8e7ad65d81426a5c574abe1aa",
+    hash: "e353ae4ef7abc21035061c4b01d5ec4dfcdfe4e57fc680ae6bb67c86e27cf1ab",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_RELAXED_PRECISION: Module = Module {
@@ -200,7 +200,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "25ed7821eae0098dcf38483c5f8613f24848f26a2f66fc6e0f5bfe27007f7904",
+    hash: "727641163304eb279747255c1836f817a10b21e913ed801ba8262c93e3bf860e",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
@@ -213,7 +213,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "b8488f93635883b1076bb0408daa9e4d0fd0ee7f22fd1bd006ba8024b813a95e",
+    hash: "295f6d5e9524b086ef9c08bc9fdbe5d8519861252cf219151e9016218fb0ad9d",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
@@ -226,5 +226,5 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "4bf090690c3eea8ff68c6fad4d224a0e79644de467d7fc9e587e15582a14ccb7",
+    hash: "d8a7d124974d418bbef1ba3c7c9f5994fd3116dbc5ca8c0473cd0d7dd2ea7a2e",
 };

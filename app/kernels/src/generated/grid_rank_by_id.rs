@@ -77,5 +77,5 @@ static RANK_BY_ID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/rank_by_id.compute",
-    hash: "66650cd81d9d067c14ff5c4638845a39e337697aeb92937a4a52ab057cf81084",
+    hash: "a38148b2dc3f6699bd35b3c70342801f04d88767b016c9358f99da57f8eeecfe",
 };

@@ -106,7 +106,7 @@ static REORDER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "8958bff63e6fdddccdf1f4875dafbe3a5a35a11b98186a25853f0dace3024efe",
+    hash: "49de66cc8b9d3465fe7e61eb05ca7a66d00f56aa7e808ccc876aac14cd7d4932",
 };
 
 static REORDER_WITH_RELAXED_PRECISION: Module = Module {
@@ -119,5 +119,5 @@ static REORDER_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "c099b376b7936df905436f988fb4fba00bbdb170e1bf0fefbf0e9f30e246e040",
+    hash: "b3f2481dd633f57ce85194eb516445f01ece1f34ffa2e48a30b98fe54e0e3205",
 };

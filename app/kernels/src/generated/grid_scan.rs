@@ -109,7 +109,7 @@ static REDUCE_GROUPS: Module = Module {
     shared_bytes: 576,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "1589ac30064d094be3f6f3551ff9addff9f8cdba0798354bb357742470a2da46",
+    hash: "9f27f5af0528eee1c302ee89caa532f843f88d5e48d9f8ae1619e93fdb5081ec",
 };
 
 static SCAN_GROUPS: Module = Module {
@@ -122,7 +122,7 @@ static SCAN_GROUPS: Module = Module {
     shared_bytes: 576,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "6668d381e34ef23cebd8cea12e8003da12bfc73eb2b77343477e77a626323ce8",
+    hash: "57c857823bd0e931ca541d8a6c9d29b4cc0698424224b896f6c7ab17b20d03a7",
 };
 
 static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
@@ -135,5 +135,5 @@ static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 576,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "a4fc5663da56b172f8844f9e20c1c93b81bfb4a662c267f688d2244bb62fd7b3",
+    hash: "10e4e48f08f85a4b7d94ec70fe30b70bb8b769a2df373d894abd7637af482245",
 };

@@ -65,5 +65,5 @@ static SCATTER_CELL_MEMBERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/scatter_cell_members.compute",
-    hash: "8f69e28b5980c959f2485af613985119cf62254d371a1b73eb0615f299f94579",
+    hash: "0a2b9f2224cf2c5d34674f66bd2761a7cb425331973a63fa691956ed14e18d05",
 };

@@ -97,7 +97,7 @@ static DENSITY_RATIOS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "9753c8a3cbd42f92100395d89d7ce350ed88308f7558fa6d566c928b0dcb27ea",
+    hash: "7579341152c7f09cd0b555eb7575cecaafa5bed6da72ed15cbc11733f305903d",
 };
 
 static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
@@ -110,7 +110,7 @@ static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "0307766664e5db61d09c86f2a19465c97f7e28f54f8ffc7a8323eac086c2abf6",
+    hash: "645e635b57a85c39f495e3ca7dbe78ea1d7c4d8f9f99a4e551a52f963060748e",
 };
 
 static DENSITY_RATIOS_WITH_WALLS: Module = Module {
@@ -123,7 +123,7 @@ static DENSITY_RATIOS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "f45c2792d57aaaee1b07bcf425fca3873a4e4cf8b8c8b2b979f1526159598734",
+    hash: "15b0b6be250d3d9d6a475513ef68108a517df5e5c2fea3dba657e3b51bd4062c",
 };
 
 static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -136,5 +136,5 @@ static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "7f79b1a044ad01323e4092ec151eac6587c2f4d87e415160241843e555b5b480",
+    hash: "4b24f221b7ff6cf4e1b411b27b5bb1b2f2637caff28cfa38c7fe35a9f4c17906",
 };

@@ -132,7 +132,7 @@ static MEASURE_PARTICLES: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "dc29d3d436577c668db6a1e012240479fda81516db08521e42c4a36ee52d3214",
+    hash: "1ca50512f6ac4647af9b67db47d206f201c20d6c10e7bca1089983aacfea683c",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
@@ -145,7 +145,7 @@ static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "f76973f0bfe455218c27b28879995728a2876530c94e817f124c60e36236832d",
+    hash: "809f5496a5d9a25e664052fe9ee242478202d9690f5ce396ad8deb1f95e168cf",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
@@ -158,7 +158,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "551b6075e0e94ccacb718d441e36ce8a2bf794803026ba667184a010837120c6",
+    hash: "f49d6b993bb483c3ca29c1dda3827fe776bd3d2d3db7f98b2a75a90b63f59485",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
@@ -171,7 +171,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "3ebf0c726579d69dfb98a6ff563b86fa2f52bd88695eba50b967563ceecfa5a7",
+    hash: "f5167e5a0e4d737363d1b1086fe6e5888fcb24caae8471b2d51d5d12e50a868d",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -184,5 +184,5 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module 
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "9b5205bab619afa01187ac5115e36c36aaf6b6e357f010c399fe0ace1952a846",
+    hash: "c9a5bb50e170f53edca137917f3b37ffcc2fe2552739b69420971446d2167165",
 };

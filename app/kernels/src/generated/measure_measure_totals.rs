@@ -73,5 +73,5 @@ static MEASURE_TOTALS: Module = Module {
     shared_bytes: 4616,
     tier: Tier::Floor,
     source: "measure/measure_totals.compute",
-    hash: "0d0d689a1c3912212a6562e9c837d966401f71d75ebf085c670a94096ab12b9d",
+    hash: "0f2e798b9f2d14922c90ab7c1bf911084a969151e5d9621908a7f30d13a93dc4",
 };

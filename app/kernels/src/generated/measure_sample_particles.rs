@@ -67,5 +67,5 @@ static SAMPLE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/sample_particles.compute",
-    hash: "dd611aa7526d9b6c908e2488f305fb65ea7c2d89653b483848cc25798ed516c9",
+    hash: "21935b8083396b05e1124ed4cb453d17cfe6ce55312a19fff6c9b03f0e1c053c",
 };

@@ -37,9 +37,11 @@ mod solver_none_layout;
 mod solver_pbf_coarsen_constraint;
 mod solver_pbf_constrain_density;
 mod solver_pbf_correct_positions;
+mod solver_pbf_keep_pressure;
 mod solver_pbf_layout;
 mod solver_pbf_prolong_multiplier;
 mod solver_pbf_relax_multiplier;
+mod solver_pbf_start_warm;
 mod solver_pbf_update_velocity;
 mod surface_anisotropy;
 mod surface_caustics;
@@ -120,9 +122,11 @@ pub use solver_none_layout::*;
 pub use solver_pbf_coarsen_constraint::*;
 pub use solver_pbf_constrain_density::*;
 pub use solver_pbf_correct_positions::*;
+pub use solver_pbf_keep_pressure::*;
 pub use solver_pbf_layout::*;
 pub use solver_pbf_prolong_multiplier::*;
 pub use solver_pbf_relax_multiplier::*;
+pub use solver_pbf_start_warm::*;
 pub use solver_pbf_update_velocity::*;
 pub use surface_anisotropy::*;
 pub use surface_caustics::*;
@@ -202,8 +206,10 @@ pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
         solver_pbf_coarsen_constraint::MODULES,
         solver_pbf_constrain_density::MODULES,
         solver_pbf_correct_positions::MODULES,
+        solver_pbf_keep_pressure::MODULES,
         solver_pbf_prolong_multiplier::MODULES,
         solver_pbf_relax_multiplier::MODULES,
+        solver_pbf_start_warm::MODULES,
         solver_pbf_update_velocity::MODULES,
         surface_anisotropy::MODULES,
         surface_caustics::MODULES,

@@ -114,7 +114,7 @@ static ACTIVATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/activate.compute",
-    hash: "1a88d69c04b1b96ad710599e8c44d0b90986e011fbe222a9db81176e2662636d",
+    hash: "3c7e24c371597aefe6e0ed6fc7414f64ba4d30c7773488b5fae42f1e097db810",
 };
 
 static CLAIM_SLOTS: Module = Module {
@@ -127,5 +127,5 @@ static CLAIM_SLOTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/activate.compute",
-    hash: "060266c1911f6ce780743129f12ae56c9d90ad16bcc61e9f0dac6190c3df7a92",
+    hash: "898c9229dd9154d4a62cd6cffbb6c4aafa815460ae4bf2188ace0cd28381f34c",
 };

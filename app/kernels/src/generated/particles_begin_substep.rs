@@ -50,5 +50,5 @@ static BEGIN_SUBSTEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/begin_substep.compute",
-    hash: "792026628fa6b4e15aa0790dcc0fceae8a529ab4be28460d7aeb65def95865dc",
+    hash: "e161039b3eac5e51f5ffcc3c5e9b85af6fb3b089e997ce3b0af66ff662a5f394",
 };

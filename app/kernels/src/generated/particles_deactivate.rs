@@ -68,5 +68,5 @@ static DEACTIVATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/deactivate.compute",
-    hash: "cef1a70c3f2982fa19669c30239e8c825a67161226256c4dafd8d0ba86d1dafe",
+    hash: "147b7ca7e2767f0070281cefa7c05aa08ff2f049b7df4ac91688e1b70bea9217",
 };

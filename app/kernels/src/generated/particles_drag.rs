@@ -66,5 +66,5 @@ static DRAG: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/drag.compute",
-    hash: "1e010b5c7f4dacdf52ea58da26fd31024ab383ca6628eddb1e8d68545260e100",
+    hash: "28f0e47e1f751e3c102ff10a410bc53e56fe53e6091a5371fa887765f0f8706e",
 };

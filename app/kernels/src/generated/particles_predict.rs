@@ -94,7 +94,7 @@ static PREDICT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "8a49bfc5adab5c1aa7c86496fe7021508100b185cbce412e5cb613e4504dab2d",
+    hash: "cd1f2c2677a226688a301bd61cd5a3523acef634ed6cdaf0ddb3af6f156a856c",
 };
 
 static PREDICT_WITH_PERIODIC: Module = Module {
@@ -107,7 +107,7 @@ static PREDICT_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "5907b6b0601e69f193e673e0ca811f468365ffd81bf7fb7fb07b0097f6f10ef4",
+    hash: "c497a23cfdad0db61cee2f49876816218f21f0b585da3e7cb01942b6961e115e",
 };
 
 static PREDICT_WITH_WALLS: Module = Module {
@@ -120,7 +120,7 @@ static PREDICT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "d724e103b5dc65499d8d5502212aa011f84fbc3a1fa8a6cb0c8c2a14b7290f81",
+    hash: "9d84a8367f27821282b53c17461543c37bea8ab31a7c67e75d52aab931d09dec",
 };
 
 static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -133,5 +133,5 @@ static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "06182bf74a6afc82873e0b33ac19958909c2a034bbc91ba6b25e9c9108db4d11",
+    hash: "6bc952758d1b4345ca3f7535f106a7e9c4c2ef568c7a9dcfd4accbfc3ad7cabc",
 };

@@ -315,8 +315,8 @@ pub struct PbfParams {
     pub separation: f32,
     /// what is added to their lambdas at one point
     pub separation_lambda: f32,
-    /// `float`.
-    pub reserved: f32,
+    /// share of the last substep's pressure that the next one begins with
+    pub warm_start: f32,
 }
 const _: () = {
     assert!(offset_of!(PbfParams, relaxation) == 0);
@@ -326,8 +326,23 @@ const _: () = {
     assert!(offset_of!(PbfParams, max_correction_m) == 16);
     assert!(offset_of!(PbfParams, separation) == 20);
     assert!(offset_of!(PbfParams, separation_lambda) == 24);
-    assert!(offset_of!(PbfParams, reserved) == 28);
+    assert!(offset_of!(PbfParams, warm_start) == 28);
     assert!(size_of::<PbfParams>() == 32);
+};
+
+/// What the corrections of a substep came to, for the next one to begin with (solver/pbf/start\_warm.compute).
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+pub struct WarmStart {
+    /// `float3`.
+    pub acceleration_m_s2: [f32; 3],
+    /// all of its lambdas, over dt^2 as the acceleration is
+    pub multiplier_per_s2: f32,
+}
+const _: () = {
+    assert!(offset_of!(WarmStart, acceleration_m_s2) == 0);
+    assert!(offset_of!(WarmStart, multiplier_per_s2) == 12);
+    assert!(size_of::<WarmStart>() == 16);
 };
 
 /// One of the iterations of a substep whose lambdas have momentum (solver/pbf/momentum.hlsli).
@@ -340,14 +355,14 @@ pub struct PbfIteration {
     pub momentum: f32,
     /// weight of the constraint where the fluid is very compressed
     pub guarded_step: f32,
-    /// `float`.
-    pub reserved: f32,
+    /// 1 of the first iteration, unless a warm start wrote what stands before it
+    pub begins_cold: u32,
 }
 const _: () = {
     assert!(offset_of!(PbfIteration, step) == 0);
     assert!(offset_of!(PbfIteration, momentum) == 4);
     assert!(offset_of!(PbfIteration, guarded_step) == 8);
-    assert!(offset_of!(PbfIteration, reserved) == 12);
+    assert!(offset_of!(PbfIteration, begins_cold) == 12);
     assert!(size_of::<PbfIteration>() == 16);
 };
 

@@ -102,7 +102,7 @@ static INTEGRATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "c95d82e6031d542222baa803fbd590b9691ca682c9c52dc931e3735702a45afc",
+    hash: "046e62b7ededc357a63e1116a313b086d7c6f596c6a8796804af1c7d66cc18c6",
 };
 
 static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
@@ -115,7 +115,7 @@ static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "945adaa4b50c4b46a7415a60ca2a01839978533577beabe9608ba9ba907d205e",
+    hash: "3fbb06d8d47d7ff3940fec8cfae745ae639a0b16d6036b43283029807b37fb8c",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
@@ -128,7 +128,7 @@ static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "8d454f538bbe8a76f4db1241c9247f9822cae9988215566b0c8df58db2084901",
+    hash: "056c55d13175a7cf38f39ece6b75e0484697953d9148eb00ab1dad392ed354db",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -141,5 +141,5 @@ static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "bf4a59c966305da8351fb10a88ff8ec9065bce04887b7f1da08b2e4025e8d388",
+    hash: "474a2743ca1d5b72d05e35eb29b2a194208b41705a665a6b6c551dacd1b5be66",
 };

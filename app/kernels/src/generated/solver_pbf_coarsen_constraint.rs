@@ -60,5 +60,5 @@ static COARSEN_CONSTRAINT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/coarsen_constraint.compute",
-    hash: "e38f6b24a4a1380efb7cc1491b3352801a6de96939d58ebcead92956bd40d7b7",
+    hash: "7deb651faffd0d79f5d6bc77aa02178aa4f547e225db6ea853d97f692c2ae164",
 };

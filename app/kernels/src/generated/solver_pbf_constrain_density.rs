@@ -485,7 +485,7 @@ static CONSTRAIN_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "74e13e1df463e8a516c704f7eaad8f0703ca4b565dbba03b83179e6bd98e4518",
+    hash: "f377aef01a8114f656b988cb3fc903780f05cfca36b994a6a96680443897e711",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -498,7 +498,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "afbef2df6910e9491a5b8324f11ef9b4113c5b66753cb8236160a25bf618619f",
+    hash: "b01fb24f4c05af705b8f08e4c2d82379e881845c6bcc8edeaf5c95139c7edadf",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -511,7 +511,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "6df465c09f52c522f54d7cfd489812038adbd66003dcd9ad79b82c9b4da4b878",
+    hash: "989f215979e469f3b4b6d154e02f8dd613dcb2605500496c851615fa2f2c307e",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
@@ -524,7 +524,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "e478d8151bf9356b149d759bcaa6e9f73e9d332b73c850d9a88a80d2e1b0c512",
+    hash: "c0e02b31949ca93b5d746a3865163ba2500ec6cc771cf251119045be6613e506",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -537,7 +537,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "1de0f68e38cb36054d1ce31f7ad396d7056be4054781de6c63bbbfc62d09793d",
+    hash: "3707d2af79a7b831c007c1e7eead3e44a35c7fba756184227903a557c7e111eb",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -550,7 +550,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "d899e6b1cd07a8e8e463b405636b1f3e93aac9046f047d901a3f84f72e68d443",
+    hash: "d2166d261d8376610d4e2fb1b9f496593a34227ed72bdb73c3ad2bcfb4a34286",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -563,7 +563,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "4190dbe4c52788e7b63bcd2964e29278a2b1f4b910b8bc2d5047a7ccc6704d77",
+    hash: "045dc6d1af0ab5e69ebf523abed028ab8fe7744c93fec1afca9f2afc97470e8e",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -576,7 +576,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "6e92b4d190942466126926bed3b8fe4a56e887261ede9361cb775d6e9a91b818",
+    hash: "33879ab82de8cd581337a9bbbf82e7da15a0cb020e16d66af9eb017b0a123663",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -589,7 +589,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "1c250acced3379584cf4b0d1b25df9a1547839771d98e797c5ab44dac5126eb4",
+    hash: "4549ec3d6557d7feac38329ada3a58fcabad73f3f2477d036b7b51f6ffc289ec",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -602,7 +602,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "3148f8ba2b88fe3c591e24e655de3a1704ad3a93d34fd32528bae75c0078c1b6",
+    hash: "821c98af312d12650907e25836349d672f6eea7b982c447cbd7c625df27e2950",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -615,7 +615,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "37b2cf9dc6e4f90034b198f615fecf6f79fbcce3d7d1559727c43a45935039ec",
+    hash: "c3bbf39cd68dae87f320aa44df7f53a8d1222b3c37dd1322d343133b448aa487",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -628,7 +628,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "cff1486d4d12d43039151b03f8a1649539afb03725703ac4850f13d21e575655",
+    hash: "1e9ac775ac8adc8ce0a238c9b9199add2ea4212505fb1fb67faf5837f36b923d",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
@@ -641,7 +641,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "fc9326d0e6368b8bb6f87ee94235709acdb8c9ee368d18c005638c9d1c95528d",
+    hash: "0bf96e0ac338a592159cb8f6c531b1377cb6083940374ec7bcbed78a3fd9ef66",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -654,7 +654,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "9db24a4f4d150ef6abdcbcce578bf6c7ba7303a0f1b1b80c1b0fe6af1c096d35",
+    hash: "bd974b3bde4a13b056462c1541513db2bcc61aa8468d6993af24ad4b105a076e",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -667,7 +667,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "848a2bbb67499bca6e49cdd973add84c188662de57cf1726ef365dd091519fa8",
+    hash: "a1eafb0edb21278f5fcb9091a15b75bb797689a6daabcb122f7089a096f486da",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
@@ -680,7 +680,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "358fc1c16d6c598da1a485cbf7da3d868344f27d3645926c0b0d0143c025d53f",
+    hash: "6be74004369c75718735b212420a9eb7f5d57fea61690f4d53b227ffc27ace47",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -693,7 +693,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "122a0f1fb9c63d9ede2cf94945f433650f084dbef531863a331950dd5d804d38",
+    hash: "be88007c59ab8b681e97358b5fe772da6c7e0b22ac55b9d6ed684ae5ff9f426a",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -706,7 +706,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "8fcd801f67103773c0f36228ac1c258941723759210ab0889af89d11ca453ff5",
+    hash: "b66c50706d6807cc0cda557efe5785d8ab55ebb8e05a23b767bd357054b66fcf",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -719,7 +719,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "1b8654628f1e13fc0694aff0941badd8fe2de2ae91b73cbe3c627f12f8cff3da",
+    hash: "d26cee8e292a2c3ad5c282f5372e6b66e2e9ec0eabbc15b3eba788035db0045d",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -732,7 +732,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECI
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "d9f9178d6205d2bbfa19878110fd16feead339294a9638286612104d592e49fa",
+    hash: "05a81b3d9a1b1d58033b846c0fff18be9922e419ead09270a966f0ca3a5d9af5",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -745,7 +745,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISIO
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "78dc87fefb045c9eba7c3e49d0f8838d04fa90a464df2f695cd72c8f83d53a87",
+    hash: "7e1916ef9bceac7f6c2b09c865b588d3934a80b242ef84805beda175920deb1c",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -758,7 +758,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "8b93dfa078cfb91bd25be994658178558d0ac0ec1c4e989f00de87cd91ac7906",
+    hash: "64228f263667b9b1c58c9af09f0b368a8702bf50f7f2ac213f7a5b8b5393fc2a",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -771,7 +771,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECIS
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "ba4079ebc2b6987a3fd4ffe67c215c63a4d106ae94f845383c7eb1103025b126",
+    hash: "639f57d5386329a3a6666f47b6bb3be77356fa7c505ca6b2f3400a186e9a01ab",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -784,5 +784,5 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "b6905a2ed1d53b98a785192715c13290d14ee9bc6577b75b962b02a40416c6c9",
+    hash: "89945c36bd401c1869092cef666fecdf04a36cc25d3f2af0b575777da7cab924",
 };

@@ -180,7 +180,7 @@ static CORRECT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "9a46f26d7a64e02763160b2ea31a6cd9b9a570d484a5425735401e22f4cdaacb",
+    hash: "23ac425f2682d70c1ce02e46df09ec0f0a8ceb94c07d326931999deee5850b8b",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
@@ -193,7 +193,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "02ae3a5df663a9ff0d6111dfc4861a583d4aa5b711cea39de9e6f89c7bda7487",
+    hash: "fcf5e1f2776f9772fcbeb983c86e2fc9c0f7908b0ca8f6ffd74703b2dc6e26bc",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
@@ -206,7 +206,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "8d26d860b902244e30b14f7a5107b0b7ed61d54e2eee0712db2cfde231e14888",
+    hash: "82e0ea9cbdaf004fe79c590c16d3aad3776ce72bc89691f5be00acb45673ab8b",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
@@ -219,7 +219,7 @@ static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "2a9977cb13e8d9ea5f62e4ee66f2da607119dfe793c78eb30fb147422651043c",
+    hash: "aa3c073077f5cc1af1652135a821182fa134f337bc6a50500247cde9905b2e3f",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -232,7 +232,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "737785a22eaa6bab00adbda73a964b77dc6ff606feee76fc0ad53a86b1880c5b",
+    hash: "162056a7b7437086b289138fe0d12b1c85f613088878f03557fa7927a55f9559",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -245,7 +245,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "fed333317ff20fa888f861630a3037bdb8d881aea6b5f46a71fde3d978eb5dcd",
+    hash: "08ab04fc1e3e325c07d46894ed53c620fca440e64504f7e3b0bd9748e7d7fac7",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
@@ -258,7 +258,7 @@ static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "5c4002d88b7dc6a3d9ac9f994dcfec8a74845b3fbb3281a038c4d43f7e18d5ae",
+    hash: "0964fe1683b77fbdf4bd6b894ba927ee9dcb3a6e52fbc74ab352c7bc764686b3",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -271,7 +271,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "8fdfd982f6a4379c245166e40943e069ce04040bf99463035dd969307a559e1b",
+    hash: "7ee332103af3070ad9247e8204e0b9386d0981a64d95d7d68f1cb16995bad80e",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -284,7 +284,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "5acb9cc48b871c551f2cb51c5e464aa4018bce1aefe036978026facd08a45542",
+    hash: "1ac123f8a584fcd823f7918a9768d23a10c2839287d381e1d1def68c73025c84",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
@@ -297,7 +297,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "0dd282e6891c55dfa41d723073ece81a4edd7f652d38a60827e04fe42345674e",
+    hash: "5174f6b0cd3e4cfc24b5a12ac557d8c43ae39158981dcd01e0b59d15b9676945",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -310,7 +310,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "87bd1c3ed08f09f24901a099bbafb70761a6ba413a5500725d42f07d41569360",
+    hash: "c296916f1f8a22abebde7bc2a52fab637b5a716008983cdc1cb3312e9b951e76",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -323,5 +323,5 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "d8cb7dcb6af1b352619d2cf7f9753c7f58fd0667331e94e0b37f55e3bb82d1d6",
+    hash: "0efb9c0c6bed5d725676932f4ff6b855d3637caf70b8e0ebaa2d9cc9f2b994dd",
 };

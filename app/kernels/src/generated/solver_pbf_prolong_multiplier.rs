@@ -31,7 +31,7 @@ pub struct ProlongMultiplier<'a> {
     pub coarse: Uniform<'a, CoarseGridParams>,
     /// `RWStructuredBuffer<uint2> packed_position_lambdas`.
     pub packed_position_lambdas: Option<BufMut<'a, [u32; 2]>>,
-    /// What particles take of the multiplier; then, as of all first iterations, 0.
+    /// What particles take of the multiplier, beside the total before the first iteration; then that alone.
     ///
     /// `RWStructuredBuffer<float> lambda_totals`.
     pub lambda_totals: Option<BufMut<'a, f32>>,
@@ -114,7 +114,7 @@ static PROLONG_MULTIPLIER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/prolong_multiplier.compute",
-    hash: "ac4ff5dac9c2661bd9370eaf6655a96b04a300aad26d43d8d5dea19c10051edb",
+    hash: "f8b3a96d2c468826253a29206080699010794315caa09b7c7734020e9881945a",
 };
 
 static PROLONG_MULTIPLIER_WITH_RELAXED_PRECISION: Module = Module {
@@ -127,5 +127,5 @@ static PROLONG_MULTIPLIER_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/prolong_multiplier.compute",
-    hash: "9dbfbbb24bbb0e2464136953ca290e43238a3f45266f3a28ba4086e83c5f191e",
+    hash: "0d2c73c94a70f8aa5abda316e1607262e5f43abee9ead5d5a8fe9ae3a682e8f8",
 };

@@ -89,7 +89,7 @@ static RELAX_MULTIPLIER: Module = Module {
     shared_bytes: 4000,
     tier: Tier::Floor,
     source: "solver/pbf/relax_multiplier.compute",
-    hash: "d9ad0bb3c1850413e338f5a6db4b9d99df6dcbc53c92839c16d0e822ac5b67f5",
+    hash: "99f2fb9022e59b86a9291ee727820dd30fe9d2ea10a5cf554b4e6fbbbf847e0e",
 };
 
 static RELAX_MULTIPLIER_WITH_PROLONGED: Module = Module {
@@ -102,5 +102,5 @@ static RELAX_MULTIPLIER_WITH_PROLONGED: Module = Module {
     shared_bytes: 4000,
     tier: Tier::Floor,
     source: "solver/pbf/relax_multiplier.compute",
-    hash: "2e6e0f87ea5ccef4dccffc7f2903e199754eb00d2a29f5740b8f6efc88d8bd09",
+    hash: "75ff77eaaf182078ca82805b3ed1e1ce3a3894e83849ddfe650fa1986aa4c7e4",
 };

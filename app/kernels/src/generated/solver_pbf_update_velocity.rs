@@ -211,7 +211,7 @@ static UPDATE_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "0f4ad8d4929002f939b7c432e5a6cca9616185b54eeddc494cbacdbd126c8c9e",
+    hash: "2a76c0b2ddd30329dcf0bde74eebc4f5ae92f07cbebcb6135267db3f7de29bf2",
 };
 
 static UPDATE_VELOCITY_WITH_KEEP_VELOCITY: Module = Module {
@@ -224,7 +224,7 @@ static UPDATE_VELOCITY_WITH_KEEP_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "bd253fff71241430e2646c2dae99343c525ab25e02c707ca073f0856392fc534",
+    hash: "4a95690027c1898563767719c598cd3028f3a3cbfb3bd8dc21deb01b0cbd492f",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
@@ -237,7 +237,7 @@ static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "8c0da0b418e967067e10684e8831775de09caed3a226d0c661627ce1df60f02b",
+    hash: "1950b2d8cba477c2e6eeeb722c67f22a1a71287fc4e4ccfcb940677a67b1040d",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC_WITH_KEEP_VELOCITY: Module = Module {
@@ -250,7 +250,7 @@ static UPDATE_VELOCITY_WITH_PERIODIC_WITH_KEEP_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "16d490a8103e97460707ab9724989e59e2e95705cc97c20540d41bd8be206b5c",
+    hash: "789eaf198fb122c2caf339d21e522f70e7549ca7411450a649b65e3f58cbfb85",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -263,7 +263,7 @@ static UPDATE_VELOCITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "a4867173667e9403ebef682194f53fa93f78b470be9691ee832461166c3ccd00",
+    hash: "afcbe33e890530b1197e5ec9406308efbca6292b53dc0e1ba7ed383bae7b87b4",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_KEEP_VELOCITY: Module = Module {
@@ -276,7 +276,7 @@ static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_KEEP_VELOCITY: Module = Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "3287591866c5def814ef99ad2e6e39acec0a032e2cb88e9d43f2a275ba241b40",
+    hash: "28495645ebb05726bf062dc26362a893169abf09bb7c9c2ef2c666ad3774232b",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC: Module = Module {
@@ -289,7 +289,7 @@ static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "a8dd241a1bebe75360bcfbdec632390aa7aa50e999340414177b7605d7982142",
+    hash: "9516d07471352c0e372779ccdf851f35f6c2eefcd5ad2d842b89d9ba366f67f6",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC_WITH_KEEP_VELOCITY: Module = Module {
@@ -302,5 +302,5 @@ static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC_WITH_KEEP_VELOCITY: 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "f81b82f0d1060efca90490d47882590b5da2a647154c881c31aff9ce989a3099",
+    hash: "24bfc0693fd69cf4bf772160dfec8dfc6af4805285796c72a8d75036d83326c3",
 };

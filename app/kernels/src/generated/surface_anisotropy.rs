@@ -77,5 +77,5 @@ static ANISOTROPY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/anisotropy.compute",
-    hash: "48162f2d72d8d94b815bf791c273f2c91b024224cd36ce576d0a7a230dd3a8d4",
+    hash: "3f35211670d15d74fefc30206bdb70e26a1e47987c75b4efabf65315f1007ff4",
 };

@@ -69,5 +69,5 @@ static COUNT_SUN_VOLUME: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/count_sun_volume.compute",
-    hash: "6109a2754eaee50ea9f59858b9d12263d1fe12f9949d8ec272be34ae94698fc2",
+    hash: "554d5176049b374d6bf2701add829aecdc859705b7a43e9e1367db06fdb2373c",
 };

@@ -112,7 +112,7 @@ static DRAW_FLUID_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "c2e5f08b0201617c3035e826a95124250bfc5d602cd950088a274c37371370b3",
+    hash: "985203e8efafc8f7853985031ad79b7e8b6694073b35d1576349b8c50e7a655b",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
@@ -125,7 +125,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "c9c68ad26939adfd6466f46c6e143a388243891982f58b86ae5f9e7af4b7cbf8",
+    hash: "5926f7f6274c100f1815c6f88bce3873a52ddf6188c72f8d7272595ed665771b",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -138,7 +138,7 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "b249bff0d39c8af5691a2c199e6bf9772c11c83f107b49981a202e23a8d78947",
+    hash: "23bf78308a63ddc3b0c85f5a0edf17f0d8f236b1b8797dc9e915f3d211be14e2",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -151,7 +151,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "1b88e7c86c9106ae41e3a9dbfccf88dfda032364e84f2996e56edcf3088c3537",
+    hash: "b42ac26845d9ae9591f2c116be8779408eb73d644b855c0c121b6e05c08484d2",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -164,5 +164,5 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "e522e6842201c43343b5fabc438398e5f4ddf2517d50d3fb9a88a476d03cd5eb",
+    hash: "1bb386dd415c242bf17c9caacd9da6e6830f60eb216f9ba174c7c4849ed86edb",
 };

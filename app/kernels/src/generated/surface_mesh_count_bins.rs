@@ -103,7 +103,7 @@ static COUNT_BINS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/count_bins.compute",
-    hash: "b3c63425e50e219f14a186548c4c5b405b5c15c1119e01a297173705c8dde49e",
+    hash: "d7ddd716e843cbac54c3ab31ba66792cbf7c33941c14a460aa7e0a82521a9a94",
 };
 
 static COUNT_BINS_WITH_ANISOTROPIC: Module = Module {
@@ -116,5 +116,5 @@ static COUNT_BINS_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/count_bins.compute",
-    hash: "3288a5869d1d2fb0963f68b93aca411d53dbf505834a437df98a5c6881d3c2d8",
+    hash: "8d060cc853e86ee3b8624591f6e32505094fcd3ca00856780965ef00f6f98625",
 };

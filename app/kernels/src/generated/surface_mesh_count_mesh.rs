@@ -88,5 +88,5 @@ static COUNT_MESH: Module = Module {
     shared_bytes: 112,
     tier: Tier::Floor,
     source: "surface/mesh/count_mesh.compute",
-    hash: "ec78a29bd77b67c95e75ae394d636ced347fb69c5e3fb3283af46db86fdeaefa",
+    hash: "167b595dbe840e4fe4c27fa814f61bfb53f433429a473801ff4e38c401f97af4",
 };

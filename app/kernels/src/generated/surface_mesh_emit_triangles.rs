@@ -109,5 +109,5 @@ static EMIT_TRIANGLES: Module = Module {
     shared_bytes: 112,
     tier: Tier::Floor,
     source: "surface/mesh/emit_triangles.compute",
-    hash: "05c6adbd1bfc6dff5210b3c3b28ed77d3a593356e900566c5a9b49310e8e9d7f",
+    hash: "45ff8e4b860170dc84ddd676d75858eaaf016528e8229a3a2f6e3558ea671bce",
 };

@@ -103,5 +103,5 @@ static EMIT_VERTICES: Module = Module {
     shared_bytes: 112,
     tier: Tier::Floor,
     source: "surface/mesh/emit_vertices.compute",
-    hash: "587eafecf35a15eb63d4456feb2f61ed756be4431c95db240e96def8b9e7059a",
+    hash: "75ccbdf837fe25de394de605a52019efa2e0a33ca653a29251dfca4d477f6bc8",
 };

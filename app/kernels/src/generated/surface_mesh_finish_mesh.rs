@@ -74,5 +74,5 @@ static FINISH_MESH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/finish_mesh.compute",
-    hash: "49b31944db84393a8aa93fb0df9eb2caaf956e81c015d6a0304d42a9fb40dcbf",
+    hash: "fd4c1b2ca1b1ccb0dd67ed1b9162933b6844671e8e4692b8d32db9683c27c7ec",
 };

@@ -115,7 +115,7 @@ static GATHER_FIELD: Module = Module {
     shared_bytes: 64,
     tier: Tier::Floor,
     source: "surface/mesh/gather_field.compute",
-    hash: "48c964d50d6a96b0915fd69c7d3fee11a557b452a71daf749178795c49f0ab91",
+    hash: "3d5dce24effdce7b35bfbdcbd495fc4d96809160f78ee50a379defad54e67dca",
 };
 
 static GATHER_FIELD_WITH_ANISOTROPIC: Module = Module {
@@ -128,5 +128,5 @@ static GATHER_FIELD_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 64,
     tier: Tier::Floor,
     source: "surface/mesh/gather_field.compute",
-    hash: "d5a45f93e1e966501c7c102b2a1d0abf0f9c424933dc6afcc72a23ea84d00364",
+    hash: "111ebc185acd68533df41f63dbac43d2a05a838cd62f8acc2716dfeb57745235",
 };

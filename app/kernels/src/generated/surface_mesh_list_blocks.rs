@@ -82,5 +82,5 @@ static LIST_BLOCKS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/list_blocks.compute",
-    hash: "15d4f69bee4bca2d3e1f0a5a4ee7f4c50d3934252c77d3bb905349c347d5f2d6",
+    hash: "05ce1934a2576cd4e2b84c1137dd0395ba19d31749558d78cc941cf42948d1ca",
 };

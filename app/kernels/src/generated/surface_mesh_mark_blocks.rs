@@ -84,5 +84,5 @@ static MARK_BLOCKS: Module = Module {
     shared_bytes: 500,
     tier: Tier::Floor,
     source: "surface/mesh/mark_blocks.compute",
-    hash: "27a173d2f6450609dfc77a09e44676930f7124c769470afacc9f33491eaee0c6",
+    hash: "21201344fb1fef582ebecc8d2284c58f64090b34344d75585fda3895e1b708f4",
 };

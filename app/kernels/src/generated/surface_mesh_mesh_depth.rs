@@ -72,7 +72,7 @@ static DRAW_MESH_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_depth.hlsl",
-    hash: "8415381db6dda3e802145a58b6865309513d1f882e020febdd7b194c55f0b414",
+    hash: "5ec39c085483d7fb08403de76d1acefd8e87a5b2cccfd74e3008840a79987869",
 };
 
 static DRAW_MESH_DEPTH_FRAGMENT: Module = Module {
@@ -85,5 +85,5 @@ static DRAW_MESH_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_depth.hlsl",
-    hash: "8dbdde84186ab078e162623b1716c6dfe26aec4a43867476d169e52452a173b2",
+    hash: "170a54a6c5dd43654e015e4ccb19c38c0af1e778cef282ede67bbfd17d511607",
 };

@@ -97,7 +97,7 @@ static MESH_NORMALS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_normals.compute",
-    hash: "c20ce3bc990ef1b692c4fe3a179d5a8a9906c065e3685662f2f57521b481054c",
+    hash: "4206128ac2afc08ee3ace330048c5446c644f66f149c269752a752a49b8ca927",
 };
 
 static MESH_NORMALS_WITH_ANISOTROPIC: Module = Module {
@@ -110,5 +110,5 @@ static MESH_NORMALS_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_normals.compute",
-    hash: "fbff8f24d9c45024fde699e973c4a2164e06aa883151e0762dc721f7404c83d7",
+    hash: "037dedf7b9739c4ec54130ca9135a98a238e53d778e779d78826bd5f2463db16",
 };

@@ -100,7 +100,7 @@ static SCATTER_BINS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/scatter_bins.compute",
-    hash: "81d183666b43a17996365a4b172854fccd7fd255d8f16d57d5e5e60f01ec0a9a",
+    hash: "e513c565f53861d102c2eddf70aecad1c65fd150a0d58812cad8145bca5474f0",
 };
 
 static SCATTER_BINS_WITH_ANISOTROPIC: Module = Module {
@@ -113,5 +113,5 @@ static SCATTER_BINS_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/scatter_bins.compute",
-    hash: "b3cff842d5f41c6961c5ee6b24aa27e27fbb5af471dc09a77b447e1c610532ed",
+    hash: "a3a00bf94cb4e1c690ca05e2c17eef42dd27c8926792694b2f47d938a2e2d8bb",
 };

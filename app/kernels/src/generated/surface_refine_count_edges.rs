@@ -64,5 +64,5 @@ static COUNT_EDGES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/count_edges.compute",
-    hash: "9cf67661abc8a56043c9bb76ad60b10ad131ec6216c6267a0e7484bf38528d4b",
+    hash: "971198f64d1328d0d30192cd38e7079f45af7f812137004defbbb52185e02fbe",
 };

@@ -71,5 +71,5 @@ static COUNT_RINGS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/count_rings.compute",
-    hash: "5c210bdc89d2c2be7f7ea50c51e8b6e1168a88e74e36a7f1247983061e63dc3b",
+    hash: "72eae08d7d39d4785ec78c282c65b561ab52a2e3a0d439e07721c6bf5cfb3dbe",
 };

@@ -66,5 +66,5 @@ static FINISH_SUBDIVISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/finish_subdivision.compute",
-    hash: "541d9aad12233e80862f15adb59d92984b85dcfb1dd055eac8f9595129eda2d1",
+    hash: "eec5ea71f5332c3c6b8079a521fbae9d260c0e5fd1c6e3db1a788d03ec012f47",
 };

@@ -64,5 +64,5 @@ static LIST_RINGS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/list_rings.compute",
-    hash: "630b1ab9c9f0d4b842df8a2e04f9018a620738e8b52dd57ec8171bccc253048b",
+    hash: "cd4453a2e32925f98ee6d2aff023b893124970f48e7d34a46c6d304140fb127b",
 };

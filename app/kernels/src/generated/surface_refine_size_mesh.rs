@@ -50,5 +50,5 @@ static SIZE_MESH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/size_mesh.compute",
-    hash: "be09961aae8f4660c23ac40e9aab26a2890ab76298c01f8fd939c712c6cb02d6",
+    hash: "63b113ea6cbfc81890b864d348822bb07d5ec6532906b65cb2bbc686ce52da27",
 };

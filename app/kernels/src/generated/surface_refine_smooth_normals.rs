@@ -77,5 +77,5 @@ static SMOOTH_NORMALS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/smooth_normals.compute",
-    hash: "999b646016e1efc70115a821f32fe688349d69c3454c7ca537c1fc46259a6c06",
+    hash: "7d9ac600607d946f9152e568ac91703de448014a4d513c7e5a978def8b7d71a9",
 };

@@ -57,5 +57,5 @@ static SORT_RINGS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/sort_rings.compute",
-    hash: "7ee63b70d91bf26bb77a6e0d38758ca44d890044dfd198d7c682703c8e54afec",
+    hash: "b3ffe6455bb7fdf0f0aeaa05c3ae07eb7c293b7f11358854eb174bbc8c6721a4",
 };

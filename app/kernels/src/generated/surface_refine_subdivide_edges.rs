@@ -81,5 +81,5 @@ static SUBDIVIDE_EDGES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/subdivide_edges.compute",
-    hash: "8d72264e25a92754769b062c1e395b5b0635819b19a387191e7d89d3df99ce20",
+    hash: "681293d69a5f53da165ea9c5088253d5da05e6c8ffd9a4de4f0f7016a88d5fc7",
 };

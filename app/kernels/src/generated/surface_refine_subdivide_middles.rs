@@ -76,5 +76,5 @@ static SUBDIVIDE_MIDDLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/subdivide_middles.compute",
-    hash: "f431b6fb606c4f3de47a467475bb3ef57e8e8cd5bc0852565a990659721712e0",
+    hash: "bc50e942675dc2fc168915d5d6238e5d5e65b68d4ebe0877d12aab9cba01e3c4",
 };

@@ -85,5 +85,5 @@ static SUBDIVIDE_TRIANGLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/subdivide_triangles.compute",
-    hash: "157d1f2dac4c9595f8bab7da07e629182d1c0bfbedda1a326f741169a2b1d844",
+    hash: "2ae8fb721601dc0fbc76572882777cfe17388531ed753fdd756b11b12e522b65",
 };

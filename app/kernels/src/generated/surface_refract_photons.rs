@@ -70,5 +70,5 @@ static REFRACT_PHOTONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refract_photons.compute",
-    hash: "4778cc5658cd6f46b55f92ec34f78ffee177a9641adae79af8c1f2f782937628",
+    hash: "e2521479c69ff857b182732b7dcdf5e78c0685a0f694544075a7a725a8d7ae34",
 };

@@ -85,7 +85,7 @@ static SMOOTH_PHOTONS_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_photons.compute",
-    hash: "d7525b19ea067e0a074bea1f4a59709075df561d9b9fa8b5ba28069c17db60c6",
+    hash: "6aeaaedb6b3fc8d3ee4f288359a48b082ac26530a3d98ec29a75fefb38ee68aa",
 };
 
 static SMOOTH_PHOTONS_WITH_ALONG_Y: Module = Module {
@@ -98,5 +98,5 @@ static SMOOTH_PHOTONS_WITH_ALONG_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_photons.compute",
-    hash: "eefb7c78d05ac434e1c0c3ade999296d7e39588dcb46d6d7d0096bc23bb859e3",
+    hash: "c48874d6094aa898981b6691ba156b8067ca911d40bbb5e9b1d97aba269b5321",
 };

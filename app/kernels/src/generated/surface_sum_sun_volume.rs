@@ -64,5 +64,5 @@ static SUM_SUN_VOLUME: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sum_sun_volume.compute",
-    hash: "1a02a642fce88596e2f60707f95fa94e1c28048a2f73d1f376327ed297039f5e",
+    hash: "7481ea6944f5bb2089f4dcb4a57a63bd054e0a3ddbba78a88f8fe7c2c5bdaed1",
 };

@@ -114,7 +114,7 @@ static DRAW_SUN_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "3cc324c106f730e25a056e9f20b3428182931fe3f399732d8c2381f2cbcb8d27",
+    hash: "7c7ea8ea3dd1f95401956983977894f54fe7a52f98a72979ba94fa8fd871674e",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
@@ -127,7 +127,7 @@ static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "c6988bda142974fa185d6241ee818c910c8272c6d5421c37d3e09191bffaf1c6",
+    hash: "2789a1451befa599c5661e3c1bbb33d46615214a58a113030c00938358383617",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -140,7 +140,7 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "ee21eb3eec785bfa041d64291b06ba2a5dd078075ec791bc348f4ca84d207d8a",
+    hash: "71e0fe46d270a019af8e26c2b19240e234b0247cbad77a0c0ff69e9622f499c0",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -153,7 +153,7 @@ static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "fa6e3a6a3de5f3e5993daa29e7fde0e2573cb15fe29d808cf3319b713cc09341",
+    hash: "762b839f3e8c07e841dfc3449a9a3c536ff1123b95385664a6bd09f1da626a4a",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -166,5 +166,5 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "b49a59a746b95c42f5ea32b3d3e03804ec54342bee4683bd6e91efbd4ea1095e",
+    hash: "05e4641a9edffc490b4bcc810b5aeb7adccb14490301deff8b74e6ca447706a3",
 };

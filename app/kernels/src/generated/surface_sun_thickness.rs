@@ -85,7 +85,7 @@ static DRAW_SUN_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "377cba9f19f2505c683aa4dc001c0bcad33951b67ad5e725e0f8d57b3e3b5455",
+    hash: "dc89d68a0093359da803456fa5e1f57e1df79d006dfed5971db616a96959f895",
 };
 
 static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
@@ -98,7 +98,7 @@ static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "a4ae30818dd0e2ae9cd39bf41a940b5ac15da1c586f1cc3e4123d83a5d7e88cd",
+    hash: "20ba2fc132fa92a08aa2b38c097c718fdd3308f11c069b0983667ce027dc2398",
 };
 
 static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -111,5 +111,5 @@ static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "41092421267653013ca0a02f1b5c36703ed190ea8cbba03e4097285f38dc0abc",
+    hash: "d3f62d7f9ef5cd3ee2d8bfaf7323ea9fa7b0fc8a32b4a89e814e217b374bd8bf",
 };

@@ -91,7 +91,7 @@ static DRAW_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "5cfd46c898c2250b39411072a17ff78934981f203c77314366a1f2ea80a19e8b",
+    hash: "b42412421eb0265d0aabc6e21512b27510ee4f4846a15a2e30703d5dc2acf0e7",
 };
 
 static DRAW_THICKNESS_FRAGMENT: Module = Module {
@@ -104,7 +104,7 @@ static DRAW_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "c94503606c178938d4bcd946558be8b275fc16a8fa8aac3c85a8ad5a103993b6",
+    hash: "c690348053c9ad867812916fc15bbdf91791329222fa1f510fe8836b1b0e3fc4",
 };
 
 static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -117,5 +117,5 @@ static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "92935634417c62d5a18d8e66cd7320ebc49b5826f350c34854904f85bcb2736c",
+    hash: "e8b9f258bc20bbacb88d7b373ae21ec98ba2a1f431038b6ee4f469907d8a8cbb",
 };

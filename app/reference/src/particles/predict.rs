@@ -18,6 +18,17 @@ pub struct Particle {
     pub inactive: bool,
     /// Time since the particle began, where the solver counts it, s.
     pub age_s: f64,
+    /// Of its last substep, where the solver begins the next one with a share of it.
+    pub pressure: Pressure,
+}
+
+/// What the corrections of a substep came to.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Pressure {
+    /// What they moved a particle by, over dt².
+    pub acceleration_m_s2: DVec3,
+    /// All its lambdas, over dt².
+    pub multiplier_per_s2: f64,
 }
 
 impl Particle {

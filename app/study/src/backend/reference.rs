@@ -37,6 +37,7 @@ pub fn reference_particle(position: &Position, velocity: &Velocity) -> Particle 
         quarantined: is_quarantined(position.tag),
         inactive: is_inactive(position.tag),
         age_s: f64::from(velocity.age_s),
+        ..Particle::default()
     }
 }
 
@@ -95,8 +96,9 @@ fn solver_of(scene: &Scene) -> Solver {
                     max_correction_m: f64::from(pbf.max_correction_m),
                     separation: f64::from(pbf.separation),
                     separation_lambda: f64::from(pbf.separation_lambda),
+                    warm_start: f64::from(pbf.warm_start),
                 },
-                iterations: iterations_of(scene, &weights, coarse_grid.is_some()),
+                iterations: iterations_of(scene, &weights, coarse_grid.is_some() || scene.solver.pbf.warm_start > 0.0),
                 coarse_grid: coarse_grid.map(Box::new),
                 forces: Forces { xsph: scene.forces.xsph, vorticity_m_s: scene.forces.vorticity_m_s },
                 grid_ends_at_domain: true,
@@ -114,7 +116,7 @@ fn solver_of(scene: &Scene) -> Solver {
     }
 }
 
-fn iterations_of(scene: &Scene, weights: &IterationWeights, corrects_coarsely: bool) -> Iterations {
+fn iterations_of(scene: &Scene, weights: &IterationWeights, gives_back: bool) -> Iterations {
     let Some(chebyshev) = &weights.chebyshev else { return Iterations::Plain(scene.solver.pbf.iterations) };
     let one = |own: &pbf::Weights| Weights {
         step: own.step,
@@ -122,7 +124,7 @@ fn iterations_of(scene: &Scene, weights: &IterationWeights, corrects_coarsely: b
         guarded_step: weights.guarded_step(own),
     };
     let weights = chebyshev.iterations.iter().map(one).collect();
-    let accumulates = chebyshev.accumulates() || corrects_coarsely;
+    let accumulates = chebyshev.accumulates() || gives_back;
     if accumulates { Iterations::AccumulatedMomentum(weights) } else { Iterations::Momentum(weights) }
 }
 

@@ -116,6 +116,7 @@ impl Block {
             max_correction_m: f64::INFINITY,
             separation: 0.0,
             separation_lambda: 0.0,
+            warm_start: 0.0,
         };
         let smoothing = Smoothing::new(SUPPORT_RATIO, lattice::weight(3, SUPPORT_RATIO));
         Self { positions, neighbours, smoothing, pbf }

@@ -32,6 +32,23 @@ float CoarseShare(float constraint)
     return saturate((SHARE_END - constraint) / (SHARE_END - SHARE_BEGIN));
 }
 
+// Share and total in the total's place, as f16: the first iteration's total is 0, or a warm start's, of which a thousandth
+// more or less is nothing.
+float PackShare(float share, float total)
+{
+    return asfloat(f32tof16(share) | (f32tof16(total) << 16));
+}
+
+float UnpackShare(float packed)
+{
+    return f16tof32(asuint(packed) & 0xffff);
+}
+
+float UnpackTotal(float packed)
+{
+    return f16tof32(asuint(packed) >> 16);
+}
+
 uint CoarseIndex(uint3 cell, uint3 cells)
 {
     return (cell.z * cells.y + cell.y) * cells.x + cell.x;

@@ -45,13 +45,14 @@ impl IterationWeights {
         weights.step.min(self.relaxation)
     }
 
-    /// What the shaders are given of the accelerated iterations, in order.
-    pub(super) fn params(&self) -> impl Iterator<Item = PbfIteration> {
-        self.chebyshev.iter().flat_map(|chebyshev| &chebyshev.iterations).map(|weights| PbfIteration {
+    /// What the shaders are given of the accelerated iterations, in order; `is_warm` if something stands before the first.
+    pub(super) fn params(&self, is_warm: bool) -> impl Iterator<Item = PbfIteration> {
+        let all = self.chebyshev.iter().flat_map(|chebyshev| &chebyshev.iterations).enumerate();
+        all.map(move |(n, weights)| PbfIteration {
             step: weights.step as f32,
             momentum: weights.momentum as f32,
             guarded_step: self.guarded_step(weights) as f32,
-            ..PbfIteration::default()
+            begins_cold: u32::from(n == 0 && !is_warm),
         })
     }
 }

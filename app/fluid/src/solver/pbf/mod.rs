@@ -13,9 +13,10 @@ mod constrain_density;
 mod correct_positions;
 mod iteration_weights;
 mod update_velocity;
+mod warm_start;
 
 use brooklet_gpu::{Recording, Resources};
-use brooklet_kernels::{Buffer, PbfIteration, PbfParams, PositionLambda};
+use brooklet_kernels::{Buffer, PbfIteration, PbfParams, PositionLambda, WarmStart};
 
 use crate::forces::Forces;
 use crate::grid::NeighbourSearch;
@@ -31,6 +32,8 @@ use constrain_density::constrain_density;
 use correct_positions::correct_positions;
 pub use iteration_weights::IterationWeights;
 use update_velocity::{Velocities, update_velocity};
+pub use warm_start::MOST_WARM_START;
+use warm_start::WarmStarts;
 
 /// The solver's settings and buffers.
 pub struct Pbf {
@@ -55,6 +58,7 @@ struct Momentum {
     /// That sum, where the lambdas' buffer has no room for it.
     totals: Option<Buffer<f32>>,
     coarse: Option<CoarseCorrection>,
+    warm: Option<WarmStarts>,
 }
 
 /// Quantized positions with their lambdas, as they are during one iteration.
@@ -98,7 +102,7 @@ pub fn params(scene: &Scene, weights: &IterationWeights) -> PbfParams {
         // Half a spacing: fluid at rest, however dense, keeps further apart.
         separation: (0.5 / solver.support_ratio) as f32,
         separation_lambda: (unconstrained * separation_lambda(scene)) as f32,
-        ..PbfParams::default()
+        warm_start: solver.pbf.warm_start as f32,
     }
 }
 
@@ -127,7 +131,11 @@ impl Pbf {
         init.upload(&mut self.params, &[params(scene, &self.weights)]);
         if let Some(momentum) = &mut self.momentum {
             let buffers = momentum.weights.iter_mut();
-            buffers.zip(self.weights.params()).for_each(|(buffer, weights)| init.upload(buffer, &[weights]));
+            let params = self.weights.params(momentum.warm.is_some());
+            buffers.zip(params).for_each(|(buffer, weights)| init.upload(buffer, &[weights]));
+            if let Some(warm) = &mut momentum.warm {
+                warm.record_init(init);
+            }
             if let Some(coarse) = &mut momentum.coarse {
                 coarse.record_init(init);
             }
@@ -145,7 +153,9 @@ impl Pbf {
         predict(recording, context, particles);
         self.search.sort(recording, context, particles);
         self.search.list(recording, context);
+        self.start_warm(recording, context, particles);
         self.iterate(recording, context, self.s_corr);
+        self.keep_pressure(recording, context);
         let updated = self.forces.input(&mut particles.velocities);
         let what = Velocities::TakeCorrections;
         update_velocity(recording, context, &self.search, &mut particles.positions, updated, what);
@@ -161,6 +171,7 @@ impl Pbf {
     ) {
         self.search.sort(recording, context, particles);
         self.search.list(recording, context);
+        self.begin_cold(recording);
         self.move_particles(recording, context, particles);
     }
 
@@ -174,6 +185,7 @@ impl Pbf {
     ) {
         self.search.sort(recording, context, particles);
         self.search.list(recording, context);
+        self.begin_cold(recording);
         self.iterate(recording, context, false);
         self.move_particles(recording, context, particles);
     }
@@ -191,6 +203,38 @@ impl Pbf {
         }
     }
 
+    fn start_warm(&mut self, recording: &mut Recording, context: &StepContext, particles: &Particles) {
+        if let Some(Momentum { warm: Some(warm), totals, .. }) = &mut self.momentum {
+            let lambdas = (&mut self.lambdas, totals.as_mut());
+            warm.start(recording, context, &mut self.search, particles, lambdas, &self.params);
+        }
+    }
+
+    /// Nothing stands before the first iteration, nor before the next substep's: what was kept belongs to the slots that
+    /// particles were in.
+    fn begin_cold(&mut self, recording: &mut Recording) {
+        let Some(Momentum { warm: Some(warm), totals, .. }) = &mut self.momentum else { return };
+        recording.clear(&mut warm.starts);
+        match &mut self.lambdas {
+            Lambdas::Full(lambdas) => recording.clear(lambdas),
+            Lambdas::Packed(lambdas) => recording.clear(lambdas),
+        }
+        if let Some(totals) = totals {
+            recording.clear(totals);
+        }
+    }
+
+    fn keep_pressure(&mut self, recording: &mut Recording, context: &StepContext) {
+        if let Some(Momentum { warm: Some(warm), totals, .. }) = &mut self.momentum {
+            warm.keep(recording, context, &self.search, (&self.lambdas, totals.as_ref()));
+        }
+    }
+
+    /// What the next substep begins with of the last one's pressure, by slot; none of scenes that begin cold.
+    pub(crate) fn warm_starts(&self) -> Option<&Buffer<WarmStart>> {
+        Some(&self.momentum.as_ref()?.warm.as_ref()?.starts)
+    }
+
     fn move_particles(&self, recording: &mut Recording, context: &mut StepContext, particles: &mut Particles) {
         let Particles { positions, velocities } = particles;
         update_velocity(recording, context, &self.search, positions, velocities, Velocities::Keep);
@@ -204,13 +248,15 @@ impl Momentum {
         let iterations = 0..chebyshev.iterations.len();
         let coarse = CoarseCorrection::declare(resources, scene, weights);
         // A coarse multiplier is more than the first iteration asks for: the next ones give back what is too much.
-        let accumulates = chebyshev.accumulates() || coarse.is_some();
+        let warm = WarmStarts::declare(resources, scene, capacity);
+        let accumulates = chebyshev.accumulates() || coarse.is_some() || warm.is_some();
         let totals = accumulates && scene.solver.precision.packs_positions();
         Some(Self {
             weights: iterations.map(|n| resources.persistent(&format!("pbf_iteration_{n}"), 1)).collect(),
             accumulates,
             totals: totals.then(|| resources.buffer("lambda_totals", capacity)),
             coarse,
+            warm,
         })
     }
 }

@@ -65,6 +65,7 @@ mod tests {
         max_correction_m: 1.0,
         separation: 0.0,
         separation_lambda: 0.0,
+        warm_start: 0.0,
     };
 
     #[test]

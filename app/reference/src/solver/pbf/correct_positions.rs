@@ -112,6 +112,7 @@ mod tests {
             max_correction_m: 1.0,
             separation: 0.0,
             separation_lambda: 0.0,
+            warm_start: 0.0,
         };
         let step = Step {
             gravity_m_s2: DVec3::ZERO,

@@ -7,3 +7,4 @@ pub mod correct_positions;
 pub mod momentum;
 pub mod substep;
 pub mod update_velocity;
+pub mod warm_start;

@@ -5,12 +5,13 @@ use super::constrain_density::constrain_density;
 use super::correct_positions::correct_positions;
 use super::momentum::{Weights, accumulated_lambda, momentum_lambda};
 use super::update_velocity::update_velocity;
+use super::warm_start::{keep_pressure, start_warm};
 use crate::boundary::walls::DomainWalls;
 use crate::forces;
 use crate::grid::list_neighbours::{Neighbours, list_by_cells};
 use crate::measure::density::density_ratio;
 use crate::params::{self, Forces, Smoothing, Step};
-use crate::particles::predict::{Particle, predict};
+use crate::particles::predict::{Particle, Pressure, predict};
 use crate::shared::parallel;
 use glam::DVec3;
 
@@ -67,9 +68,18 @@ impl Pbf {
         }
         let predicted_m = positions_m(particles);
         let neighbours = self.neighbours(particles, step);
-        let corrected_m = self.iterate(particles, &predicted_m, &neighbours, step, walls);
+        let starts: Vec<(DVec3, f64)> = particles
+            .iter()
+            .map(|particle| match particle.is_simulated() {
+                true => start_warm(particle.position_m, &particle.pressure, step, &self.params),
+                false => (particle.position_m, 0.0),
+            })
+            .collect();
+        let (corrected_m, totals) = self.iterate(particles, &starts, &neighbours, step, walls);
         for (i, particle) in particles.iter_mut().enumerate() {
+            particle.pressure = Pressure::default();
             if particle.is_simulated() {
+                particle.pressure = keep_pressure(predicted_m[i], corrected_m[i], totals[i], step.dt_s);
                 let (velocity_m_s, _) = update_velocity(predicted_m[i], corrected_m[i], particle.velocity_m_s, step);
                 particle.velocity_m_s = velocity_m_s;
                 particle.position_m = step.wrapped(corrected_m[i]);
@@ -88,34 +98,35 @@ impl Pbf {
     pub fn relax(&self, particles: &mut [Particle], step: &Step, walls: Option<&DomainWalls>) {
         let without = Self { params: params::Pbf { s_corr_k: 0.0, ..self.params }, ..self.clone() };
         let neighbours = without.neighbours(particles, step);
-        let relaxed_m = without.iterate(particles, &positions_m(particles), &neighbours, step, walls);
+        let starts: Vec<(DVec3, f64)> = particles.iter().map(|particle| (particle.position_m, 0.0)).collect();
+        let (relaxed_m, _) = without.iterate(particles, &starts, &neighbours, step, walls);
         for (particle, relaxed_m) in particles.iter_mut().zip(relaxed_m).filter(|(particle, _)| particle.is_simulated())
         {
             particle.position_m = step.wrapped(relaxed_m);
         }
     }
 
-    /// Where the iterations move particles from where they were predicted.
+    /// Where the iterations move particles from where they start, with a sum of lambdas before them, and those sums then.
     fn iterate(
         &self,
         particles: &[Particle],
-        predicted_m: &[DVec3],
+        starts: &[(DVec3, f64)],
         neighbours: &Neighbours,
         step: &Step,
         walls: Option<&DomainWalls>,
-    ) -> Vec<DVec3> {
-        let mut corrected_m = predicted_m.to_vec();
-        let none = vec![0.0; predicted_m.len()];
-        let mut lambdas = Lambdas { last: none.clone(), totals: none };
+    ) -> (Vec<DVec3>, Vec<f64>) {
+        let predicted_m = positions_m(particles);
+        let (mut corrected_m, totals): (Vec<_>, Vec<_>) = starts.iter().copied().unzip();
+        let mut lambdas = Lambdas { last: vec![0.0; totals.len()], totals };
         for iteration in 0..self.iterations.count() {
             lambdas.last = self.lambdas(iteration, &lambdas, &corrected_m, neighbours, walls);
             if let (0, Some(grid)) = (iteration, &self.coarse_grid) {
-                self.correct_coarsely(grid, particles, &mut lambdas.last, neighbours, walls);
+                self.correct_coarsely(grid, particles, &corrected_m, &mut lambdas.last, neighbours, walls);
             }
             lambdas.totals.iter_mut().zip(&lambdas.last).for_each(|(total, lambda)| *total += lambda);
-            corrected_m = self.correct(predicted_m, &corrected_m, &lambdas.last, neighbours, step, walls);
+            corrected_m = self.correct(&predicted_m, &corrected_m, &lambdas.last, neighbours, step, walls);
         }
-        corrected_m
+        (corrected_m, lambdas.totals)
     }
 
     /// The neighbour lists of the particles' positions.
@@ -157,18 +168,20 @@ impl Pbf {
         })
     }
 
-    /// Adds the coarse grid's multiplier to the lambdas of particles where they were predicted.
+    /// Adds the coarse grid's multiplier, in which particles are where they were predicted, to the lambdas of where they
+    /// start.
     fn correct_coarsely(
         &self,
         grid: &CoarseGrid,
         particles: &[Particle],
+        starts_m: &[DVec3],
         lambdas: &mut [f64],
         neighbours: &Neighbours,
         walls: Option<&DomainWalls>,
     ) {
         let predicted_m = positions_m(particles);
         let excesses = parallel::map(predicted_m.len(), |i| {
-            constrain_density(i, &predicted_m, &neighbours[i], &self.smoothing, &self.params, walls).excess
+            constrain_density(i, starts_m, &neighbours[i], &self.smoothing, &self.params, walls).excess
         });
         let simulated = || (0..predicted_m.len()).filter(|&i| particles[i].is_simulated());
         let multipliers = coarse_multipliers(grid, simulated().map(|i| (predicted_m[i], excesses[i])));
