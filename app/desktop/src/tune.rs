@@ -60,10 +60,11 @@ fn line(tried: &Tried) -> String {
         (true, false) => ", no coarse correction",
         (false, _) => ", not accelerated",
     };
+    let warm = if candidate.warm { ", warm start" } else { "" };
     let relaxed = if candidate.relaxed { ", relaxed" } else { "" };
     let Tried { step_ms, error, .. } = tried;
     format!(
-        "{} x {}{plain}{relaxed}: {step_ms:.2} ms, error {:.2} %",
+        "{} x {}{plain}{warm}{relaxed}: {step_ms:.2} ms, error {:.2} %",
         candidate.substeps,
         candidate.iterations,
         100.0 * error
@@ -73,8 +74,8 @@ fn line(tried: &Tried) -> String {
 fn print(found: &Found, goal: Goal) {
     let mut rows = found.tried.clone();
     rows.sort_by(|a, b| a.step_ms.total_cmp(&b.step_ms));
-    let mut shown =
-        table(&["substeps", "iterations", "accelerated", "coarse", "relaxed", "step ms", "error %", ""], &[0, 1, 5, 6]);
+    let heads = ["substeps", "iterations", "accelerated", "coarse", "warm", "relaxed", "step ms", "error %", ""];
+    let mut shown = table(&heads, &[0, 1, 6, 7]);
     for tried in &rows {
         let beaten = rows.iter().any(|other| other.step_ms < tried.step_ms && other.error <= tried.error);
         let mark = match (tried.candidate == found.chosen.candidate, beaten) {
@@ -87,6 +88,7 @@ fn print(found: &Found, goal: Goal) {
             tried.candidate.iterations.to_string(),
             if tried.candidate.accelerated { "yes" } else { "no" }.into(),
             if tried.candidate.coarse { "yes" } else { "no" }.into(),
+            if tried.candidate.warm { "yes" } else { "no" }.into(),
             if tried.candidate.relaxed { "yes" } else { "no" }.into(),
             format!("{:.2}", tried.step_ms),
             format!("{:.3}", 100.0 * tried.error),
@@ -109,6 +111,7 @@ fn as_json(found: &Found, goal: Goal, out: &std::path::Path) -> String {
             "iterations": tried.candidate.iterations,
             "accelerated": tried.candidate.accelerated,
             "coarse_correction": tried.candidate.coarse,
+            "warm_start": tried.candidate.warm,
             "relaxed": tried.candidate.relaxed,
             "step_ms": tried.step_ms,
             "error": tried.error,

@@ -1,14 +1,14 @@
 //! The cheapest setting of a scene for an error, or the most exact one for a time, by a bounded search.
 //!
 //! What is searched: substeps and iterations with `solver.pbf.acceleration = "chebyshev"` and a coarse correction, then
-//! without the latter, without both, and `solver.precision = "relaxed"`. The first guess comes from what the study found: a substep costs what an iteration
+//! without the latter, without both, with a warm start, and `solver.precision = "relaxed"`. The first guess comes from what the study found: a substep costs what an iteration
 //! does and about two more, and the column law makes the error fall with what the iterations do to slow modes and with
 //! the square of the substeps. Every candidate that counts is then
 //! run; what is chosen was measured, and is run once more.
 
 use brooklet_fluid::particles::sample_lattice;
 use brooklet_fluid::scene::{Acceleration, Precision};
-use brooklet_fluid::solver::pbf::Chebyshev;
+use brooklet_fluid::solver::pbf::{Chebyshev, IterationWeights, MOST_WARM_START};
 use brooklet_fluid::{Scene, SessionError};
 use brooklet_gpu::Gpu;
 use thiserror::Error;
@@ -37,6 +37,8 @@ pub struct Candidate {
     pub accelerated: bool,
     /// Whether the first iteration has a coarse correction where it can.
     pub coarse: bool,
+    /// Whether substeps begin with as much of the last one's pressure as they may.
+    pub warm: bool,
     /// Whether the precision is `relaxed`, whatever the scene says.
     pub relaxed: bool,
 }
@@ -82,6 +84,8 @@ pub enum TuneError {
 /// A search tries no more than so many settings.
 pub const MOST_TRIED: usize = 16;
 const SUBSTEPS: [u32; 7] = [1, 2, 3, 4, 6, 8, 12];
+/// Fewer have no momentum in two dimensions, which a warm start needs.
+const LEAST_WARM_ITERATIONS: u32 = 3;
 const ITERATIONS: [u32; 8] = [1, 2, 3, 4, 6, 8, 12, 16];
 /// A substep's sort and list, in iterations: about what every device showed.
 const SUBSTEP_ITERATIONS: f64 = 2.0;
@@ -119,6 +123,9 @@ impl Candidate {
             // A weight that an acceleration refuses.
             scene.solver.pbf.relaxation = None;
         }
+        // Iterations without momentum refuse it.
+        let may_be_warm = IterationWeights::of(&scene).chebyshev.is_some();
+        scene.solver.pbf.warm_start = if self.warm && may_be_warm { MOST_WARM_START } else { 0.0 };
         if self.relaxed {
             scene.solver.precision = Precision::Relaxed;
         }
@@ -128,7 +135,7 @@ impl Candidate {
 
 /// Candidates that nothing beats by cost and law, cheapest first.
 fn ladder() -> Vec<Candidate> {
-    let one = Candidate { substeps: 1, iterations: 1, accelerated: true, coarse: true, relaxed: false };
+    let one = Candidate { substeps: 1, iterations: 1, accelerated: true, coarse: true, warm: false, relaxed: false };
     let of = |substeps| ITERATIONS.map(|iterations| Candidate { substeps, iterations, ..one });
     let mut all: Vec<Candidate> = SUBSTEPS.iter().flat_map(|&substeps| of(substeps)).collect();
     all.sort_by(|a, b| a.cost().total_cmp(&b.cost()).then(a.law().total_cmp(&b.law())));
@@ -203,8 +210,9 @@ fn search(
     }
     let found = ladder[low];
     let fine = Candidate { coarse: false, ..found };
-    for other in [Candidate { relaxed: true, ..found }, fine, Candidate { accelerated: false, ..fine }] {
-        if tried.len() < MOST_TRIED {
+    let warm = Candidate { warm: true, ..found };
+    for other in [Candidate { relaxed: true, ..found }, warm, fine, Candidate { accelerated: false, ..fine }] {
+        if tried.len() < MOST_TRIED && (!other.warm || other.iterations >= LEAST_WARM_ITERATIONS) {
             look(other, &mut tried)?;
         }
     }
@@ -257,7 +265,7 @@ mod tests {
 
     /// A device and a fluid that do what the guess says, or not quite.
     fn made_up(candidate: Candidate, skew: f64) -> Tried {
-        let packing = if candidate.relaxed { 0.95 } else { 1.0 };
+        let packing = if candidate.relaxed { 0.95 } else { 1.0 } * if candidate.warm { 1.03 } else { 1.0 };
         let gain = if candidate.accelerated { 1.0 } else { 0.5 } * if candidate.coarse { 1.0 } else { 0.7 };
         let iterations = gain * f64::from(candidate.iterations).powf(1.0 + skew);
         let step_ms = f64::from(candidate.substeps) * (f64::from(candidate.iterations) + 2.0 + 3.0 * skew) * packing;
@@ -311,7 +319,11 @@ mod tests {
         for candidate in ladder() {
             let tuned = candidate.apply(&scene);
             assert_eq!(Scene::from_toml(&tuned.to_toml(), "tuned", &[]).unwrap().solver, tuned.solver);
-            let plain = Candidate { accelerated: false, coarse: false, ..candidate }.apply(&scene);
+            let warm = Candidate { warm: true, ..candidate }.apply(&scene);
+            assert_eq!(Scene::from_toml(&warm.to_toml(), "tuned", &[]).unwrap().solver, warm.solver);
+            assert_eq!(warm.solver.pbf.warm_start > 0.0, candidate.iterations > 1);
+            let plain = Candidate { accelerated: false, coarse: false, warm: true, ..candidate }.apply(&scene);
+            assert_eq!(plain.solver.pbf.warm_start, 0.0);
             assert_eq!(plain.solver.pbf.relaxation, Some(0.9));
         }
     }

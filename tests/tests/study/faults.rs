@@ -133,6 +133,16 @@ fn too_much_of_a_coarse_correction_is_found() {
 }
 
 #[test]
+fn too_much_of_a_warm_start_is_found() {
+    // Settings do not allow it; ten times what they do is three times the last substep's pressure.
+    let share = [("solver/pbf/start_warm.compute", "share = pbf.warm_start *", "share = 10.0 * pbf.warm_start *")];
+    let faulty = Faulty::compile("solver/pbf/start_warm.compute", &share);
+    let task = validated("hydrostatic");
+    let warm = Task { settings: [&task.settings[..], &["solver.pbf.warm_start=0.3".into()]].concat(), ..task };
+    check(&warm, Fault { plan: &|plan| faulty.put_into(plan), ..SOUND });
+}
+
+#[test]
 fn a_dropped_range_of_neighbours_is_found() {
     let rows = [(
         "grid/rows.hlsli",

@@ -1,5 +1,5 @@
-//! Where it breaks: the extreme cases over precisions, tiers, layouts, accelerations and coarse corrections, and maps of
-//! where a solver holds, with theory's lines.
+//! Where it breaks: the extreme cases over precisions, tiers, layouts, accelerations, coarse corrections and warm starts,
+//! and maps of where a solver holds, with theory's lines.
 
 mod map;
 mod pairwise;

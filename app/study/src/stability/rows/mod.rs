@@ -1,5 +1,5 @@
-//! The extreme cases (rows of a table with fixed numbers) over precisions, tiers, layouts, accelerations and coarse
-//! corrections.
+//! The extreme cases (rows of a table with fixed numbers) over precisions, tiers, layouts, accelerations, coarse
+//! corrections and warm starts.
 //!
 //! Of every row: states are finite, no particle is lost, all are inside the walls, none is faster than
 //! the limit; and what the row itself expects. What fails and is said by the program, of this failure
@@ -63,20 +63,29 @@ const TIERS: [Tier; 3] = [Tier::Desktop, Tier::Mobile, Tier::Floor];
 /// Rows that a quick look takes.
 const QUICK: [u32; 6] = [2, 8, 13, 14, 17, 21];
 
-/// Every pair of row, precision, tier, order, acceleration and whether coarse corrections are left out. Real f16 is of
-/// the desktop tier alone, and there is no coarse correction without an acceleration.
+/// Every pair of row, precision, tier, order, acceleration, whether coarse corrections are left out and whether substeps
+/// begin warm. Real f16 is of the desktop tier alone, and without an acceleration there is neither a coarse correction nor
+/// a warm start.
 pub fn row_tasks(quick: bool) -> Vec<Task> {
     let rows: Vec<&Row> =
         ROWS.iter().filter(|row| row.setup.is_some() && (!quick || QUICK.contains(&row.number))).collect();
     let allowed = |row: &[Option<usize>]| {
         let has_f16 = row[1] != Some(2) || row[2].is_none_or(|tier| TIERS[tier] == Tier::Desktop);
-        has_f16 && (row[4] != Some(0) || row[5] != Some(0))
+        has_f16 && (row[4] != Some(0) || row[5] != Some(0) && row[6] != Some(1))
     };
     let coarse = [None, Some("solver.pbf.coarse_correction=false")];
-    let sizes =
-        [rows.len(), Precision::NAMES.len(), TIERS.len(), SWITCHES.len(), Acceleration::NAMES.len(), coarse.len()];
+    let warm = [None, Some("solver.pbf.warm_start=0.3")];
+    let sizes = [
+        rows.len(),
+        Precision::NAMES.len(),
+        TIERS.len(),
+        SWITCHES.len(),
+        Acceleration::NAMES.len(),
+        coarse.len(),
+        warm.len(),
+    ];
     let combinations = if quick {
-        rows.iter().enumerate().map(|(i, _)| vec![i, i % 3, 0, i % 2, 1, 0]).collect()
+        rows.iter().enumerate().map(|(i, _)| vec![i, i % 3, 0, i % 2, 1, 0, 0]).collect()
     } else {
         covering(&sizes, allowed)
     };
@@ -91,7 +100,7 @@ pub fn row_tasks(quick: bool) -> Vec<Task> {
                 format!("solver.pbf.acceleration={}", Acceleration::NAMES[of[4]]),
             ]
             .into_iter()
-            .chain(coarse[of[5]].map(str::to_owned))
+            .chain([coarse[of[5]], warm[of[6]]].into_iter().flatten().map(str::to_owned))
             .collect(),
             tier: tier_name(TIERS[of[2]]).into(),
             repeats: 1,
