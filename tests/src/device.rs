@@ -1,5 +1,6 @@
 //! The device that tests run on.
 
+use brooklet_check::Device;
 use brooklet_gpu::{Gpu, GpuOptions, TIERS, Tier, tier_name};
 use std::{env, sync::OnceLock};
 
@@ -12,6 +13,17 @@ pub fn gpu() -> Gpu {
     static SHARED: OnceLock<Result<Gpu, String>> = OnceLock::new();
     let open = || open(env::var("BROOKLET_DEVICE").ok(), env::var("BROOKLET_TIER").ok());
     SHARED.get_or_init(open).clone().unwrap_or_else(|reason| panic!("no device to test on: {reason}"))
+}
+
+/// The same, for kernels of their own and known answers.
+pub fn device() -> Device {
+    Device::new(gpu(), small())
+}
+
+/// Whether sizes are to be kept small: `BROOKLET_SMALL=1` leaves out those that take minutes on a driver that
+/// interprets its shaders.
+pub fn small() -> bool {
+    env::var_os("BROOKLET_SMALL").is_some_and(|value| value != "0" && !value.is_empty())
 }
 
 fn open(device: Option<String>, tier: Option<String>) -> Result<Gpu, String> {

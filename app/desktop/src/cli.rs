@@ -54,8 +54,8 @@ pub enum Command {
     #[cfg(feature = "captures")]
     #[command(subcommand)]
     Capture(CaptureCommand),
-    /// List this machine's devices: their tier, what they lack, and what that costs
-    Doctor(ListOptions),
+    /// List this machine's devices: their tier, what they lack, and what that costs; or check that one computes right
+    Doctor(DoctorOptions),
     /// A command that this build leaves out, or none at all.
     #[cfg(not(all(feature = "window", feature = "bench", feature = "study", feature = "captures")))]
     #[command(external_subcommand)]
@@ -150,8 +150,24 @@ pub struct ScenesOptions {
 
 /// `brooklet doctor`.
 #[derive(Clone, Debug, Args)]
-pub struct ListOptions {
-    /// Print the list as JSON
+pub struct DoctorOptions {
+    /// Run small inputs with known answers on the device, for every kernel and variant that SCENE's plan has (dam-break
+    /// if not given); exit code 1 if anything is wrong
+    #[arg(long, value_name = "SCENE", num_args = 0..=1, default_missing_value = "dam-break")]
+    pub check: Option<String>,
+    /// Check everything that the device's tier can run, on large inputs too
+    #[arg(long, requires = "check")]
+    pub all: bool,
+    /// Change a value of the scene that is checked, as solver.precision=relaxed; may be given again
+    #[arg(long = "set", value_name = "PATH=VALUE", requires = "check", conflicts_with = "all")]
+    pub settings: Vec<String>,
+    /// Put a SPIR-V file in place of a kernel's variant, as Xsph=broken.spv: to see that what it breaks is found
+    #[arg(long, value_name = "VARIANT=FILE", requires = "check", hide = true)]
+    pub replace: Vec<String>,
+    /// The device that is checked.
+    #[command(flatten)]
+    pub device: DeviceOptions,
+    /// Print as JSON, and nothing else, on standard output
     #[arg(long)]
     pub json: bool,
 }

@@ -3,10 +3,13 @@
 use brooklet_gpu::{AdapterReport, GpuError, adapters, tier_name};
 use serde_json::{Map, Value, json};
 
-use crate::{cli::ListOptions, failure::Failure};
+use crate::{cli::DoctorOptions, failure::Failure};
 
-/// Prints every adapter; fails when none of them can run Brooklet.
-pub fn doctor(options: &ListOptions) -> Result<(), Failure> {
+/// Prints every adapter, or checks one; fails when none of them can run Brooklet.
+pub fn doctor(options: &DoctorOptions) -> Result<(), Failure> {
+    if let Some(scene) = &options.check {
+        return check(options, scene);
+    }
     let reports = adapters();
     if options.json {
         let list: Vec<Value> = reports.iter().map(as_json).collect();
@@ -23,6 +26,20 @@ pub fn doctor(options: &ListOptions) -> Result<(), Failure> {
         return Err(Failure::Input("no device of this machine can run Brooklet".into()));
     }
     Ok(())
+}
+
+#[cfg(feature = "check")]
+fn check(options: &DoctorOptions, scene: &str) -> Result<(), Failure> {
+    crate::check::check(options, scene)
+}
+
+#[cfg(not(feature = "check"))]
+fn check(_: &DoctorOptions, _: &str) -> Result<(), Failure> {
+    Err(Failure::Input(
+        "this build leaves `brooklet doctor --check` out; `cargo run --release -- doctor --check` builds and runs the whole \
+         program"
+            .into(),
+    ))
 }
 
 fn print(report: &AdapterReport, is_default: bool) {

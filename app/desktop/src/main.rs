@@ -12,6 +12,8 @@ mod bench;
 mod bench_options;
 #[cfg(feature = "captures")]
 mod capture;
+#[cfg(feature = "check")]
+mod check;
 mod cli;
 mod commit;
 mod doctor;

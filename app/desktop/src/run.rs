@@ -84,7 +84,7 @@ pub fn run(options: &RunOptions) -> Result<(), Failure> {
         told_first: false,
     };
     let begun = Instant::now();
-    let bar = progress::bar(steps);
+    let bar = progress::bar(steps, "steps");
     let outcome = running.all(&interrupt, &bar);
     bar.finish_and_clear();
     let wall_s = begun.elapsed().as_secs_f64();

@@ -37,13 +37,13 @@ fn nan_and_infinity_fail() {
 #[test]
 #[should_panic(expected = "nothing was compared")]
 fn comparing_nothing_fails() {
-    Worst::new("test", 1.0).report();
+    Worst::new("test", 1.0).report(&brooklet_tests::device());
 }
 
 #[test]
 #[should_panic(expected = "nothing was compared")]
 fn comparing_no_integers_fails() {
-    report_exact("test", 0);
+    report_exact(&brooklet_tests::device(), "test", 0);
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use brooklet_fluid::particles::ParticleSet;
 use brooklet_fluid::{Scene, Session};
 use brooklet_kernels::{Position, Velocity};
-use brooklet_tests::harness::small;
+use brooklet_tests::small;
 use brooklet_tests::{gpu, rng};
 use rand::seq::SliceRandom;
 use std::hash::{DefaultHasher, Hash, Hasher};

@@ -92,11 +92,12 @@ fn check(scene: &Scene, emitted: ParticleSet, images: bool) -> Result<usize, Str
 
 #[test]
 fn periodic_lists_equal_brute_force_over_the_nearest_images() {
+    let device = &brooklet_tests::device();
     let mut rng = rng(91);
     let mut compared = 0;
     let axes = [[true, false, false], [false, true, false], [false, false, true], [true; 3]];
     for periodic in axes {
-        for size in sizes(ListNeighbours::GROUP_SIZE[0] as usize) {
+        for size in sizes(device, ListNeighbours::GROUP_SIZE[0] as usize) {
             let precision = if size % 2 == 0 { Precision::Relaxed } else { Precision::Full };
             let scene = scene([8, 16, 24], periodic, 3, precision);
             assert_eq!(grid::wrapped(grid::cells(&scene), size as u32), None);
@@ -107,11 +108,12 @@ fn periodic_lists_equal_brute_force_over_the_nearest_images() {
         assert!(check(&scene, scattered(&mut rng, 600, &scene), false).is_err(), "{periodic:?}");
     }
     assert!(compared > 100_000, "{compared}");
-    report_exact("list_neighbours, periodic (but for distances within two steps of h)", compared);
+    report_exact(device, "list_neighbours, periodic (but for distances within two steps of h)", compared);
 }
 
 #[test]
 fn periodic_lists_in_wrapped_grids_do_too() {
+    let device = &brooklet_tests::device();
     // Sides that are and are not whole numbers of the grid.
     let mut rng = rng(92);
     let mut compared = 0;
@@ -123,21 +125,22 @@ fn periodic_lists_in_wrapped_grids_do_too() {
         compared += check(&scene, scattered(&mut rng, 2000, &scene), true).unwrap();
     }
     assert!(compared > 10_000, "{compared}");
-    report_exact("list_neighbours, periodic and wrapped", compared);
+    report_exact(device, "list_neighbours, periodic and wrapped", compared);
 }
 
 #[test]
 fn flat_lists_equal_brute_force() {
+    let device = &brooklet_tests::device();
     let mut rng = rng(93);
     let mut compared = 0;
     for (cells, periodic) in
         [([24, 16, 1], [false; 3]), ([24, 16, 3], [true, true, false]), ([640, 480, 1], [true, false, false])]
     {
-        for size in sizes(ListNeighbours::GROUP_SIZE[0] as usize) {
+        for size in sizes(device, ListNeighbours::GROUP_SIZE[0] as usize) {
             let scene = scene(cells, periodic, 2, Precision::Full);
             compared += check(&scene, scattered(&mut rng, size.min(700), &scene), true).unwrap();
         }
     }
     assert!(compared > 10_000, "{compared}");
-    report_exact("list_neighbours in two dimensions", compared);
+    report_exact(device, "list_neighbours in two dimensions", compared);
 }

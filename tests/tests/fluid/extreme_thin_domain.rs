@@ -27,6 +27,7 @@ const CELLS: [[u32; 3]; 8] = [[1, 1, 1], [2, 1, 5], [1, 2, 2], [2, 2, 2], [7, 1,
 
 #[test]
 fn densities_are_those_of_brute_force() {
+    let device = &brooklet_tests::device();
     let mut rng = rng(16);
     let mut worst = Worst::new("densities in thin domains", 1.0e-5);
     for cells in CELLS {
@@ -58,7 +59,7 @@ fn densities_are_those_of_brute_force() {
         let max = errors.iter().copied().fold(0.0, f64::max);
         worst.check(stats.density_error.max as f32, max, max.max(1.0)).unwrap();
     }
-    worst.report();
+    worst.report(device);
 }
 
 #[test]

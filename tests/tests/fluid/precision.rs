@@ -8,8 +8,8 @@ use brooklet_reference::solver::pbf::constrain_density::constrain_density;
 use brooklet_tests::cases::{
     Case, fluid, kernel_params, pbf_of, pbf_params, precisions, quantization_of, smoothing_of,
 };
-use brooklet_tests::harness::{Bench, small};
-use brooklet_tests::rng;
+use brooklet_tests::harness::Bench;
+use brooklet_tests::{rng, small};
 use glam::DVec3;
 use half::f16;
 
@@ -19,8 +19,9 @@ const MIXING: f32 = 1.0e3;
 
 /// Density ratios of compressed particles as the kernel sums and stores them, from their lambdas.
 fn summed(case: &Case, precision: PrecisionKeyword) -> Vec<f64> {
+    let device = &brooklet_tests::device();
     let packed = quantization_of(precision) == Quantization::Packed;
-    let mut bench = Bench::new();
+    let mut bench = Bench::new(device);
     let quantized_positions = bench.input("quantized_positions", &case.quantized_positions(quantization_of(precision)));
     let (neighbours, list_heads) = case.upload_neighbours(&mut bench);
     let mut position_lambdas = bench.output::<PositionLambda>("position_lambdas", case.count());
@@ -84,9 +85,10 @@ fn densities(case: &Case, positions_m: &[DVec3]) -> Vec<f64> {
 
 #[test]
 fn densities_lose_no_more_than_stated() {
+    let device = &brooklet_tests::device();
     let case = fluid(&mut rng(71), if small() { 1000 } else { 8000 });
     let exact = densities(&case, &case.positions_m());
-    for (precision, _) in precisions() {
+    for (precision, _) in precisions(device) {
         // Sums of f32: some 30 roundings. A pair in f16 is off by up to 8e-4, and the sum by the
         // random walk of 30; relaxed may be either. Lambda's f16 is off by 2.4e-4 of the compression.
         let [rms_allowed, max_allowed] = match precision {

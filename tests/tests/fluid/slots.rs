@@ -6,7 +6,7 @@ use brooklet_fluid::{
     DrainBox, FrameRequest, ParticleBlock, ParticleSource, Scene, Session, SessionRecorder, SessionReport, visit_slots,
 };
 use brooklet_kernels::{Position, StepState, Velocity};
-use brooklet_tests::harness::small;
+use brooklet_tests::small;
 use brooklet_tests::{gpu, rng};
 use rand::RngExt;
 

@@ -35,12 +35,16 @@ const ROOMS: &[(&str, &[&str])] = &[
     ("brooklet-bench", &["kernels", "gpu", "fluid", "render"]),
     ("brooklet-capture", &["gpu"]),
     ("brooklet-reference", &["kernels"]),
+    ("brooklet-check", &["kernels", "gpu", "fluid", "render", "reference"]),
     ("brooklet-study", &["kernels", "gpu", "fluid", "render", "capture", "reference"]),
     ("brooklet-viewer", &["kernels", "gpu", "fluid", "render", "capture"]),
     // The window compiles a changed shader while it runs.
-    ("brooklet", &["kernels", "gpu", "fluid", "render", "bench", "capture", "viewer", "study", "compiler"]),
-    ("brooklet-mobile", &["kernels", "gpu", "fluid", "render", "capture", "viewer"]),
-    ("brooklet-tests", &["kernels", "gpu", "fluid", "render", "bench", "capture", "reference", "study", "compiler"]),
+    ("brooklet", &["kernels", "gpu", "fluid", "render", "bench", "capture", "viewer", "check", "study", "compiler"]),
+    ("brooklet-mobile", &["kernels", "gpu", "fluid", "render", "capture", "check", "viewer"]),
+    (
+        "brooklet-tests",
+        &["kernels", "gpu", "fluid", "render", "bench", "capture", "reference", "check", "study", "compiler"],
+    ),
     // A broken generated file must never keep the shader compiler from being built.
     ("brooklet-compiler", &[]),
 ];

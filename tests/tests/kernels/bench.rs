@@ -5,6 +5,7 @@ use brooklet_bench::kernels::{
     ReorderIndex, ScanGroupsDoubling, ScanGroupsDoublingVariant, ScanGroupsTree, ScanGroupsTreeVariant, ScanStep,
 };
 use brooklet_bench::rates::{GATHER_AHEAD, GATHER_ROW, GATHER_RUN, GATHER_RUNS, MULTIPLY_ADD_ROUNDS};
+use brooklet_check::Wrong;
 use brooklet_fluid::particles::is_simulated;
 use brooklet_kernels::{Buffer, CellSlot, GridParams, Kernel, LIST_CHUNK, Position, PositionLambda, SCAN_ITEMS};
 use brooklet_reference::grid::count_cells::cell_of;
@@ -28,27 +29,29 @@ use rand::{Rng, RngExt};
 
 #[test]
 fn copy_elements_copies() {
+    let device = &brooklet_tests::device();
     let mut rng = rng(61);
     let mut cases = 0;
-    for size in sizes(CopyElements::GROUP_SIZE[0] as usize) {
+    for size in sizes(device, CopyElements::GROUP_SIZE[0] as usize) {
         let elements: Vec<[f32; 4]> = (0..size).map(|_| [0; 4].map(|_| rng.random())).collect();
-        let mut bench = Bench::new();
+        let mut bench = Bench::new(device);
         let from = bench.input("from_elements", &elements);
         let mut to = bench.output("to_elements", size);
         bench.dispatch(&CopyElements { from_elements: from.read(), to_elements: to.write() }, size);
         assert_eq!(bench.run().read(&to, size), elements);
         cases += size;
     }
-    report_exact(CopyElements::STAGE, cases);
+    report_exact(device, CopyElements::STAGE, cases);
 }
 
 #[test]
 fn gather_elements_reads_every_run() {
+    let device = &brooklet_tests::device();
     let mut rng = rng(66);
     let mut cases = 0;
-    for size in sizes(GatherElements::GROUP_SIZE[0] as usize).into_iter().chain([20_000]) {
+    for size in sizes(device, GatherElements::GROUP_SIZE[0] as usize).into_iter().chain([20_000]) {
         let elements: Vec<[u32; 2]> = (0..size + GATHER_AHEAD as usize).map(|_| rng.random()).collect();
-        let mut bench = Bench::new();
+        let mut bench = Bench::new(device);
         let from = bench.input("from_elements", &elements);
         let mut gathered = bench.output("gathered", size);
         bench.dispatch(&GatherElements { from_elements: from.read(), gathered: gathered.write() }, size);
@@ -62,18 +65,19 @@ fn gather_elements_reads_every_run() {
         check_exact(&bench.run().read(&gathered, size), &(0..size).map(of).collect::<Vec<_>>()).unwrap();
         cases += size;
     }
-    report_exact(GatherElements::STAGE, cases);
+    report_exact(device, GatherElements::STAGE, cases);
 }
 
 #[test]
 fn multiply_add_goes_along_eight_chains() {
+    let device = &brooklet_tests::device();
     let mut rng = rng(67);
     // 128 rounds of two roundings, each shrunk by the factor (.875 at most) in the rounds behind it: 1/(1 - .875)
     // times two; then eight numbers are added.
     let mut worst = Worst::new(MultiplyAdd::STAGE, (2.0 * 8.0 + 8.0) * ROUNDING);
-    for size in sizes(MultiplyAdd::GROUP_SIZE[0] as usize) {
+    for size in sizes(device, MultiplyAdd::GROUP_SIZE[0] as usize) {
         let starts: Vec<f32> = (0..size).map(|_| rng.random()).collect();
-        let mut bench = Bench::new();
+        let mut bench = Bench::new(device);
         let mut chain_sums = bench.input("chain_sums", &starts);
         bench.dispatch(&MultiplyAdd { chain_sums: chain_sums.write() }, size);
         for (got, start) in bench.run().read(&chain_sums, size).into_iter().zip(&starts) {
@@ -85,7 +89,7 @@ fn multiply_add_goes_along_eight_chains() {
             worst.check(got, expected, expected.max(1.0)).unwrap();
         }
     }
-    worst.report();
+    worst.report(device);
     assert!(Worst::new("wrong", 24.0 * ROUNDING).check(1.0001, 1.0, 1.0).is_err());
 }
 
@@ -102,8 +106,9 @@ fn in_rows(rng: &mut impl Rng, count: usize, size_m: DVec3) -> Vec<Position> {
         .collect()
 }
 
-fn check_count(positions: &[Position], grid: GridParams) -> Result<(), String> {
-    let mut bench = Bench::new();
+fn check_count(positions: &[Position], grid: GridParams) -> Result<(), Wrong> {
+    let device = &brooklet_tests::device();
+    let mut bench = Bench::new(device);
     let at = bench.input("positions", positions);
     let mut counts = bench.output("cell_counts", grid.cell_count as usize + 2);
     let mut slots = bench.output("cell_slots", positions.len());
@@ -128,16 +133,17 @@ fn check_count(positions: &[Position], grid: GridParams) -> Result<(), String> {
 
 #[test]
 fn count_cells_aggregated_matches_the_twin_of_count_cells() {
+    let device = &brooklet_tests::device();
     let mut rng = rng(62);
     let mut cases = 0;
-    for size in sizes(CountCellsAggregated::GROUP_SIZE[0] as usize) {
+    for size in sizes(device, CountCellsAggregated::GROUP_SIZE[0] as usize) {
         // Runs of all lengths: across groups, whole groups, and single particles.
         for size_m in [DVec3::new(0.02, 0.02, 0.02), DVec3::new(0.3, 0.2, 0.1), DVec3::new(30.0, 0.02, 0.02)] {
             check_count(&in_rows(&mut rng, size, size_m), grid_params(size_m, 1.0 / 64.0)).unwrap();
             cases += size;
         }
     }
-    report_exact(CountCellsAggregated::STAGE, cases);
+    report_exact(device, CountCellsAggregated::STAGE, cases);
 }
 
 /// Where particles of `cells` go, as the counting sort has it, ranks from the last to the first:
@@ -159,9 +165,10 @@ fn run_reorder_index(
     cells: &[u32],
     grid: GridParams,
 ) -> (Vec<u32>, Vec<[u32; 2]>, Vec<u32>, Vec<CellSlot>) {
+    let device = &brooklet_tests::device();
     let count = positions.len();
     let (slots, starts) = slots_of(cells, grid.cell_count);
-    let mut bench = Bench::new();
+    let mut bench = Bench::new(device);
     let at = bench.input("positions", positions);
     let cell_slots = bench.input("cell_slots", &slots);
     let cell_starts = bench.input("cell_starts", &starts);
@@ -187,9 +194,10 @@ fn run_reorder_index(
 
 #[test]
 fn reorder_index_matches_the_twin_of_reorder() {
+    let device = &brooklet_tests::device();
     let mut rng = rng(65);
     let mut cases = 0;
-    for size in sizes(ReorderIndex::GROUP_SIZE[0] as usize) {
+    for size in sizes(device, ReorderIndex::GROUP_SIZE[0] as usize) {
         let case = fluid(&mut rng, size);
         let grid = grid_params(case.size_m, SUPPORT_M / 2.0);
         let cells: Vec<u32> = (0..size).map(|_| rng.random_range(0..=grid.cell_count)).collect();
@@ -200,11 +208,12 @@ fn reorder_index_matches_the_twin_of_reorder() {
         assert_eq!(quantized_positions, case.quantized_positions(Quantization::Full));
         cases += size;
     }
-    report_exact(ReorderIndex::STAGE, cases);
+    report_exact(device, ReorderIndex::STAGE, cases);
 }
 
 /// Lists by index and compares with brute force over the particles where they lie.
 fn check_list_by_index(positions: &[Position], size_m: DVec3) -> Result<usize, String> {
+    let device = &brooklet_tests::device();
     let count = positions.len();
     let grid = GridParams { list_chunks: 32, ..grid_params(size_m, SUPPORT_M / 2.0) };
     let geometry =
@@ -218,7 +227,7 @@ fn check_list_by_index(positions: &[Position], size_m: DVec3) -> Result<usize, S
         .collect();
     let (indices, quantized_positions, starts, _) = run_reorder_index(positions, &cells, grid);
     let length = list_length(count, grid.list_chunks);
-    let mut bench = Bench::new();
+    let mut bench = Bench::new(device);
     let at = bench.input("positions", positions);
     let quantized_positions = bench.input("quantized_positions", &quantized_positions);
     let cell_starts = bench.input("cell_starts", &starts);
@@ -263,9 +272,10 @@ fn check_list_by_index(positions: &[Position], size_m: DVec3) -> Result<usize, S
 
 #[test]
 fn list_neighbours_by_index_matches_brute_force() {
+    let device = &brooklet_tests::device();
     let mut rng = rng(66);
     let mut listed = 0;
-    for size in sizes(ListNeighboursByIndex::GROUP_SIZE[0] as usize) {
+    for size in sizes(device, ListNeighboursByIndex::GROUP_SIZE[0] as usize) {
         let case = fluid(&mut rng, size);
         listed += check_list_by_index(&case.positions, case.size_m).unwrap();
         // Some outside and some quarantined, in no order.
@@ -276,17 +286,22 @@ fn list_neighbours_by_index_matches_brute_force() {
         }
         listed += check_list_by_index(&positions, size_m).unwrap();
     }
-    report_exact("list_neighbours_by_index (but for distances within the steps of quantized_positions of h)", listed);
+    report_exact(
+        device,
+        "list_neighbours_by_index (but for distances within the steps of quantized_positions of h)",
+        listed,
+    );
 }
 
 #[test]
 fn constrain_density_by_index_matches_the_twin_of_constrain_density() {
+    let device = &brooklet_tests::device();
     // The rounding of `constrain_density`: see `kernels_solver`.
     let mut worst = Worst::new(ConstrainDensityByIndex::STAGE, 64.0 * ROUNDING);
     let (smoothing, pbf) = (smoothing_of(&kernel_params()), pbf_of(&pbf_params()));
     let mut rng = rng(67);
     let mut compressed = 0;
-    for size in sizes(ConstrainDensityByIndex::GROUP_SIZE[0] as usize) {
+    for size in sizes(device, ConstrainDensityByIndex::GROUP_SIZE[0] as usize) {
         let case = fluid(&mut rng, size);
         let mut indices = vec![[0_u32; 4]; list_length(size, LIST_CHUNKS)];
         for (i, neighbours) in case.neighbours.iter().enumerate() {
@@ -299,7 +314,7 @@ fn constrain_density_by_index_matches_the_twin_of_constrain_density() {
             }
         }
         let counts: Vec<u32> = case.neighbours.iter().map(|list| list.len() as u32).collect();
-        let mut bench = Bench::new();
+        let mut bench = Bench::new(device);
         let start = case.quantized_positions(Quantization::Full);
         let quantized_positions = bench.input("quantized_positions", &start);
         let listed_indices = bench.input("listed_indices", &indices);
@@ -331,7 +346,7 @@ fn constrain_density_by_index_matches_the_twin_of_constrain_density() {
         }
     }
     assert!(compressed > 100, "{compressed}");
-    worst.report();
+    worst.report(device);
 }
 
 fn numbers(rng: &mut impl Rng, count: usize) -> Vec<u32> {
@@ -339,7 +354,8 @@ fn numbers(rng: &mut impl Rng, count: usize) -> Vec<u32> {
 }
 
 fn run_step(values: &[u32], reach: u32) -> Vec<u32> {
-    let mut bench = Bench::new();
+    let device = &brooklet_tests::device();
+    let mut bench = Bench::new(device);
     let input = bench.input("values", values);
     let reach = bench.input("reach", &[reach]);
     let mut scanned = bench.output("scanned", values.len());
@@ -350,6 +366,7 @@ fn run_step(values: &[u32], reach: u32) -> Vec<u32> {
 
 #[test]
 fn scan_steps_make_the_twins_scan() {
+    let device = &brooklet_tests::device();
     let mut rng = rng(63);
     let mut cases = 0;
     for size in [1, 2, 63, 64, 65, 1000] {
@@ -363,7 +380,7 @@ fn scan_steps_make_the_twins_scan() {
         check_exact(&steps, &scan::scan(&values)).unwrap();
         cases += size;
     }
-    report_exact(ScanStep::STAGE, cases);
+    report_exact(device, ScanStep::STAGE, cases);
 }
 
 /// Holds a way to scan groups of `group` values against the twin of the product's: `dispatch` records it, of values, the
@@ -374,13 +391,14 @@ fn check_scan_groups(
     seed: u64,
     dispatch: impl Fn(&mut Bench, &Buffer<u32>, Option<&Buffer<u32>>, &mut Buffer<u32>, usize),
 ) {
+    let device = &brooklet_tests::device();
     let mut rng = rng(seed);
     let mut cases = 0;
     for size in [1, 3, 4, 5, group - 1, group, group + 1, 7 * group + 333] {
         let values = numbers(&mut rng, size);
         let offsets = numbers(&mut rng, size.div_ceil(group));
         for with_offsets in [false, true] {
-            let mut bench = Bench::new();
+            let mut bench = Bench::new(device);
             let input = bench.input("values", &values);
             let before = bench.input("group_offsets", &offsets);
             let mut scanned = bench.output("scanned", size);
@@ -391,7 +409,7 @@ fn check_scan_groups(
             cases += size;
         }
     }
-    report_exact(stage, cases);
+    report_exact(device, stage, cases);
 }
 
 #[test]

@@ -1,11 +1,12 @@
 //! A whole step of the chain, as the fluid records it, against the f64 twin's.
 
+use brooklet_check::Wrong;
 use brooklet_fluid::particles::ParticleSet;
 use brooklet_fluid::{ParticleSource, Scene, Session, SessionRecorder};
 use brooklet_kernels::{Position, Velocity};
 use brooklet_reference::params::nearest_image;
 use brooklet_tests::compare::{Worst, vector};
-use brooklet_tests::harness::small;
+use brooklet_tests::small;
 use brooklet_tests::{gpu, rng, twin::twin};
 use rand::RngExt;
 
@@ -99,7 +100,7 @@ fn scene_of(text: &str, settings: &[&str]) -> Scene {
 }
 
 /// Follows `scene` on the GPU and `twin_scene` with the twin, and compares where they end.
-fn follow(scene: &Scene, twin_scene: &Scene, steps: usize, worst: &mut Worst) -> Result<(), String> {
+fn follow(scene: &Scene, twin_scene: &Scene, steps: usize, worst: &mut Worst) -> Result<(), Wrong> {
     let mut session = Session::new(&gpu(), scene).unwrap();
     let (positions, velocities) = start(&mut session);
     assert!(positions.len() >= 400);
@@ -132,9 +133,10 @@ fn matches(settings: &[&str], steps: usize, tolerance: f64, name: &'static str) 
 }
 
 fn matches_scene(scene: Scene, steps: usize, tolerance: f64, name: &'static str) {
+    let device = &brooklet_tests::device();
     let mut worst = Worst::new(name, tolerance);
     follow(&scene, &scene, steps, &mut worst).unwrap();
-    worst.report();
+    worst.report(device);
 }
 
 // Differences in spacings. A position of up to 15 spacings rounds by 1e-6 of one in each of the
@@ -269,7 +271,7 @@ fn a_missing_or_wrong_term_is_seen() {
 
 /// Relaxes the scene's particles for a number of rounds, moved off their lattice, on the GPU and as the twin of
 /// `twin_scene` does, and compares where they end.
-fn relax(scene: &Scene, twin_scene: &Scene, rounds: usize, worst: &mut Worst) -> Result<(), String> {
+fn relax(scene: &Scene, twin_scene: &Scene, rounds: usize, worst: &mut Worst) -> Result<(), Wrong> {
     let planned = SessionRecorder::new(scene, ParticleSource::Scene).with_relaxation().sweep().unwrap();
     let mut session = Session::start(&gpu(), planned).unwrap();
     let (positions, velocities) = start(&mut session);
@@ -303,7 +305,7 @@ fn relaxation_matches_its_twin() {
         let mut worst = Worst::new("relaxation", 1e-4);
         let scene = scene_of(text, settings);
         relax(&scene, &scene, 2, &mut worst).unwrap();
-        worst.report();
+        worst.report(&brooklet_tests::device());
     }
     let scene = scene_with(&[]);
     for wrong in ["solver.pbf.iterations=3", "solver.pbf.relaxation=0.52", "domain.walls=false"] {

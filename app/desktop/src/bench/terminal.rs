@@ -13,7 +13,7 @@ pub struct Terminal {
 
 /// Runs a benchmark before a terminal, which is clean afterwards.
 pub fn watched<T>(run: impl FnOnce(&Terminal) -> Result<T, BenchError>) -> Result<T, Failure> {
-    let terminal = Terminal { bar: progress::bar(0), interrupt: Interrupt::listen()? };
+    let terminal = Terminal { bar: progress::bar(0, "steps"), interrupt: Interrupt::listen()? };
     let result = run(&terminal);
     terminal.bar.finish_and_clear();
     Ok(result?)

@@ -72,7 +72,7 @@ pub fn bench(options: &WindowOptions) -> Result<(), Failure> {
     captured.viewer.handle_action(Action::Capture);
     let capture = captured.viewer.capture().map(Path::to_path_buf);
     let turns = u64::from(options.pairs);
-    let bar = progress::bar(turns);
+    let bar = progress::bar(turns, "steps");
     let (mut with_panels, mut with_capture) = (Vec::new(), Vec::new());
     for _ in 0..turns {
         if interrupt.is_pressed() {

@@ -3,6 +3,7 @@
 
 use crate::boundary::confine_path;
 use crate::params::Step;
+use brooklet_kernels::{FLUID_SHIFT, INACTIVE_FLUID, Position, QUARANTINED, Velocity};
 use glam::DVec3;
 
 /// A particle's state.
@@ -32,6 +33,18 @@ pub struct Pressure {
 }
 
 impl Particle {
+    /// Of the words that the GPU keeps of it.
+    pub fn of(position: &Position, velocity: &Velocity) -> Self {
+        Self {
+            position_m: DVec3::from_array(position.position_m.map(f64::from)),
+            velocity_m_s: DVec3::from_array(velocity.velocity_m_s.map(f64::from)),
+            quarantined: position.tag & QUARANTINED != 0,
+            inactive: position.tag >> FLUID_SHIFT & INACTIVE_FLUID == INACTIVE_FLUID,
+            age_s: f64::from(velocity.age_s),
+            ..Self::default()
+        }
+    }
+
     /// Whether it takes part.
     pub fn is_simulated(&self) -> bool {
         !self.quarantined && !self.inactive

@@ -6,4 +6,4 @@ mod reference;
 
 pub use counted::Counted;
 pub use gpu::{GpuRun, Measured, Options, run};
-pub use reference::{Cache, Origin, coarse_grid_of, converged, reference_fluid, reference_particle, run_reference};
+pub use reference::{Cache, Origin, converged, reference_fluid, run_reference};

@@ -4,17 +4,15 @@ use std::fs;
 use std::path::PathBuf;
 
 use brooklet_fluid::measure::Summary;
-use brooklet_fluid::particles::{is_inactive, is_quarantined};
 use brooklet_fluid::scene::{Method, Scene};
 use brooklet_fluid::session::{MOST_ROUNDS, NO_COMPRESSION};
 use brooklet_fluid::smoothing_kernel_params;
 use brooklet_fluid::solver::pbf::{self, IterationWeights};
-use brooklet_kernels::{COARSE_OPEN, COARSE_PERIODIC, CoarseGridParams, Position, Velocity};
 use brooklet_reference::boundary::walls::{DomainWalls, WallScales};
 use brooklet_reference::params::{self, Forces, NonInteracting, Smoothing, Step};
 use brooklet_reference::particles::predict::Particle;
 use brooklet_reference::solver::Solver;
-use brooklet_reference::solver::pbf::coarse_correction::{CoarseGrid, End};
+use brooklet_reference::solver::pbf::coarse_correction::CoarseGrid;
 use brooklet_reference::solver::pbf::momentum::Weights;
 use brooklet_reference::solver::pbf::substep::{Iterations, Pbf};
 use brooklet_reference::step::Fluid;
@@ -22,24 +20,11 @@ use glam::{BVec3, DVec3};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
-use crate::setup::{position_m, velocity_m_s};
 use crate::task::hex;
 use crate::{Sample, Setup};
 
 /// Of what the twins compute: changes with them, so that nothing an older program kept is taken.
 const VERSION: u32 = 2;
-
-/// The f64 twin of a particle.
-pub fn reference_particle(position: &Position, velocity: &Velocity) -> Particle {
-    Particle {
-        position_m: position_m(position),
-        velocity_m_s: velocity_m_s(velocity),
-        quarantined: is_quarantined(position.tag),
-        inactive: is_inactive(position.tag),
-        age_s: f64::from(velocity.age_s),
-        ..Particle::default()
-    }
-}
 
 /// The f64 twin of a setup.
 pub fn reference_fluid(setup: &Setup) -> Fluid {
@@ -62,7 +47,7 @@ pub fn reference_fluid(setup: &Setup) -> Fluid {
     };
     let particles = setup.particles.positions.iter().zip(&setup.particles.velocities);
     Fluid {
-        particles: particles.map(|(position, velocity)| reference_particle(position, velocity)).collect(),
+        particles: particles.map(|(position, velocity)| Particle::of(position, velocity)).collect(),
         step: Step {
             gravity_m_s2: DVec3::from_array(scene.gravity_m_s2),
             dt_s: scene.substep_s(),
@@ -81,7 +66,7 @@ fn solver_of(scene: &Scene) -> Solver {
     match scene.solver.method {
         Method::Pbf => {
             let (kernel, weights) = (smoothing_kernel_params(scene), IterationWeights::of(scene));
-            let coarse_grid = coarse_grid_of(&pbf::coarse_grid_params(scene, &weights));
+            let coarse_grid = CoarseGrid::of(&pbf::coarse_grid_params(scene, &weights));
             let pbf = pbf::params(scene, &weights);
             Solver::Pbf(Pbf {
                 smoothing: Smoothing {
@@ -126,25 +111,6 @@ fn iterations_of(scene: &Scene, weights: &IterationWeights, gives_back: bool) ->
     let weights = chebyshev.iterations.iter().map(one).collect();
     let accumulates = chebyshev.accumulates() || gives_back;
     if accumulates { Iterations::AccumulatedMomentum(weights) } else { Iterations::Momentum(weights) }
-}
-
-/// The twin of a coarse grid with these levels, finest first; none of no levels.
-pub fn coarse_grid_of(levels: &[CoarseGridParams]) -> Option<CoarseGrid> {
-    let finest = levels.first()?;
-    Some(CoarseGrid {
-        finest_cells: finest.finest_cells.map(|n| n as usize),
-        cell_m: 1.0 / DVec3::from_array(finest.inverse_cell_size_per_m.map(f64::from)),
-        conductance: DVec3::from_array(finest.conductance.map(f64::from)),
-        mixing: f64::from(finest.mixing),
-        most: f64::from(finest.most),
-        particles_a_cell: f64::from(finest.particles_a_cell),
-        ends: finest.ends.map(|end| match end {
-            COARSE_PERIODIC => End::Periodic,
-            COARSE_OPEN => End::Open,
-            _ => End::Wall,
-        }),
-        sweeps: levels.iter().map(|level| level.sweeps).collect(),
-    })
 }
 
 /// Runs `setup` in f64; `None` if `stop` says so before its end.

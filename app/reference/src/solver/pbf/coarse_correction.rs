@@ -2,6 +2,7 @@
 //! cell, on cells of 2 h, by nested iteration. (Shaders: `constrain_density`, RESTRICTED_MOMENTUM; `coarsen_constraint`,
 //! `relax_multiplier`, `prolong_multiplier`.)
 
+use brooklet_kernels::{COARSE_OPEN, COARSE_PERIODIC, CoarseGridParams};
 use glam::DVec3;
 
 /// Of the coarse multiplier, in the lambdas.
@@ -47,6 +48,27 @@ pub struct CoarseGrid {
     pub ends: [End; 3],
     /// Sweeps of each level, finest first.
     pub sweeps: Vec<u32>,
+}
+
+impl CoarseGrid {
+    /// The grid with the levels that the GPU gets, finest first; none of no levels.
+    pub fn of(levels: &[CoarseGridParams]) -> Option<Self> {
+        let finest = levels.first()?;
+        Some(Self {
+            finest_cells: finest.finest_cells.map(|n| n as usize),
+            cell_m: 1.0 / DVec3::from_array(finest.inverse_cell_size_per_m.map(f64::from)),
+            conductance: DVec3::from_array(finest.conductance.map(f64::from)),
+            mixing: f64::from(finest.mixing),
+            most: f64::from(finest.most),
+            particles_a_cell: f64::from(finest.particles_a_cell),
+            ends: finest.ends.map(|end| match end {
+                COARSE_PERIODIC => End::Periodic,
+                COARSE_OPEN => End::Open,
+                _ => End::Wall,
+            }),
+            sweeps: levels.iter().map(|level| level.sweeps).collect(),
+        })
+    }
 }
 
 /// The particles of a cell.

@@ -1,0 +1,18 @@
+//! Whether a device computes what it should: small known inputs for every kernel, and the f64 twin's answers.
+//!
+//! The same cases are the project's tests of its kernels and what `brooklet doctor --check` runs on a user's device.
+
+pub mod bench;
+pub mod cases;
+pub mod compare;
+mod device;
+pub mod numbers;
+mod registry;
+mod report;
+mod rooms;
+mod wrong;
+
+pub use device::{Device, ModuleRun, Outcome, Verdict};
+pub use registry::{KNOWN_ANSWERS, KnownAnswer};
+pub use report::{CheckedModule, ModuleVerdict, Report, Wanted};
+pub use wrong::{Found, Wrong};

@@ -1,0 +1,209 @@
+//! The list of known answers: each once, by room and name, with the stages it is the known answer of.
+
+use crate::device::Device;
+use crate::rooms;
+
+/// A case: small known inputs, what the device makes of them, and what it should.
+#[derive(Clone, Copy, Debug)]
+pub struct KnownAnswer {
+    /// The file it stands in.
+    pub room: &'static str,
+    /// What it says, in words joined by underscores.
+    pub name: &'static str,
+    /// The stages whose known answer it is; others it runs on the way. None: it holds for the device.
+    pub stages: &'static [&'static str],
+    pub(crate) run: fn(&Device),
+}
+
+/// Hands the list of known answers to a macro: `room { name: [stages], ... }`. [`KNOWN_ANSWERS`] is made of
+/// it, and the tests are, one each.
+#[macro_export]
+macro_rules! for_each_known_answer {
+    ($make:ident) => {
+        $make! {
+            anisotropic_mesh {
+                the_mesh_of_ellipsoids_matches_its_twin: ["gather_field", "mesh_normals"],
+            }
+            anisotropy {
+                ellipsoids_are_their_twins: ["anisotropy"],
+                bodies_without_thickness_have_finite_ellipsoids: ["anisotropy"],
+                a_list_that_was_never_made_is_no_spray_and_quarantined_ones_stay_so: ["anisotropy"],
+            }
+            boundary {
+                walls_match_their_twin: ["correct_positions", "measure_particles"],
+                narrow_walls_match_their_twin: ["correct_positions", "measure_particles"],
+            }
+            coarse_correction {
+                coarsen_constraint_is_exact: ["coarsen_constraint"],
+                relax_multiplier_matches_its_twin: ["relax_multiplier"],
+                a_wrong_end_mixing_conductance_or_sweep_is_told_apart: ["relax_multiplier"],
+                prolong_multiplier_matches_its_twin: ["prolong_multiplier"],
+                constraints_are_restricted_to_their_cells: ["constrain_density"],
+            }
+            constrain_density {
+                constrain_density_matches_its_twin: ["constrain_density"],
+                without_mixing_a_lone_particle_is_no_fault: ["constrain_density"],
+                momentum_matches_its_twin: ["constrain_density"],
+                a_wrong_weight_of_an_iteration_is_told_apart: ["constrain_density"],
+            }
+            count_covered {
+                what_is_covered_is_counted: ["count_covered"],
+            }
+            drag {
+                drag_matches_its_twin: ["drag"],
+                a_drag_of_another_radius_or_velocity_fails: ["drag"],
+                a_scene_is_dragged_only_if_somebody_asks: ["drag"],
+            }
+            drawn_caustics {
+                each_stage_is_its_twin: [
+                    "draw_sun_depth", "draw_smooth_sun_depth", "draw_sun_thickness", "refract_photons",
+                    "smooth_photons", "draw_caustics",
+                ],
+                calm_water_lights_the_floor_evenly: ["draw_caustics", "refract_photons"],
+                a_lattice_does_not_comb_the_light: ["draw_caustics", "refract_photons"],
+                flux_is_kept: ["draw_caustics"],
+            }
+            drawn_sun_volume {
+                the_suns_volume_is_its_twin: ["count_sun_volume", "sum_sun_volume"],
+                a_ball_shades_the_pool_below_it: ["count_sun_volume", "sum_sun_volume"],
+            }
+            drawn_thickness {
+                the_nearest_spheres_and_their_thickness_are_their_twins: [
+                    "draw_fluid_depth", "draw_opaque_planes", "draw_thickness",
+                ],
+                thickness_of_one_particle_is_its_volume: ["draw_thickness"],
+            }
+            grid {
+                count_cells_matches_its_twin: ["count_cells"],
+                a_dispatch_longer_than_a_row_of_groups_reaches_all: ["count_cells"],
+                positions_far_outside_have_no_cell: ["count_cells"],
+                reorder_matches_its_twin: ["reorder"],
+                rank_members_matches_its_twin: ["rank_by_id", "scatter_cell_members"],
+                sort_is_a_permutation_in_order_of_cells: ["count_cells", "scan_groups", "reorder"],
+            }
+            list {
+                list_neighbours_matches_brute_force: ["list_neighbours"],
+                a_wrapped_grid_lists_what_a_dense_one_does: ["list_neighbours"],
+                neighbours_without_a_slot_are_counted: ["list_neighbours"],
+                lists_reach_over_escapes: ["list_neighbours"],
+                list_equals_brute_force_anywhere: ["list_neighbours"],
+            }
+            marching_cubes {
+                mark_blocks_lists_what_its_twin_lists: ["count_bins", "mark_blocks", "list_blocks"],
+                what_is_not_listed_has_no_surface: ["mark_blocks", "list_blocks"],
+                gather_field_matches_its_twin: ["gather_field"],
+                mesh_normals_match_their_twin: ["mesh_normals"],
+                meshes_are_closed_and_those_of_the_twin: [
+                    "scatter_bins", "count_mesh", "finish_mesh", "emit_vertices", "emit_triangles",
+                ],
+                random_particles_in_random_boxes_give_closed_meshes: [
+                    "scatter_bins", "count_mesh", "finish_mesh", "emit_vertices", "emit_triangles",
+                ],
+                normals_point_out_of_the_fluid: ["mesh_normals"],
+                what_finds_no_room_is_counted_and_nothing_is_written_beyond_the_end: [
+                    "list_blocks", "count_mesh", "finish_mesh", "emit_triangles",
+                ],
+            }
+            measure {
+                density_ratios_are_their_twins: ["density_ratios"],
+                measures_match_their_twins: ["measure_particles", "measure_totals"],
+                percentiles_are_those_of_a_walk_from_the_highest_bin_down: ["measure_totals"],
+                totals_add_up_any_number_of_groups: ["measure_totals"],
+            }
+            none {
+                integrate_particles_matches_its_twin: ["integrate_particles"],
+                a_wrong_setting_is_noticed: ["integrate_particles"],
+                states_that_are_not_finite_are_quarantined: ["integrate_particles"],
+            }
+            particles {
+                predict_matches_its_twin: ["predict"],
+                states_that_are_not_finite_are_quarantined: ["predict"],
+                free_fall_is_exact_to_rounding: ["predict"],
+                rows_of_groups_fold: ["predict"],
+            }
+            periodic {
+                predict_matches_its_twin: ["predict"],
+                update_velocity_matches_its_twin: ["update_velocity"],
+                densities_match_their_twins: ["density_ratios", "measure_particles"],
+            }
+            refine {
+                smooth_normals_matches_its_twin: ["smooth_normals"],
+                subdivided_meshes_are_the_twin_s_and_closed: [
+                    "count_edges", "count_rings", "finish_subdivision", "list_rings", "scan_groups", "size_mesh",
+                    "sort_rings", "subdivide_edges", "subdivide_middles", "subdivide_triangles",
+                ],
+                meshed_particles_stay_closed: [
+                    "finish_subdivision", "subdivide_edges", "subdivide_middles", "subdivide_triangles",
+                ],
+                what_finds_no_room_is_counted_and_nothing_is_written_beyond_the_end: [
+                    "finish_subdivision", "subdivide_triangles", "subdivide_middles",
+                ],
+                smoothing_lowers_the_error_of_normals_and_keeps_edges: ["smooth_normals"],
+                subdivision_is_nearer_to_a_ball_than_midpoints: ["subdivide_edges"],
+            }
+            runs {
+                two_deterministic_runs_have_one_hash: [],
+                frames_in_flight_read_back_their_own_values: [],
+                the_clock_runs_forward: [],
+            }
+            sample {
+                every_stride_th_particle_has_its_place_however_they_are_sorted: ["sample_particles"],
+                a_sample_of_other_particles_fails: ["sample_particles"],
+                a_scene_is_sampled_only_if_somebody_wants_it_and_never_beyond_what_was_allowed: ["sample_particles"],
+            }
+            scan {
+                reduce_and_scan_groups_match_their_twins: ["reduce_groups", "scan_groups"],
+                scan_of_several_levels_matches_its_twin: ["reduce_groups", "scan_groups"],
+                scan_of_anything: ["reduce_groups", "scan_groups"],
+            }
+            slots {
+                begin_substep_matches_its_twin: ["begin_substep"],
+                time_is_summed_without_losing_any: ["begin_substep"],
+                count_active_matches_its_twin: ["count_active"],
+                activate_particles_and_claim_slots_match_their_twins: ["activate_particles", "claim_slots"],
+                deactivate_particles_matches_its_twin: ["deactivate_particles"],
+            }
+            solver {
+                correct_positions_matches_its_twin: ["correct_positions"],
+                corrections_hold_the_whole_displacement_below_the_support: ["correct_positions"],
+                corrections_keep_momentum_in_free_space: ["correct_positions"],
+                particles_at_one_point_part_oppositely: ["correct_positions"],
+                update_velocity_matches_its_twin: ["update_velocity"],
+            }
+            surface {
+                every_filter_is_its_twin: [
+                    "draw_smooth_narrow_range", "draw_smooth_curvature_flow", "draw_smooth_bilateral",
+                    "draw_smooth_gaussian",
+                ],
+                normals_are_their_twins: ["draw_surface_normals"],
+                nothing_and_one_particle_make_no_holes_in_numbers: [
+                    "draw_smooth_narrow_range", "draw_smooth_curvature_flow", "draw_smooth_bilateral",
+                    "draw_smooth_gaussian",
+                ],
+            }
+            velocity {
+                xsph_matches_its_twin: ["xsph"],
+                curl_matches_its_twin: ["curl"],
+                confine_vorticity_matches_its_twin: ["confine_vorticity"],
+            }
+            warm_start {
+                start_warm_matches_its_twin: ["start_warm"],
+                keep_pressure_matches_its_twin: ["keep_pressure"],
+            }
+        }
+    };
+}
+
+macro_rules! list {
+    ($($room:ident { $($name:ident: [$($stage:literal),* $(,)?],)+ })+) => {
+        /// Every case.
+        pub static KNOWN_ANSWERS: &[KnownAnswer] = &[$($(KnownAnswer {
+            room: stringify!($room),
+            name: stringify!($name),
+            stages: &[$($stage),*],
+            run: rooms::$room::$name,
+        }),+),+];
+    };
+}
+
+for_each_known_answer!(list);

@@ -1,0 +1,130 @@
+//! Which modules a plan runs, which cases are their known answers, and what came of them, a module at a time.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use brooklet_gpu::{Command, Gpu, Plan};
+use brooklet_kernels::Module;
+
+use crate::device::{Device, ModuleRun, Outcome, Verdict};
+use crate::registry::{KNOWN_ANSWERS, KnownAnswer};
+
+/// Modules whose answers are wanted: by name, the stage that runs each, or `None` where any may.
+pub struct Wanted {
+    modules: BTreeMap<&'static str, Option<&'static str>>,
+}
+
+/// What is known of a module after the cases.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ModuleVerdict {
+    /// Every case whose stages it is of came out right.
+    Right,
+    /// A case came out wrong, and it made the result.
+    Wrong,
+    /// No case that came to an end is its known answer: none is listed, it was skipped, or it ended before.
+    NotChecked,
+}
+
+/// A module (kernel and variant) after the cases.
+#[derive(Clone, Debug)]
+pub struct CheckedModule {
+    /// What ran, in all cases together.
+    pub run: ModuleRun,
+    /// Cases that are its known answers and came out right.
+    pub right: usize,
+    /// What is known of it.
+    pub verdict: ModuleVerdict,
+}
+
+/// Cases that were run, and what they say of modules.
+#[derive(Clone, Debug, Default)]
+pub struct Report {
+    /// Every case, in order.
+    pub outcomes: Vec<Outcome>,
+    /// Every module that was wanted, by name.
+    pub modules: Vec<CheckedModule>,
+}
+
+impl Wanted {
+    /// What a plan runs.
+    pub fn of_plan(plan: &Plan) -> Self {
+        let mut modules = BTreeMap::new();
+        for command in plan.recordings().flat_map(|recording| plan.commands(recording)) {
+            for (stage, module) in modules_of(command) {
+                modules.insert(module.name, Some(stage));
+            }
+        }
+        Self { modules }
+    }
+
+    /// Everything that the device's tier can run.
+    pub fn of_tier(gpu: &Gpu) -> Self {
+        let allowed = brooklet_kernels::modules().filter(|module| module.tier <= gpu.tier());
+        Self { modules: allowed.map(|module| (module.name, None)).collect() }
+    }
+
+    /// The cases that are known answers of it.
+    pub fn cases(&self) -> Vec<&'static KnownAnswer> {
+        let all = self.modules.values().any(Option::is_none);
+        let stages: BTreeSet<&str> = self.modules.values().flatten().copied().collect();
+        let wanted = |known: &&KnownAnswer| {
+            all || known.stages.is_empty() || known.stages.iter().any(|stage| stages.contains(stage))
+        };
+        KNOWN_ANSWERS.iter().filter(wanted).collect()
+    }
+}
+
+/// The modules of a command, each with its stage.
+pub(crate) fn modules_of(command: &Command) -> Vec<(&'static str, &'static Module)> {
+    match command {
+        Command::Dispatch(dispatch) => vec![(dispatch.stage, dispatch.module)],
+        Command::Draw(draw) => {
+            [Some(draw.vertex), draw.fragment].into_iter().flatten().map(|m| (draw.stage, m)).collect()
+        }
+        _ => Vec::new(),
+    }
+}
+
+impl Report {
+    /// Runs the cases of what is wanted, one after the other, until the device is lost. `progress(done, total, case)` is
+    /// called before each, so that what was under way is known should the driver end the program.
+    pub fn run(device: &Device, wanted: &Wanted, progress: &mut dyn FnMut(usize, usize, &KnownAnswer)) -> Self {
+        let cases = wanted.cases();
+        let mut outcomes = Vec::new();
+        for (done, known) in cases.iter().enumerate() {
+            progress(done, cases.len(), known);
+            outcomes.push(device.run(known));
+            if device.gpu().is_lost().is_some() {
+                break;
+            }
+        }
+        Self { modules: checked(wanted, &outcomes), outcomes }
+    }
+
+    /// Whether nothing is wrong.
+    pub fn is_right(&self) -> bool {
+        !self.outcomes.iter().any(|outcome| matches!(outcome.verdict, Verdict::Wrong(_)))
+    }
+}
+
+fn checked(wanted: &Wanted, outcomes: &[Outcome]) -> Vec<CheckedModule> {
+    let mut modules: BTreeMap<&'static str, CheckedModule> = BTreeMap::new();
+    for (&module, stage) in &wanted.modules {
+        let run = ModuleRun { stage: stage.unwrap_or(""), module, runs: 0, compared: 0, worst: None, exact: 0 };
+        modules.insert(module, CheckedModule { run, right: 0, verdict: ModuleVerdict::NotChecked });
+    }
+    for outcome in outcomes {
+        for run in &outcome.modules {
+            let Some(module) = modules.get_mut(run.module) else { continue };
+            module.run.add(run);
+            match &outcome.verdict {
+                Verdict::Wrong(wrong) if wrong.modules.contains(&run.module) => module.verdict = ModuleVerdict::Wrong,
+                Verdict::Right if outcome.known.stages.contains(&run.stage) => module.right += 1,
+                _ => {}
+            }
+        }
+    }
+    for module in modules.values_mut().filter(|module| module.right > 0 && module.verdict != ModuleVerdict::Wrong) {
+        module.verdict = ModuleVerdict::Right;
+    }
+    modules.into_values().collect()
+}

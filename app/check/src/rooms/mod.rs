@@ -1,0 +1,29 @@
+//! Known answers, a room a group of stages.
+
+pub(crate) mod anisotropic_mesh;
+pub(crate) mod anisotropy;
+pub(crate) mod boundary;
+pub(crate) mod coarse_correction;
+pub(crate) mod constrain_density;
+pub(crate) mod count_covered;
+pub(crate) mod drag;
+pub(crate) mod drawn_caustics;
+pub(crate) mod drawn_sun_volume;
+pub(crate) mod drawn_thickness;
+pub(crate) mod grid;
+pub(crate) mod list;
+pub(crate) mod marching_cubes;
+pub(crate) mod measure;
+pub(crate) mod none;
+pub(crate) mod pairs;
+pub(crate) mod particles;
+pub(crate) mod periodic;
+pub(crate) mod refine;
+pub(crate) mod runs;
+pub(crate) mod sample;
+pub(crate) mod scan;
+pub(crate) mod slots;
+pub(crate) mod solver;
+pub(crate) mod surface;
+pub(crate) mod velocity;
+pub(crate) mod warm_start;

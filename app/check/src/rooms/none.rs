@@ -1,0 +1,155 @@
+//! `solver/none/` against its twin.
+
+use crate::bench::Bench;
+use crate::cases::{Case, INACTIVE, fluid, out_of_part, sizes, step_of, step_state};
+use crate::compare::{ROUNDING, Worst};
+use crate::device::Device;
+use crate::numbers::rng;
+use crate::wrong::{OrRaise as _, Wrong, ensure, ensure_eq};
+use brooklet_fluid::particles::id_of;
+use brooklet_kernels::{
+    Counters, IntegrateParticles, IntegrateParticlesVariant, Kernel, NoneParams, Position, QUARANTINED, StepParams,
+    Velocity,
+};
+use brooklet_reference::params::NonInteracting;
+use brooklet_reference::particles::predict::Particle;
+use brooklet_reference::solver::none::integrate_particles::integrate_particles;
+use rand::{Rng, RngExt};
+
+const SETTINGS: NoneParams =
+    NoneParams { lifetime_s: 1.0, lifetime_variation: 0.5, drag_per_s: 1.5, restitution: 0.625 };
+
+fn run(
+    device: &Device,
+    case: &Case,
+    params: StepParams,
+    settings: NoneParams,
+    walls: bool,
+) -> (Vec<Position>, Vec<Velocity>, Counters) {
+    let count = case.positions.len();
+    let mut bench = Bench::new(device);
+    let mut positions = bench.input("positions", &case.positions);
+    let mut velocities = bench.input("velocities", &case.velocities);
+    let mut counters = bench.input("counters", &[Counters::default()]);
+    let step_params = bench.uniform("step_params", params);
+    let none = bench.uniform("none", settings);
+    let step_state = bench.uniform("step_state", step_state(count, params.dt_s));
+    bench.dispatch(
+        &IntegrateParticles {
+            variant: IntegrateParticlesVariant { walls, periodic: false },
+            positions: positions.write(),
+            velocities: velocities.write(),
+            counters: counters.write(),
+            step_state: step_state.uniform(),
+            step_params: step_params.uniform(),
+            none: none.uniform(),
+        },
+        count,
+    );
+    let mut done = bench.run();
+    let counted = done.read(&counters, 1)[0];
+    (done.read(&positions, count), done.read(&velocities, count), counted)
+}
+
+fn twin(settings: NoneParams) -> NonInteracting {
+    NonInteracting {
+        lifetime_s: f64::from(settings.lifetime_s),
+        lifetime_variation: f64::from(settings.lifetime_variation),
+        drag_per_s: f64::from(settings.drag_per_s),
+        restitution: f64::from(settings.restitution),
+    }
+}
+
+/// Particles of all ages that fly into all walls, some out of part.
+fn case(rng: &mut impl Rng, size: usize) -> Case {
+    let mut case = fluid(rng, size);
+    for (i, (position, velocity)) in case.positions.iter_mut().zip(&mut case.velocities).enumerate() {
+        position.tag |= out_of_part(i);
+        velocity.velocity_m_s = velocity.velocity_m_s.map(|v| 20.0 * v);
+        velocity.age_s = rng.random::<f32>();
+    }
+    case
+}
+
+/// The kernel's result against the twin's; how many were slowed, and how many went out.
+///
+/// A position is a sum of some ten roundings of the domain's size, a velocity a product with an exponential that
+/// Vulkan promises to 3 + 2 |x| units.
+fn check(
+    case: &Case,
+    (positions, velocities, counters): &(Vec<Position>, Vec<Velocity>, Counters),
+    params: &StepParams,
+    expected_of: NonInteracting,
+    walls: bool,
+) -> Result<(u32, usize), Wrong> {
+    let step = step_of(params, walls);
+    let mut worst = Worst::new(IntegrateParticles::STAGE, 24.0 * ROUNDING);
+    let (mut slowed, mut ended) = (0, 0);
+    for i in 0..positions.len() {
+        let tag = case.positions[i].tag;
+        let before = Particle::of(&case.positions[i], &case.velocities[i]);
+        let expected = integrate_particles(id_of(tag), before, &step, &expected_of);
+        slowed += u32::from(expected.slowed);
+        let after = expected.particle;
+        let out = [(after.quarantined, QUARANTINED), (after.inactive, INACTIVE)];
+        let expected_tag = out.into_iter().filter(|(is_out, _)| *is_out).fold(tag, |tag, (_, bits)| tag | bits);
+        if positions[i].tag != expected_tag {
+            return Err(format!("particle {i} has the tag {:#x}, expected {expected_tag:#x}", positions[i].tag).into());
+        }
+        if !after.is_simulated() {
+            ended += usize::from(before.is_simulated());
+            continue;
+        }
+        let speed = after.velocity_m_s.length().max(before.velocity_m_s.length());
+        worst.check3(positions[i].position_m, after.position_m, step.domain_size_m.length() + speed * step.dt_s)?;
+        worst.check3(velocities[i].velocity_m_s, after.velocity_m_s, speed)?;
+        worst.check(velocities[i].age_s, after.age_s, 1.0)?;
+    }
+    match counters.speed_clamps == slowed {
+        true => Ok((slowed, ended)),
+        false => Err(format!("{} speeds clamped, expected {slowed}", counters.speed_clamps).into()),
+    }
+}
+
+pub(crate) fn integrate_particles_matches_its_twin(device: &Device) {
+    let mut rng = rng(91);
+    let (mut slowed, mut ended) = (0, 0);
+    for size in sizes(device, IntegrateParticles::GROUP_SIZE[0] as usize) {
+        for walls in [false, true] {
+            let case = case(&mut rng, size);
+            let params = StepParams { max_speed_m_s: 12.0, ..case.step_params() };
+            let got = run(device, &case, params, SETTINGS, walls);
+            let (more_slowed, more_ended) = check(&case, &got, &params, twin(SETTINGS), walls).or_raise();
+            (slowed, ended) = (slowed + more_slowed, ended + more_ended);
+        }
+    }
+    ensure!(slowed > 10 && ended > 10, "{slowed} slowed, {ended} ended");
+}
+
+pub(crate) fn a_wrong_setting_is_noticed(device: &Device) {
+    let case = case(&mut rng(92), 500);
+    // Nobody is slowed: what is does not show its drag.
+    let params = StepParams { max_speed_m_s: 100.0, ..case.step_params() };
+    let got = run(device, &case, params, SETTINGS, true);
+    check(&case, &got, &params, twin(SETTINGS), true).or_raise();
+    for wrong in [
+        NoneParams { lifetime_s: 1.02, ..SETTINGS },
+        NoneParams { lifetime_variation: 0.48, ..SETTINGS },
+        NoneParams { drag_per_s: 1.51, ..SETTINGS },
+        NoneParams { restitution: 0.63, ..SETTINGS },
+    ] {
+        check(&case, &got, &params, twin(wrong), true).unwrap_err();
+    }
+    check(&case, &got, &params, twin(SETTINGS), false).unwrap_err();
+}
+
+pub(crate) fn states_that_are_not_finite_are_quarantined(device: &Device) {
+    let mut case = fluid(&mut rng(93), 70);
+    case.positions[3].position_m[1] = f32::NAN;
+    case.velocities[64].velocity_m_s[2] = f32::INFINITY;
+    let params = case.step_params();
+    let got = run(device, &case, params, SETTINGS, true);
+    check(&case, &got, &params, twin(SETTINGS), true).or_raise();
+    let parked: Vec<usize> = (0..70).filter(|&i| got.0[i].tag & QUARANTINED != 0).collect();
+    ensure_eq!(parked, [3, 64]);
+}
