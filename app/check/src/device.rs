@@ -95,6 +95,8 @@ pub(crate) struct Record {
     /// What comparators found that were left before they told.
     pub untold: RefCell<Vec<Wrong>>,
     notes: RefCell<Vec<String>>,
+    /// The stage whose numbers were compared last, of the last plan.
+    subject: Cell<&'static str>,
 }
 
 impl Record {
@@ -107,6 +109,7 @@ impl Record {
 
     fn ran(&self, plan: &Plan) {
         self.plan.set(self.plan.get() + 1);
+        self.subject.set("");
         let commands = plan.recordings().flat_map(|recording| plan.commands(recording));
         let mut last: Vec<_> = commands.flat_map(modules_of).map(|(stage, module)| (stage, module.name)).collect();
         last.sort_unstable();
@@ -119,11 +122,21 @@ impl Record {
         self.last.replace(last);
     }
 
-    /// Of the last plan's modules those of the stage that `of` begins with; all where there is none.
+    /// Of the last plan's modules those of the stage that `of` begins with, or of all that begin with it; all where there
+    /// is none.
     pub fn modules_of(&self, of: &str) -> Vec<&'static str> {
         let last = self.last.borrow();
-        let of_stage: Vec<_> = last.iter().filter(|(stage, _)| of.starts_with(stage)).map(|(_, name)| *name).collect();
+        let belongs = |stage: &str| of.starts_with(stage) || (!of.is_empty() && stage.starts_with(of));
+        let of_stage: Vec<_> = last.iter().filter(|(stage, _)| belongs(stage)).map(|(_, name)| *name).collect();
         if of_stage.is_empty() { last.iter().map(|(_, name)| *name).collect() } else { of_stage }
+    }
+
+    /// Of the last plan's modules those of some stages; all where there is none.
+    fn modules_of_stages(&self, stages: &[&str]) -> Vec<&'static str> {
+        let last = self.last.borrow();
+        let of_stages: Vec<_> =
+            last.iter().filter(|(stage, _)| stages.contains(stage)).map(|(_, name)| *name).collect();
+        if of_stages.is_empty() { last.iter().map(|(_, name)| *name).collect() } else { of_stages }
     }
 
     /// Numbers of these modules were compared.
@@ -187,6 +200,13 @@ impl Device {
         self.record.notes.borrow_mut().push(line);
     }
 
+    /// Numbers that the last plan's modules of a stage made were compared: how far off they are at most, and may be.
+    /// What is said to be wrong next is of them.
+    pub(crate) fn compared(&self, of: &'static str, count: usize, worst: [f64; 2]) {
+        self.record.subject.set(of);
+        self.record.compared(&self.record.modules_of(of), count, worst);
+    }
+
     /// Runs a case, whatever becomes of it.
     pub fn run(&self, known: &'static KnownAnswer) -> Outcome {
         self.record.begin();
@@ -207,7 +227,13 @@ impl Device {
         if let Verdict::Wrong(wrong) = &mut verdict
             && wrong.modules.is_empty()
         {
-            wrong.modules = self.record.modules_of(&wrong.of);
+            if wrong.of.is_empty() {
+                wrong.of = self.record.subject.get().to_owned();
+            }
+            wrong.modules = match wrong.of.as_str() {
+                "" => self.record.modules_of_stages(known.stages),
+                of => self.record.modules_of(of),
+            };
         }
         Outcome {
             known,

@@ -126,6 +126,13 @@ macro_rules! for_each_known_answer {
                 update_velocity_matches_its_twin: ["update_velocity"],
                 densities_match_their_twins: ["density_ratios", "measure_particles"],
             }
+            pictures {
+                pictures_are_those_stored: [
+                    "draw_floor", "draw_sky", "draw_edges", "draw_shadow", "draw_particles", "draw_shade", "draw_resolve",
+                    "draw_fluid_depth", "draw_smooth_narrow_range", "draw_thickness", "draw_water", "draw_mesh_depth",
+                    "draw_sun_depth", "draw_sun_thickness", "draw_caustics",
+                ],
+            }
             refine {
                 smooth_normals_matches_its_twin: ["smooth_normals"],
                 subdivided_meshes_are_the_twin_s_and_closed: [

@@ -11,6 +11,7 @@ use crate::registry::{KNOWN_ANSWERS, KnownAnswer};
 /// Modules whose answers are wanted: by name, the stage that runs each, or `None` where any may.
 pub struct Wanted {
     modules: BTreeMap<&'static str, Option<&'static str>>,
+    rooms: Vec<String>,
 }
 
 /// What is known of a module after the cases.
@@ -53,21 +54,28 @@ impl Wanted {
                 modules.insert(module.name, Some(stage));
             }
         }
-        Self { modules }
+        Self { modules, rooms: Vec::new() }
     }
 
     /// Everything that the device's tier can run.
     pub fn of_tier(gpu: &Gpu) -> Self {
         let allowed = brooklet_kernels::modules().filter(|module| module.tier <= gpu.tier());
-        Self { modules: allowed.map(|module| (module.name, None)).collect() }
+        Self { modules: allowed.map(|module| (module.name, None)).collect(), rooms: Vec::new() }
+    }
+
+    /// Of the same modules, only what cases of some rooms say; all where none is named.
+    pub fn in_rooms(self, rooms: &[String]) -> Self {
+        Self { rooms: rooms.to_vec(), ..self }
     }
 
     /// The cases that are known answers of it.
     pub fn cases(&self) -> Vec<&'static KnownAnswer> {
         let all = self.modules.values().any(Option::is_none);
         let stages: BTreeSet<&str> = self.modules.values().flatten().copied().collect();
+        let in_room = |known: &KnownAnswer| self.rooms.is_empty() || self.rooms.iter().any(|room| room == known.room);
         let wanted = |known: &&KnownAnswer| {
-            all || known.stages.is_empty() || known.stages.iter().any(|stage| stages.contains(stage))
+            in_room(known)
+                && (all || known.stages.is_empty() || known.stages.iter().any(|stage| stages.contains(stage)))
         };
         KNOWN_ANSWERS.iter().filter(wanted).collect()
     }

@@ -40,7 +40,13 @@ impl Wrong {
         Found { note: note.into(), ..Found::default() }.into()
     }
 
-    /// The same, saying of what.
+    /// The same of a stage.
+    pub(crate) fn of(mut self, stage: &str) -> Self {
+        self.of = stage.to_owned();
+        self
+    }
+
+    /// The same, saying with what input.
     pub fn named(mut self, name: impl Display) -> Self {
         self.note = if self.note.is_empty() { name.to_string() } else { format!("{name}: {}", self.note) };
         self

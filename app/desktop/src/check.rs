@@ -1,8 +1,9 @@
 //! `brooklet doctor --check`: whether a device computes what it should.
 
+use std::collections::BTreeSet;
 use std::time::Instant;
 
-use brooklet_check::{CheckedModule, Device, ModuleVerdict, Outcome, Report, Verdict, Wanted, Wrong};
+use brooklet_check::{CheckedModule, Device, KNOWN_ANSWERS, ModuleVerdict, Outcome, Report, Verdict, Wanted, Wrong};
 use brooklet_gpu::{Gpu, tier_name};
 use brooklet_kernels::Module;
 use serde_json::{Value, json};
@@ -14,12 +15,18 @@ pub fn check(options: &DoctorOptions, scene: &str) -> Result<(), Failure> {
     let scene = job::load(scene, &options.settings)?;
     let replacements = options.replace.iter().map(|text| replacement(text)).collect::<Result<Vec<_>, _>>()?;
     let gpu = job::open(&options.device, true)?;
+    let rooms: BTreeSet<&str> = KNOWN_ANSWERS.iter().map(|known| known.room).collect();
+    if let Some(room) = options.room.iter().find(|room| !rooms.contains(room.as_str())) {
+        let rooms: Vec<&str> = rooms.into_iter().collect();
+        return Err(Failure::Input(format!("--room {room}: there is none; allowed: {}", rooms.join(", "))));
+    }
     let wanted = if options.all {
         Wanted::of_tier(&gpu)
     } else {
         let particles = u32::try_from(scene.particle_count()).map_err(Failure::input)?;
         Wanted::of_plan(job::plan_for(&scene, particles, gpu.tier())?.plan())
-    };
+    }
+    .in_rooms(&options.room);
     // A driver that runs on the processor takes minutes for millions of particles.
     let small = gpu.info().device_type == "cpu" && !options.all;
     let started = Instant::now();
@@ -53,6 +60,9 @@ fn replacement(text: &str) -> Result<&'static Module, Failure> {
     let module = brooklet_kernels::modules().find(|module| module.name == name);
     let module = module.ok_or_else(|| refused(format!("there is no variant '{name}' (see `brooklet plan`)")))?;
     let spirv = std::fs::read(file).map_err(|error| refused(format!("{file}: {error}")))?;
+    if !spirv.starts_with(&module.spirv[..4]) || !spirv.len().is_multiple_of(4) {
+        return Err(refused(format!("{file} holds no SPIR-V")));
+    }
     Ok(module.with_spirv(&spirv, module.shared_bytes, module.tier))
 }
 

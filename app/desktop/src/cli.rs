@@ -161,6 +161,9 @@ pub struct DoctorOptions {
     /// Change a value of the scene that is checked, as solver.precision=relaxed; may be given again
     #[arg(long = "set", value_name = "PATH=VALUE", requires = "check", conflicts_with = "all")]
     pub settings: Vec<String>,
+    /// Only cases of this room of known answers, as grid; may be given again
+    #[arg(long, value_name = "ROOM", requires = "check")]
+    pub room: Vec<String>,
     /// Put a SPIR-V file in place of a kernel's variant, as Xsph=broken.spv: to see that what it breaks is found
     #[arg(long, value_name = "VARIANT=FILE", requires = "check", hide = true)]
     pub replace: Vec<String>,

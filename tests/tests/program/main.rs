@@ -5,6 +5,7 @@ mod bench;
 mod capture_cli;
 mod cli;
 mod cli_surfaces;
+mod doctor_check;
 mod ended_early;
 mod mesh;
 mod study;

@@ -155,11 +155,13 @@ fn check(device: &Device, size_m: DVec3, names: [&'static str; 2]) -> Vec<(Bound
     let positions = probes(size_m);
     let walls = walls_of(&kernel_params(), vector(params(size_m).domain_size_m));
     let got_densities = densities(device, &positions, size_m);
+    let samples: Vec<BoundarySample> = vectors(&positions).into_iter().map(|at| walls.sample(at)).collect();
+    for (got, expected) in got_densities.iter().zip(&samples) {
+        density.check(*got as f32, expected.density, 1.0).or_raise();
+    }
     let got_gradients = gradients(device, &positions, size_m);
     let mut results = Vec::new();
-    for (i, at) in vectors(&positions).into_iter().enumerate() {
-        let expected = walls.sample(at);
-        density.check(got_densities[i] as f32, expected.density, 1.0).or_raise();
+    for (i, expected) in samples.into_iter().enumerate() {
         gradient.check3(got_gradients[i].to_array().map(|g| g as f32), expected.gradient, 1.0).or_raise();
         results.push((expected, got_densities[i]));
     }
@@ -169,14 +171,14 @@ fn check(device: &Device, size_m: DVec3, names: [&'static str; 2]) -> Vec<(Bound
 }
 
 pub(crate) fn walls_match_their_twin(device: &Device) {
-    let wide = check(device, DVec3::new(0.3, 0.2, 0.5), ["walls, density", "walls, gradient"]);
+    let wide = check(device, DVec3::new(0.3, 0.2, 0.5), ["measure_particles, walls", "correct_positions, walls"]);
     ensure!(wide.iter().any(|(walls, _)| walls.density > 0.5), "no position was in a corner");
     ensure!(wide.iter().any(|(walls, _)| walls.density == 0.0), "no position was far from walls");
 }
 
 pub(crate) fn narrow_walls_match_their_twin(device: &Device) {
     let size_m = DVec3::new(1.2 * SUPPORT_M, 0.3, 1.7 * SUPPORT_M);
-    check(device, size_m, ["narrow walls, density", "narrow walls, gradient"]);
+    check(device, size_m, ["measure_particles, narrow walls", "correct_positions, narrow walls"]);
 }
 
 #[cfg(test)]

@@ -197,7 +197,8 @@ pub(crate) fn each_stage_is_its_twin(device: &Device) {
     for photons in [37, 61] {
         let Drawn { raw, smoothed, thickness, bent, photons: even, light_map, params, light, water } =
             draw(device, &positions, photons);
-        let report = |stage: &str, tolerance: f64, (worst, beyond): (f64, usize)| {
+        let report = |stage: &'static str, tolerance: f64, (worst, beyond): (f64, usize)| {
+            device.compared(stage, photons as usize * photons as usize, [worst, tolerance]);
             note!(
                 device,
                 "kernel {stage}, {photons} a side: tolerance {tolerance:.0e}, largest difference {worst:.1e}, {beyond} undecided"
@@ -214,8 +215,9 @@ pub(crate) fn each_stage_is_its_twin(device: &Device) {
             };
             raw.values.iter().enumerate().map(nearest).collect()
         };
-        let matched = compare(&raw.values, &met(&params), DEPTH_TOLERANCE).or_raise();
-        report("sun_depth", DEPTH_TOLERANCE, matched);
+        let matched =
+            compare(&raw.values, &met(&params), DEPTH_TOLERANCE).map_err(|wrong| wrong.of("draw_sun_depth")).or_raise();
+        report("draw_sun_depth", DEPTH_TOLERANCE, matched);
         let wrong = met(&SurfaceParams { radius_m: 1.05 * params.radius_m, ..params });
         compare(&raw.values, &wrong, DEPTH_TOLERANCE).expect_err("spheres a twentieth larger");
 
@@ -224,8 +226,10 @@ pub(crate) fn each_stage_is_its_twin(device: &Device) {
                 smooth_sun_depth(&smooth_sun_depth(&map, params, &light, Along::X), params, &light, Along::Y)
             })
         };
-        let matched = compare(&smoothed.values, &smooth(&params).values, DEPTH_TOLERANCE).or_raise();
-        report("smooth_sun_depth", DEPTH_TOLERANCE, matched);
+        let matched = compare(&smoothed.values, &smooth(&params).values, DEPTH_TOLERANCE)
+            .map_err(|wrong| wrong.of("draw_smooth_sun_depth"))
+            .or_raise();
+        report("draw_smooth_sun_depth", DEPTH_TOLERANCE, matched);
         let wrong = smooth(&SurfaceParams { sun_smoothing_m: 1.1 * params.sun_smoothing_m, ..params });
         compare(&smoothed.values, &wrong.values, DEPTH_TOLERANCE).expect_err("a reach a tenth longer");
 
@@ -233,8 +237,10 @@ pub(crate) fn each_stage_is_its_twin(device: &Device) {
         let most = expected.values.iter().fold(0.0, |a: f64, b| a.max(*b));
         // Some forty discs add up in f16, each sum cut to 2^-10 of itself.
         let tolerance = 0.03 * most;
-        let matched = compare(&thickness.values, &expected.values, tolerance).or_raise();
-        report("sun_thickness", tolerance, matched);
+        let matched = compare(&thickness.values, &expected.values, tolerance)
+            .map_err(|wrong| wrong.of("draw_sun_thickness"))
+            .or_raise();
+        report("draw_sun_thickness", tolerance, matched);
         let wrong: Vec<f64> = expected.values.iter().map(|value| 1.1 * value).collect();
         compare(&thickness.values, &wrong, tolerance).expect_err("a tenth more");
 
@@ -242,7 +248,9 @@ pub(crate) fn each_stage_is_its_twin(device: &Device) {
             photons.iter().flat_map(|p| [p.uv.x, p.uv.y, 0.1 * p.path_m, 0.1 * p.share]).collect()
         };
         let expected = refract_photons(&smoothed, &thickness, &params, &light);
-        let matched = compare(&flat(&bent), &flat(&expected), PLACE_TOLERANCE).or_raise();
+        let matched = compare(&flat(&bent), &flat(&expected), PLACE_TOLERANCE)
+            .map_err(|wrong| wrong.of("refract_photons"))
+            .or_raise();
         report("refract_photons", PLACE_TOLERANCE, matched);
         let wrong = FrameLight { shadow_range_m: 1.0, shadow_v: light.shadow_u, ..light };
         let wrong = refract_photons(&smoothed, &thickness, &params, &wrong);
@@ -255,15 +263,19 @@ pub(crate) fn each_stage_is_its_twin(device: &Device) {
             let half = smooth_photons(&bent, &smoothed, params, &light, Along::X);
             smooth_photons(&half, &smoothed, params, &light, Along::Y)
         };
-        let matched = compare(&flat(&even), &flat(&smooth(&params)), PLACE_TOLERANCE).or_raise();
+        let matched = compare(&flat(&even), &flat(&smooth(&params)), PLACE_TOLERANCE)
+            .map_err(|wrong| wrong.of("smooth_photons"))
+            .or_raise();
         report("smooth_photons", PLACE_TOLERANCE, matched);
         let wrong = smooth(&SurfaceParams { spacing_m: 1.1 * params.spacing_m, ..params });
         compare(&flat(&even), &flat(&wrong), PLACE_TOLERANCE).expect_err("a reach a tenth longer");
 
         let values = |map: &[DVec3]| -> Vec<f64> { map.iter().flat_map(|color| color.to_array()).collect() };
         let expected = caustics(&even, &params, &light, &water);
-        let matched = compare(&values(&light_map), &values(&expected), LIGHT_TOLERANCE).or_raise();
-        report("caustics", LIGHT_TOLERANCE, matched);
+        let matched = compare(&values(&light_map), &values(&expected), LIGHT_TOLERANCE)
+            .map_err(|wrong| wrong.of("draw_caustics"))
+            .or_raise();
+        report("draw_caustics", LIGHT_TOLERANCE, matched);
         let wrong = WaterStyle { absorption_per_m: [2.6, 0.5, 0.2], ..water };
         let wrong = caustics(&even, &params, &light, &wrong);
         compare(&values(&light_map), &values(&wrong), LIGHT_TOLERANCE).expect_err("darker water");

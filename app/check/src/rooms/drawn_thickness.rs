@@ -186,6 +186,7 @@ pub(crate) fn the_nearest_spheres_and_their_thickness_are_their_twins(device: &D
             let depth_of = |params: &SurfaceParams| fluid_depth(&centers_m, params, &drawn.view).values;
             let relative = |inverse_depth: f64| INVERSE_DEPTH_TOLERANCE * inverse_depth.max(1e-9);
             let (covered, off, worst) = beyond(&drawn.inverse_depth, &depth_of(&drawn.params), relative);
+            device.compared("draw_fluid_depth", covered, [worst * INVERSE_DEPTH_TOLERANCE, INVERSE_DEPTH_TOLERANCE]);
             note!(
                 device,
                 "kernel fluid_depth {size_px:?}: {off} of {covered} pixels beyond {INVERSE_DEPTH_TOLERANCE:.0e}, the others within {worst:.2} of it"
@@ -208,6 +209,11 @@ pub(crate) fn the_nearest_spheres_and_their_thickness_are_their_twins(device: &D
             let (_, off, worst) =
                 beyond(&ahead(&drawn.planes), &ahead(&planes_of(&drawn.params)), |_| plane_tolerance(device));
             let texels = drawn.planes.len() as f64;
+            device.compared(
+                "draw_opaque_planes",
+                drawn.planes.len(),
+                [worst * plane_tolerance(device), plane_tolerance(device)],
+            );
             note!(
                 device,
                 "kernel opaque_planes {size_px:?}: {off} of {texels} texels beyond {:.0e}, the others within {worst:.2} of it",
@@ -225,6 +231,7 @@ pub(crate) fn the_nearest_spheres_and_their_thickness_are_their_twins(device: &D
             let expected = through(&drawn.params);
             let most = expected.iter().fold(0.0, |most: f64, t| most.max(*t));
             let (covered, off, worst) = beyond(&drawn.thickness, &expected, |_| THICKNESS_TOLERANCE * most);
+            device.compared("draw_thickness", covered, [worst * THICKNESS_TOLERANCE, THICKNESS_TOLERANCE]);
             note!(
                 device,
                 "kernel thickness {size_px:?}: {off} of {covered} texels beyond {:.0e} of {most:.2} spacings, the others within {worst:.2} of it",

@@ -18,6 +18,7 @@ pub(crate) mod none;
 pub(crate) mod pairs;
 pub(crate) mod particles;
 pub(crate) mod periodic;
+pub(crate) mod pictures;
 pub(crate) mod refine;
 pub(crate) mod runs;
 pub(crate) mod sample;

@@ -181,7 +181,7 @@ pub(crate) fn smooth_normals_matches_its_twin(device: &Device) {
 
 pub(crate) fn subdivided_meshes_are_the_twin_s_and_closed(device: &Device) {
     let mut positions = device.worst(SubdivideEdges::STAGE, POSITION * ROUNDING);
-    let mut normals = device.worst("its normals", NORMAL * ROUNDING);
+    let mut normals = device.worst("subdivide_edges, normals", NORMAL * ROUNDING);
     let mut exact = 0;
     for (name, mesh) in cases(device) {
         for parts in [2, 3] {

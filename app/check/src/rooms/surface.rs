@@ -210,6 +210,7 @@ pub(crate) fn every_filter_is_its_twin(device: &Device) {
                 let expected = twin(&drawn, smoothing, iterations, &drawn.params);
                 let (worst, beyond) =
                     compare(&drawn.smoothed, &expected).named(format_args!("{smoothing:?} {size_px:?} {distance_m} m"));
+                device.compared("draw_smooth", drawn.smoothed.values.len(), [worst, FILTER_TOLERANCE]);
                 if size_px == SIZES[0] {
                     note!(
                         device,
@@ -259,6 +260,7 @@ pub(crate) fn normals_are_their_twins(device: &Device) {
         });
         ensure!(differing.count() as f64 > 0.05 * expected.len() as f64 || size_px[0] < 10, "it cannot fail");
     }
+    device.compared("draw_surface_normals", 1, [worst, NORMAL_TOLERANCE]);
     note!(device, "kernel surface_normals: tolerance {NORMAL_TOLERANCE:.0e}, largest difference {worst:.1e}");
 }
 
