@@ -22,7 +22,7 @@ macro_rules! for_each_known_answer {
     ($make:ident) => {
         $make! {
             anisotropic_mesh {
-                the_mesh_of_ellipsoids_matches_its_twin: ["gather_field", "mesh_normals"],
+                the_mesh_of_ellipsoids_matches_its_twin: ["count_bins", "scatter_bins", "gather_field", "mesh_normals"],
             }
             anisotropy {
                 ellipsoids_are_their_twins: ["anisotropy"],
@@ -83,7 +83,7 @@ macro_rules! for_each_known_answer {
             }
             list {
                 list_neighbours_matches_brute_force: ["list_neighbours"],
-                a_wrapped_grid_lists_what_a_dense_one_does: ["list_neighbours"],
+                a_wrapped_grid_lists_what_a_dense_one_does: ["count_cells", "list_neighbours"],
                 neighbours_without_a_slot_are_counted: ["list_neighbours"],
                 lists_reach_over_escapes: ["list_neighbours"],
                 list_equals_brute_force_anywhere: ["list_neighbours"],
