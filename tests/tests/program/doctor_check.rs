@@ -52,7 +52,7 @@ fn is_named(report: &Value, name: &str) {
     let named = |wrong: &&Value| wrong["modules"].as_array().is_some_and(|all| all.iter().any(|module| module == name));
     let of: Vec<&Value> = wrong.filter(named).collect();
     let told = |wrong: &&Value| !wrong["got"].as_str().unwrap().is_empty() && wrong["element"].is_number();
-    assert!(of.iter().any(|wrong| told(&wrong)), "{of:?}");
+    assert!(of.iter().any(told), "{of:?}");
 }
 
 #[test]
