@@ -4,7 +4,7 @@
 use crate::bench::Bench;
 use crate::cases::{
     STORAGES, fluid, kernel_params, out_of_part, pbf_params, quantization_of, scattered, sizes, smoothing_of,
-    step_state,
+    step_state, walls_of,
 };
 use crate::compare::{HALF_ROUNDING, ROUNDING, Worst, vector};
 use crate::device::Device;
@@ -296,9 +296,9 @@ pub(crate) fn constraints_are_restricted_to_their_cells(device: &Device) {
     let mut rng = rng(94);
     let mut between = 0;
     let kernel = SmoothingKernelParams { weight: REST_WEIGHT * kernel_params().weight, ..kernel_params() };
-    for (precision, count) in
-        STORAGES.into_iter().flat_map(|precision| sizes(device, 64).into_iter().map(move |n| (precision, n)))
-    {
+    let variants = STORAGES.into_iter().flat_map(|precision| [(precision, false), (precision, true)]);
+    let sizes = sizes(device, 64);
+    for ((precision, walls), &count) in variants.flat_map(|variant| sizes.iter().map(move |count| (variant, count))) {
         let mut case = fluid(&mut rng, count);
         for (i, position) in case.positions.iter_mut().enumerate() {
             position.tag |= out_of_part(i);
@@ -326,11 +326,7 @@ pub(crate) fn constraints_are_restricted_to_their_cells(device: &Device) {
         let coarse = bench.uniform("coarse", level);
         bench.dispatch(
             &ConstrainDensity {
-                variant: ConstrainDensityVariant {
-                    walls: false,
-                    momentum: MomentumKeyword::RestrictedMomentum,
-                    precision,
-                },
+                variant: ConstrainDensityVariant { walls, momentum: MomentumKeyword::RestrictedMomentum, precision },
                 quantized_positions: quantized_positions.read(),
                 sorted_positions: Some(sorted_positions.read()),
                 neighbours: neighbours.read(),
@@ -355,7 +351,9 @@ pub(crate) fn constraints_are_restricted_to_their_cells(device: &Device) {
             false => done.read(&position_lambdas, count).iter().map(|lambda| lambda.total).collect(),
         };
         let (quantized_m, smoothing) = (case.quantized_m(quantization), smoothing_of(&kernel));
-        let constraint = |i: usize| density_ratio(i, &quantized_m, &case.neighbours[i], &smoothing, None) - 1.0;
+        let box_walls = walls_of(&kernel, vector(case.step_params().domain_size_m));
+        let box_walls = walls.then_some(&box_walls);
+        let constraint = |i: usize| density_ratio(i, &quantized_m, &case.neighbours[i], &smoothing, box_walls) - 1.0;
         for (i, word) in shares.into_iter().enumerate() {
             // Beside a total of 0.
             ensure!(word.to_bits() >> 16 == 0, "{word}");
