@@ -187,6 +187,17 @@ pub fn report_exact(device: &Device, of: &str, cases: usize) {
     note!(device, "kernel {of}: exact over {cases} cases");
 }
 
+/// For each number what is nearest to it of the range that several answers span: what is expected where a device has
+/// some freedom, and the answers are its bounds.
+pub(crate) fn nearest_of(got: &[f64], answers: &[Vec<f64>]) -> Vec<f64> {
+    let nearest = |(index, &got): (usize, &f64)| {
+        let bounds = answers.iter().map(|answer| answer[index]);
+        let (low, high) = bounds.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), a| (a.min(l), a.max(h)));
+        if got.is_nan() { low } else { got.clamp(low, high) }
+    };
+    got.iter().enumerate().map(nearest).collect()
+}
+
 /// Compares integers.
 ///
 /// # Errors
@@ -283,4 +294,15 @@ pub fn slot_state(tag: u32) -> SlotState {
 /// A GPU vector in f64.
 pub fn vector(v: [f32; 3]) -> DVec3 {
     DVec3::from_array(v.map(f64::from))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_lies_beyond_a_range_is_held_against_its_nearer_end() {
+        let bounds = [vec![1.0, 1.0, 1.0, 1.0], vec![2.0, 2.0, 2.0, 2.0]];
+        assert_eq!(nearest_of(&[1.5, 0.0, 9.0, f64::NAN], &bounds), [1.5, 1.0, 2.0, 1.0]);
+    }
 }

@@ -179,6 +179,12 @@ impl Device {
         self.small
     }
 
+    /// How far the device may move a triangle's corners, in pixels, and with them all that they show: Vulkan lets it round
+    /// them to 2^-bits of a pixel, and each device says to how many bits it does.
+    pub(crate) fn snap_px(&self) -> f64 {
+        0.5f64.powi(self.gpu.driver_facts().subpixel_bits as i32)
+    }
+
     /// A plan's engine; what it runs is kept.
     pub(crate) fn engine(&self, plan: Plan) -> Engine {
         Engine::new(&self.gpu, self.plan(plan)).or_raise()

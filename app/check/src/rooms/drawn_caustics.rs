@@ -2,6 +2,7 @@
 //! and of curved water. Each twin gets what the device made before it, bit for bit.
 
 use crate::cases::{out_of_part, vectors};
+use crate::compare::nearest_of;
 use crate::device::Device;
 use crate::numbers::rng;
 use crate::wrong::{OrRaise as _, Wrong, ensure, ensure_eq, note};
@@ -11,7 +12,7 @@ use brooklet_fluid::scene::Smoothing;
 use brooklet_gpu::{Plan, Resources};
 use brooklet_kernels::{FrameLight, Position, SurfaceParams, WaterStyle};
 use brooklet_reference::surface::Along;
-use brooklet_reference::surface::caustics::caustics;
+use brooklet_reference::surface::caustics::{caustics, caustics_doubt};
 use brooklet_reference::surface::refract_photons::{self, Photon, refract_photons};
 use brooklet_reference::surface::smooth_photons::smooth_photons;
 use brooklet_reference::surface::smooth_sun_depth::smooth_sun_depth;
@@ -25,8 +26,6 @@ use rand::RngExt as _;
 
 /// Of shadow depth, which spans 2.4 m: f32's roundings of sums of a few terms near 1.
 const DEPTH_TOLERANCE: f64 = 2e-6;
-/// Vulkan lets a device round corners to sixteenths of a pixel; all that one shows may be displaced by as much.
-const SNAP: f64 = 1.0 / 16.0;
 /// Share of the covered cells whose rays graze a sphere or fall between comparisons.
 const UNDECIDED: f64 = 0.01;
 /// Of a texel of the sun's map: slopes are differences of f32 depths, a rounding of which over the spacing of
@@ -193,6 +192,7 @@ fn compare(got: &[f64], expected: &[f64], tolerance: f64) -> Result<(f64, usize)
 pub(crate) fn each_stage_is_its_twin(device: &Device) {
     let positions = splash();
     let drawn: Vec<Position> = positions.iter().copied().filter(|p| is_simulated(p.tag)).collect();
+    let snap = device.snap_px();
     // Sizes that no block of 2, 4, 8 or 16 divides.
     for photons in [37, 61] {
         let Drawn { raw, smoothed, thickness, bent, photons: even, light_map, params, light, water } =
@@ -205,15 +205,8 @@ pub(crate) fn each_stage_is_its_twin(device: &Device) {
             );
         };
         let met = |params: &SurfaceParams| -> Vec<f64> {
-            let corners = [DVec2::ZERO, DVec2::X, DVec2::Y, DVec2::NEG_X, DVec2::NEG_Y].map(|aside| SNAP * aside);
-            let around = corners.map(|aside| sun_depth(&vectors(&drawn), params, &light, aside).values);
-            // What of the expected range is nearest to what was drawn.
-            let nearest = |(index, &got): (usize, &f64)| {
-                let (low, high) =
-                    around.iter().fold((1.0f64, 0.0f64), |(l, h), map| (l.min(map[index]), h.max(map[index])));
-                got.clamp(low, high)
-            };
-            raw.values.iter().enumerate().map(nearest).collect()
+            let corners = [DVec2::ZERO, DVec2::X, DVec2::Y, DVec2::NEG_X, DVec2::NEG_Y].map(|aside| snap * aside);
+            nearest_of(&raw.values, &corners.map(|aside| sun_depth(&vectors(&drawn), params, &light, aside).values))
         };
         let matched =
             compare(&raw.values, &met(&params), DEPTH_TOLERANCE).map_err(|wrong| wrong.of("draw_sun_depth")).or_raise();
@@ -271,14 +264,21 @@ pub(crate) fn each_stage_is_its_twin(device: &Device) {
         compare(&flat(&even), &flat(&wrong), PLACE_TOLERANCE).expect_err("a reach a tenth longer");
 
         let values = |map: &[DVec3]| -> Vec<f64> { map.iter().flat_map(|color| color.to_array()).collect() };
-        let expected = caustics(&even, &params, &light, &water);
-        let matched = compare(&values(&light_map), &values(&expected), LIGHT_TOLERANCE)
+        // Between what tents give that are all moved the one way or the other.
+        let met = |water: &WaterStyle| {
+            let expected = caustics(&even, &params, &light, water);
+            let doubt = caustics_doubt(&even, &params, &light, water, snap);
+            let bounds = [-1.0, 1.0].map(|side| {
+                values(&expected.iter().zip(&doubt).map(|(light, doubt)| *light + side * *doubt).collect::<Vec<_>>())
+            });
+            nearest_of(&values(&light_map), &bounds)
+        };
+        let matched = compare(&values(&light_map), &met(&water), LIGHT_TOLERANCE)
             .map_err(|wrong| wrong.of("draw_caustics"))
             .or_raise();
         report("draw_caustics", LIGHT_TOLERANCE, matched);
         let wrong = WaterStyle { absorption_per_m: [2.6, 0.5, 0.2], ..water };
-        let wrong = caustics(&even, &params, &light, &wrong);
-        compare(&values(&light_map), &values(&wrong), LIGHT_TOLERANCE).expect_err("darker water");
+        compare(&values(&light_map), &met(&wrong), LIGHT_TOLERANCE).expect_err("darker water");
     }
 }
 

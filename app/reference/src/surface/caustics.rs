@@ -12,6 +12,35 @@ const LEAST_TEXELS: f64 = 1.0;
 /// Light over the sun's map, red, green and blue, rows from the top, `light.shadow_texels` a side. (Shader:
 /// `surface/caustics.hlsl`.)
 pub fn caustics(photons: &[Photon], params: &SurfaceParams, light: &FrameLight, water: &WaterStyle) -> Vec<DVec3> {
+    spread(photons, params, light, water, 0.0, |tent_at| tent_at(DVec2::ZERO))
+}
+
+/// How far that light may be off at each texel where a device moves the corners of each tent by up to `aside` of a texel
+/// along both axes.
+pub fn caustics_doubt(
+    photons: &[Photon],
+    params: &SurfaceParams,
+    light: &FrameLight,
+    water: &WaterStyle,
+    aside: f64,
+) -> Vec<DVec3> {
+    let corners = [DVec2::ONE, DVec2::new(1.0, -1.0), DVec2::new(-1.0, 1.0), DVec2::NEG_ONE];
+    spread(photons, params, light, water, aside, |tent_at| {
+        let here = tent_at(DVec2::ZERO);
+        corners.iter().map(|corner| (tent_at(aside * *corner) - here).abs()).fold(0.0, f64::max)
+    })
+}
+
+/// Adds up what `share` makes of each photon's tent at each texel that it reaches, or would `aside` of where it is; it
+/// gets the tent's height as of a distance in texels from there.
+fn spread(
+    photons: &[Photon],
+    params: &SurfaceParams,
+    light: &FrameLight,
+    water: &WaterStyle,
+    aside: f64,
+    share: impl Fn(&dyn Fn(DVec2) -> f64) -> f64,
+) -> Vec<DVec3> {
     let (side, texels) = (params.photons as i64, light.shadow_texels as usize);
     let absorption = DVec3::from_array(water.absorption_per_m.map(f64::from));
     let spacing = 1.0 / side as f64;
@@ -21,17 +50,21 @@ pub fn caustics(photons: &[Photon], params: &SurfaceParams, light: &FrameLight, 
         let [along_u, along_v] = footprint(photons, side, at, LEAST_TEXELS / texels as f64);
         let area = along_u.perp_dot(along_v).abs();
         let color = (-absorption * photon.path_m).exp() * (photon.share * spacing * spacing / area);
-        let reach = along_u.abs() + along_v.abs();
+        let reach = along_u.abs() + along_v.abs() + aside / texels as f64;
         let [low, high] = [photon.uv - reach, photon.uv + reach].map(|corner| corner * texels as f64);
         for y in low.y.max(0.0) as usize..(high.y.max(0.0) as usize + 1).min(texels) {
             for x in low.x.max(0.0) as usize..(high.x.max(0.0) as usize + 1).min(texels) {
-                let offset = DVec2::new(x as f64 + 0.5, y as f64 + 0.5) / texels as f64 - photon.uv;
-                let tent = [
-                    offset.perp_dot(along_v) / along_u.perp_dot(along_v),
-                    along_u.perp_dot(offset) / along_u.perp_dot(along_v),
-                ];
-                let tent = tent.map(|t| (1.0 - t.abs()).max(0.0));
-                map[y * texels + x] += color * (tent[0] * tent[1]);
+                let middle = DVec2::new(x as f64 + 0.5, y as f64 + 0.5);
+                let tent_at = |moved: DVec2| {
+                    let offset = (middle + moved) / texels as f64 - photon.uv;
+                    let tent = [
+                        offset.perp_dot(along_v) / along_u.perp_dot(along_v),
+                        along_u.perp_dot(offset) / along_u.perp_dot(along_v),
+                    ];
+                    let [u, v] = tent.map(|t| (1.0 - t.abs()).max(0.0));
+                    u * v
+                };
+                map[y * texels + x] += color * share(&tent_at);
             }
         }
     }

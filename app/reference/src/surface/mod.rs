@@ -29,7 +29,7 @@ pub mod surface_normals;
 pub mod thickness;
 
 use brooklet_kernels::{FrameView, SurfaceParams};
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 /// A picture of inverse depths, 1/m.
 #[derive(Clone, Debug, PartialEq)]
@@ -68,11 +68,11 @@ impl InverseDepth {
     }
 }
 
-/// The ray through a pixel's middle, 1 along the direction of view, in world axes.
-pub(crate) fn ray_of(view: &FrameView, size_px: [usize; 2], index: usize) -> DVec3 {
+/// The ray `aside` of a pixel's middle, in pixels, 1 along the direction of view, in world axes.
+pub(crate) fn ray_of(view: &FrameView, size_px: [usize; 2], index: usize, aside: DVec2) -> DVec3 {
     let vector = |v: [f32; 3]| DVec3::from_array(v.map(f64::from));
-    let x = ((index % size_px[0]) as f64 + 0.5) / size_px[0] as f64 * 2.0 - 1.0;
-    let y = 1.0 - ((index / size_px[0]) as f64 + 0.5) / size_px[1] as f64 * 2.0;
+    let x = ((index % size_px[0]) as f64 + 0.5 + aside.x) / size_px[0] as f64 * 2.0 - 1.0;
+    let y = 1.0 - ((index / size_px[0]) as f64 + 0.5 + aside.y) / size_px[1] as f64 * 2.0;
     vector(view.forward)
         + vector(view.right) * (x * f64::from(view.tan_half_width))
         + vector(view.up) * (y * f64::from(view.tan_half_height))

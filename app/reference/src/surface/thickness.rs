@@ -4,7 +4,7 @@ use super::sun_map::{SunMap, world_from_shadow};
 use super::surface_normals::{plane_from_slopes, slope};
 use super::{InverseDepth, inverse_depth_difference};
 use brooklet_kernels::{FrameLight, FrameView, SurfaceParams};
-use glam::{DVec3, DVec4};
+use glam::{DVec2, DVec3, DVec4};
 
 /// What a particle adds at `squared`, the square of the distance from its disc's middle over its radius: its
 /// volume d^3 spread as (1 - s)^2. (Shader: `surface/thickness_kernel.hlsli`.)
@@ -24,7 +24,7 @@ pub fn thickness(
     let eye_m = DVec3::from_array(view.eye_m.map(f64::from));
     let radius_m2 = f64::from(params.thickness_radius_m).powi(2);
     let through = |(index, plane): (usize, &DVec4)| {
-        let ray = super::ray_of(view, size_px, index).normalize();
+        let ray = super::ray_of(view, size_px, index, DVec2::ZERO).normalize();
         let of = |center_m: &DVec3| {
             let center_m = *center_m - eye_m;
             let distance_m2 = center_m.length_squared();
