@@ -322,3 +322,15 @@ pub fn is_wrapped(grid: &GridParams) -> bool {
 pub fn wrapped(grid: GridParams, cells: [u32; 3]) -> GridParams {
     GridParams { cells, cell_count: cells.iter().product(), ..grid }
 }
+
+/// The same domain, periodic along some axes: its cells go round there.
+pub fn periodic(grid: GridParams, axes: [bool; 3]) -> GridParams {
+    let seam = |axis: usize| if axes[axis] { grid.domain_cells[axis] } else { NO_SEAM };
+    GridParams { seam_cells: std::array::from_fn(seam), ..grid }
+}
+
+/// The periods of a grid's domain, m; 0 along axes that have none.
+pub fn period_m(grid: &GridParams) -> DVec3 {
+    let period = |seam: u32| if seam == NO_SEAM { 0.0 } else { f64::from(seam) * f64::from(grid.cell_size_m) };
+    DVec3::from_array(grid.seam_cells.map(period))
+}

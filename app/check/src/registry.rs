@@ -84,6 +84,7 @@ macro_rules! for_each_known_answer {
             list {
                 list_neighbours_matches_brute_force: ["list_neighbours"],
                 a_wrapped_grid_lists_what_a_dense_one_does: ["count_cells", "list_neighbours"],
+                periodic_lists_are_those_of_the_nearest_images: ["count_cells", "list_neighbours"],
                 neighbours_without_a_slot_are_counted: ["list_neighbours"],
                 lists_reach_over_escapes: ["list_neighbours"],
                 list_equals_brute_force_anywhere: ["list_neighbours"],
@@ -123,6 +124,7 @@ macro_rules! for_each_known_answer {
             }
             periodic {
                 predict_matches_its_twin: ["predict"],
+                integrate_particles_matches_its_twin: ["integrate_particles"],
                 update_velocity_matches_its_twin: ["update_velocity"],
                 densities_match_their_twins: ["density_ratios", "measure_particles"],
             }

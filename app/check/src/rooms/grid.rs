@@ -2,7 +2,7 @@
 
 use crate::bench::{Bench, few_cases, run_scan};
 use crate::cases::{
-    STORAGES, SUPPORT_M, fluid, grid_params, is_wrapped, quantization_of, scattered, sizes, step_state,
+    STORAGES, SUPPORT_M, fluid, grid_params, is_wrapped, period_m, quantization_of, scattered, sizes, step_state,
 };
 use crate::compare::{check_counted, report_exact, slot_state, vector};
 use crate::device::Device;
@@ -30,7 +30,7 @@ fn run_count(device: &Device, positions: &[Position], grid: GridParams) -> (Vec<
     let step_state = bench.uniform("step_state", step_state(positions.len(), 0.0));
     bench.dispatch(
         &CountCells {
-            variant: CountCellsVariant { wrapped: is_wrapped(&grid), periodic: false },
+            variant: CountCellsVariant { wrapped: is_wrapped(&grid), periodic: period_m(&grid) != DVec3::ZERO },
             positions: at.read(),
             cell_counts: counts.write(),
             cell_slots: slots.write(),

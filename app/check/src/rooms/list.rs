@@ -3,10 +3,10 @@
 use super::grid::{FULL, Sorted, check_count, sort};
 use crate::bench::{Bench, few_cases};
 use crate::cases::{
-    SLOTS, STORAGES, SUPPORT_M, fluid, grid_params, is_wrapped, list_length, quantization_of, scattered, sizes,
-    step_state, vectors, wrapped,
+    SLOTS, STORAGES, SUPPORT_M, fluid, grid_params, is_wrapped, list_length, period_m, periodic, quantization_of,
+    scattered, sizes, step_state, vectors, wrapped,
 };
-use crate::compare::{check_exact, report_exact, vector};
+use crate::compare::{ROUNDING, check_exact, report_exact, vector};
 use crate::device::Device;
 use crate::numbers::rng;
 use crate::wrong::{OrRaise as _, Wrong, ensure, ensure_eq};
@@ -15,7 +15,7 @@ use brooklet_kernels::{
     Counters, GridParams, Kernel, LIST_CHUNK, LIST_ESCAPE, ListHead, ListNeighbours, ListNeighboursVariant, Position,
     PrecisionKeyword, Velocity,
 };
-use brooklet_reference::grid::list_neighbours::{Neighbours, check_list, list_neighbours};
+use brooklet_reference::grid::list_neighbours::{Neighbours, check_list, list_images, list_neighbours};
 use brooklet_reference::shared::list;
 use glam::DVec3;
 use rand::RngExt;
@@ -63,7 +63,11 @@ fn check_lists(
     let step_state = bench.uniform("step_state", step_state(count, 0.0));
     bench.dispatch(
         &ListNeighbours {
-            variant: ListNeighboursVariant { wrapped: is_wrapped(&grid), periodic: false, precision },
+            variant: ListNeighboursVariant {
+                wrapped: is_wrapped(&grid),
+                periodic: period_m(&grid) != DVec3::ZERO,
+                precision,
+            },
             quantized_positions: quantized_positions.read(),
             sorted_positions: positions.read(),
             cell_starts: starts_buffer.read(),
@@ -84,8 +88,11 @@ fn check_lists(
     let support_m = f64::from(grid.support_m);
     let slots = grid.list_chunks * LIST_CHUNK;
     let entry = |i: usize, slot: usize| list::entry(i, slot, &neighbours, grid.list_chunks);
-    // A distance rounds to steps of the two quantized positions, and its square in the seventh digit.
-    let doubt_m = (2.0 * quantization_of(precision).step() + 1e-6) * support_m;
+    // A distance rounds to steps of the two quantized positions, and its square in the seventh digit; one across a seam by
+    // the period's own rounding.
+    let period_m = period_m(&grid);
+    let doubt_m =
+        (2.0 * quantization_of(precision).step() + 1e-6) * support_m + 8.0 * ROUNDING * period_m.max_element();
     let (mut all, mut escapes, mut missing) = (0, 0, 0);
     for i in 0..count {
         let ListHead { entries, first } = heads[i];
@@ -108,7 +115,7 @@ fn check_lists(
                 return Err(format!("particle {i} lists {j}, which is no neighbour").into());
             }
         } else {
-            check_list(i, &found, &expected[i], &positions_m, support_m, DVec3::ZERO, doubt_m)?;
+            check_list(i, &found, &expected[i], &positions_m, support_m, period_m, doubt_m)?;
         }
     }
     check_exact(&[overflow], &[missing])?;
@@ -173,6 +180,52 @@ pub(crate) fn a_wrapped_grid_lists_what_a_dense_one_does(device: &Device) {
     }
     ensure!(compared > 10_000, "{compared}");
     report_exact(device, "list_neighbours in a wrapped grid", compared);
+}
+
+pub(crate) fn periodic_lists_are_those_of_the_nearest_images(device: &Device) {
+    let mut rng = rng(29);
+    let mut compared = 0;
+    let cells = [8, 16, 24];
+    for (axes, onto) in [
+        ([true, false, false], None),
+        ([false, true, true], None),
+        ([true; 3], None),
+        ([false, false, true], Some([8, 16, 16])),
+        ([true; 3], Some([8, 8, 8])),
+    ] {
+        let cell_m = SUPPORT_M / 2.0;
+        let size_m = cell_m * DVec3::from_array(cells.map(f64::from));
+        let grid = GridParams { list_chunks: 64, ..periodic(grid_params(size_m, cell_m), axes) };
+        let grid = onto.map_or(grid, |onto| wrapped(grid, onto));
+        // A blob around the domain's corner, so around all its seams, and as many anywhere.
+        let blob = fluid(&mut rng, if device.small() { 150 } else { 400 });
+        let positions: Vec<Position> = (0..2 * blob.count())
+            .map(|i| {
+                let middle_m = blob.size_m / 2.0;
+                let mut at_m = match blob.positions.get(i) {
+                    Some(position) => vector(position.position_m) - middle_m,
+                    None => DVec3::new(rng.random(), rng.random(), rng.random()) * size_m,
+                };
+                for axis in (0..3).filter(|&axis| axes[axis]) {
+                    at_m[axis] = at_m[axis].rem_euclid(size_m[axis]);
+                }
+                Position { position_m: at_m.to_array().map(|x| x as f32), tag: i as u32 }
+            })
+            .collect();
+        let velocities = vec![Velocity::default(); positions.len()];
+        check_count(device, &positions, grid, 1e-5).or_raise();
+        for precision in STORAGES {
+            let (sorted, starts) = sort(device, &positions, &velocities, grid, precision);
+            let first_outside = starts[grid.cell_count as usize] as usize;
+            let at_m = vectors(&sorted.positions);
+            let images = list_images(&at_m, |i| i >= first_outside, SUPPORT_M, period_m(&grid));
+            compared += check_lists(device, &sorted, &starts, grid, precision, &images).or_raise().neighbours;
+            let open = list_neighbours(&at_m, |i| i >= first_outside, SUPPORT_M);
+            ensure!(check_lists(device, &sorted, &starts, grid, precision, &open).is_err(), "without images: {axes:?}");
+        }
+    }
+    ensure!(compared > 10_000, "{compared}");
+    report_exact(device, "list_neighbours, periodic", compared);
 }
 
 pub(crate) fn neighbours_without_a_slot_are_counted(device: &Device) {

@@ -16,10 +16,10 @@ use brooklet_reference::particles::predict::Particle;
 use brooklet_reference::solver::none::integrate_particles::integrate_particles;
 use rand::{Rng, RngExt};
 
-const SETTINGS: NoneParams =
+pub(super) const SETTINGS: NoneParams =
     NoneParams { lifetime_s: 1.0, lifetime_variation: 0.5, drag_per_s: 1.5, restitution: 0.625 };
 
-fn run(
+pub(super) fn run(
     device: &Device,
     case: &Case,
     params: StepParams,
@@ -36,7 +36,7 @@ fn run(
     let step_state = bench.uniform("step_state", step_state(count, params.dt_s));
     bench.dispatch(
         &IntegrateParticles {
-            variant: IntegrateParticlesVariant { walls, periodic: false },
+            variant: IntegrateParticlesVariant { walls, periodic: params.period_m != [0.0; 3] },
             positions: positions.write(),
             velocities: velocities.write(),
             counters: counters.write(),
@@ -51,7 +51,7 @@ fn run(
     (done.read(&positions, count), done.read(&velocities, count), counted)
 }
 
-fn twin(settings: NoneParams) -> NonInteracting {
+pub(super) fn twin(settings: NoneParams) -> NonInteracting {
     NonInteracting {
         lifetime_s: f64::from(settings.lifetime_s),
         lifetime_variation: f64::from(settings.lifetime_variation),
