@@ -81,6 +81,13 @@ macro_rules! for_each_known_answer {
                 rank_members_matches_its_twin: ["rank_by_id", "scatter_cell_members"],
                 sort_is_a_permutation_in_order_of_cells: ["count_cells", "scan_groups", "reorder"],
             }
+            hardware {
+                the_order_of_atomics_changes_no_sorted_result: ["count_cells", "rank_by_id", "scatter_cell_members"],
+                numbers_too_small_to_be_normal_do_no_harm: ["predict", "reorder"],
+                coordinates_at_faces_are_rounded_as_on_the_host: ["count_cells", "reorder"],
+                a_long_dispatch_is_not_cut_short: [],
+                a_lost_device_is_told_and_another_goes_on: [],
+            }
             list {
                 list_neighbours_matches_brute_force: ["list_neighbours"],
                 a_wrapped_grid_lists_what_a_dense_one_does: ["count_cells", "list_neighbours"],
@@ -129,11 +136,34 @@ macro_rules! for_each_known_answer {
                 densities_match_their_twins: ["density_ratios", "measure_particles"],
             }
             pictures {
-                pictures_are_those_stored: [
+                points_are_as_stored: [
                     "draw_floor", "draw_sky", "draw_edges", "draw_shadow", "draw_particles", "draw_shade", "draw_resolve",
-                    "draw_fluid_depth", "draw_smooth_narrow_range", "draw_thickness", "draw_water", "draw_mesh_depth",
-                    "draw_sun_depth", "draw_sun_thickness", "draw_caustics",
                 ],
+                points_by_density_are_as_stored: ["density_ratios", "draw_particles", "draw_shade"],
+                points_by_fluid_are_as_stored: ["draw_particles", "draw_shade"],
+                no_fluid_is_as_stored: ["draw_floor", "draw_sky", "draw_edges", "draw_resolve"],
+                water_is_as_stored: [
+                    "draw_floor", "draw_sky", "draw_edges", "draw_fluid_depth", "draw_smooth_narrow_range",
+                    "draw_sun_thickness", "draw_opaque_planes", "draw_thickness", "draw_water", "draw_resolve",
+                    "draw_sun_depth", "draw_smooth_sun_depth", "refract_photons", "smooth_photons", "draw_caustics",
+                ],
+                water_without_light_of_its_own_is_as_stored: [
+                    "draw_floor", "draw_fluid_depth", "draw_smooth_narrow_range", "draw_sun_thickness",
+                    "draw_opaque_planes", "draw_thickness", "draw_water",
+                ],
+                water_of_spheres_is_as_stored: [
+                    "draw_fluid_depth", "draw_thickness", "draw_water", "draw_sun_depth", "draw_smooth_sun_depth",
+                    "draw_sun_thickness", "refract_photons", "smooth_photons", "draw_caustics",
+                ],
+                meshed_water_is_as_stored: [
+                    "draw_floor", "draw_mesh_depth", "draw_sun_thickness", "draw_opaque_planes", "draw_thickness",
+                    "draw_water", "draw_sun_depth", "draw_caustics",
+                ],
+                meshed_water_without_light_of_its_own_is_as_stored: [
+                    "draw_floor", "draw_mesh_depth", "draw_sun_thickness", "draw_opaque_planes", "draw_thickness",
+                    "draw_water",
+                ],
+                a_cross_fade_is_as_stored: ["draw_fluid_depth", "draw_mesh_depth", "draw_water", "draw_cross_fade"],
             }
             refine {
                 smooth_normals_matches_its_twin: ["smooth_normals"],

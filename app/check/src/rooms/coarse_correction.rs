@@ -3,8 +3,8 @@
 
 use crate::bench::Bench;
 use crate::cases::{
-    STORAGES, fluid, kernel_params, out_of_part, pbf_params, quantization_of, scattered, sizes, smoothing_of,
-    step_state, walls_of,
+    STORAGES, fluid, kernel_params, out_of_part, pbf_params, precisions, quantization_of, scattered, sizes,
+    smoothing_of, step_state, walls_of,
 };
 use crate::compare::{HALF_ROUNDING, ROUNDING, Worst, vector};
 use crate::device::Device;
@@ -296,7 +296,7 @@ pub(crate) fn constraints_are_restricted_to_their_cells(device: &Device) {
     let mut rng = rng(94);
     let mut between = 0;
     let kernel = SmoothingKernelParams { weight: REST_WEIGHT * kernel_params().weight, ..kernel_params() };
-    let variants = STORAGES.into_iter().flat_map(|precision| [(precision, false), (precision, true)]);
+    let variants = precisions(device).into_iter().flat_map(|(precision, _)| [(precision, false), (precision, true)]);
     let sizes = sizes(device, 64);
     for ((precision, walls), &count) in variants.flat_map(|variant| sizes.iter().map(move |count| (variant, count))) {
         let mut case = fluid(&mut rng, count);

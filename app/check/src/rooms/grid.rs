@@ -21,7 +21,7 @@ use rand::RngExt;
 
 pub(crate) const FULL: PrecisionKeyword = PrecisionKeyword::Off;
 
-fn run_count(device: &Device, positions: &[Position], grid: GridParams) -> (Vec<u32>, Vec<CellSlot>) {
+pub(super) fn run_count(device: &Device, positions: &[Position], grid: GridParams) -> (Vec<u32>, Vec<CellSlot>) {
     let mut bench = Bench::new(device);
     let at = bench.input("positions", positions);
     let mut counts = bench.output("cell_counts", grid.cell_count as usize + 2);
@@ -91,7 +91,7 @@ pub(crate) struct Sorted {
     pub quantized_positions: Vec<[u32; 2]>,
 }
 
-fn run_reorder(
+pub(super) fn run_reorder(
     device: &Device,
     positions: &[Position],
     velocities: &[Velocity],
@@ -165,7 +165,7 @@ pub(crate) fn reorder_matches_its_twin(device: &Device) {
     report_exact(device, Reorder::STAGE, cases);
 }
 
-fn run_rank(
+pub(super) fn run_rank(
     device: &Device,
     positions: &[Position],
     slots: &[CellSlot],

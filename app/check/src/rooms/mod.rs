@@ -11,6 +11,7 @@ pub(crate) mod drawn_caustics;
 pub(crate) mod drawn_sun_volume;
 pub(crate) mod drawn_thickness;
 pub(crate) mod grid;
+pub(crate) mod hardware;
 pub(crate) mod list;
 pub(crate) mod marching_cubes;
 pub(crate) mod measure;

@@ -4,7 +4,7 @@
 //! along outlines and round each color another way; a light, a shadow or a surface that is missing is off by much more.
 
 use brooklet_fluid::{Scene, Session};
-use brooklet_gpu::Tier;
+use brooklet_kernels::CrossFadeParams;
 use brooklet_render::ScenePlan;
 
 use crate::device::Device;
@@ -16,109 +16,117 @@ const BLOCKS: [usize; 2] = [5, 3];
 /// Of a block's mean, of 255.
 const TOLERANCE: i32 = 5;
 
-type Means = [[u8; 3]; 15];
+/// Red, green and blue of the blocks, rows from the top.
+type Means = [u8; 45];
 
 /// What is changed of the scene, and what is seen.
 struct Picture {
     name: &'static str,
     settings: &'static [&'static str],
     means: Means,
-    /// What is otherwise on tiers that draw no caustics.
-    without_caustics: &'static [(usize, [u8; 3])],
 }
 
-const PICTURES: &[Picture] = &[
-    Picture {
-        name: "points",
-        settings: &["surface.method=points"],
-        means: [
-            [165, 176, 184],
-            [149, 163, 180],
-            [161, 172, 183],
-            [164, 175, 183],
-            [163, 174, 182],
-            [158, 164, 172],
-            [24, 50, 107],
-            [130, 138, 154],
-            [186, 186, 185],
-            [174, 176, 177],
-            [185, 182, 178],
-            [109, 118, 133],
-            [135, 148, 153],
-            [190, 186, 181],
-            [189, 185, 179],
-        ],
-        without_caustics: &[],
-    },
-    Picture {
-        name: "water",
-        settings: &[],
-        means: [
-            [165, 176, 184],
-            [160, 175, 184],
-            [164, 175, 184],
-            [164, 175, 183],
-            [163, 174, 182],
-            [173, 178, 179],
-            [64, 134, 156],
-            [166, 178, 180],
-            [186, 186, 185],
-            [174, 176, 177],
-            [189, 185, 180],
-            [146, 173, 174],
-            [164, 182, 180],
-            [190, 186, 181],
-            [189, 185, 179],
-        ],
-        without_caustics: &[(11, [138, 163, 166]), (12, [152, 169, 170])],
-    },
-    Picture {
-        name: "water without light of its own",
-        settings: &["surface.anisotropic=false", "surface.caustics=false", "surface.self_shadow=false"],
-        means: [
-            [165, 176, 184],
-            [160, 175, 185],
-            [164, 175, 184],
-            [164, 175, 183],
-            [163, 174, 182],
-            [173, 177, 179],
-            [62, 135, 157],
-            [166, 178, 180],
-            [186, 186, 185],
-            [174, 176, 177],
-            [189, 185, 180],
-            [138, 163, 166],
-            [152, 169, 170],
-            [190, 186, 181],
-            [189, 185, 179],
-        ],
-        without_caustics: &[],
-    },
-    Picture {
-        name: "meshed water",
-        settings: &["surface.method=marching-cubes"],
-        means: [
-            [165, 176, 184],
-            [164, 177, 186],
-            [165, 176, 185],
-            [164, 175, 183],
-            [163, 174, 182],
-            [173, 178, 179],
-            [67, 135, 156],
-            [167, 178, 180],
-            [186, 186, 185],
-            [174, 176, 177],
-            [189, 185, 180],
-            [146, 173, 174],
-            [165, 182, 180],
-            [190, 186, 181],
-            [189, 185, 179],
-        ],
-        without_caustics: &[(11, [139, 164, 167]), (12, [153, 170, 170])],
-    },
-];
+const POINTS: Picture = Picture {
+    name: "points",
+    settings: &["surface.method=points"],
+    means: [
+        165, 176, 184, 149, 163, 180, 161, 172, 183, 164, 175, 183, 163, 174, 182, 158, 164, 172, 24, 50, 107, 130,
+        138, 154, 186, 186, 185, 174, 176, 177, 185, 182, 178, 109, 118, 133, 135, 148, 153, 190, 186, 181, 189, 185,
+        179,
+    ],
+};
 
-/// The mean colors of a picture's blocks, from the top, after two steps.
+const DENSITIES: Picture = Picture {
+    name: "points by density",
+    settings: &["surface.method=points", "surface.color_by=density"],
+    means: [
+        165, 176, 184, 168, 179, 188, 166, 176, 185, 164, 175, 183, 163, 174, 182, 177, 180, 181, 159, 169, 177, 166,
+        171, 175, 186, 186, 185, 174, 176, 177, 188, 184, 179, 148, 155, 157, 138, 151, 156, 190, 186, 181, 189, 185,
+        179,
+    ],
+};
+
+const FLUIDS: Picture = Picture {
+    name: "points by fluid",
+    settings: &["surface.method=points", "surface.color_by=fluid"],
+    means: [
+        165, 176, 184, 149, 170, 186, 161, 174, 185, 164, 175, 183, 163, 174, 182, 158, 169, 178, 25, 90, 156, 131,
+        149, 170, 186, 186, 185, 174, 176, 177, 185, 183, 178, 109, 128, 149, 135, 148, 155, 190, 186, 181, 189, 185,
+        179,
+    ],
+};
+
+const NOTHING: Picture = Picture {
+    name: "no fluid",
+    settings: &["surface.method=none"],
+    means: [
+        165, 176, 184, 163, 173, 182, 165, 176, 184, 164, 175, 183, 163, 174, 182, 177, 179, 179, 183, 183, 183, 187,
+        187, 186, 186, 186, 185, 174, 176, 177, 189, 186, 180, 194, 190, 184, 196, 192, 185, 190, 186, 181, 189, 185,
+        179,
+    ],
+};
+
+const WATER: Picture = Picture {
+    name: "water",
+    settings: &["surface.caustics=true", "surface.self_shadow=true"],
+    means: [
+        165, 176, 184, 160, 175, 184, 164, 175, 184, 164, 175, 183, 163, 174, 182, 173, 178, 179, 64, 134, 156, 166,
+        178, 180, 186, 186, 185, 174, 176, 177, 189, 185, 180, 146, 173, 174, 164, 182, 180, 190, 186, 181, 189, 185,
+        179,
+    ],
+};
+
+const PLAIN: Picture = Picture {
+    name: "water without light of its own",
+    settings: &["surface.anisotropic=false", "surface.caustics=false", "surface.self_shadow=false"],
+    means: [
+        165, 176, 184, 160, 175, 185, 164, 175, 184, 164, 175, 183, 163, 174, 182, 173, 177, 179, 62, 135, 157, 166,
+        178, 180, 186, 186, 185, 174, 176, 177, 189, 185, 180, 138, 163, 166, 152, 169, 170, 190, 186, 181, 189, 185,
+        179,
+    ],
+};
+
+const SPHERES: Picture = Picture {
+    name: "water of spheres",
+    settings: &["surface.anisotropic=false", "surface.caustics=true"],
+    means: [
+        165, 176, 184, 160, 175, 185, 164, 175, 184, 164, 175, 183, 163, 174, 182, 173, 177, 179, 62, 133, 155, 165,
+        178, 180, 186, 186, 185, 174, 176, 177, 189, 185, 180, 145, 173, 174, 164, 181, 180, 190, 186, 181, 189, 185,
+        179,
+    ],
+};
+
+const MESHED: Picture = Picture {
+    name: "meshed water",
+    settings: &["surface.method=marching-cubes", "surface.caustics=true", "surface.self_shadow=true"],
+    means: [
+        165, 176, 184, 164, 177, 186, 165, 176, 185, 164, 175, 183, 163, 174, 182, 173, 178, 179, 67, 135, 156, 167,
+        178, 180, 186, 186, 185, 174, 176, 177, 189, 185, 180, 146, 173, 174, 165, 182, 180, 190, 186, 181, 189, 185,
+        179,
+    ],
+};
+
+const PLAIN_MESHED: Picture = Picture {
+    name: "meshed water without light of its own",
+    settings: &["surface.method=marching-cubes", "surface.caustics=false", "surface.self_shadow=false"],
+    means: [
+        165, 176, 184, 164, 177, 186, 165, 176, 185, 164, 175, 183, 163, 174, 182, 173, 178, 179, 68, 136, 158, 168,
+        179, 181, 186, 186, 185, 174, 176, 177, 189, 185, 180, 139, 164, 167, 153, 170, 170, 190, 186, 181, 189, 185,
+        179,
+    ],
+};
+
+const BOTH: Picture = Picture {
+    name: "half meshed water over the other",
+    settings: &["surface.method=auto", "surface.caustics=false", "surface.self_shadow=false"],
+    means: [
+        165, 176, 184, 162, 176, 185, 164, 176, 184, 164, 175, 183, 163, 174, 182, 173, 178, 179, 66, 136, 158, 167,
+        179, 180, 186, 186, 185, 174, 176, 177, 189, 185, 180, 138, 163, 167, 152, 169, 170, 190, 186, 181, 189, 185,
+        179,
+    ],
+};
+
+/// The mean colors of a picture's blocks after two steps.
 fn drawn(device: &Device, settings: &[&str]) -> Means {
     let [width, height] = [0, 1].map(|axis| BLOCK_PX[axis] * BLOCKS[axis]);
     let sizes = [format!("outputs.width_px={width}"), format!("outputs.height_px={height}")];
@@ -133,18 +141,25 @@ fn drawn(device: &Device, settings: &[&str]) -> Means {
     for _ in 0..2 {
         session.step().or_raise();
     }
-    let draw = passes.next(session.engine_mut(), count, false);
+    let draw = match &passes.auto {
+        // Half of each method's picture.
+        Some(auto) => {
+            session
+                .engine_mut()
+                .write(&auto.cross_fade, &[CrossFadeParams { opacity: 0.5, ..CrossFadeParams::default() }]);
+            auto.both.id()
+        }
+        None => passes.next(session.engine_mut(), count, false),
+    };
     session.engine_mut().run(&[draw], &[]).or_raise();
     let rgba = session.engine_mut().read_texture(&passes.color).or_raise();
     ensure!(rgba.len() == 4 * width * height, "{} bytes of a picture", rgba.len());
-    std::array::from_fn(|block| {
+    std::array::from_fn(|number| {
+        let (block, channel) = (number / 3, number % 3);
         let [left, top] = [block % BLOCKS[0] * BLOCK_PX[0], block / BLOCKS[0] * BLOCK_PX[1]];
-        std::array::from_fn(|channel| {
-            let rows =
-                (top..top + BLOCK_PX[1]).flat_map(|y| (left..left + BLOCK_PX[0]).map(move |x| (y * width + x) * 4));
-            let sum: u32 = rows.map(|at| u32::from(rgba[at + channel])).sum();
-            (sum / (BLOCK_PX[0] * BLOCK_PX[1]) as u32) as u8
-        })
+        let rows = (top..top + BLOCK_PX[1]).flat_map(|y| (left..left + BLOCK_PX[0]).map(move |x| (y * width + x) * 4));
+        let sum: u32 = rows.map(|at| u32::from(rgba[at + channel])).sum();
+        (sum / (BLOCK_PX[0] * BLOCK_PX[1]) as u32) as u8
     })
 }
 
@@ -153,18 +168,18 @@ fn drawn(device: &Device, settings: &[&str]) -> Means {
 /// # Errors
 /// Names the block that is furthest off, if it is by more than the tolerance.
 fn compare(got: &Means, expected: &Means) -> Result<i32, Wrong> {
-    let off = |(a, b): (&[u8; 3], &[u8; 3])| {
+    let off = |(a, b): (&[u8], &[u8])| {
         a.iter().zip(b).map(|(a, b)| (i32::from(*a) - i32::from(*b)).abs()).max().unwrap_or_default()
     };
-    let apart: Vec<i32> = got.iter().zip(expected).map(off).collect();
+    let apart: Vec<i32> = got.chunks(3).zip(expected.chunks(3)).map(off).collect();
     let (block, &worst) = apart.iter().enumerate().max_by_key(|(_, off)| **off).or_raise();
     if worst <= TOLERANCE {
         return Ok(worst);
     }
     Err(Found {
         element: Some(block),
-        got: format!("{:?}", got[block]),
-        expected: format!("{:?}", expected[block]),
+        got: format!("{:?}", &got[3 * block..3 * block + 3]),
+        expected: format!("{:?}", &expected[3 * block..3 * block + 3]),
         difference: Some([f64::from(worst), f64::from(TOLERANCE)]),
         note: "mean color of a block".into(),
         beyond: Some([apart.iter().filter(|off| **off > TOLERANCE).count(), apart.len()]),
@@ -173,18 +188,52 @@ fn compare(got: &Means, expected: &Means) -> Result<i32, Wrong> {
     .into())
 }
 
-pub(crate) fn pictures_are_those_stored(device: &Device) {
-    for picture in PICTURES {
-        let mut expected = picture.means;
-        if device.gpu().tier() != Tier::Desktop {
-            picture.without_caustics.iter().for_each(|(block, mean)| expected[*block] = *mean);
-        }
-        let got = drawn(device, picture.settings);
-        let worst = compare(&got, &expected).map_err(|wrong| wrong.named(picture.name)).or_raise();
-        device.compared("draw", expected.len(), [f64::from(worst), f64::from(TOLERANCE)]);
-        note!(device, "picture {}: within {worst} of 255, tolerance {TOLERANCE}", picture.name);
-        // Particles are not water, nor water particles.
-        let other = if picture.name == PICTURES[0].name { &PICTURES[1] } else { &PICTURES[0] };
-        ensure!(compare(&got, &other.means).is_err(), "{} is taken for {}", other.name, picture.name);
-    }
+fn is_as_stored(device: &Device, picture: &Picture) {
+    let got = drawn(device, picture.settings);
+    let worst = compare(&got, &picture.means).map_err(|wrong| wrong.named(picture.name)).or_raise();
+    device.compared("draw", BLOCKS[0] * BLOCKS[1], [f64::from(worst), f64::from(TOLERANCE)]);
+    note!(device, "picture of {}: within {worst} of 255, tolerance {TOLERANCE}", picture.name);
+    // Particles are not water, nor is anything else particles.
+    let other = if picture.name == POINTS.name { WATER } else { POINTS };
+    ensure!(compare(&got, &other.means).is_err(), "{} is taken for {}", other.name, picture.name);
+}
+
+pub(crate) fn points_are_as_stored(device: &Device) {
+    is_as_stored(device, &POINTS);
+}
+
+pub(crate) fn points_by_density_are_as_stored(device: &Device) {
+    is_as_stored(device, &DENSITIES);
+}
+
+pub(crate) fn points_by_fluid_are_as_stored(device: &Device) {
+    is_as_stored(device, &FLUIDS);
+}
+
+pub(crate) fn no_fluid_is_as_stored(device: &Device) {
+    is_as_stored(device, &NOTHING);
+}
+
+pub(crate) fn water_is_as_stored(device: &Device) {
+    is_as_stored(device, &WATER);
+}
+
+pub(crate) fn water_without_light_of_its_own_is_as_stored(device: &Device) {
+    is_as_stored(device, &PLAIN);
+}
+
+pub(crate) fn water_of_spheres_is_as_stored(device: &Device) {
+    is_as_stored(device, &SPHERES);
+}
+
+pub(crate) fn meshed_water_is_as_stored(device: &Device) {
+    is_as_stored(device, &MESHED);
+}
+
+pub(crate) fn meshed_water_without_light_of_its_own_is_as_stored(device: &Device) {
+    is_as_stored(device, &PLAIN_MESHED);
+}
+
+pub(crate) fn a_cross_fade_is_as_stored(device: &Device) {
+    is_as_stored(device, &BOTH);
 }

@@ -96,8 +96,9 @@ fn timed_frames(device: &Device) -> Vec<FrameReport> {
 /// Whether ticks may be believed: how many of their bits were seen, in a line.
 ///
 /// # Errors
-/// If a tick lasts no time, a span ends before it begins, none takes any time, or a frame lies before another.
-fn believed(reports: &[FrameReport]) -> Result<String, Wrong> {
+/// If a tick lasts no time or has more bits than count, a span ends before it begins, none takes any time, or a frame lies
+/// before another.
+fn believed(reports: &[FrameReport], valid_bits: u32) -> Result<String, Wrong> {
     let (mut last, mut zero, mut all) = (0, 0, 0);
     for (frame, report) in reports.iter().enumerate() {
         let period_ns = report.timestamp_period_ns;
@@ -110,6 +111,10 @@ fn believed(reports: &[FrameReport]) -> Result<String, Wrong> {
         for span in &report.spans {
             all += 1;
             zero += usize::from(span.flag == SpanFlag::Zero);
+            if span.end_ticks.checked_shr(valid_bits).is_some_and(|beyond| beyond > 0) {
+                let text = format!("{} ticks, of {valid_bits} bits that count", span.end_ticks);
+                return Err(Wrong::new(format!("frame {frame}: {text}")));
+            }
             if span.flag == SpanFlag::Negative || span.begin_ticks < last {
                 let text = format!("from {} to {}, after {last}", span.begin_ticks, span.end_ticks);
                 return Err(Wrong::new(format!("frame {frame}: ticks run back, or wrapped: {text}")));
@@ -121,8 +126,9 @@ fn believed(reports: &[FrameReport]) -> Result<String, Wrong> {
         return Err(Wrong::new(format!("none of {all} spans takes any time")));
     }
     let period_ns = reports.first().map_or(0.0, |report| report.timestamp_period_ns);
+    let wraps_s = 2f64.powi(valid_bits as i32) * period_ns * 1e-9;
     Ok(format!(
-        "clock: a tick is {period_ns} ns, {} bits of ticks seen, {zero} of {all} spans of no time",
+        "clock: a tick is {period_ns} ns, {valid_bits} bits count, {} seen, wraps after {wraps_s:.0} s, {zero} of {all} spans of no time",
         64 - last.leading_zeros()
     ))
 }
@@ -135,7 +141,7 @@ pub(crate) fn the_clock_runs_forward(device: &Device) {
     }
     let reports = timed_frames(device);
     ensure!(reports.len() == 5, "{} reports of 5 frames", reports.len());
-    note!(device, "{}", believed(&reports).or_raise());
+    note!(device, "{}", believed(&reports, device.gpu().driver_facts().timestamp_bits).or_raise());
 }
 
 #[cfg(test)]
@@ -168,12 +174,13 @@ mod tests {
     #[test]
     fn clocks_that_cannot_be_believed_are_not() {
         let good = || report(&[[100, 110], [110, 130]], 1.0);
-        assert!(believed(&[good(), report(&[[140, 150]], 1.0)]).unwrap().contains("8 bits"));
-        let wrong = |reports: &[FrameReport]| believed(reports).unwrap_err().note.clone();
+        assert!(believed(&[good(), report(&[[140, 150]], 1.0)], 64).unwrap().contains("8 bits"));
+        let wrong = |reports: &[FrameReport]| believed(reports, 36).unwrap_err().note.clone();
         assert!(wrong(&[report(&[[100, 110]], 0.0)]).contains("lasts 0 ns"));
         assert!(wrong(&[report(&[[100, 90]], 1.0)]).contains("run back"));
         assert!(wrong(&[good(), report(&[[3, 9]], 1.0)]).contains("wrapped"));
         assert!(wrong(&[report(&[[7, 7], [7, 7]], 1.0)]).contains("any time"));
+        assert!(wrong(&[report(&[[1 << 36, 1 << 37]], 1.0)]).contains("of 36 bits"));
         assert!(wrong(&[report(&[], 1.0)]).contains("did not come"));
         assert!(wrong(&[FrameReport { dropped_spans: 2, ..good() }]).contains("2 timestamps"));
     }
