@@ -1,4 +1,4 @@
-//! What happens beside the frames: states, lines of a log, pictures, points, heat. Each topic is in the
+//! What happens beside the frames: states, lines of a log, pictures, points, heat, verdicts. Each topic is in the
 //! file from its first message on, so that one that is never used does not appear.
 
 use std::io::Write;
@@ -6,10 +6,11 @@ use std::io::Write;
 use serde_json::json;
 
 use crate::{
-    CaptureError, CaptureWriter, Level, StateRow, ThermalRow, foxglove,
+    CaptureError, CaptureWriter, CheckRow, Level, StateRow, ThermalRow, foxglove,
     foxglove::Point,
     schema::{
-        IMAGE_TOPIC, LOG_TOPIC, PARTICLES_TOPIC, STATE_TOPIC, THERMAL_TOPIC, log_schema, state_schema, thermal_schema,
+        CHECK_TOPIC, IMAGE_TOPIC, LOG_TOPIC, PARTICLES_TOPIC, STATE_TOPIC, THERMAL_TOPIC, check_schema, log_schema,
+        state_schema, thermal_schema,
     },
 };
 
@@ -18,6 +19,7 @@ use crate::{
 pub(crate) struct EventChannels {
     state: Option<u16>,
     thermal: Option<u16>,
+    check: Option<u16>,
     log: Option<u16>,
     image: Option<u16>,
     particles: Option<u16>,
@@ -52,6 +54,20 @@ impl<W: Write> CaptureWriter<W> {
             };
             this.events.thermal = Some(channel);
             let row = ThermalRow { wall_s: wall_ns as f64 * 1e-9, ..thermal.clone() };
+            this.message(channel, wall_ns, &row)?;
+            this.flush_when_due()
+        })
+    }
+
+    /// Records whether the device gives an answer that is known.
+    pub fn check(&mut self, wall_ns: u64, check: &CheckRow) -> Result<(), CaptureError> {
+        self.timed(|this| {
+            let channel = match this.events.check {
+                Some(channel) => channel,
+                None => this.declare(CHECK_TOPIC, "brooklet.Check", &check_schema())?,
+            };
+            this.events.check = Some(channel);
+            let row = CheckRow { wall_s: wall_ns as f64 * 1e-9, ..check.clone() };
             this.message(channel, wall_ns, &row)?;
             this.flush_when_due()
         })

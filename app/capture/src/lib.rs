@@ -13,6 +13,7 @@
 //! | `/gpu/state` | change | tier, precision, surface, quality rung, paused, what changed |
 //! | `/sim/stats` | measurement | the caller's named statistics |
 //! | `/device/thermal` | second, where the system tells | temperatures, clocks, power |
+//! | `/device/check` | case and kernel checked | verdict, difference and tolerance, what was got and expected |
 //! | `/sim/particles` | when given | `foxglove.PointCloud` (protobuf) |
 //! | `/view/image` | when given | `foxglove.CompressedImage` (protobuf) |
 //! | `/log` | line | `foxglove.Log` |
@@ -61,11 +62,11 @@ pub use error::CaptureError;
 pub use foxglove::Point;
 pub use reader::{Attachment, Capture};
 pub use recover::recover;
-pub use rows::{FrameRow, Level, PassRow, SpanRow, StateRow, StatsRow, ThermalRow};
+pub use rows::{CheckRow, FrameRow, Level, PassRow, SpanRow, StateRow, StatsRow, ThermalRow};
 pub use schema::{
-    FORMAT_KEY, FORMAT_VERSION, FRAME_TOPIC, IMAGE_TOPIC, LOG_TOPIC, PARTICLES_TOPIC, PASSES_TOPIC, SPAN_TOPIC,
-    STATE_TOPIC, STATS_TOPIC, StatField, THERMAL_TOPIC, TOPICS, frame_schema, log_schema, passes_schema, span_schema,
-    state_schema, stats_schema, thermal_schema,
+    CHECK_TOPIC, FORMAT_KEY, FORMAT_VERSION, FRAME_TOPIC, IMAGE_TOPIC, LOG_TOPIC, PARTICLES_TOPIC, PASSES_TOPIC,
+    SPAN_TOPIC, STATE_TOPIC, STATS_TOPIC, StatField, THERMAL_TOPIC, TOPICS, check_schema, frame_schema, log_schema,
+    passes_schema, span_schema, state_schema, stats_schema, thermal_schema,
 };
 pub use series::Quantiles;
 pub use spans::SpanReader;

@@ -11,8 +11,8 @@ use serde::de::DeserializeOwned;
 use serde_json::{Map, Value};
 
 use crate::{
-    CaptureError, FRAME_TOPIC, FrameRow, PASSES_TOPIC, PassRow, SPAN_TOPIC, STATE_TOPIC, STATS_TOPIC, SpanRow,
-    StatField, StateRow, StatsRow, THERMAL_TOPIC, ThermalRow,
+    CHECK_TOPIC, CaptureError, CheckRow, FRAME_TOPIC, FrameRow, PASSES_TOPIC, PassRow, SPAN_TOPIC, STATE_TOPIC,
+    STATS_TOPIC, SpanRow, StatField, StateRow, StatsRow, THERMAL_TOPIC, ThermalRow,
     spans::SpanReader,
     stream::{Channel, Ending, Item, Message, message_problem, read},
 };
@@ -41,6 +41,8 @@ pub struct Capture {
     pub states: Vec<StateRow>,
     /// `/device/thermal`.
     pub thermal: Vec<ThermalRow>,
+    /// `/device/check`.
+    pub checks: Vec<CheckRow>,
     /// `/sim/stats`.
     pub stats: Vec<StatsRow>,
     /// The stages that are declared, whether or not they ran.
@@ -160,6 +162,10 @@ impl Rows<'_> {
             THERMAL_TOPIC => {
                 let row = self.parse(topic, data)?;
                 self.capture.thermal.push(row);
+            }
+            CHECK_TOPIC => {
+                let row = self.parse(topic, data)?;
+                self.capture.checks.push(row);
             }
             PASSES_TOPIC => {
                 let (frame, wall_s, values) = self.numbers(topic, data)?;

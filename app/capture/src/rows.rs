@@ -106,6 +106,30 @@ pub struct StateRow {
     pub iterations: Option<u32>,
 }
 
+/// `/device/check`: whether a kernel's variant, or the device in a case, gives the answers that are known.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct CheckRow {
+    /// When, seconds since the capture's zero; the writer fills it in.
+    pub wall_s: f64,
+    /// `case` or `module` (a kernel's variant).
+    pub of: String,
+    /// Its name.
+    pub name: String,
+    /// `right`, `wrong`, `skipped` or `not checked`.
+    pub verdict: String,
+    /// Numbers that were compared.
+    pub compared: u64,
+    /// The largest difference, relative to a scale of the case's; absent for what is exact.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub difference: Option<f64>,
+    /// What it may be.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tolerance: Option<f64>,
+    /// In words: the worst element, what was got and expected, or why it was skipped.
+    pub said: String,
+}
+
 /// `/device/thermal`: what the system tells of heat, clocks and power; the rest is absent.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]

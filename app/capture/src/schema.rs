@@ -17,6 +17,8 @@ pub const STATE_TOPIC: &str = "/gpu/state";
 pub const STATS_TOPIC: &str = "/sim/stats";
 /// Temperatures, clocks and power of the machine, about once a second.
 pub const THERMAL_TOPIC: &str = "/device/thermal";
+/// Whether the device gives the answers that are known: one message a case, and one a kernel's variant.
+pub const CHECK_TOPIC: &str = "/device/check";
 /// Some of the particles (`foxglove.PointCloud`).
 pub const PARTICLES_TOPIC: &str = "/sim/particles";
 /// What is seen (`foxglove.CompressedImage`).
@@ -25,13 +27,14 @@ pub const IMAGE_TOPIC: &str = "/view/image";
 pub const LOG_TOPIC: &str = "/log";
 
 /// Every topic, in the order of the documentation.
-pub const TOPICS: [&str; 9] = [
+pub const TOPICS: [&str; 10] = [
     FRAME_TOPIC,
     PASSES_TOPIC,
     SPAN_TOPIC,
     STATE_TOPIC,
     STATS_TOPIC,
     THERMAL_TOPIC,
+    CHECK_TOPIC,
     PARTICLES_TOPIC,
     IMAGE_TOPIC,
     LOG_TOPIC,
@@ -225,6 +228,21 @@ pub fn thermal_schema() -> Value {
         ("headroom", number("1", "Thermal headroom forecast, 1 where throttling begins")),
     ]);
     object("brooklet.Thermal", &["wall_s"], all)
+}
+
+/// Schema of `/device/check`.
+pub fn check_schema() -> Value {
+    let all = fields([
+        ("wall_s", number("s", "When it was known, since the capture's zero")),
+        ("of", text("case or module: a kernel's variant")),
+        ("name", text("Its name")),
+        ("verdict", text("right, wrong, skipped or not checked")),
+        ("compared", integer("Numbers that were compared")),
+        ("difference", number("1", "The largest difference, relative to a scale of the case's")),
+        ("tolerance", number("1", "What it may be")),
+        ("said", text("The worst element, what was got and expected, or why it was skipped")),
+    ]);
+    object("brooklet.Check", &["wall_s", "of", "name", "verdict", "compared", "said"], all)
 }
 
 /// Schema of `/sim/stats` for the caller's fields. JSON has no NaN: a value that is not finite is

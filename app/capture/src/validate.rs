@@ -144,7 +144,15 @@ mod tests {
 
     #[test]
     fn each_keyword_is_understood() {
-        let all = [frame_schema(), log_schema(), passes_schema(["a"]), span_schema(), state_schema(), thermal_schema()];
+        let all = [
+            frame_schema(),
+            log_schema(),
+            passes_schema(["a"]),
+            span_schema(),
+            state_schema(),
+            thermal_schema(),
+            crate::check_schema(),
+        ];
         for schema in all.iter().chain([&stats_schema(&[])]) {
             assert_eq!(check_schema(schema), Ok(()), "{schema}");
         }

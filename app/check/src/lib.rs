@@ -14,5 +14,5 @@ mod wrong;
 
 pub use device::{Device, ModuleRun, Outcome, Verdict};
 pub use registry::{KNOWN_ANSWERS, KnownAnswer};
-pub use report::{CheckedModule, ModuleVerdict, Report, Wanted};
+pub use report::{CheckedModule, ModuleVerdict, Progress, Report, Wanted, run};
 pub use wrong::{Found, Wrong};

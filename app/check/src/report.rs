@@ -92,19 +92,43 @@ pub(crate) fn modules_of(command: &Command) -> Vec<(&'static str, &'static Modul
     }
 }
 
+/// How far a check has come.
+pub struct Progress<'a> {
+    /// Cases that were run.
+    pub done: usize,
+    /// Cases there are.
+    pub total: usize,
+    /// The case that came to an end, if one did.
+    pub ended: Option<&'a Outcome>,
+    /// The case that begins, if one does: what was under way should the driver end the program.
+    pub begins: Option<&'static KnownAnswer>,
+}
+
+/// Whether an open device computes right, as a program asks before it believes one: runs the known answers of what is
+/// wanted, [`Wanted::of_plan`] a scene's plan or [`Wanted::of_tier`] all, one after the other until the device is lost.
+/// `small` leaves out the sizes that take minutes where the driver runs on the processor. `progress` is called before
+/// each case and behind the last.
+///
+/// It takes seconds and runs on this thread. A case that breaks off is caught by unwinding: a program that aborts on
+/// panics ends there.
+pub fn run(gpu: &Gpu, wanted: &Wanted, small: bool, progress: &mut dyn FnMut(Progress<'_>)) -> Report {
+    Report::run(&Device::new(gpu.clone(), small), wanted, progress)
+}
+
 impl Report {
-    /// Runs the cases of what is wanted, one after the other, until the device is lost. `progress(done, total, case)` is
-    /// called before each, so that what was under way is known should the driver end the program.
-    pub fn run(device: &Device, wanted: &Wanted, progress: &mut dyn FnMut(usize, usize, &KnownAnswer)) -> Self {
+    /// As [`run`], on a device whose modules may have been replaced.
+    pub fn run(device: &Device, wanted: &Wanted, progress: &mut dyn FnMut(Progress<'_>)) -> Self {
         let cases = wanted.cases();
-        let mut outcomes = Vec::new();
-        for (done, known) in cases.iter().enumerate() {
-            progress(done, cases.len(), known);
+        let total = cases.len();
+        let mut outcomes: Vec<Outcome> = Vec::new();
+        for (done, &known) in cases.iter().enumerate() {
+            progress(Progress { done, total, ended: outcomes.last(), begins: Some(known) });
             outcomes.push(device.run(known));
             if device.gpu().is_lost().is_some() {
                 break;
             }
         }
+        progress(Progress { done: outcomes.len(), total, ended: outcomes.last(), begins: None });
         Self { modules: checked(wanted, &outcomes), outcomes }
     }
 

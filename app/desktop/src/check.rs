@@ -8,6 +8,7 @@ use brooklet_gpu::{Gpu, tier_name};
 use brooklet_kernels::Module;
 use serde_json::{Value, json};
 
+use crate::check_capture::Verdicts;
 use crate::{cli::DoctorOptions, failure::Failure, job, progress, table::table};
 
 /// Runs the known answers of a scene's plan, or all, and prints a verdict a module.
@@ -30,13 +31,20 @@ pub fn check(options: &DoctorOptions, scene: &str) -> Result<(), Failure> {
     // A driver that runs on the processor takes minutes for millions of particles.
     let small = gpu.info().device_type == "cpu" && !options.all;
     let started = Instant::now();
+    let mut capture = options.capture.as_deref().map(|path| Verdicts::create(path, &gpu)).transpose()?;
     let bar = progress::bar(wanted.cases().len() as u64, "cases");
     let device = Device::new(gpu.clone(), small).with_modules(replacements);
-    let report = Report::run(&device, &wanted, &mut |done, _, known| {
-        bar.set_position(done as u64);
-        bar.set_message(format!("{}: {}", known.room, known.name.replace('_', " ")));
+    let report = Report::run(&device, &wanted, &mut |progress| {
+        bar.set_position(progress.done as u64);
+        if let (Some(capture), Some(outcome)) = (&mut capture, progress.ended) {
+            capture.case(outcome);
+        }
+        if let Some(known) = progress.begins {
+            bar.set_message(format!("{}: {}", known.room, known.name.replace('_', " ")));
+        }
     });
     bar.finish_and_clear();
+    let captured = capture.map_or(Ok(()), |capture| capture.finish(&report));
     let what = if options.all { format!("tier {}", tier_name(gpu.tier())) } else { scene.name.clone() };
     let wall_s = started.elapsed().as_secs_f64();
     if options.json {
@@ -45,6 +53,7 @@ pub fn check(options: &DoctorOptions, scene: &str) -> Result<(), Failure> {
     } else {
         print(&report, &gpu, &what, small, wall_s);
     }
+    captured?;
     let wrong: Vec<&Outcome> = report.outcomes.iter().filter(|o| matches!(o.verdict, Verdict::Wrong(_))).collect();
     if wrong.is_empty() {
         return Ok(());
@@ -97,11 +106,15 @@ fn print(report: &Report, gpu: &Gpu, what: &str, small: bool, wall_s: f64) {
             Verdict::Right if outcome.known.stages.is_empty() => say!("right    {case}"),
             Verdict::Right => {}
         }
+        // What the device itself is like, which no kernel's row tells.
+        if DEVICE_ROOMS.contains(&outcome.known.room) {
+            outcome.notes.iter().for_each(|note| say!("         {note}"));
+        }
     }
     let unchecked = of_verdict(report, ModuleVerdict::NotChecked);
     if unchecked > 0 {
         say!(
-            "\n{unchecked} of {} kernels and variants are not checked: no case is their known answer",
+            "\n{unchecked} of {} kernels and variants are not checked: their cases were left out, skipped or broken off",
             report.modules.len()
         );
     }
@@ -115,11 +128,14 @@ fn of_verdict(report: &Report, verdict: ModuleVerdict) -> usize {
     report.modules.iter().filter(|module| module.verdict == verdict).count()
 }
 
-fn title(outcome: &Outcome) -> String {
+/// Rooms of cases that say something of the device and not of one kernel.
+const DEVICE_ROOMS: [&str; 2] = ["hardware", "runs"];
+
+pub(crate) fn title(outcome: &Outcome) -> String {
     format!("{}: {}", outcome.known.room, outcome.known.name.replace('_', " "))
 }
 
-fn verdict_name(verdict: ModuleVerdict) -> &'static str {
+pub(crate) fn verdict_name(verdict: ModuleVerdict) -> &'static str {
     match verdict {
         ModuleVerdict::Right => "right",
         ModuleVerdict::Wrong => "WRONG",

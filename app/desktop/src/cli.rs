@@ -164,6 +164,9 @@ pub struct DoctorOptions {
     /// Only cases of this room of known answers, as grid; may be given again
     #[arg(long, value_name = "ROOM", requires = "check")]
     pub room: Vec<String>,
+    /// Write every verdict to this MCAP file as it is known
+    #[arg(long, value_name = "FILE", requires = "check")]
+    pub capture: Option<PathBuf>,
     /// Put a SPIR-V file in place of a kernel's variant, as Xsph=broken.spv: to see that what it breaks is found
     #[arg(long, value_name = "VARIANT=FILE", requires = "check", hide = true)]
     pub replace: Vec<String>,

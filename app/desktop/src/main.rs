@@ -14,6 +14,8 @@ mod bench_options;
 mod capture;
 #[cfg(feature = "check")]
 mod check;
+#[cfg(feature = "check")]
+mod check_capture;
 mod cli;
 mod commit;
 mod doctor;

@@ -2,7 +2,7 @@
 
 use std::time::{Duration, UNIX_EPOCH};
 
-use brooklet_capture::{CaptureOptions, CaptureWriter, Level, Point, StatField, StateRow, ThermalRow};
+use brooklet_capture::{CaptureOptions, CaptureWriter, CheckRow, Level, Point, StatField, StateRow, ThermalRow};
 
 use super::frame_report;
 
@@ -54,6 +54,8 @@ pub fn everything() -> Vec<u8> {
     writer.state(now_ns, &half).unwrap();
     let warm = ThermalRow { cpu_c: Some(61.5), governor: Some("powersave".into()), ..ThermalRow::default() };
     writer.thermal(now_ns, &warm).unwrap();
+    let checked = CheckRow { of: "module".into(), name: "Xsph".into(), verdict: "wrong".into(), ..CheckRow::default() };
+    writer.check(now_ns, &checked).unwrap();
     writer.log(now_ns, Level::Warning, "a \"line\"\nof two").unwrap();
     writer.image(now_ns, "png", PICTURE).unwrap();
     writer.particles(now_ns, &POINTS).unwrap();

@@ -29,6 +29,7 @@ fn every_topic_is_there_and_one_that_is_not_used_is_not() {
     assert_eq!(capture.states.len(), 2);
     assert_eq!((capture.states[1].rung, &*capture.states[1].precision), (3, "half"));
     assert_eq!(capture.thermal[0].cpu_c, Some(61.5));
+    assert_eq!((&*capture.checks[0].name, &*capture.checks[0].verdict), ("Xsph", "wrong"));
 
     let mut quiet = Vec::new();
     let mut writer = CaptureWriter::new(&mut quiet, "test.mcap".into(), options()).unwrap();

@@ -2,6 +2,7 @@
 
 use std::fs;
 
+use brooklet_capture::Capture;
 use brooklet_kernels::Module;
 use brooklet_tests::program::Workshop;
 use serde_json::Value;
@@ -112,6 +113,20 @@ fn a_device_that_computes_right_passes() {
 }
 
 #[test]
+fn verdicts_are_captured() {
+    let workshop = Workshop::new();
+    workshop.succeed(&["doctor", "--check", "--room", "velocity", "--capture", "verdicts.mcap"]);
+    let capture = Capture::open(&workshop.path("verdicts.mcap")).unwrap();
+    let verdict_of = |name: &str| capture.checks.iter().find(|row| row.name == name).map(|row| &*row.verdict);
+    assert_eq!(verdict_of("velocity: xsph matches its twin"), Some("right"));
+    assert_eq!(verdict_of("Xsph"), Some("right"));
+    assert_eq!(verdict_of("ListNeighbours"), Some("not checked"));
+    let xsph = capture.checks.iter().find(|row| row.name == "Xsph").unwrap();
+    assert!(xsph.compared > 0 && xsph.difference.unwrap() <= xsph.tolerance.unwrap());
+    workshop.succeed(&["capture", "check", "verdicts.mcap"]);
+}
+
+#[test]
 fn bad_input_is_told_and_nothing_runs() {
     let wrong = |words: &[&str], said: &str| {
         let done = Workshop::new().run(words);
@@ -123,6 +138,8 @@ fn bad_input_is_told_and_nothing_runs() {
     wrong(&["doctor", "--check", "--room", "nowhere"], "allowed: anisotropic_mesh");
     wrong(&["doctor", "--check", "--device", "no such device"], "no such device");
     wrong(&["doctor", "--check", "--set", "solver.dt_s=-1"], "solver.dt_s");
+    wrong(&["doctor", "--capture", "a.mcap"], "--check");
+    wrong(&["doctor", "--check", "--capture", "no-such-folder/a.mcap"], "no-such-folder");
     wrong(&["doctor", "--check", "--replace", "Xsph"], "VARIANT=FILE");
     wrong(&["doctor", "--check", "--replace", "Nobody=a.spv"], "'Nobody'");
     wrong(&["doctor", "--check", "--replace", "Xsph=no-such.spv"], "no-such.spv");
