@@ -16,6 +16,7 @@ mod scene_options;
 pub mod single;
 pub mod sorting;
 mod stepping;
+pub mod submissions;
 pub mod surfaces;
 mod targets;
 mod traffic;

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use brooklet_bench::surfaces;
 use clap::{Args, Subcommand};
 
-use crate::shared_options::{DeviceOptions, seconds, steps_from};
+use crate::shared_options::{DeviceOptions, SceneOptions, seconds, steps_from};
 
 /// `brooklet bench`.
 #[derive(Clone, Debug, Args)]
@@ -51,6 +51,8 @@ pub struct BenchOptions {
 pub enum BenchStudy {
     /// Ways to sort the particles: the product's against others, in pairs
     Sorting(SortingOptions),
+    /// The same steps in submissions of 1, 4 and 16, with and without GPU times, by the host's clock
+    Submissions(SubmissionsOptions),
     /// Ways to smooth the surface in screen space and to mesh it: their errors against known bodies, and their cost
     Surfaces(SurfacesOptions),
     /// What the window's panels and its capture add to a frame, in pairs; opens no window
@@ -86,6 +88,23 @@ pub struct WindowOptions {
     /// Keep the capture that was timed, with its cost in it
     #[arg(long, value_name = "FILE")]
     pub capture: Option<PathBuf>,
+    /// Print the result as JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// `brooklet bench submissions`.
+#[derive(Clone, Debug, Args)]
+pub struct SubmissionsOptions {
+    /// The scene.
+    #[command(flatten)]
+    pub scene: SceneOptions,
+    /// The device.
+    #[command(flatten)]
+    pub device: DeviceOptions,
+    /// Rounds; in each every way has 32 steps
+    #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    pub rounds: u32,
     /// Print the result as JSON
     #[arg(long)]
     pub json: bool,

@@ -3,6 +3,7 @@
 mod scaling;
 mod single;
 mod sorting;
+mod submissions;
 mod surfaces;
 mod terminal;
 #[cfg(feature = "window")]
@@ -15,7 +16,7 @@ use brooklet_gpu::Gpu;
 use serde::Serialize;
 
 use crate::{
-    bench_options::{BenchOptions, BenchStudy, SortingOptions, SurfacesOptions},
+    bench_options::{BenchOptions, BenchStudy, SortingOptions, SubmissionsOptions, SurfacesOptions},
     commit::COMMIT,
     failure::Failure,
     job, out_dir,
@@ -27,6 +28,7 @@ use terminal::watched;
 pub fn bench(options: &BenchOptions) -> Result<(), Failure> {
     match (&options.study, &options.scene) {
         (Some(BenchStudy::Sorting(options)), _) => bench_sorting(options),
+        (Some(BenchStudy::Submissions(options)), _) => bench_submissions(options),
         (Some(BenchStudy::Surfaces(options)), _) => bench_surfaces(options),
         #[cfg(feature = "window")]
         (Some(BenchStudy::Window(options)), _) => window::bench(options),
@@ -70,6 +72,16 @@ fn bench_sorting(options: &SortingOptions) -> Result<(), Failure> {
     let compared =
         watched(|terminal| timed::sorting::run(&gpu, timed::sorting::Options { particles, pairs }, terminal))?;
     show(options.json, &compared, sorting::print)
+}
+
+fn bench_submissions(options: &SubmissionsOptions) -> Result<(), Failure> {
+    let scene = job::scene(&options.scene, None)?;
+    let (gpu, untimed) = (open(&options.device)?, job::open(&options.device, false)?);
+    let rounds = options.rounds;
+    let found = watched(|terminal| {
+        timed::submissions::run(&gpu, &untimed, &scene, timed::submissions::Options { rounds }, terminal)
+    })?;
+    show(options.json, &found, submissions::print)
 }
 
 fn bench_surfaces(options: &SurfacesOptions) -> Result<(), Failure> {
