@@ -1,6 +1,12 @@
 //! The command line.
 
-#[cfg(not(all(feature = "window", feature = "bench", feature = "study", feature = "captures")))]
+#[cfg(not(all(
+    feature = "window",
+    feature = "bench",
+    feature = "study",
+    feature = "captures",
+    feature = "report"
+)))]
 use std::ffi::OsString;
 use std::path::PathBuf;
 
@@ -12,6 +18,8 @@ use crate::bench_options::BenchOptions;
 use crate::capture::CaptureCommand;
 use crate::mesh_file::MeshFormat;
 use crate::mesh_options::MeshOptions;
+#[cfg(feature = "report")]
+use crate::report_options::ReportOptions;
 use crate::shared_options::{DeviceOptions, SceneOptions, TierName, seconds, steps_from};
 #[cfg(feature = "study")]
 use crate::study_options::{StudyOptions, TuneOptions};
@@ -54,10 +62,19 @@ pub enum Command {
     #[cfg(feature = "captures")]
     #[command(subcommand)]
     Capture(CaptureCommand),
+    /// Find out what a device computes and how fast, as one page to look at and send
+    #[cfg(feature = "report")]
+    Report(ReportOptions),
     /// List this machine's devices: their tier, what they lack, and what that costs; or check that one computes right
     Doctor(DoctorOptions),
     /// A command that this build leaves out, or none at all.
-    #[cfg(not(all(feature = "window", feature = "bench", feature = "study", feature = "captures")))]
+    #[cfg(not(all(
+        feature = "window",
+        feature = "bench",
+        feature = "study",
+        feature = "captures",
+        feature = "report"
+    )))]
     #[command(external_subcommand)]
     LeftOut(Vec<OsString>),
 }

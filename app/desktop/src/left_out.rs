@@ -7,12 +7,13 @@ use clap::{CommandFactory, error::ErrorKind};
 use crate::{cli::Cli, failure::Failure};
 
 /// Each command that a feature brings, and whether this build has it.
-const COMMANDS: [(&str, bool); 5] = [
+const COMMANDS: [(&str, bool); 6] = [
     ("view", cfg!(feature = "window")),
     ("bench", cfg!(feature = "bench")),
     ("study", cfg!(feature = "study")),
     ("tune", cfg!(feature = "study")),
     ("capture", cfg!(feature = "captures")),
+    ("report", cfg!(feature = "report")),
 ];
 
 /// Says how to get the command; any other word is a mistake, told as clap tells it.

@@ -24,7 +24,7 @@ mod estimate_spacing;
 mod failure;
 mod interrupt;
 mod job;
-#[cfg(not(all(feature = "window", feature = "bench", feature = "study", feature = "captures")))]
+#[cfg(not(all(feature = "window", feature = "bench", feature = "study", feature = "captures", feature = "report")))]
 mod left_out;
 mod measured;
 mod mesh;
@@ -37,6 +37,10 @@ mod ply;
 mod point_cloud;
 mod progress;
 mod recorder;
+#[cfg(feature = "report")]
+mod report;
+#[cfg(feature = "report")]
+mod report_options;
 mod run;
 mod run_mesh;
 mod running;
@@ -79,8 +83,16 @@ fn main() -> ExitCode {
         Command::Tune(options) => tune::tune(options),
         #[cfg(feature = "captures")]
         Command::Capture(command) => capture::capture(command),
+        #[cfg(feature = "report")]
+        Command::Report(options) => report::report(options),
         Command::Doctor(options) => doctor::doctor(options),
-        #[cfg(not(all(feature = "window", feature = "bench", feature = "study", feature = "captures")))]
+        #[cfg(not(all(
+            feature = "window",
+            feature = "bench",
+            feature = "study",
+            feature = "captures",
+            feature = "report"
+        )))]
         Command::LeftOut(words) => left_out::left_out(words),
     };
     // The job's own failure says more than that of its table.

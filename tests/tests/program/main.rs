@@ -8,4 +8,6 @@ mod cli_surfaces;
 mod doctor_check;
 mod ended_early;
 mod mesh;
+#[cfg(feature = "report")]
+mod report;
 mod study;

@@ -10,7 +10,8 @@ mod summary;
 
 use crate::failure::Failure;
 
-pub use options::CaptureCommand;
+pub use compare::compare as compare_captures;
+pub use options::{CaptureCommand, CompareOptions as CaptureCompare, share};
 
 /// Does it.
 pub fn capture(command: &CaptureCommand) -> Result<(), Failure> {

@@ -95,7 +95,7 @@ pub struct RecoverOptions {
 }
 
 /// `5%`, or `0.05`.
-fn share(text: &str) -> Result<f64, String> {
+pub fn share(text: &str) -> Result<f64, String> {
     let (number, unit) = match text.strip_suffix('%') {
         Some(percent) => (percent.trim(), 0.01),
         None => (text, 1.0),
