@@ -10,7 +10,7 @@ fn number(value: &Value) -> f64 {
 #[test]
 fn the_table_has_every_load_and_its_figures_belong_together() {
     let workshop = Workshop::new();
-    let arguments = ["bench", "--max-particles", "4096", "--budget", "2", "--json", "--plot", "table.svg"];
+    let arguments = ["bench", "--max-particles", "4096", "--budget", "30", "--json", "--plot", "table.svg"];
     let table = workshop.succeed(&arguments).json();
     let rows = table["rows"].as_array().unwrap();
     let loads: Vec<_> =
