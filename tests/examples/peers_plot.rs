@@ -16,7 +16,7 @@ const SPACING_M: f64 = 0.02;
 const STEPS: u64 = 48;
 const WARM_UP: u64 = 24;
 /// A machine that others load gives ratios that differ by a third from turn to turn.
-const TURNS: usize = 7;
+const TURNS: usize = 3;
 /// Name of a curve, what sets it, iterations along it.
 const CURVES: [(&str, &[&str], &[u32]); 3] = [
     ("plain Jacobi", &["solver.pbf.acceleration=none", "solver.pbf.coarse_correction=false"], &[2, 4, 8]),

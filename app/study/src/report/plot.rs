@@ -10,8 +10,8 @@ use plotters::prelude::*;
 pub const INK: RGBColor = RGBColor(40, 44, 52);
 const GRID_LINE: RGBColor = RGBColor(228, 230, 234);
 const FONT: &str = "sans-serif";
-/// Told apart by most people, the colour-blind too (Okabe & Ito 2008, and three more).
-pub const PALETTE: [RGBColor; 10] = [
+/// Told apart by most people, the colour-blind too (Okabe & Ito 2008, and more: as many as any method has knobs).
+pub const PALETTE: [RGBColor; 13] = [
     RGBColor(0, 114, 178),
     RGBColor(213, 94, 0),
     RGBColor(0, 158, 115),
@@ -22,6 +22,9 @@ pub const PALETTE: [RGBColor; 10] = [
     RGBColor(110, 110, 110),
     RGBColor(148, 52, 110),
     RGBColor(60, 60, 160),
+    RGBColor(141, 160, 50),
+    RGBColor(30, 30, 30),
+    RGBColor(240, 128, 110),
 ];
 /// What failed.
 pub const RED: RGBColor = RGBColor(190, 30, 45);
