@@ -1,3 +1,4 @@
 //! The study finds what is wrong.
 
 mod faults;
+mod many_iterations;
