@@ -185,6 +185,7 @@ mod tests {
         let both = [
             "domain.walls",
             "solver.deterministic",
+            "solver.pbf.warm_start",
             "solver.pbf.s_corr_k",
             "forces.xsph",
             "forces.vorticity_m_s",
