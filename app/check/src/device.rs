@@ -8,12 +8,33 @@ use std::rc::Rc;
 use std::sync::Once;
 use std::time::Instant;
 
-use brooklet_gpu::{Engine, Gpu, Plan};
+use brooklet_gpu::{Command, Engine, Gpu, Plan};
 use brooklet_kernels::Module;
 
-use crate::registry::KnownAnswer;
-use crate::report::modules_of;
 use crate::wrong::{IN_CASE, OrRaise as _, Skipped, Wrong};
+
+/// A case: small known inputs, what the device makes of them, and what it should.
+#[derive(Clone, Copy, Debug)]
+pub struct KnownAnswer {
+    /// The file it stands in.
+    pub room: &'static str,
+    /// What it says, in words joined by underscores.
+    pub name: &'static str,
+    /// The stages whose known answer it is; others it runs on the way. None: it holds for the device.
+    pub stages: &'static [&'static str],
+    pub(crate) run: fn(&Device),
+}
+
+/// The modules of a command, each with its stage.
+pub(crate) fn modules_of(command: &Command) -> Vec<(&'static str, &'static Module)> {
+    match command {
+        Command::Dispatch(dispatch) => vec![(dispatch.stage, dispatch.module)],
+        Command::Draw(draw) => {
+            [Some(draw.vertex), draw.fragment].into_iter().flatten().map(|m| (draw.stage, m)).collect()
+        }
+        _ => Vec::new(),
+    }
+}
 
 /// An open device on which cases run, one after the other.
 pub struct Device {

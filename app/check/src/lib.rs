@@ -12,7 +12,7 @@ mod report;
 mod rooms;
 mod wrong;
 
-pub use device::{Device, ModuleRun, Outcome, Verdict};
-pub use registry::{KNOWN_ANSWERS, KnownAnswer};
+pub use device::{Device, KnownAnswer, ModuleRun, Outcome, Verdict};
+pub use registry::KNOWN_ANSWERS;
 pub use report::{CheckedModule, ModuleVerdict, Progress, Report, Wanted, run};
 pub use wrong::{Found, Wrong};

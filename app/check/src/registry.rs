@@ -1,19 +1,7 @@
 //! The list of known answers: each once, by room and name, with the stages it is the known answer of.
 
-use crate::device::Device;
+use crate::device::KnownAnswer;
 use crate::rooms;
-
-/// A case: small known inputs, what the device makes of them, and what it should.
-#[derive(Clone, Copy, Debug)]
-pub struct KnownAnswer {
-    /// The file it stands in.
-    pub room: &'static str,
-    /// What it says, in words joined by underscores.
-    pub name: &'static str,
-    /// The stages whose known answer it is; others it runs on the way. None: it holds for the device.
-    pub stages: &'static [&'static str],
-    pub(crate) run: fn(&Device),
-}
 
 /// Hands the list of known answers to a macro: `room { name: [stages], ... }`. [`KNOWN_ANSWERS`] is made of
 /// it, and the tests are, one each.

@@ -2,11 +2,10 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use brooklet_gpu::{Command, Gpu, Plan};
-use brooklet_kernels::Module;
+use brooklet_gpu::{Gpu, Plan};
 
-use crate::device::{Device, ModuleRun, Outcome, Verdict};
-use crate::registry::{KNOWN_ANSWERS, KnownAnswer};
+use crate::device::{Device, KnownAnswer, ModuleRun, Outcome, Verdict, modules_of};
+use crate::registry::KNOWN_ANSWERS;
 
 /// Modules whose answers are wanted: by name, the stage that runs each, or `None` where any may.
 pub struct Wanted {
@@ -78,17 +77,6 @@ impl Wanted {
                 && (all || known.stages.is_empty() || known.stages.iter().any(|stage| stages.contains(stage)))
         };
         KNOWN_ANSWERS.iter().filter(wanted).collect()
-    }
-}
-
-/// The modules of a command, each with its stage.
-pub(crate) fn modules_of(command: &Command) -> Vec<(&'static str, &'static Module)> {
-    match command {
-        Command::Dispatch(dispatch) => vec![(dispatch.stage, dispatch.module)],
-        Command::Draw(draw) => {
-            [Some(draw.vertex), draw.fragment].into_iter().flatten().map(|m| (draw.stage, m)).collect()
-        }
-        _ => Vec::new(),
     }
 }
 

@@ -9,6 +9,7 @@ use brooklet_kernels::Module;
 use serde_json::{Value, json};
 
 use crate::check_capture::Verdicts;
+use crate::check_words::{title, verdict_name};
 use crate::{cli::DoctorOptions, failure::Failure, job, progress, table::table};
 
 /// Runs the known answers of a scene's plan, or all, and prints a verdict a module.
@@ -130,18 +131,6 @@ fn of_verdict(report: &Report, verdict: ModuleVerdict) -> usize {
 
 /// Rooms of cases that say something of the device and not of one kernel.
 const DEVICE_ROOMS: [&str; 2] = ["hardware", "runs"];
-
-pub(crate) fn title(outcome: &Outcome) -> String {
-    format!("{}: {}", outcome.known.room, outcome.known.name.replace('_', " "))
-}
-
-pub(crate) fn verdict_name(verdict: ModuleVerdict) -> &'static str {
-    match verdict {
-        ModuleVerdict::Right => "right",
-        ModuleVerdict::Wrong => "WRONG",
-        ModuleVerdict::NotChecked => "not checked",
-    }
-}
 
 fn as_json(report: &Report, gpu: &Gpu, what: &str, small: bool, wall_s: f64) -> Value {
     json!({

@@ -7,7 +7,7 @@ use brooklet_capture::{CaptureClock, CaptureError, CaptureOptions, CaptureWriter
 use brooklet_check::{Outcome, Report, Verdict};
 use brooklet_gpu::{Gpu, tier_name};
 
-use crate::check::{title, verdict_name};
+use crate::check_words::{title, verdict_name};
 use crate::commit::{COMMIT, VERSION};
 use crate::failure::Failure;
 

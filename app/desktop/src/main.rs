@@ -16,6 +16,8 @@ mod capture;
 mod check;
 #[cfg(feature = "check")]
 mod check_capture;
+#[cfg(feature = "check")]
+mod check_words;
 mod cli;
 mod commit;
 mod doctor;

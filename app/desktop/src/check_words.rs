@@ -1,0 +1,15 @@
+//! The names of cases and verdicts, as a table and a capture have them.
+
+use brooklet_check::{ModuleVerdict, Outcome};
+
+pub fn title(outcome: &Outcome) -> String {
+    format!("{}: {}", outcome.known.room, outcome.known.name.replace('_', " "))
+}
+
+pub fn verdict_name(verdict: ModuleVerdict) -> &'static str {
+    match verdict {
+        ModuleVerdict::Right => "right",
+        ModuleVerdict::Wrong => "WRONG",
+        ModuleVerdict::NotChecked => "not checked",
+    }
+}
