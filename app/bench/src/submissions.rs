@@ -4,7 +4,7 @@
 use std::time::Instant;
 
 use brooklet_fluid::{FrameRequest, Scene, Session};
-use brooklet_gpu::{Gpu, tier_name};
+use brooklet_gpu::{Gpu, quantile, tier_name};
 use serde::Serialize;
 
 use crate::{BenchError, Observer, scene_options};
@@ -100,7 +100,7 @@ pub fn run(
             .map(|(&(steps_a_submission, timestamps), wall)| Way {
                 steps_a_submission,
                 timestamps,
-                wall_ms: quantile(wall, 0.5),
+                wall_ms: quantiles(wall.clone())[0],
                 ratio: ratios(wall, &walls[0]),
             })
             .collect(),
@@ -121,17 +121,13 @@ fn turn(session: &mut Session, batch: u32, observer: &dyn Observer) -> Result<f6
 }
 
 fn ratios(wall: &[f64], first: &[f64]) -> [f64; 3] {
-    let ratios: Vec<f64> = wall.iter().zip(first).map(|(a, b)| a / b).collect();
-    [0.5, 0.1, 0.9].map(|part| quantile(&ratios, part))
+    quantiles(wall.iter().zip(first).map(|(a, b)| a / b).collect())
 }
 
-/// Between the two nearest values.
-fn quantile(values: &[f64], part: f64) -> f64 {
-    let mut sorted = values.to_vec();
-    sorted.sort_by(f64::total_cmp);
-    let at = part * (sorted.len().saturating_sub(1)) as f64;
-    let value = |index: usize| sorted.get(index).or(sorted.last()).copied().unwrap_or(f64::NAN);
-    value(at as usize) + (value(at as usize + 1) - value(at as usize)) * at.fract()
+/// The median, and what 10 and 90 of 100 stay below.
+fn quantiles(mut values: Vec<f64>) -> [f64; 3] {
+    values.sort_by(f64::total_cmp);
+    [0.5, 0.1, 0.9].map(|share| quantile(&values, share).unwrap_or(f64::NAN))
 }
 
 #[cfg(test)]
@@ -141,7 +137,7 @@ mod tests {
     #[test]
     fn ratios_are_of_the_same_round() {
         assert_eq!(ratios(&[2.0, 6.0, 20.0], &[1.0, 2.0, 5.0]), [3.0, 2.2, 3.8]);
-        assert!(quantile(&[], 0.5).is_nan());
+        assert!(ratios(&[], &[])[0].is_nan());
         assert!(STEPS.is_multiple_of(BATCHES[2]));
     }
 }

@@ -1,5 +1,7 @@
 //! What capturing costs, by A/B: the same work with a capture and without, in turns.
 
+use brooklet_gpu::quantile;
+
 /// Medians of both, and how they were come by; stands in the capture as metadata `capture_cost`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CaptureCost {
@@ -48,14 +50,6 @@ fn sorted(values: impl Iterator<Item = f64>) -> Vec<f64> {
     let mut values: Vec<f64> = values.collect();
     values.sort_unstable_by(f64::total_cmp);
     values
-}
-
-/// Of sorted values, between the two that are nearest.
-fn quantile(sorted: &[f64], share: f64) -> Option<f64> {
-    let last = sorted.len().checked_sub(1)?;
-    let place = share * last as f64;
-    let (below, above) = (sorted[place.floor() as usize], sorted[place.ceil() as usize]);
-    Some(below + (above - below) * place.fract())
 }
 
 #[cfg(test)]

@@ -61,6 +61,18 @@ impl<'d> Bench<'d> {
         (&mut self.resources, &mut self.recording)
     }
 
+    /// Records what comes once, first, as well: the bench has one recording, and that is put before the rest.
+    pub fn record_with_init<T>(
+        &mut self,
+        record: impl FnOnce(&mut Resources, &mut Recording, &mut Recording) -> T,
+    ) -> T {
+        let mut init = self.resources.recording("unused");
+        let recorded = record(&mut self.resources, &mut init, &mut self.recording);
+        let rest = std::mem::replace(&mut self.recording, init);
+        self.recording.append(&rest);
+        recorded
+    }
+
     /// Keeps a buffer that the recording makes and nobody else reads.
     pub fn want<T>(&mut self, buffer: &Buffer<T>) {
         self.wanted.push(buffer.id);

@@ -62,6 +62,11 @@ pub struct ModuleRun {
 }
 
 impl ModuleRun {
+    /// Of a module that did nothing so far.
+    pub(crate) fn none_yet(stage: &'static str, module: &'static str) -> Self {
+        Self { stage, module, runs: 0, compared: 0, worst: None, exact: 0 }
+    }
+
     /// Adds what it did in another case.
     pub(crate) fn add(&mut self, other: &ModuleRun) {
         self.stage = other.stage;
@@ -105,6 +110,13 @@ pub struct Outcome {
     pub notes: Vec<String>,
 }
 
+impl Outcome {
+    /// Whether something is not as it should be.
+    pub fn is_wrong(&self) -> bool {
+        matches!(self.verdict, Verdict::Wrong(_))
+    }
+}
+
 /// What is kept while a case runs.
 #[derive(Default)]
 pub(crate) struct Record {
@@ -137,8 +149,7 @@ impl Record {
         last.dedup();
         let mut modules = self.modules.borrow_mut();
         for &(stage, module) in &last {
-            let empty = ModuleRun { stage, module, runs: 0, compared: 0, worst: None, exact: 0 };
-            modules.entry(module).or_insert(empty).runs += 1;
+            modules.entry(module).or_insert(ModuleRun::none_yet(stage, module)).runs += 1;
         }
         self.last.replace(last);
     }
@@ -146,17 +157,17 @@ impl Record {
     /// Of the last plan's modules those of the stage that `of` begins with, or of all that begin with it; all where there
     /// is none.
     pub fn modules_of(&self, of: &str) -> Vec<&'static str> {
-        let last = self.last.borrow();
-        let belongs = |stage: &str| of.starts_with(stage) || (!of.is_empty() && stage.starts_with(of));
-        let of_stage: Vec<_> = last.iter().filter(|(stage, _)| belongs(stage)).map(|(_, name)| *name).collect();
-        if of_stage.is_empty() { last.iter().map(|(_, name)| *name).collect() } else { of_stage }
+        self.last_or_all(|stage| of.starts_with(stage) || (!of.is_empty() && stage.starts_with(of)))
     }
 
     /// Of the last plan's modules those of some stages; all where there is none.
     fn modules_of_stages(&self, stages: &[&str]) -> Vec<&'static str> {
+        self.last_or_all(|stage| stages.contains(&stage))
+    }
+
+    fn last_or_all(&self, belongs: impl Fn(&str) -> bool) -> Vec<&'static str> {
         let last = self.last.borrow();
-        let of_stages: Vec<_> =
-            last.iter().filter(|(stage, _)| stages.contains(stage)).map(|(_, name)| *name).collect();
+        let of_stages: Vec<_> = last.iter().filter(|(stage, _)| belongs(stage)).map(|(_, name)| *name).collect();
         if of_stages.is_empty() { last.iter().map(|(_, name)| *name).collect() } else { of_stages }
     }
 

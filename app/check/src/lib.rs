@@ -6,6 +6,7 @@ pub mod bench;
 pub mod cases;
 pub mod compare;
 mod device;
+mod drawn;
 pub mod numbers;
 mod registry;
 mod report;

@@ -122,14 +122,14 @@ impl Report {
 
     /// Whether nothing is wrong.
     pub fn is_right(&self) -> bool {
-        !self.outcomes.iter().any(|outcome| matches!(outcome.verdict, Verdict::Wrong(_)))
+        !self.outcomes.iter().any(Outcome::is_wrong)
     }
 }
 
 fn checked(wanted: &Wanted, outcomes: &[Outcome]) -> Vec<CheckedModule> {
     let mut modules: BTreeMap<&'static str, CheckedModule> = BTreeMap::new();
     for (&module, stage) in &wanted.modules {
-        let run = ModuleRun { stage: stage.unwrap_or(""), module, runs: 0, compared: 0, worst: None, exact: 0 };
+        let run = ModuleRun::none_yet(stage.unwrap_or(""), module);
         modules.insert(module, CheckedModule { run, right: 0, verdict: ModuleVerdict::NotChecked });
     }
     for outcome in outcomes {

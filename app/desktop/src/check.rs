@@ -41,7 +41,7 @@ pub fn check(options: &DoctorOptions, scene: &str) -> Result<(), Failure> {
             capture.case(outcome);
         }
         if let Some(known) = progress.begins {
-            bar.set_message(format!("{}: {}", known.room, known.name.replace('_', " ")));
+            bar.set_message(title(known));
         }
     });
     bar.finish_and_clear();
@@ -55,12 +55,11 @@ pub fn check(options: &DoctorOptions, scene: &str) -> Result<(), Failure> {
         print(&report, &gpu, &what, small, wall_s);
     }
     captured?;
-    let wrong: Vec<&Outcome> = report.outcomes.iter().filter(|o| matches!(o.verdict, Verdict::Wrong(_))).collect();
-    if wrong.is_empty() {
+    if report.is_right() {
         return Ok(());
     }
-    let all = report.outcomes.len();
-    Err(Failure::Stopped(format!("{} computes wrong: {} of {all} cases", gpu.info().name, wrong.len())))
+    let (wrong, all) = (report.outcomes.iter().filter(|outcome| outcome.is_wrong()).count(), report.outcomes.len());
+    Err(Failure::Stopped(format!("{} computes wrong: {wrong} of {all} cases", gpu.info().name)))
 }
 
 /// A variant with the SPIR-V of a file.
@@ -100,7 +99,7 @@ fn print(report: &Report, gpu: &Gpu, what: &str, small: bool, wall_s: f64) {
     }
     say!("{}\n", list.trim_fmt());
     for outcome in &report.outcomes {
-        let case = title(outcome);
+        let case = title(outcome.known);
         match &outcome.verdict {
             Verdict::Wrong(wrong) => say!("WRONG    {case}\n         {wrong}"),
             Verdict::Skipped(reason) => say!("skipped  {case}: {reason}"),

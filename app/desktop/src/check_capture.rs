@@ -46,7 +46,7 @@ impl Verdicts {
             Verdict::Skipped(reason) => ("skipped", reason.clone()),
         };
         let compared = outcome.modules.iter().map(|run| run.compared + run.exact).sum::<usize>() as u64;
-        let (of, name) = ("case".to_owned(), title(outcome));
+        let (of, name) = ("case".to_owned(), title(outcome.known));
         self.write(&CheckRow { of, name, verdict: verdict.to_owned(), compared, said, ..CheckRow::default() });
     }
 

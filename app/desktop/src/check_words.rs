@@ -1,9 +1,9 @@
 //! The names of cases and verdicts, as a table and a capture have them.
 
-use brooklet_check::{ModuleVerdict, Outcome};
+use brooklet_check::{KnownAnswer, ModuleVerdict};
 
-pub fn title(outcome: &Outcome) -> String {
-    format!("{}: {}", outcome.known.room, outcome.known.name.replace('_', " "))
+pub fn title(known: &KnownAnswer) -> String {
+    format!("{}: {}", known.room, known.name.replace('_', " "))
 }
 
 pub fn verdict_name(verdict: ModuleVerdict) -> &'static str {

@@ -44,6 +44,6 @@ pub use plan_difference::ChangedUpload;
 pub use readback::timestamp_bytes;
 pub use recording::{Command, Groups, IndirectArgs, Instances, RecordError, Recording, RecordingId, group_grid};
 pub use resources::{ResourceInfo, Resources, Shape};
-pub use run_times::{PassTimes, Passes, Quantiles, Timings, stages, warm_up_frames};
+pub use run_times::{PassTimes, Passes, Quantiles, Timings, quantile, stages, warm_up_frames};
 pub use tier::{Shortfall, TIERS, highest_tier};
 pub use timing::{FrameReport, Span, SpanFlag, TimingStatus};

@@ -34,6 +34,13 @@ impl Quantiles {
     }
 }
 
+/// Of values that rise, so large a share of which is no larger: between the two that are nearest. None of none.
+pub fn quantile(sorted: &[f64], share: f64) -> Option<f64> {
+    let place = share * sorted.len().checked_sub(1)? as f64;
+    let (below, above) = (sorted[place.floor() as usize], sorted[place.ceil() as usize]);
+    Some(below + (above - below) * place.fract())
+}
+
 /// What summaries and benchmarks say of a pass.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct PassTimes {

@@ -3,15 +3,11 @@
 
 use std::{fs, process::Command, process::Stdio, thread, time::Duration, time::Instant};
 
-use brooklet_tests::program::{Ended, Workshop};
+use brooklet_tests::program::Workshop;
 use serde_json::{Value, json};
 
 /// All but the device.
 const SKIP_SLOW: &str = "check,runs,scaling,pictures,sorting,submissions,errors,extremes";
-
-fn ended(workshop: &Workshop, arguments: &[&str]) -> Ended {
-    Ended::new(workshop.command(arguments).output().expect("the program starts"))
-}
 
 fn part<'a>(report: &'a Value, name: &str) -> &'a Value {
     report["parts"].as_array().unwrap().iter().find(|part| part["name"] == name).unwrap()
@@ -28,7 +24,7 @@ fn assert_whole_page(workshop: &Workshop, path: &str) -> String {
 fn parts_that_are_left_out_say_so_and_a_folder_is_never_overwritten() {
     let workshop = Workshop::new();
     for folder in ["r", "r-1"] {
-        let done = ended(&workshop, &["report", "--minutes", "0.5", "--skip", SKIP_SLOW, "--out", "r"]);
+        let done = workshop.run(&["report", "--minutes", "0.5", "--skip", SKIP_SLOW, "--out", "r"]);
         assert_eq!(done.code, Some(0), "{}", done.stderr);
         assert!(done.stdout.contains(&format!("{folder}/index.html")), "{}", done.stdout);
         let report = workshop.json(&format!("{folder}/report.json"));
@@ -73,7 +69,7 @@ fn a_killed_report_keeps_what_it_has_and_what_it_was_doing() {
 #[test]
 fn ways_to_submit_are_compared_round_by_round() {
     let workshop = Workshop::new();
-    let done = ended(&workshop, &["bench", "submissions", "scene.toml", "--rounds", "2", "--json"]);
+    let done = workshop.run(&["bench", "submissions", "scene.toml", "--rounds", "2", "--json"]);
     assert_eq!(done.code, Some(0), "{}", done.stderr);
     let found: Value = serde_json::from_str(&done.stdout).unwrap();
     let ways = found["ways"].as_array().unwrap();
@@ -108,13 +104,13 @@ fn what_cannot_be_reported_or_compared_is_refused() {
         (&["report", "compare", "a", "gone"], &["gone/report.json", "cannot be read"]),
         (&["report", "compare", "a", "a", "--fail-if-slower", "soon"], &["--fail-if-slower", "soon"]),
     ] {
-        let refused = ended(&workshop, arguments);
+        let refused = workshop.run(arguments);
         assert_eq!(refused.code, Some(2), "{arguments:?}: {}", refused.stderr);
         for word in words {
             assert!(refused.stderr.contains(word), "{arguments:?}: no {word:?} in {}", refused.stderr);
         }
     }
-    let compared = ended(&workshop, &["report", "compare", "a", "a", "--json"]);
+    let compared = workshop.run(&["report", "compare", "a", "a", "--json"]);
     assert_eq!(compared.code, Some(0), "{}", compared.stderr);
     let both: Value = serde_json::from_str(&compared.stdout).unwrap();
     assert_eq!((&both["sizes"][0]["ratio"], &both["passes"]), (&json!(1.0), &Value::Null));

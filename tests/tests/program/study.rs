@@ -18,10 +18,6 @@ fn lines(workshop: &Workshop, path: &str) -> usize {
     fs::read_to_string(workshop.path(path)).map_or(0, |text| text.lines().count())
 }
 
-fn ended(workshop: &Workshop, arguments: &[&str]) -> Ended {
-    Ended::new(workshop.command(arguments).output().expect("the program starts"))
-}
-
 fn with<'a>(arguments: &[&'a str], more: &[&'a str]) -> Vec<&'a str> {
     [arguments, more].concat()
 }
@@ -30,7 +26,7 @@ fn with<'a>(arguments: &[&'a str], more: &[&'a str]) -> Vec<&'a str> {
 fn a_report_is_whole_and_is_kept() {
     let workshop = Workshop::new();
     let arguments = with(&SMALL, &["--quick", "--out", "s"]);
-    let first = ended(&workshop, &arguments);
+    let first = workshop.run(&arguments);
     assert_eq!(first.code, Some(0), "{}", first.stderr);
     let page = fs::read_to_string(workshop.path("s/report.html")).unwrap();
     assert!(page.contains("<svg") && page.contains("elliptical-drop") && page.ends_with("</html>"));
@@ -48,7 +44,7 @@ fn a_report_is_whole_and_is_kept() {
     let of = |topic: &str| messages.iter().filter(|message| message.channel.topic == topic).count();
     assert!(of("/study/run") == 2 && of("/study/step") > 100, "{} messages", messages.len());
 
-    let again = ended(&workshop, &arguments);
+    let again = workshop.run(&arguments);
     assert_eq!(again.code, Some(0), "{}", again.stderr);
     assert!(workshop.path("s-1/report.html").is_file());
     table = fs::read_to_string(workshop.path("s/results.csv")).unwrap();
@@ -84,7 +80,7 @@ fn a_study_that_was_ended_goes_on() {
     let mut text = fs::read(workshop.path("s/results.jsonl")).unwrap();
     text.extend_from_slice(b"{\"program\": \"0");
     fs::write(workshop.path("s/results.jsonl"), text).unwrap();
-    let last = ended(&workshop, &arguments);
+    let last = workshop.run(&arguments);
     assert_eq!(last.code, Some(0), "{}", last.stderr);
     assert!(last.stdout.contains(&format!("going on in s: {kept} of 5 runs are done")), "{}", last.stdout);
     assert_eq!(lines(&workshop, "s/results.jsonl"), 5);
@@ -96,18 +92,18 @@ fn parts_of_several_machines_are_joined() {
     let workshop = Workshop::new();
     for shard in ["1/2", "2/2"] {
         let out = format!("part-{}", &shard[..1]);
-        let part = ended(&workshop, &with(&SMALL, &["--quick", "--shard", shard, "--out", &out]));
+        let part = workshop.run(&with(&SMALL, &["--quick", "--shard", shard, "--out", &out]));
         assert_eq!(part.code, Some(0), "{}", part.stderr);
         assert!(!workshop.path(&out).join("report.html").exists());
     }
     let merge = ["study", "merge", "--part", "error", "--scenes", "elliptical-drop", "--knobs", "precision", "--quick"];
-    let whole = ended(&workshop, &with(&merge, &["part-1", "part-2", "--out", "all"]));
+    let whole = workshop.run(&with(&merge, &["part-1", "part-2", "--out", "all"]));
     assert_eq!(whole.code, Some(0), "{}", whole.stderr);
     assert_eq!(workshop.json("all/results.json")["runs"].as_array().unwrap().len(), 2);
-    let half = ended(&workshop, &with(&merge, &["part-1", "--out", "half"]));
+    let half = workshop.run(&with(&merge, &["part-1", "--out", "half"]));
     assert!(half.stdout.contains("1 of 2 runs are in none of the parts"), "{}", half.stdout);
     assert_eq!(workshop.json("half/results.json")["missing"], 1);
-    let none = ended(&workshop, &with(&merge, &["nowhere", "--out", "none"]));
+    let none = workshop.run(&with(&merge, &["nowhere", "--out", "none"]));
     assert_eq!(none.code, Some(2), "{}", none.stderr);
     assert!(none.stderr.contains("nowhere: is no folder of a study"), "{}", none.stderr);
     assert!(!workshop.path("none").exists());
@@ -129,7 +125,7 @@ fn what_is_wrong_with_a_study_is_said() {
         (&["error", "--quick", "--out", "foreign"], "holds no outcomes of a study: line 1"),
     ];
     for (arguments, message) in wrong {
-        let ended = ended(&workshop, &with(&["study"], arguments));
+        let ended = workshop.run(&with(&["study"], arguments));
         assert_eq!(ended.code, Some(2), "{arguments:?}: {}", ended.stderr);
         assert!(ended.stderr.contains(message), "{arguments:?}: {}", ended.stderr);
         assert!(!workshop.path("out").exists(), "{arguments:?} left a folder");
@@ -140,7 +136,7 @@ fn what_is_wrong_with_a_study_is_said() {
 fn a_tuned_scene_is_written_and_runs() {
     let workshop = Workshop::new();
     let arguments = ["tune", "scene.toml", "--max-error", "0.05", "--seconds", "0.2", "--json"];
-    let first = ended(&workshop, &arguments);
+    let first = workshop.run(&arguments);
     assert_eq!(first.code, Some(0), "{}", first.stderr);
     let found: Value = serde_json::from_str(&first.stdout).unwrap();
     assert_eq!(found["meets"], true);
@@ -148,12 +144,12 @@ fn a_tuned_scene_is_written_and_runs() {
     // The same particles in the same order of arithmetic, but for atomics' order within a cell.
     let (chosen, checked) = (found["chosen"]["error"].as_f64().unwrap(), found["checked"]["error"].as_f64().unwrap());
     assert!((chosen - checked).abs() < 0.02, "{chosen} {checked}");
-    let plan = ended(&workshop, &["plan", "scene-tuned.toml", "--json"]);
+    let plan = workshop.run(&["plan", "scene-tuned.toml", "--json"]);
     assert_eq!(plan.code, Some(0), "{}", plan.stderr);
-    let again = ended(&workshop, &arguments);
+    let again = workshop.run(&arguments);
     assert_eq!(again.code, Some(2));
     assert!(again.stderr.contains("scene-tuned.toml exists and is kept"), "{}", again.stderr);
-    let other = ended(&workshop, &with(&arguments, &["--out", "other.toml"]));
+    let other = workshop.run(&with(&arguments, &["--out", "other.toml"]));
     assert_eq!(other.code, Some(0), "{}", other.stderr);
     assert!(workshop.path("other.toml").is_file());
 }
@@ -161,7 +157,7 @@ fn a_tuned_scene_is_written_and_runs() {
 #[test]
 fn a_goal_that_cannot_be_met_is_no_success_and_bad_input_is_said() {
     let workshop = Workshop::new();
-    let hard = ended(&workshop, &["tune", "scene.toml", "--budget-ms", "1e-6", "--seconds", "0.05"]);
+    let hard = workshop.run(&["tune", "scene.toml", "--budget-ms", "1e-6", "--seconds", "0.05"]);
     assert_eq!(hard.code, Some(1), "{}", hard.stderr);
     assert!(hard.stderr.contains("cannot be met") && hard.stdout.contains("checked"), "{}", hard.stderr);
     fs::write(workshop.path("dry.toml"), brooklet_tests::program::without_fluid()).unwrap();
@@ -173,7 +169,7 @@ fn a_goal_that_cannot_be_met_is_no_success_and_bad_input_is_said() {
         (&["nothing", "--max-error", "0.1"], "neither a file nor a shipped scene"),
     ];
     for (arguments, message) in wrong {
-        let ended = ended(&workshop, &with(&["tune"], arguments));
+        let ended = workshop.run(&with(&["tune"], arguments));
         assert_eq!(ended.code, Some(2), "{arguments:?}: {}", ended.stderr);
         assert!(ended.stderr.contains(message), "{arguments:?}: {}", ended.stderr);
     }

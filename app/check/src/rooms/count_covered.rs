@@ -1,14 +1,15 @@
 //! How many pixels show the fluid, by either method's surface: its twin is given the surface that the device drew.
 
 use crate::device::Device;
+use crate::drawn::record_frame;
 use crate::numbers::rng;
 use crate::wrong::{OrRaise as _, ensure, ensure_eq};
-use brooklet_fluid::{Scene, Slots};
-use brooklet_gpu::{Plan, Recording, Resources};
+use brooklet_fluid::Scene;
+use brooklet_gpu::{Plan, Recording};
 use brooklet_kernels::{Position, Texture};
 use brooklet_reference::surface::InverseDepth;
 use brooklet_reference::surface::count_covered::count_covered;
-use brooklet_render::{Camera, FrameOptions, Particles, View, frame};
+use brooklet_render::{Camera, FrameOptions, View};
 use glam::DVec3;
 use rand::RngExt as _;
 
@@ -28,23 +29,13 @@ fn drawn(device: &Device, size_px: [u32; 2], positions: &[Position]) -> [(Invers
         ..View::of_scene(&scene())
     };
     let options = FrameOptions { supersample: 1, ..FrameOptions::for_scene(&scene(), device.gpu().tier()) };
-    let count = positions.len() as u32;
-    let mut resources = Resources::new();
-    let buffer = resources.persistent::<Position>("positions", count);
-    let velocities = resources.persistent("velocities", count);
-    let slots = Slots::declare(&mut resources, count, false);
-    let particles =
-        Particles { positions: &buffer, velocities: &velocities, slots: &slots, neighbours: None, densities: None };
-    let passes = frame::record(&mut resources, &view, &particles, &options).or_raise();
+    let (resources, passes) = record_frame(&view, &options, positions);
     let recordings: Vec<Recording> = passes.recordings().chain([&passes.init]).cloned().collect();
     let (water, auto) = (passes.water.or_raise(), passes.auto.or_raise());
     let surfaces: [&Texture; 2] = [&water.surface.inverse_depth, &auto.meshed_water.surface.inverse_depth];
     let wanted = [surfaces[0].id, surfaces[1].id, auto.covered_px.id];
     let plan = Plan::sweep(resources, recordings, &wanted).or_raise();
     let mut engine = device.engine(plan);
-    if count > 0 {
-        engine.write(&buffer, positions);
-    }
     engine.run(&[passes.init.id()], &[]).or_raise();
     [(passes.draw.id(), surfaces[0]), (auto.meshed.id(), surfaces[1])].map(|(draw, surface)| {
         engine.run(&[draw], &[]).or_raise();

@@ -4,12 +4,12 @@
 use crate::cases::{out_of_part, vectors};
 use crate::compare::nearest_of;
 use crate::device::Device;
+use crate::drawn::record_frame;
 use crate::numbers::rng;
 use crate::wrong::{OrRaise as _, Wrong, ensure, ensure_eq, note};
-use brooklet_fluid::Slots;
 use brooklet_fluid::particles::is_simulated;
 use brooklet_fluid::scene::Smoothing;
-use brooklet_gpu::{Plan, Resources};
+use brooklet_gpu::Plan;
 use brooklet_kernels::{FrameLight, Position, SurfaceParams, WaterStyle};
 use brooklet_reference::surface::Along;
 use brooklet_reference::surface::caustics::{caustics, caustics_doubt};
@@ -19,8 +19,8 @@ use brooklet_reference::surface::smooth_sun_depth::smooth_sun_depth;
 use brooklet_reference::surface::sun_depth::sun_depth;
 use brooklet_reference::surface::sun_map::{SunMap, shadow_position, world_from_shadow};
 use brooklet_reference::surface::thickness::sun_thickness;
-use brooklet_render::frame::{self, FrameValues};
-use brooklet_render::{Camera, Coloring, FrameOptions, Particles, ScreenSpaceOptions, SurfaceOptions, View};
+use brooklet_render::frame::FrameValues;
+use brooklet_render::{Camera, Coloring, FrameOptions, ScreenSpaceOptions, SurfaceOptions, View};
 use glam::{DVec2, DVec3};
 use rand::RngExt as _;
 
@@ -120,22 +120,13 @@ fn halves(bytes: &[u8]) -> Vec<f64> {
 
 fn draw(device: &Device, positions: &[Position], photons: u32) -> Drawn {
     let (view, (surface, options)) = (view(), options(device, photons));
-    let count = positions.len() as u32;
-    let mut resources = Resources::new();
-    let mut buffer = resources.persistent::<Position>("positions", count);
-    let velocities = resources.persistent("velocities", count);
-    let slots = Slots::declare(&mut resources, count, false);
-    let particles =
-        Particles { positions: &buffer, velocities: &velocities, slots: &slots, neighbours: None, densities: None };
-    let passes = frame::record(&mut resources, &view, &particles, &options).or_raise();
+    let (resources, passes) = record_frame(&view, &options, positions);
     let water = passes.water.or_raise();
     let caustics = water.caustics.or_raise();
-    let mut init = passes.init;
-    init.upload(&mut buffer, positions);
     // The picture itself is not wanted here.
     let wanted = [caustics.raw.id, caustics.sun_depth.id, caustics.light.id, water.thickness.sun.id];
-    let ids = [init.id(), passes.draw.id()];
-    let plan = Plan::sweep(resources, vec![init, passes.draw], &wanted).or_raise();
+    let ids = [passes.init.id(), passes.draw.id()];
+    let plan = Plan::sweep(resources, vec![passes.init, passes.draw], &wanted).or_raise();
     let mut engine = device.engine(plan);
     engine.run(&ids, &[]).or_raise();
     let mut map = |texture| {

@@ -3,17 +3,17 @@
 
 use crate::cases::{out_of_part, vectors};
 use crate::device::Device;
+use crate::drawn::record_frame;
 use crate::numbers::rng;
 use crate::wrong::{OrRaise as _, ensure, ensure_eq, note};
 use brooklet_fluid::particles::is_simulated;
 use brooklet_fluid::scene::Smoothing;
-use brooklet_fluid::{Slots, visit_slots};
-use brooklet_gpu::{Plan, Resources};
+use brooklet_gpu::Plan;
 use brooklet_kernels::{FrameLight, FrameView, Position, SunVolumeParams};
 use brooklet_reference::surface::sun_volume::{count_sun_volume, sum_sun_volume, water_toward_sun};
-use brooklet_render::frame::{self, FrameValues};
+use brooklet_render::frame::FrameValues;
 use brooklet_render::surface::screen_space::sun_volume;
-use brooklet_render::{Camera, Coloring, FrameOptions, Particles, ScreenSpaceOptions, SurfaceOptions, View};
+use brooklet_render::{Camera, Coloring, FrameOptions, ScreenSpaceOptions, SurfaceOptions, View};
 use glam::DVec3;
 use rand::RngExt as _;
 
@@ -70,24 +70,12 @@ struct Drawn {
 
 /// What `positions` look like, and the volume, if the water shades itself.
 fn draw(device: &Device, positions: &[Position], self_shadow: bool) -> Drawn {
-    let count = positions.len() as u32;
-    let mut resources = Resources::new();
-    let mut buffer = resources.persistent::<Position>("positions", count);
-    let velocities = resources.persistent("velocities", count);
-    let mut slots = Slots::declare(&mut resources, count, false);
-    let particles =
-        Particles { positions: &buffer, velocities: &velocities, slots: &slots, neighbours: None, densities: None };
-    let passes = frame::record(&mut resources, &view(), &particles, &options(device, self_shadow)).or_raise();
+    let (resources, passes) = record_frame(&view(), &options(device, self_shadow), positions);
     let volume = passes.water.or_raise().sun_volume;
-    let mut init = passes.init;
-    init.upload(&mut slots.state, &[visit_slots(count)]);
-    if count > 0 {
-        init.upload(&mut buffer, positions);
-    }
     let wanted = volume.iter().flat_map(|volume| [volume.counts.id, volume.above_m.id]);
     let wanted: Vec<_> = wanted.chain([passes.color.id]).collect();
-    let ids = [init.id(), passes.draw.id()];
-    let plan = Plan::sweep(resources, vec![init, passes.draw], &wanted).or_raise();
+    let ids = [passes.init.id(), passes.draw.id()];
+    let plan = Plan::sweep(resources, vec![passes.init, passes.draw], &wanted).or_raise();
     let mut engine = device.engine(plan);
     engine.run(&ids, &[]).or_raise();
     let rgba = engine.read_texture(&passes.color).or_raise();

@@ -4,18 +4,18 @@
 use crate::cases::{out_of_part, vectors};
 use crate::compare::nearest_of;
 use crate::device::Device;
+use crate::drawn::record_frame;
 use crate::numbers::rng;
 use crate::wrong::{OrRaise as _, ensure, ensure_eq, note};
-use brooklet_fluid::Slots;
 use brooklet_fluid::particles::is_simulated;
 use brooklet_fluid::scene::Smoothing;
-use brooklet_gpu::{Plan, Resources, Tier};
+use brooklet_gpu::{Plan, Tier};
 use brooklet_kernels::{FrameView, Position, SurfaceParams};
 use brooklet_reference::surface::InverseDepth;
 use brooklet_reference::surface::fluid_depth::fluid_depth;
 use brooklet_reference::surface::thickness::{opaque_planes, thickness};
-use brooklet_render::frame::{self, FrameValues};
-use brooklet_render::{Camera, Coloring, FrameOptions, Particles, ScreenSpaceOptions, SurfaceOptions, View};
+use brooklet_render::frame::FrameValues;
+use brooklet_render::{Camera, Coloring, FrameOptions, ScreenSpaceOptions, SurfaceOptions, View};
 use glam::{DVec2, DVec3, DVec4};
 use rand::RngExt as _;
 
@@ -117,21 +117,12 @@ fn draw(device: &Device, size_px: [u32; 2], eye_m: DVec3, positions: &[Position]
         shadow_texels: 64,
         edges: false,
     };
-    let count = positions.len() as u32;
-    let mut resources = Resources::new();
-    let mut buffer = resources.persistent::<Position>("positions", count);
-    let velocities = resources.persistent("velocities", count);
-    let slots = Slots::declare(&mut resources, count, false);
-    let particles =
-        Particles { positions: &buffer, velocities: &velocities, slots: &slots, neighbours: None, densities: None };
-    let passes = frame::record(&mut resources, &view, &particles, &options).or_raise();
+    let (resources, passes) = record_frame(&view, &options, positions);
     let water = passes.water.or_raise();
-    let mut init = passes.init;
-    init.upload(&mut buffer, positions);
-    let ids = [init.id(), passes.draw.id()];
+    let ids = [passes.init.id(), passes.draw.id()];
     let plan = Plan::sweep(
         resources,
-        vec![init, passes.draw],
+        vec![passes.init, passes.draw],
         &[water.surface.raw.id, water.thickness.eye.id, water.thickness.opaque_planes.id, passes.depth.id],
     )
     .or_raise();

@@ -86,11 +86,9 @@ pub(super) fn run_with(
     recording.copy(&step, &mut slots.state);
     let particles =
         Particles { positions: &at, velocities: &velocities, slots: &slots, neighbours: None, densities: None };
-    let mut init = resources.recording("unused");
-    let mesh = marching_cubes::record(resources, (&mut init, recording), (&particles, ellipsoids.as_ref()), options);
-    // The bench has one recording: what comes once, first, is put before the rest.
-    let rest = std::mem::replace(recording, init);
-    recording.append(&rest);
+    let mesh = bench.record_with_init(|resources, init, recording| {
+        marching_cubes::record(resources, (init, recording), (&particles, ellipsoids.as_ref()), options)
+    });
     bench.want(&mesh.counts);
     bench.want(&mesh.vertices);
     bench.want(&mesh.indices);

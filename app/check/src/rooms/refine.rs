@@ -63,12 +63,8 @@ fn run(device: &Device, mesh: &NormalMesh, options: &RefineOptions) -> Refined {
         indices: bench.input("indices", mesh.mesh.triangles.as_flattened()),
         counts: bench.input("counts", &[counts]),
     };
-    let (resources, recording) = bench.parts();
-    let mut init = resources.recording("unused");
-    let refined = refine::record(resources, (&mut init, recording), coarse, options);
-    // The bench has one recording: what comes once, first, is put before the rest.
-    let rest = std::mem::replace(recording, init);
-    recording.append(&rest);
+    let refined = bench
+        .record_with_init(|resources, init, recording| refine::record(resources, (init, recording), coarse, options));
     bench.want(&refined.vertices);
     bench.want(&refined.indices);
     bench.want(&refined.counts);

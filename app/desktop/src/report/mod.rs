@@ -197,6 +197,11 @@ impl Part {
         self.troubles.iter().map(|trouble| format!("{}: {trouble}", self.name)).collect()
     }
 
+    /// That it found the device wrong.
+    fn tell_wrong(&mut self) {
+        self.figures.insert("wrong".into(), Value::Bool(true));
+    }
+
     /// Whether it found the device wrong, and not only slow or small.
     fn is_wrong(&self) -> bool {
         self.figures.get("wrong").is_some_and(|wrong| wrong == &Value::Bool(true))

@@ -140,7 +140,7 @@ fn check(running: &mut Running<'_>) -> Result<(), Failure> {
     let (left_s, which) = (running.left_s(), if running.is_processor { SCENE } else { "--all" });
     running.command("check", &["doctor", "--check", which, "--json"], left_s)?;
     if running.part.figures.get("check").is_some_and(|check| check["right"] == false) {
-        running.part.figures.insert("wrong".into(), Value::Bool(true));
+        running.part.tell_wrong();
     }
     Ok(())
 }
@@ -184,7 +184,7 @@ fn runs(running: &mut Running<'_>) -> Result<(), Failure> {
         let figures = json!({ "steps": steps, "alike": alike, "bytes": a.len() });
         running.part.figures.insert("deterministic".into(), figures);
         if !alike {
-            running.part.figures.insert("wrong".into(), Value::Bool(true));
+            running.part.tell_wrong();
             running.part.troubles.push("two deterministic runs end differently".into());
         }
     }
@@ -292,7 +292,7 @@ fn extremes(running: &mut Running<'_>) -> Result<(), Failure> {
     let silent =
         outcomes.iter().any(|outcome| outcome["state"].as_str().is_some_and(|s| s.eq_ignore_ascii_case("silent")));
     if silent {
-        running.part.figures.insert("wrong".into(), Value::Bool(true));
+        running.part.tell_wrong();
         running.part.troubles.push("a case went wrong without the program's own counts saying so".into());
     }
     running.part.figures.insert("extremes".into(), Value::Array(outcomes));

@@ -5,7 +5,7 @@ use std::time::{Instant, SystemTime};
 
 use brooklet_capture::{CaptureOptions, CaptureWriter};
 use brooklet_fluid::{self as fluid, FrameRequest, ParticleSource, Scene, SessionRecorder, SessionReport};
-use brooklet_gpu::Gpu;
+use brooklet_gpu::{Gpu, Quantiles};
 
 use super::OVERHEAD_PART;
 use crate::session::{Session, StudyError};
@@ -122,13 +122,8 @@ pub fn run_overhead(session: &Session<'_>, task: &Task) -> Result<Option<Outcome
     Ok(Some(outcome))
 }
 
-fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_unstable_by(f64::total_cmp);
-    match values.len() {
-        0 => f64::NAN,
-        n if n % 2 == 1 => values[n / 2],
-        n => 0.5 * (values[n / 2 - 1] + values[n / 2]),
-    }
+fn median(values: Vec<f64>) -> f64 {
+    Quantiles::of(values).map_or(f64::NAN, |quantiles| quantiles.median)
 }
 
 #[cfg(test)]

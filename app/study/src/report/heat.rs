@@ -4,6 +4,7 @@ use plotters::prelude::*;
 
 use super::plot::{Drawn, INK, RED};
 use crate::State;
+use crate::energy::RISE;
 use crate::stability::Cell;
 
 /// What a map shows.
@@ -25,8 +26,6 @@ pub struct Heat<'a> {
 
 type Area<'a> = DrawingArea<SVGBackend<'a>, plotters::coord::Shift>;
 
-/// What the last line of a cell says.
-const ENERGY: &str = "E: what energy rose by beyond what compression holds, over g d; ok up to 0.01";
 const CELL_PX: (i32, i32) = (92, 58);
 const LEFT_PX: i32 = 74;
 const TOP_PX: i32 = 46;
@@ -84,7 +83,9 @@ impl Heat<'_> {
             area.draw(&Text::new(y.to_string(), (LEFT_PX - 34, top(row) + 20), ink(13)))?;
         }
         area.draw(&Text::new(self.x, (LEFT_PX, size_px.1 - 42), ink(13)))?;
-        area.draw(&Text::new(ENERGY, (LEFT_PX, size_px.1 - 20), ink(11)))?;
+        // What the last line of a cell says.
+        let energy = format!("E: what energy rose by beyond what compression holds, over g d; ok up to {RISE}");
+        area.draw(&Text::new(energy, (LEFT_PX, size_px.1 - 20), ink(11)))?;
         area.draw(&Text::new(self.y, (8, TOP_PX - 20), ink(13)))?;
         if self.limit {
             self.draw_limit(&area, &xs, &ys)?;

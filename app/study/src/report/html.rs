@@ -22,7 +22,24 @@ tr.grey td { color: #8a909b; } tr.red td { background: #fdecee; }
 details { margin: 6px 0 18px; } summary { cursor: pointer; color: #0072b2; } nav a { margin-right: 16px; color: #0072b2; }
 ";
 
-/// The whole page.
+/// A page that needs no other file, in the style of the project's; `more_style` is CSS of its own.
+pub fn whole_page(title: &str, more_style: &str, body: &Markup) -> String {
+    let page = html! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                title { (title) }
+                style { (PreEscaped(STYLE)) (PreEscaped(more_style)) }
+            }
+            body { (body) }
+        }
+    };
+    page.into_string()
+}
+
+/// The study's page.
 ///
 /// # Errors
 /// If the study names what there is not.
@@ -32,35 +49,24 @@ pub fn page(study: &Study, tasks: &[Task], store: &Store, facts: &Facts) -> Resu
         None => html! {},
     };
     let done = tasks.iter().filter(|task| store.get(task).is_some()).count();
-    let page = html! {
-        (DOCTYPE)
-        html lang="en" {
-            head {
-                meta charset="utf-8";
-                meta name="viewport" content="width=device-width, initial-scale=1";
-                title { "Brooklet: error, validation, stability" }
-                style { (PreEscaped(STYLE)) }
-            }
-            body {
-                h1 { "How much error does a millisecond buy, and where does it break?" }
-                p.what { "Brooklet " (facts.program) " on " (facts.devices.join("; ")) ". " (done) " of " (tasks.len()) " runs" @if study.quick { ", a quick look" } "." }
-                @for note in &facts.notes { p { b { (note) } } }
-                nav {
-                    @if study.validation { a href="#validation" { "Validation" } }
-                    @if study.error.is_some() { a href="#error" { "Error against run time" } }
-                    @if study.stability { a href="#stability" { "Stability" } }
-                    a href="#method" { "How it was measured" }
-                }
-                (cards(study, store))
-                @if study.validation { (validation::section(study.quick, store)) }
-                (work)
-                @if study.error.is_some() { (deck::section(study.quick, store)) }
-                @if study.stability { (stability::section(study.quick, store)) }
-                (method())
-            }
+    let body = html! {
+        h1 { "How much error does a millisecond buy, and where does it break?" }
+        p.what { "Brooklet " (facts.program) " on " (facts.devices.join("; ")) ". " (done) " of " (tasks.len()) " runs" @if study.quick { ", a quick look" } "." }
+        @for note in &facts.notes { p { b { (note) } } }
+        nav {
+            @if study.validation { a href="#validation" { "Validation" } }
+            @if study.error.is_some() { a href="#error" { "Error against run time" } }
+            @if study.stability { a href="#stability" { "Stability" } }
+            a href="#method" { "How it was measured" }
         }
+        (cards(study, store))
+        @if study.validation { (validation::section(study.quick, store)) }
+        (work)
+        @if study.error.is_some() { (deck::section(study.quick, store)) }
+        @if study.stability { (stability::section(study.quick, store)) }
+        (method())
     };
-    Ok(page.into_string())
+    Ok(whole_page("Brooklet: error, validation, stability", "", &body))
 }
 
 fn cards(study: &Study, store: &Store) -> Markup {

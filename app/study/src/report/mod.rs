@@ -11,6 +11,7 @@ mod validation;
 mod work_precision;
 
 pub use heat::Heat;
+pub use html::whole_page;
 pub use plot::{Line, Mark, PALETTE, Plot};
 
 use std::fs;

@@ -220,10 +220,7 @@ impl CoarseCorrection {
             };
             recording.dispatch_groups(&kernel, *tiles);
         }
-        let (position_lambdas, packed_position_lambdas) = match lambdas {
-            Lambdas::Full(lambdas) => (Some(lambdas.write()), None),
-            Lambdas::Packed(lambdas) => (None, Some(lambdas.write())),
-        };
+        let (position_lambdas, packed_position_lambdas) = lambdas.write();
         let Level { params, multipliers, .. } = &self.levels[0];
         context.slots.dispatch(
             recording,

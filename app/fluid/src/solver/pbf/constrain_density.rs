@@ -3,7 +3,7 @@
 use brooklet_gpu::Recording;
 use brooklet_kernels::{ConstrainDensity, ConstrainDensityVariant, MomentumKeyword};
 
-use super::{CoarseCorrection, Lambdas, Momentum, Pbf};
+use super::{CoarseCorrection, Momentum, Pbf};
 use crate::step_context::StepContext;
 
 /// From quantized positions to `pbf.lambdas`, in the substep's iteration of a number.
@@ -21,10 +21,7 @@ pub(super) fn constrain_density(recording: &mut Recording, pbf: &mut Pbf, contex
         }
     };
     let (coarse_cells, coarse) = coarse.map(|(cells, params)| (cells.write(), params.uniform())).unzip();
-    let (position_lambdas, packed_position_lambdas) = match &mut pbf.lambdas {
-        Lambdas::Full(lambdas) => (Some(lambdas.write()), None),
-        Lambdas::Packed(lambdas) => (None, Some(lambdas.write())),
-    };
+    let (position_lambdas, packed_position_lambdas) = pbf.lambdas.write();
     let (sorted, neighbours) = (&pbf.search.sorted, &pbf.search.neighbours);
     context.slots.dispatch(
         recording,

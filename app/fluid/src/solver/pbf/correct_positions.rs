@@ -3,14 +3,11 @@
 use brooklet_gpu::Recording;
 use brooklet_kernels::{CorrectPositions, CorrectPositionsVariant};
 
-use super::{Lambdas, Pbf};
+use super::Pbf;
 use crate::step_context::StepContext;
 
 pub(super) fn correct_positions(recording: &mut Recording, pbf: &mut Pbf, context: &mut StepContext, s_corr: bool) {
-    let (position_lambdas, packed_position_lambdas) = match &pbf.lambdas {
-        Lambdas::Full(lambdas) => (Some(lambdas.read()), None),
-        Lambdas::Packed(lambdas) => (None, Some(lambdas.read())),
-    };
+    let (position_lambdas, packed_position_lambdas) = pbf.lambdas.read();
     let (sorted, neighbours) = (&mut pbf.search.sorted, &pbf.search.neighbours);
     context.slots.dispatch(
         recording,

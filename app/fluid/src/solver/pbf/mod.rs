@@ -16,7 +16,7 @@ mod update_velocity;
 mod warm_start;
 
 use brooklet_gpu::{Recording, Resources};
-use brooklet_kernels::{Buffer, PbfIteration, PbfParams, PositionLambda, WarmStart};
+use brooklet_kernels::{Buf, BufMut, Buffer, PbfIteration, PbfParams, PositionLambda, WarmStart};
 
 use crate::forces::Forces;
 use crate::grid::NeighbourSearch;
@@ -67,6 +67,24 @@ enum Lambdas {
     Full(Buffer<PositionLambda>),
     /// Both in eight bytes.
     Packed(Buffer<[u32; 2]>),
+}
+
+impl Lambdas {
+    /// As a kernel binds them that reads them: one of the two.
+    fn read(&self) -> (Option<Buf<'_, PositionLambda>>, Option<Buf<'_, [u32; 2]>>) {
+        match self {
+            Self::Full(lambdas) => (Some(lambdas.read()), None),
+            Self::Packed(lambdas) => (None, Some(lambdas.read())),
+        }
+    }
+
+    /// As one that writes them too.
+    fn write(&mut self) -> (Option<BufMut<'_, PositionLambda>>, Option<BufMut<'_, [u32; 2]>>) {
+        match self {
+            Self::Full(lambdas) => (Some(lambdas.write()), None),
+            Self::Packed(lambdas) => (None, Some(lambdas.write())),
+        }
+    }
 }
 
 /// Of two particles at one point: as much as about 4 % of compression gives, so that they part in some ten steps

@@ -39,10 +39,7 @@ impl WarmStarts {
         (lambdas, totals): (&mut Lambdas, Option<&mut Buffer<f32>>),
         params: &Buffer<PbfParams>,
     ) {
-        let (position_lambdas, packed_position_lambdas) = match lambdas {
-            Lambdas::Full(lambdas) => (Some(lambdas.write()), None),
-            Lambdas::Packed(lambdas) => (None, Some(lambdas.write())),
-        };
+        let (position_lambdas, packed_position_lambdas) = lambdas.write();
         context.slots.dispatch(
             recording,
             &StartWarm {
@@ -71,10 +68,7 @@ impl WarmStarts {
         search: &NeighbourSearch,
         (lambdas, totals): (&Lambdas, Option<&Buffer<f32>>),
     ) {
-        let (position_lambdas, packed_position_lambdas) = match lambdas {
-            Lambdas::Full(lambdas) => (Some(lambdas.read()), None),
-            Lambdas::Packed(lambdas) => (None, Some(lambdas.read())),
-        };
+        let (position_lambdas, packed_position_lambdas) = lambdas.read();
         context.slots.dispatch(
             recording,
             &KeepPressure {
