@@ -58,6 +58,45 @@ pub enum BenchStudy {
     /// What the window's panels and its capture add to a frame, in pairs; opens no window
     #[cfg(feature = "window")]
     Window(WindowOptions),
+    /// How soon and how fast scenes move in a window on this device, and what is given up for it; opens no window
+    #[cfg(feature = "window")]
+    Ladder(LadderOptions),
+}
+
+/// `brooklet bench ladder`.
+#[cfg(feature = "window")]
+#[derive(Clone, Debug, Args)]
+pub struct LadderOptions {
+    /// A shipped scene's name, or the path of a scene file; all shipped scenes, where not given
+    #[arg(value_name = "SCENE")]
+    pub scene: Option<String>,
+    /// Change a value of the scene; may be given again
+    #[arg(long = "set", value_name = "PATH=VALUE")]
+    pub settings: Vec<String>,
+    /// The device.
+    #[command(flatten)]
+    pub device: DeviceOptions,
+    /// Width of the window, pixels
+    #[arg(long, value_name = "PX", default_value_t = 1280, value_parser = clap::value_parser!(u32).range(320..=8192))]
+    pub width: u32,
+    /// Height of the window, pixels
+    #[arg(long, value_name = "PX", default_value_t = 800, value_parser = clap::value_parser!(u32).range(240..=8192))]
+    pub height: u32,
+    /// What a frame may take, ms, as `view` takes it
+    #[arg(long, value_name = "MS", value_parser = crate::shared_options::budget)]
+    pub budget: Option<f64>,
+    /// Stay on this rung of the quality ladder, 0 being everything, as `view` does
+    #[arg(long, value_name = "N", value_parser = crate::shared_options::rung)]
+    pub rung: Option<usize>,
+    /// Count frames from so long after opening, s
+    #[arg(long, value_name = "S", default_value_t = 5.0, value_parser = seconds)]
+    pub after: f64,
+    /// Count frames for so long, s
+    #[arg(long, value_name = "S", default_value_t = 5.0, value_parser = seconds)]
+    pub seconds: f64,
+    /// Print the result as JSON
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// `brooklet bench window`.

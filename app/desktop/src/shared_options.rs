@@ -61,3 +61,17 @@ pub fn seconds(text: &str) -> Result<f64, String> {
         _ => Err("must be a positive number of seconds".into()),
     }
 }
+
+/// What a frame may take, ms.
+#[cfg(feature = "window")]
+pub fn budget(text: &str) -> Result<f64, String> {
+    let value = text.parse::<f64>().ok().filter(|value| (1.0..=10_000.0).contains(value));
+    value.ok_or_else(|| "a number from 1 to 10000 ms is allowed".into())
+}
+
+/// A rung of the quality ladder.
+#[cfg(feature = "window")]
+pub fn rung(text: &str) -> Result<usize, String> {
+    let last = brooklet_viewer::ladder::RUNGS.len() - 1;
+    text.parse().ok().filter(|rung| *rung <= last).ok_or_else(|| format!("a whole number from 0 to {last} is allowed"))
+}

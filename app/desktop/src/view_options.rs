@@ -21,15 +21,13 @@ pub struct ViewOptions {
     /// Size of the window, points
     #[arg(long, value_name = "WxH", default_value = "1280x800", value_parser = size)]
     pub size: [u32; 2],
-    /// What a frame may take, ms: the ladder and the steps of a frame keep to it
-    #[arg(long, value_name = "MS", default_value_t = 16.0, value_parser = budget)]
-    pub budget: f64,
-    /// Let the quality ladder hold the budget by itself from the start
-    #[arg(long)]
-    pub auto: bool,
-    /// Rung of the quality ladder to begin on: 0 is everything
-    #[arg(long, value_name = "N", default_value_t = 0, value_parser = rung)]
-    pub rung: usize,
+    /// What a frame may take, ms: the ladder and the steps of a frame keep to it. Where not given, 16 on a GPU, 32 on a
+    /// phone's, 80 on a processor
+    #[arg(long, value_name = "MS", value_parser = crate::shared_options::budget)]
+    pub budget: Option<f64>,
+    /// Stay on this rung of the quality ladder, 0 being everything. Where not given, the ladder holds the budget by itself
+    #[arg(long, value_name = "N", value_parser = crate::shared_options::rung)]
+    pub rung: Option<usize>,
     /// Shaders to watch: a kernel that is changed there is compiled and runs at once. That of a checkout the
     /// window is opened in, if not given
     #[arg(long, value_name = "DIR", default_value = "shaders/hlsl")]
@@ -50,14 +48,4 @@ fn size(text: &str) -> Result<[u32; 2], String> {
     sides
         .filter(|sides| sides.iter().all(|side| (320..=8192).contains(side)))
         .ok_or_else(|| "WIDTHxHEIGHT, each from 320 to 8192, as 1280x800".into())
-}
-
-fn budget(text: &str) -> Result<f64, String> {
-    let value = text.parse::<f64>().ok().filter(|value| (1.0..=10_000.0).contains(value));
-    value.ok_or_else(|| "a number from 1 to 10000 ms is allowed".into())
-}
-
-fn rung(text: &str) -> Result<usize, String> {
-    let last = brooklet_viewer::ladder::RUNGS.len() - 1;
-    text.parse().ok().filter(|rung| *rung <= last).ok_or_else(|| format!("a whole number from 0 to {last} is allowed"))
 }

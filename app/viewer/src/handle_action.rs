@@ -9,7 +9,7 @@ use brooklet_gpu::tier_name;
 
 use crate::action::Action;
 use crate::files::free_name;
-use crate::ladder::{Governor, RUNGS};
+use crate::ladder::RUNGS;
 use crate::messages::Kind;
 use crate::recorder::Recorder;
 use crate::viewer::Viewer;
@@ -40,7 +40,7 @@ impl Viewer {
             }
             Action::Rung(rung) => self.take_rung(rung),
             Action::Auto(auto) => self.auto = auto,
-            Action::Budget(budget_ms) => self.governor = Governor::new(budget_ms),
+            Action::Budget(budget_ms) => self.governor.set_budget(budget_ms),
             Action::ResetCamera => self.steered = false,
             Action::Panels => self.panels.shown = !self.panels.shown,
             Action::Overlay => self.panels.overlay = !self.panels.overlay,
@@ -58,7 +58,7 @@ impl Viewer {
         match Scene::load(name_or_path, &[]) {
             Ok(scene) => {
                 (self.orbit, self.steered) = (None, false);
-                self.load(scene, Start::Scene, "scene");
+                self.begin(scene);
             }
             Err(error) => self.refuse(&error),
         }

@@ -1,55 +1,71 @@
-//! The quality ladder: what is given up, rung by rung, for a frame in time; by hand or by itself.
+//! The quality ladder: what is given up, rung by rung, for a frame in time; by hand or by itself ([`crate::Governor`]).
 
 use brooklet_fluid::Scene;
 use brooklet_fluid::scene::Precision;
 use brooklet_render::FrameOptions;
+use brooklet_render::surface::SurfaceOptions;
 
 /// What is given up on a rung; each includes all above it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rung {
     /// What is new on it.
     pub name: &'static str,
-    /// Particles over those of the scene, about: the spacing grows by its cube root.
-    particles: f64,
+    /// One of so many particles is left, about: the spacing grows by its root.
+    fewer_particles: u32,
     /// Whether what is only seen through the water, or as its shadow, is half as fine.
     coarse_fields: bool,
     /// Drawn pixels a side of a picture's pixel.
     supersample: u32,
     /// Picture pixels over the window's, a side.
     scale: f64,
+    /// Whether the water has no caustics and no shade of its own, its spheres are not stretched, and smoothing reaches less far.
+    plain_water: bool,
     /// Whether pairs of particles are rounded more.
     lower_precision: bool,
     /// Whether a step has half as many substeps; of one, half the iterations.
     fewer_substeps: bool,
+    /// Whether the particles are drawn instead of the water's surface.
+    points: bool,
 }
 
 const BEST: Rung = Rung {
     name: "everything",
-    particles: 1.0,
+    fewer_particles: 1,
     coarse_fields: false,
     supersample: 2,
     scale: 1.0,
+    plain_water: false,
     lower_precision: false,
     fewer_substeps: false,
+    points: false,
 };
-const HALF: Rung = Rung { name: "half the particles", particles: 0.5, ..BEST };
-const QUARTER: Rung = Rung { name: "a quarter of the particles", particles: 0.25, ..BEST };
-const COARSE: Rung = Rung { name: "coarser light and thickness", coarse_fields: true, ..QUARTER };
-const PLAIN: Rung = Rung { name: "no supersampling", supersample: 1, ..COARSE };
-const SMALL: Rung = Rung { name: "picture at 3/4", scale: 0.75, ..PLAIN };
+const COARSE: Rung = Rung { name: "coarser light and thickness", coarse_fields: true, ..BEST };
+const SINGLE: Rung = Rung { name: "no supersampling", supersample: 1, ..COARSE };
+const HALF: Rung = Rung { name: "half the particles", fewer_particles: 2, ..SINGLE };
+const SMALL: Rung = Rung { name: "picture at 3/4", scale: 0.75, ..HALF };
+const QUARTER: Rung = Rung { name: "a quarter of the particles", fewer_particles: 4, ..SMALL };
+const PLAIN: Rung = Rung { name: "plainer water", plain_water: true, ..QUARTER };
 const SMALLER: Rung = Rung { name: "picture at 1/2", scale: 0.5, ..PLAIN };
 const ROUGH: Rung = Rung { name: "lower precision", lower_precision: true, ..SMALLER };
 const FEWER: Rung = Rung { name: "fewer substeps", fewer_substeps: true, ..ROUGH };
+const EIGHTH: Rung = Rung { name: "an eighth of the particles", fewer_particles: 8, ..FEWER };
+const SIXTEENTH: Rung = Rung { name: "a sixteenth of the particles", fewer_particles: 16, ..EIGHTH };
+const SMALLEST: Rung = Rung { name: "picture at 1/3", scale: 1.0 / 3.0, ..SIXTEENTH };
+const POINTS: Rung = Rung { name: "particles instead of water", points: true, ..SMALLEST };
 
 /// From all there is to the least.
-pub const RUNGS: [Rung; 9] = [BEST, HALF, QUARTER, COARSE, PLAIN, SMALL, SMALLER, ROUGH, FEWER];
+pub const RUNGS: [Rung; 14] =
+    [BEST, COARSE, SINGLE, HALF, SMALL, QUARTER, PLAIN, SMALLER, ROUGH, FEWER, EIGHTH, SIXTEENTH, SMALLEST, POINTS];
+
+/// Smoothing of plainer water reaches so many drawn pixels at most.
+const PLAIN_REACH_PX: u32 = 16;
 
 impl Rung {
     /// The scene as it is simulated on this rung.
     pub fn scene(&self, scene: &Scene) -> Scene {
         let mut scene = scene.clone();
-        if self.particles < 1.0 {
-            scene.spacing_m *= self.particles.powf(-1.0 / f64::from(scene.domain.dimensions));
+        if self.fewer_particles > 1 {
+            scene.spacing_m *= f64::from(self.fewer_particles).powf(1.0 / f64::from(scene.domain.dimensions));
         }
         if self.lower_precision && scene.solver.precision == Precision::Full {
             scene.solver.precision = Precision::Relaxed;
@@ -72,6 +88,22 @@ impl Rung {
                 water.photons /= 2;
             }
         }
+        if self.plain_water
+            && let Some(water) = options.surface.water_mut()
+        {
+            (water.photons, water.self_shadow, water.anisotropic) = (0, false, false);
+            water.most_reach_px = water.most_reach_px.min(PLAIN_REACH_PX);
+        }
+        if self.plain_water
+            && let Some(mesh) = options.surface.mesh_mut()
+        {
+            mesh.anisotropic = false;
+            mesh.refine.smooth_normals = mesh.refine.smooth_normals.min(1);
+            mesh.refine.parts = 1;
+        }
+        if self.points && options.surface != SurfaceOptions::None {
+            options.surface = SurfaceOptions::Points;
+        }
         options
     }
 
@@ -79,108 +111,31 @@ impl Rung {
     pub fn picture_px(&self, window_px: [u32; 2]) -> [u32; 2] {
         window_px.map(|side| ((f64::from(side) * self.scale).round() as u32).max(1))
     }
-}
 
-/// Which way to go on the ladder.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Move {
-    /// To the next rung down: less work.
-    Down,
-    /// Up: more.
-    Up,
-}
-
-/// Holds a frame's time near a budget, without swinging between two rungs.
-#[derive(Clone, Debug)]
-pub struct Governor {
-    /// What a frame may take, ms.
-    pub budget_ms: f64,
-    times_ms: Vec<f64>,
-    /// Frames to look away after a change: the first ones build caches.
-    ignored: u32,
-    /// Good frames it takes to go up, doubled by each step up that did not hold.
-    patience: u32,
-    good_frames: u32,
-    frames_since_up: Option<u32>,
-}
-
-/// Frames a median is taken of.
-const WINDOW: usize = 24;
-const SETTLING: u32 = 6;
-/// Room that must be left before more is asked for: a rung may cost half as much again.
-const ROOM: f64 = 0.6;
-/// A frame a tenth over its budget is not yet too slow.
-const TOLERANCE: f64 = 1.1;
-const PATIENCE: u32 = 90;
-const MOST_PATIENCE: u32 = 60 * 60;
-/// A step up that came back within so many frames did not hold.
-const HELD: u32 = 600;
-
-impl Governor {
-    /// For a budget.
-    pub fn new(budget_ms: f64) -> Self {
-        Self {
-            budget_ms,
-            times_ms: Vec::with_capacity(WINDOW),
-            ignored: SETTLING,
-            patience: PATIENCE,
-            good_frames: 0,
-            frames_since_up: None,
+    /// All that is given up on this rung, in words; empty on the first.
+    pub fn given_up(&self) -> String {
+        let mut list = Vec::new();
+        if self.fewer_particles > 1 {
+            list.push(format!("1/{} of the particles", self.fewer_particles));
         }
-    }
-
-    /// Takes a frame's time, ms; says whether another rung is called for.
-    pub fn take(&mut self, frame_ms: f64) -> Option<Move> {
-        if !frame_ms.is_finite() {
-            return None;
+        let mut add = |is_given_up: bool, words: &str| list.extend(is_given_up.then(|| words.to_owned()));
+        add(self.points, "particles instead of water");
+        add(self.plain_water && !self.points, "plainer water");
+        add(self.coarse_fields && !self.points && !self.plain_water, "coarser light and thickness");
+        add(self.supersample < BEST.supersample, "no supersampling");
+        add(self.lower_precision, "lower precision");
+        add(self.fewer_substeps, "half the substeps or iterations");
+        if self.scale < 1.0 {
+            list.push(format!("picture at {:.0} %", 100.0 * self.scale));
         }
-        if let Some(frames) = &mut self.frames_since_up {
-            *frames = frames.saturating_add(1);
-        }
-        if self.ignored > 0 {
-            self.ignored -= 1;
-            return None;
-        }
-        if self.times_ms.len() == WINDOW {
-            self.times_ms.remove(0);
-        }
-        self.times_ms.push(frame_ms);
-        if self.times_ms.len() < WINDOW {
-            return None;
-        }
-        let mut sorted = self.times_ms.clone();
-        sorted.sort_unstable_by(f64::total_cmp);
-        let median_ms = sorted[WINDOW / 2];
-        if median_ms > TOLERANCE * self.budget_ms {
-            if self.frames_since_up.take().is_some_and(|frames| frames < HELD) {
-                self.patience = (2 * self.patience).min(MOST_PATIENCE);
-            }
-            return Some(self.restart(Move::Down));
-        }
-        self.good_frames = if median_ms < ROOM * self.budget_ms { self.good_frames + 1 } else { 0 };
-        if self.good_frames < self.patience {
-            return None;
-        }
-        self.frames_since_up = Some(0);
-        Some(self.restart(Move::Up))
-    }
-
-    /// Looks away for some frames: something else changed.
-    pub fn settle(&mut self) {
-        self.restart(Move::Down);
-    }
-
-    fn restart(&mut self, moved: Move) -> Move {
-        self.times_ms.clear();
-        self.good_frames = 0;
-        self.ignored = SETTLING;
-        moved
+        list.join(", ")
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::device_speed::Work;
     use brooklet_gpu::Tier;
 
     fn scene() -> Scene {
@@ -191,91 +146,28 @@ mod tests {
     fn each_rung_asks_for_less() {
         let scene = scene();
         let options = FrameOptions::for_scene(&scene, Tier::Desktop);
-        let work = |rung: &Rung| {
-            let run = rung.scene(&scene);
-            let mut drawn = rung.options(options);
-            let particles = run.particle_count() as f64;
-            let rounds = f64::from(run.solver.substeps * run.solver.pbf.iterations);
-            let cost = if run.solver.precision == Precision::Full { 1.0 } else { 0.8 };
-            let side = rung.picture_px([1000, 1000])[0] * drawn.supersample;
-            let texels = drawn.surface.water_mut().map_or(0.0, |water| f64::from(water.photons));
-            particles * rounds * cost + f64::from(side).powi(2) + texels
-        };
+        let work = |rung: &Rung| Work::of(rung, &scene, Tier::Desktop, [1000, 1000]);
         for pair in RUNGS.windows(2) {
-            assert!(work(&pair[1]) < work(&pair[0]), "{} after {}", pair[1].name, pair[0].name);
+            let ([more, less], [above, below]) = ([work(&pair[0]), work(&pair[1])], [&pair[0], &pair[1]]);
+            let is_less =
+                less.step < more.step || less.draw < more.draw || below.lower_precision && !above.lower_precision;
+            let is_no_more = less.step <= more.step && less.draw <= more.draw;
+            assert!(is_less && is_no_more, "{} after {}: {less:?} after {more:?}", below.name, above.name);
         }
-        let half = RUNGS[1].scene(&scene).particle_count() as f64;
+        let half = RUNGS[3].scene(&scene).particle_count() as f64;
         let all = scene.particle_count() as f64;
         assert!((0.4..0.6).contains(&(half / all)), "{}", half / all);
         assert_eq!(RUNGS[0].scene(&scene), scene);
         assert_eq!(RUNGS[0].options(options), options);
     }
 
-    /// Frames of a device on which a rung costs `cost_ms`; returns the rungs at the end of each frame.
-    fn drive(
-        governor: &mut Governor,
-        frames: usize,
-        mut rung: usize,
-        cost_ms: impl Fn(usize, usize) -> f64,
-    ) -> Vec<usize> {
-        (0..frames)
-            .map(|frame| {
-                match governor.take(cost_ms(frame, rung)) {
-                    Some(Move::Down) => rung = (rung + 1).min(RUNGS.len() - 1),
-                    Some(Move::Up) => rung = rung.saturating_sub(1),
-                    None => {}
-                }
-                rung
-            })
-            .collect()
-    }
-
     #[test]
-    fn a_slow_device_ends_within_its_budget_and_stays() {
-        let cost_ms = |_, rung: usize| 40.0 * 0.8f64.powi(rung as i32);
-        let rungs = drive(&mut Governor::new(16.0), 4000, 0, cost_ms);
-        let last = *rungs.last().unwrap();
-        assert!(cost_ms(0, last) <= 16.0 * TOLERANCE, "rung {last}");
-        assert!(rungs[400..].iter().all(|rung| *rung == last), "it swings");
-    }
-
-    #[test]
-    fn a_rung_that_does_not_hold_is_tried_ever_more_rarely() {
-        // One rung is far below the budget, the next far above: the worst case for a ladder.
-        let cost_ms = |_, rung: usize| if rung == 0 { 30.0 } else { 5.0 };
-        let rungs = drive(&mut Governor::new(16.0), 20_000, 0, cost_ms);
-        let changes = rungs.windows(2).filter(|pair| pair[0] != pair[1]).count();
-        assert!(changes < 24, "{changes} changes in 20,000 frames");
-        assert!(changes > 4, "it never tries again");
-        let eager = {
-            let mut governor = Governor::new(16.0);
-            let mut rung = 0;
-            let mut changes = 0;
-            for _ in 0..20_000 {
-                // Without the memory of what did not hold.
-                governor.patience = PATIENCE;
-                if let Some(moved) = governor.take(cost_ms(0, rung)) {
-                    rung = usize::from(moved == Move::Down);
-                    changes += 1;
-                }
-            }
-            changes
-        };
-        assert!(eager > 4 * changes, "{eager} without, {changes} with");
-    }
-
-    #[test]
-    fn a_device_that_is_free_again_goes_up() {
-        let cost_ms = |frame: usize, rung: usize| if frame < 2000 { 40.0 } else { 4.0 } * 0.8f64.powi(rung as i32);
-        let rungs = drive(&mut Governor::new(16.0), 6000, 0, cost_ms);
-        assert!(rungs[1999] > 2 && *rungs.last().unwrap() == 0, "{} then {}", rungs[1999], rungs.last().unwrap());
-    }
-
-    #[test]
-    fn single_slow_frames_change_nothing() {
-        let cost_ms = |frame: usize, _| if frame.is_multiple_of(10) { 200.0 } else { 12.0 };
-        let rungs = drive(&mut Governor::new(16.0), 2000, 3, cost_ms);
-        assert!(rungs.iter().all(|rung| *rung == 3));
-        assert_eq!(Governor::new(16.0).take(f64::NAN), None);
+    fn what_is_given_up_is_said() {
+        assert_eq!(RUNGS[0].given_up(), "");
+        let mut said: Vec<String> = RUNGS.iter().map(Rung::given_up).collect();
+        assert!(said[2].contains("no supersampling") && said[13].contains("1/16 of the particles"), "{said:?}");
+        said.sort_unstable();
+        said.dedup();
+        assert_eq!(said.len(), RUNGS.len(), "two rungs say the same");
     }
 }

@@ -18,9 +18,11 @@
 
 pub mod action;
 mod clock;
+pub mod device_speed;
 mod drag;
 mod error;
 mod files;
+pub mod governor;
 mod handle_action;
 mod history;
 mod in_flight;

@@ -14,6 +14,7 @@ use brooklet_render::surface::marching_cubes::MeshRoom;
 use crate::ViewerError;
 use crate::clock::{Clock, steps_within};
 use crate::drag::PendingDrag;
+use crate::governor::FrameCost;
 use crate::in_flight::{InFlightFrame, InFlightFrames};
 use crate::jobs::Jobs;
 use crate::messages::{Kind, Messages};
@@ -45,6 +46,7 @@ pub struct Playback {
     painted: VecDeque<FrameReport>,
     started: Instant,
     last_advance: Instant,
+    last_return: Instant,
     single_steps: u32,
     is_stale: bool,
     measured_step: u64,
@@ -74,6 +76,7 @@ impl Playback {
             painted: VecDeque::new(),
             started: Instant::now(),
             last_advance: Instant::now(),
+            last_return: Instant::now(),
             single_steps: 0,
             is_stale: true,
             measured_step: 0,
@@ -215,7 +218,11 @@ impl Playback {
         // A fade goes on though nothing moves.
         self.is_stale |= current.fades();
         let time_s = (in_flight.handed - self.started).as_secs_f64();
-        self.times.take(report, (current.session.step_id(), in_flight.request.steps), time_s);
+        let now = Instant::now();
+        // Where the GPU tells no times: since it was handed over, or since the one before it came back.
+        let wall_ms = 1e3 * (now - in_flight.handed.max(self.last_return)).as_secs_f64();
+        self.last_return = now;
+        self.times.take(report, (current.session.step_id(), in_flight.request.steps), time_s, wall_ms);
         self.fresh_times = true;
         if let Some(stats) = stats {
             let [kinetic_j, energy_j] = &mut self.times.energy_j;
@@ -258,15 +265,12 @@ impl Playback {
         }
     }
 
-    /// What a frame would have to take for the simulation to keep real time at the budget's rate, ms;
-    /// once for each frame that came back.
-    pub fn take_needed_ms(&mut self, current: Option<&ViewerScene>, budget_ms: f64) -> Option<f64> {
+    /// What a step and a picture took; once for each frame that came back.
+    pub fn take_cost(&mut self) -> Option<FrameCost> {
         if !std::mem::take(&mut self.fresh_times) {
             return None;
         }
-        let (step_ms, draw_ms) = (self.times.step_ms.last()?, self.times.draw_ms.last()?);
-        let dt_s = current?.session.scene().solver.dt_s;
-        Some(draw_ms + step_ms * self.clock.speed * 1e-3 * budget_ms / dt_s)
+        Some(FrameCost { step_ms: self.times.step_ms.last()?, draw_ms: self.times.draw_ms.last()? })
     }
 
     /// Hands the next frame to the GPU if it has room for one and something is to be done; says whether it did.

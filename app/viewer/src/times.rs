@@ -43,10 +43,18 @@ pub struct Times {
 const LOOK_EVERY_S: f64 = 0.25;
 
 impl Times {
-    /// Takes a frame that has come back at `time_s`, of `steps` runs of the recording `step`.
-    pub fn take(&mut self, report: &FrameReport, (step, steps): (RecordingId, u32), time_s: f64) {
+    /// Takes a frame that has come back at `time_s`, of `steps` runs of the recording `step`. A device that tells no times
+    /// is taken at `wall_ms`, half of it for the steps: enough to choose a rung by.
+    pub fn take(&mut self, report: &FrameReport, (step, steps): (RecordingId, u32), time_s: f64, wall_ms: f64) {
         self.flagged_spans += report.flagged() as u64;
-        let Some(gpu_ms) = report.gpu_ms() else { return };
+        let Some(gpu_ms) = report.gpu_ms() else {
+            let steps_ms = if steps > 0 { 0.5 * wall_ms } else { 0.0 };
+            if steps > 0 {
+                self.step_ms.push(time_s, steps_ms / f64::from(steps));
+            }
+            self.draw_ms.push(time_s, wall_ms - steps_ms);
+            return;
+        };
         self.gpu_ms.push(time_s, gpu_ms);
         let mut simulation_ms = 0.0;
         for span in report.spans.iter().filter(|span| span.recording == step) {

@@ -11,8 +11,10 @@ use egui::{Context, FullOutput, PlatformOutput, RawInput, TextureId, TexturesDel
 
 use crate::ViewerError;
 use crate::action::{self, Action};
+use crate::device_speed::{DeviceSpeed, Work, default_budget_ms};
 use crate::drag::DragInput;
-use crate::ladder::{Governor, RUNGS};
+use crate::governor::{Governor, Standing};
+use crate::ladder::RUNGS;
 use crate::loading::Loading;
 use crate::messages::{Kind, Messages};
 use crate::orbit::Orbit;
@@ -33,12 +35,10 @@ const MESH_ROOM: &str = "room for the mesh";
 pub struct Settings {
     /// Where screenshots, captures and states are written.
     pub folder: PathBuf,
-    /// What a frame may take, ms.
-    pub budget_ms: f64,
-    /// Whether the ladder holds that by itself from the start.
-    pub auto: bool,
-    /// Rung to begin on.
-    pub rung: usize,
+    /// What a frame may take, ms; none: what suits the device.
+    pub budget_ms: Option<f64>,
+    /// Rung of the ladder to stay on; none: it holds the budget by itself, and begins where the device's kind lets it.
+    pub rung: Option<usize>,
 }
 
 /// What a frame leaves to the program around it.
@@ -77,6 +77,10 @@ pub struct Viewer {
     pub(crate) rung: usize,
     pub(crate) auto: bool,
     pub(crate) governor: Governor,
+    /// The rung that it was last said the ladder had taken by itself.
+    told_rung: Option<usize>,
+    /// What each rung comes to, for the scene and the window as they are.
+    works: Vec<Work>,
     pub(crate) waiting: Vec<String>,
     drag_input: DragInput,
     modules: NewModules,
@@ -87,9 +91,9 @@ pub struct Viewer {
 }
 
 impl Viewer {
-    /// Goes on with what another viewer showed: the same scene, particles and rung.
-    pub fn resume(&mut self, state: brooklet_fluid::state::State, rung: usize) {
-        self.rung = rung.min(RUNGS.len() - 1);
+    /// Goes on with what another viewer showed: the same scene, particles and rung, and who chooses that.
+    pub fn resume(&mut self, state: brooklet_fluid::state::State, rung: usize, auto: bool) {
+        (self.rung, self.auto) = (rung.min(RUNGS.len() - 1), auto);
         let start = Start::Particles { particles: state.particles, steps: state.steps, simulated_s: state.time_s };
         self.load(state.scene, start, "tier");
     }
@@ -98,6 +102,8 @@ impl Viewer {
     pub fn new(gpu: &Gpu, format: wgpu::TextureFormat, scene: Scene, settings: Settings, room_px: [u32; 2]) -> Self {
         let context = Context::default();
         style::apply(&context);
+        let speed = DeviceSpeed::of_kind(&gpu.info().device_type, gpu.tier());
+        let budget_ms = settings.budget_ms.unwrap_or_else(|| default_budget_ms(gpu));
         let mut viewer = Self {
             gpu: gpu.clone(),
             context,
@@ -114,9 +120,11 @@ impl Viewer {
             steered: false,
             room_px,
             room_since: Instant::now(),
-            rung: settings.rung.min(RUNGS.len() - 1),
-            auto: settings.auto,
-            governor: Governor::new(settings.budget_ms),
+            rung: settings.rung.unwrap_or_default().min(RUNGS.len() - 1),
+            auto: settings.rung.is_none(),
+            governor: Governor::new(budget_ms, speed),
+            told_rung: None,
+            works: Vec::new(),
             waiting: Vec::new(),
             drag_input: DragInput::default(),
             modules: NewModules::default(),
@@ -124,7 +132,7 @@ impl Viewer {
             mesh_room_ends: false,
             settings,
         };
-        viewer.load(scene, Start::Scene, "scene");
+        viewer.begin(scene);
         viewer
     }
 
@@ -166,6 +174,16 @@ impl Viewer {
     /// Rung of the quality ladder.
     pub fn rung(&self) -> usize {
         self.rung
+    }
+
+    /// Whether the ladder holds the budget by itself.
+    pub fn is_auto(&self) -> bool {
+        self.auto
+    }
+
+    /// What a step and the rest of a frame take, ms, medians of the last frames.
+    pub fn cost_ms(&self) -> Option<(f64, f64)> {
+        self.playback.times.cost_ms()
     }
 
     /// What the window says now.
@@ -289,7 +307,28 @@ impl Viewer {
         View::of_scene(&scene)
     }
 
+    /// Loads another scene from its start, on the rung that what is known of the device lets it have.
+    pub(crate) fn begin(&mut self, scene: Scene) {
+        if self.auto {
+            self.weigh(&scene);
+            self.rung = self.governor.first(&self.works, self.steps_due(&scene));
+        }
+        self.load(scene, Start::Scene, "scene");
+    }
+
+    /// What each rung comes to for `scene` in the window as it is.
+    fn weigh(&mut self, scene: &Scene) {
+        let (tier, room_px) = (self.gpu.tier(), self.room_px);
+        self.works = RUNGS.iter().map(|rung| Work::of(rung, scene, tier, room_px)).collect();
+    }
+
+    /// Steps that a frame of the budget's length is to have.
+    fn steps_due(&self, scene: &Scene) -> f64 {
+        self.playback.clock.speed * 1e-3 * self.governor.budget_ms / scene.solver.dt_s
+    }
+
     pub(crate) fn load(&mut self, scene: Scene, start: Start, why: &str) {
+        self.weigh(&scene);
         let orbit = *self.orbit.get_or_insert(Orbit::of(&self.framed(&scene)));
         let modules = self.modules.clone();
         if !matches!(start, Start::Carry(_)) {
@@ -344,6 +383,7 @@ impl Viewer {
                 self.current = Some(current);
                 self.governor.settle();
                 self.note(&why);
+                self.tell_quality();
             }
             Err(error) => {
                 self.messages.notify(Kind::Error, error.to_string());
@@ -357,6 +397,19 @@ impl Viewer {
         }
         if let Some(desc) = self.next.take() {
             self.load(desc.scene, desc.start, &desc.why);
+        }
+    }
+
+    /// Says what the ladder gave up by itself, once it stands there.
+    fn tell_quality(&mut self) {
+        let told = self.auto.then_some(self.rung).filter(|rung| *rung > 0);
+        if told == self.told_rung {
+            return;
+        }
+        self.told_rung = told;
+        if told.is_some() {
+            let (budget_ms, given_up) = (self.governor.budget_ms, RUNGS[self.rung].given_up());
+            self.messages.notify(Kind::Done, format!("for {budget_ms:.0} ms a frame: {given_up}"));
         }
     }
 
@@ -412,15 +465,11 @@ impl Viewer {
         if !self.auto || self.loading.is_some() || self.playback.paused {
             return;
         }
-        let Some(needed_ms) = self.playback.take_needed_ms(self.current.as_ref(), self.governor.budget_ms) else {
-            return;
-        };
-        let rung = match self.governor.take(needed_ms) {
-            Some(crate::ladder::Move::Down) => self.rung + 1,
-            Some(crate::ladder::Move::Up) => self.rung.saturating_sub(1),
-            None => return,
-        };
-        self.take_rung(rung);
+        let (Some(cost), Some(current)) = (self.playback.take_cost(), &self.current) else { return };
+        let standing = Standing { rung: self.rung, works: &self.works, steps_due: self.steps_due(&current.scene) };
+        if let Some(rung) = self.governor.take(cost, &standing) {
+            self.take_rung(rung);
+        }
     }
 
     fn advance(&mut self) -> Result<bool, ViewerError> {

@@ -14,7 +14,7 @@ fn the_next_pictures_have_the_room_that_a_mesh_lacked() {
     let path = folder.path().join("drops.toml");
     std::fs::write(&path, scene_of_drops()).unwrap();
     let scene = Scene::load(&path.display().to_string(), &[]).unwrap();
-    let settings = Settings { folder: PathBuf::new(), budget_ms: 1000.0, auto: false, rung: 0 };
+    let settings = Settings { folder: PathBuf::new(), budget_ms: Some(1000.0), rung: Some(0) };
     let mut viewer = Viewer::new(&gpu(), wgpu::TextureFormat::Rgba8Unorm, scene, settings, [64, 36]);
     let begun = Instant::now();
     let (mut before, mut said) = (None, false);

@@ -1,5 +1,9 @@
 //! `brooklet bench`: the time of every pass, of one scene or of one workload at rising sizes.
 
+#[cfg(feature = "window")]
+mod ladder;
+#[cfg(feature = "window")]
+mod offscreen_window;
 mod scaling;
 mod single;
 mod sorting;
@@ -32,6 +36,8 @@ pub fn bench(options: &BenchOptions) -> Result<(), Failure> {
         (Some(BenchStudy::Surfaces(options)), _) => bench_surfaces(options),
         #[cfg(feature = "window")]
         (Some(BenchStudy::Window(options)), _) => window::bench(options),
+        #[cfg(feature = "window")]
+        (Some(BenchStudy::Ladder(options)), _) => ladder::bench(options),
         (None, Some(scene)) => bench_scene(scene, options),
         (None, None) => bench_sizes(options),
     }

@@ -5,32 +5,17 @@
 //! drifts for all, and each turn is held against the one alone beside it.
 
 use std::path::{Path, PathBuf};
-use std::time::Instant;
 
 use brooklet_capture::CaptureCost;
-use brooklet_fluid::Scene;
-use brooklet_gpu::Gpu;
+use brooklet_viewer::Settings;
 use brooklet_viewer::action::Action;
-use brooklet_viewer::{Settings, Target, Viewer};
-use egui::{Pos2, RawInput, Rect, vec2};
 use serde::Serialize;
 
+use super::offscreen_window::OffscreenWindow;
 use crate::{bench_options::WindowOptions, failure::Failure, interrupt::Interrupt, job, progress, table::table};
 
-const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Bgra8Unorm;
 /// So little that no frame has more than one step: all frames do the same.
 const BUDGET_MS: f64 = 0.001;
-/// Steps before anything is timed.
-const WARM_UP: u64 = 12;
-
-/// A viewer that paints on a texture.
-struct OffscreenWindow<'a> {
-    viewer: Viewer,
-    gpu: &'a Gpu,
-    view: wgpu::TextureView,
-    size_px: [u32; 2],
-}
-
 /// What is printed.
 #[derive(Clone, Debug, Serialize)]
 struct WindowCost {
@@ -59,11 +44,18 @@ pub fn bench(options: &WindowOptions) -> Result<(), Failure> {
     let interrupt = Interrupt::listen()?;
     let folder = tempfile::tempdir().map_err(Failure::stopped)?;
     let size_px = [options.width, options.height];
-    let mut panels = OffscreenWindow::open(&gpu, &scene, size_px, folder.path())?;
+    let settings = Settings { folder: folder.path().to_owned(), budget_ms: Some(BUDGET_MS), rung: Some(0) };
+    let open = |size_px| {
+        let mut shown = OffscreenWindow::open(&gpu, &scene, size_px, settings.clone());
+        // Two simulated seconds a second: a step is always due.
+        shown.viewer.handle_action(Action::Speed(2.0));
+        shown
+    };
+    let mut panels = open(size_px);
     panels.warm_up(&interrupt)?;
     let picture_px = panels.picture_px();
     let alone = || -> Result<OffscreenWindow<'_>, Failure> {
-        let mut shown = OffscreenWindow::open(&gpu, &scene, picture_px, folder.path())?;
+        let mut shown = open(picture_px);
         shown.viewer.handle_action(Action::Panels);
         shown.warm_up(&interrupt)?;
         Ok(shown)
@@ -123,82 +115,6 @@ fn keep(captured: OffscreenWindow<'_>, from: Option<PathBuf>, to: Option<&Path>)
     unfinished.push(".part");
     std::fs::copy(&from, &unfinished).and_then(|_| std::fs::rename(&unfinished, to)).map_err(failed)?;
     Ok(Some(to.to_owned()))
-}
-
-impl<'a> OffscreenWindow<'a> {
-    fn open(gpu: &'a Gpu, scene: &Scene, size_px: [u32; 2], folder: &Path) -> Result<Self, Failure> {
-        let settings = Settings { folder: folder.to_owned(), budget_ms: BUDGET_MS, auto: false, rung: 0 };
-        let texture = gpu.device().create_texture(&wgpu::TextureDescriptor {
-            label: Some("window"),
-            size: wgpu::Extent3d { width: size_px[0], height: size_px[1], depth_or_array_layers: 1 },
-            mip_level_count: 1,
-            sample_count: 1,
-            dimension: wgpu::TextureDimension::D2,
-            format: FORMAT,
-            usage: wgpu::TextureUsages::RENDER_ATTACHMENT,
-            view_formats: &[],
-        });
-        let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
-        let mut viewer = Viewer::new(gpu, FORMAT, scene.clone(), settings, size_px);
-        // Two simulated seconds a second: a step is always due.
-        viewer.handle_action(Action::Speed(2.0));
-        Ok(Self { viewer, gpu, view, size_px })
-    }
-
-    fn picture_px(&self) -> [u32; 2] {
-        self.viewer.current().map_or(self.size_px, |current| current.view().size_px)
-    }
-
-    fn steps(&self) -> u64 {
-        self.viewer.current().map_or(0, |current| current.session.steps())
-    }
-
-    fn frame(&mut self) -> Result<(), Failure> {
-        if !self.viewer.has_news().map_err(Failure::stopped)? {
-            std::thread::sleep(std::time::Duration::from_micros(200));
-            return Ok(());
-        }
-        let [width, height] = self.size_px.map(|side| side as f32);
-        let screen_rect = Some(Rect::from_min_size(Pos2::ZERO, vec2(width, height)));
-        let input = RawInput { screen_rect, ..RawInput::default() };
-        let target = Target { view: &self.view, size_px: self.size_px, pixels_per_point: 1.0 };
-        self.viewer.frame(input, Some(&target)).map_err(Failure::stopped)?;
-        Ok(())
-    }
-
-    fn warm_up(&mut self, interrupt: &Interrupt) -> Result<(), Failure> {
-        while self.steps() < WARM_UP || self.viewer.is_loading() {
-            if interrupt.is_pressed() {
-                return Err(Failure::Interrupted("nothing was timed".into()));
-            }
-            if let Some(word) = self.viewer.messages().next() {
-                return Err(Failure::Input(word.to_owned()));
-            }
-            self.frame()?;
-        }
-        Ok(())
-    }
-
-    /// So many frames, all done; ms of one.
-    fn turn(&mut self, frames: u64) -> Result<f64, Failure> {
-        // The first one fills what another viewer left cold.
-        let before = self.steps();
-        while self.steps() < before + 1 {
-            self.frame()?;
-        }
-        self.wait();
-        let (begun, before) = (Instant::now(), self.steps());
-        while self.steps() < before + frames {
-            self.frame()?;
-        }
-        self.wait();
-        Ok(1e3 * begun.elapsed().as_secs_f64() / frames as f64)
-    }
-
-    fn wait(&self) {
-        // A lost device is found by the next frame.
-        let _ = self.gpu.device().poll(wgpu::PollType::wait_indefinitely());
-    }
 }
 
 fn print(cost: &WindowCost) {

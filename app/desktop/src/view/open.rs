@@ -60,8 +60,7 @@ impl Open {
         let size_px: [u32; 2] = window.inner_size().into();
         let configuration = configuration(&capabilities, format, size_px);
         surface.configure(gpu.device(), &configuration);
-        let settings =
-            Settings { folder: options.out.clone(), budget_ms: options.budget, auto: options.auto, rung: options.rung };
+        let settings = Settings { folder: options.out.clone(), budget_ms: options.budget, rung: options.rung };
         let viewer = Viewer::new(&gpu, format, scene, settings, size_px);
         let scale = Some(window.scale_factor() as f32);
         let side = gpu.device().limits().max_texture_dimension_2d as usize;

@@ -177,7 +177,7 @@ impl<'a> Window<'a> {
     /// The same scene and particles on the same device, used as one of another tier.
     fn change_tier(&mut self, events: &ActiveEventLoop, tier: Tier) {
         let Some(mut open) = self.open.take() else { return };
-        let (state, rung) = (open.viewer.take_state(), open.viewer.rung());
+        let (state, rung, auto) = (open.viewer.take_state(), open.viewer.rung(), open.viewer.is_auto());
         let scene = state.as_ref().map_or_else(|| self.scene.clone(), |state| state.scene.clone());
         let window = Arc::clone(&open.window);
         // A window has one surface, and the first device has it: it goes first.
@@ -192,7 +192,7 @@ impl<'a> Window<'a> {
         match opened {
             Ok(mut open) => {
                 if let Some(state) = state {
-                    open.viewer.resume(state, rung);
+                    open.viewer.resume(state, rung, auto);
                 }
                 open.window.request_redraw();
                 self.open = Some(open);

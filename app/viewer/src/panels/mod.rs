@@ -17,7 +17,7 @@ use brooklet_render::left_out::Absent;
 use egui::{Context, Panel, TextureId};
 
 use crate::action::Action;
-use crate::ladder::Governor;
+use crate::governor::Governor;
 use crate::loading::Progress;
 use crate::messages::Messages;
 use crate::pointer::{Pointing, Strokes};
