@@ -38,7 +38,10 @@ impl Viewer {
                 let path = path.unwrap_or_else(|| self.state_file());
                 self.restore_state(&path);
             }
-            Action::Rung(rung) => self.take_rung(rung),
+            Action::Rung(rung) => {
+                self.auto = false;
+                self.take_rung(rung);
+            }
             Action::Auto(auto) => self.auto = auto,
             Action::Budget(budget_ms) => self.governor.set_budget(budget_ms),
             Action::ResetCamera => self.steered = false,
@@ -98,29 +101,6 @@ impl Viewer {
             }
             Err(error) => self.messages.notify(Kind::Error, error.to_string()),
         }
-    }
-
-    pub(crate) fn take_rung(&mut self, rung: usize) {
-        let rung = rung.min(RUNGS.len() - 1);
-        if rung == self.rung {
-            return;
-        }
-        self.rung = rung;
-        self.governor.settle();
-        let Some(current) = &mut self.current else { return };
-        let simulated = RUNGS[rung].scene(&current.scene);
-        let scene = current.scene.clone();
-        let start = if needs_reset(current.session.scene(), &simulated) {
-            match current.read_state() {
-                Ok(State { scene, time_s, steps, particles }) => {
-                    Start::Resampled { from: Box::new(scene), particles, steps, simulated_s: time_s }
-                }
-                Err(error) => return self.messages.notify(Kind::Error, error.to_string()),
-            }
-        } else {
-            Start::Carry(current.session.slot_count())
-        };
-        self.load(scene, start, &format!("quality: {}", RUNGS[rung].name));
     }
 
     /// Tells the capture what is computed and drawn from now on, and what changed.

@@ -36,6 +36,7 @@ mod panels;
 mod playback;
 mod pointer;
 mod presenter;
+mod quality;
 mod recorder;
 mod reload;
 mod style;

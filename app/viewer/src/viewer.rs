@@ -13,7 +13,7 @@ use crate::ViewerError;
 use crate::action::{self, Action};
 use crate::device_speed::{DeviceSpeed, Work, default_budget_ms};
 use crate::drag::DragInput;
-use crate::governor::{Governor, Standing};
+use crate::governor::Governor;
 use crate::ladder::RUNGS;
 use crate::loading::Loading;
 use crate::messages::{Kind, Messages};
@@ -72,15 +72,15 @@ pub struct Viewer {
     pub(crate) orbit: Option<Orbit>,
     /// Whether somebody moved the camera; until then it frames the scene in whatever room there is.
     pub(crate) steered: bool,
-    room_px: [u32; 2],
+    pub(crate) room_px: [u32; 2],
     room_since: Instant,
     pub(crate) rung: usize,
     pub(crate) auto: bool,
     pub(crate) governor: Governor,
     /// The rung that it was last said the ladder had taken by itself.
-    told_rung: Option<usize>,
+    pub(crate) told_rung: Option<usize>,
     /// What each rung comes to, for the scene and the window as they are.
-    works: Vec<Work>,
+    pub(crate) works: Vec<Work>,
     pub(crate) waiting: Vec<String>,
     drag_input: DragInput,
     modules: NewModules,
@@ -307,26 +307,6 @@ impl Viewer {
         View::of_scene(&scene)
     }
 
-    /// Loads another scene from its start, on the rung that what is known of the device lets it have.
-    pub(crate) fn begin(&mut self, scene: Scene) {
-        if self.auto {
-            self.weigh(&scene);
-            self.rung = self.governor.first(&self.works, self.steps_due(&scene));
-        }
-        self.load(scene, Start::Scene, "scene");
-    }
-
-    /// What each rung comes to for `scene` in the window as it is.
-    fn weigh(&mut self, scene: &Scene) {
-        let (tier, room_px) = (self.gpu.tier(), self.room_px);
-        self.works = RUNGS.iter().map(|rung| Work::of(rung, scene, tier, room_px)).collect();
-    }
-
-    /// Steps that a frame of the budget's length is to have.
-    fn steps_due(&self, scene: &Scene) -> f64 {
-        self.playback.clock.speed * 1e-3 * self.governor.budget_ms / scene.solver.dt_s
-    }
-
     pub(crate) fn load(&mut self, scene: Scene, start: Start, why: &str) {
         self.weigh(&scene);
         let orbit = *self.orbit.get_or_insert(Orbit::of(&self.framed(&scene)));
@@ -400,19 +380,6 @@ impl Viewer {
         }
     }
 
-    /// Says what the ladder gave up by itself, once it stands there.
-    fn tell_quality(&mut self) {
-        let told = self.auto.then_some(self.rung).filter(|rung| *rung > 0);
-        if told == self.told_rung {
-            return;
-        }
-        self.told_rung = told;
-        if told.is_some() {
-            let (budget_ms, given_up) = (self.governor.budget_ms, RUNGS[self.rung].given_up());
-            self.messages.notify(Kind::Done, format!("for {budget_ms:.0} ms a frame: {given_up}"));
-        }
-    }
-
     fn steer(&mut self, pointing: &crate::pointer::Pointing) {
         let Some(orbit) = &mut self.orbit else { return };
         self.steered |= pointing.steer(orbit);
@@ -459,17 +426,6 @@ impl Viewer {
         self.mesh_room = Some(room);
         let (scene, start) = (current.scene.clone(), Start::Carry(current.session.slot_count()));
         self.load(scene, start, MESH_ROOM);
-    }
-
-    fn hold_budget(&mut self) {
-        if !self.auto || self.loading.is_some() || self.playback.paused {
-            return;
-        }
-        let (Some(cost), Some(current)) = (self.playback.take_cost(), &self.current) else { return };
-        let standing = Standing { rung: self.rung, works: &self.works, steps_due: self.steps_due(&current.scene) };
-        if let Some(rung) = self.governor.take(cost, &standing) {
-            self.take_rung(rung);
-        }
     }
 
     fn advance(&mut self) -> Result<bool, ViewerError> {
