@@ -49,6 +49,7 @@ mod running;
 mod scenes;
 mod shared_options;
 mod spacing;
+mod start_run;
 #[cfg(feature = "study")]
 mod study;
 #[cfg(feature = "study")]

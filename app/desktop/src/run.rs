@@ -6,12 +6,12 @@ use std::{
     time::{Instant, SystemTime},
 };
 
-use brooklet_capture::{CaptureError, CaptureOptions, CaptureWriter, StatField};
+use brooklet_capture::{CaptureError, CaptureOptions, CaptureWriter, Level, StatField};
 use brooklet_fluid::{Scene, captured_fields};
 use brooklet_gpu::{Gpu, Plan, TimingStatus, Timings, stages, tier_name, warm_up_frames};
-use brooklet_render::left_out::{self, Recorded};
+use brooklet_render::left_out::Recorded;
 use brooklet_render::surface::marching_cubes::MESH_FIELDS;
-use brooklet_render::{FramePasses, ScenePlan};
+use brooklet_render::{Concession, FramePasses};
 
 use crate::{
     cli::RunOptions,
@@ -24,6 +24,7 @@ use crate::{
     recorder::Recorder,
     run_mesh::RunMesh,
     running::{Running, due_steps},
+    start_run::{self, Started},
     summary::{Facts, Files, Summary},
 };
 
@@ -32,22 +33,19 @@ pub fn run(options: &RunOptions) -> Result<(), Failure> {
     let scene = job::scene(&options.scene, Some(&options.outputs))?;
     let steps = job::steps(&scene, &options.length)?;
     let gpu = job::open(&options.device, !options.outputs.no_timing)?;
-    let planned = job::plan(&scene, gpu.tier())?;
     let no_times = match gpu.timing() {
         TimingStatus::Off => Some("--no-timing"),
         TimingStatus::Unsupported => Some("the device gives no timestamps"),
         TimingStatus::PassPerStage | TimingStatus::InsidePasses | TimingStatus::OwnPasses => None,
     };
     let recorded = Recorded { no_times, no_capture: options.outputs.no_capture };
-    let left_out = left_out::list(&scene, gpu.tier(), &planned, &recorded).map_err(job::refused)?;
-    let ScenePlan { session: planned, passes, mesh_room } = planned;
-    let export =
-        options.outputs.mesh.map(|format| RunMesh::new(&gpu, &scene, planned.slot_count(), format)).transpose()?;
-    let (plan, slots) = (planned.plan.clone(), planned.slot_count());
-    let (bytes_per_particle, measures) =
-        (planned.recorded.bytes_per_particle(&plan), planned.recorded.measure.is_some());
     let start = SystemTime::now();
-    let session = brooklet_render::start(&gpu, planned).map_err(Failure::input)?;
+    let Started { scene, concessions, session, passes, mesh_room, left_out, plan, slots, bytes_per_particle, measures } =
+        start_run::start(&gpu, &scene, &recorded)?;
+    for concession in &concessions {
+        eprintln!("brooklet: {}: {concession}", scene.name);
+    }
+    let export = options.outputs.mesh.map(|format| RunMesh::new(&gpu, &scene, slots, format)).transpose()?;
     let start_relaxation = session.start_relaxation();
     let interrupt = Interrupt::listen()?;
 
@@ -63,7 +61,10 @@ pub fn run(options: &RunOptions) -> Result<(), Failure> {
             start,
             ..CaptureOptions::default()
         };
-        Some(open_capture(&capture_path, capture_options, &scene, &plan, &gpu).inspect_err(|_| out.remove())?)
+        Some(
+            open_capture(&capture_path, capture_options, (&scene, &concessions), &plan, &gpu)
+                .inspect_err(|_| out.remove())?,
+        )
     };
     let is_captured = capture.is_some();
 
@@ -121,6 +122,7 @@ pub fn run(options: &RunOptions) -> Result<(), Failure> {
         meshes: &recorder.meshes,
         mesh,
         left_out,
+        concessions,
         gpu: &gpu,
         files: files.clone(),
     });
@@ -156,7 +158,7 @@ fn stat_fields(scene: &Scene, passes: Option<&FramePasses>) -> Vec<StatField> {
 fn open_capture(
     path: &Path,
     options: CaptureOptions,
-    scene: &Scene,
+    (scene, concessions): (&Scene, &[Concession]),
     plan: &Plan,
     gpu: &Gpu,
 ) -> Result<CaptureWriter<std::fs::File>, Failure> {
@@ -168,6 +170,9 @@ fn open_capture(
         let name = format!("{}.toml", scene.name);
         capture.attach(&name, "application/toml", scene.to_toml().as_bytes())?;
         capture.plan(plan)?;
+        for concession in concessions {
+            capture.log(0, Level::Warning, &concession.to_string())?;
+        }
         Ok(capture)
     };
     write().map_err(|error| match error {

@@ -166,6 +166,7 @@ fn open(device: &DeviceOptions, tier: Tier, timing: bool) -> Result<Gpu, String>
         tier: Some(tier),
         pipeline_cache: dirs::cache_dir().map(|folder| folder.join("brooklet")),
         timing,
+        ..GpuOptions::default()
     })
     .map_err(|error| error.to_string())
 }

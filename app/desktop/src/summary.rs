@@ -3,6 +3,7 @@
 use brooklet_fluid::solver::pbf::{IterationWeights, has_coarse_correction};
 use brooklet_fluid::{Relaxation, Scene, measure};
 use brooklet_gpu::{Gpu, PassTimes, Passes, Plan, Quantiles, Timings, stages, tier_name};
+use brooklet_render::Concession;
 use brooklet_render::left_out::Absent;
 use serde::Serialize;
 use serde_json::{Map, Value};
@@ -60,6 +61,8 @@ pub struct Summary {
     buffers: Map<String, Value>,
     bytes_per_particle: Option<f64>,
     left_out: Vec<Absent>,
+    /// What of the scene the device could not do, and what was done instead.
+    stepped_down: Vec<String>,
     device: Device,
     version: &'static str,
     commit: &'static str,
@@ -156,6 +159,8 @@ pub struct Facts<'a> {
     pub mesh: Option<WrittenMesh>,
     /// What was left out.
     pub left_out: Vec<Absent>,
+    /// What of the scene the device could not do.
+    pub concessions: Vec<Concession>,
     /// The device.
     pub gpu: &'a Gpu,
     /// What was written.
@@ -219,6 +224,7 @@ impl Summary {
             buffers: plan.buffers().into_iter().map(|buffer| (buffer.label, buffer.bytes.into())).collect(),
             bytes_per_particle: facts.bytes_per_particle,
             left_out: facts.left_out,
+            stepped_down: facts.concessions.iter().map(ToString::to_string).collect(),
             device: Device {
                 name: gpu.info().name.clone(),
                 device_type: gpu.info().device_type.clone(),

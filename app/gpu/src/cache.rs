@@ -2,6 +2,7 @@
 //! may crash, so the file carries what it was made for and a hash, and is written whole or not
 //! at all.
 
+use crate::canary::{Canary, Skipped};
 use std::hash::{DefaultHasher, Hasher};
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -51,6 +52,11 @@ impl CacheFile {
                 env!("CARGO_PKG_VERSION")
             ),
         })
+    }
+
+    /// What watches the building of pipelines, in `folder`, and what it knows from earlier starts.
+    pub fn canary(&self, folder: &Path) -> Option<(Canary, Skipped)> {
+        Canary::open(folder, self.path.file_name()?.to_str()?, &self.key)
     }
 
     /// The driver's data, if the file is whole and made for this device and driver.

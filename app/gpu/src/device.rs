@@ -7,7 +7,7 @@ use crate::pipelines::Pipelines;
 use crate::pool::Pool;
 use crate::tier;
 use crate::timing::TimingStatus;
-use brooklet_kernels::Tier;
+use brooklet_kernels::{Format, Tier};
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex, MutexGuard};
 
@@ -22,6 +22,8 @@ pub struct GpuOptions {
     pub pipeline_cache: Option<PathBuf>,
     /// Whether GPU times are taken.
     pub timing: bool,
+    /// Formats to use the device without, though it has them: to see what is then done instead.
+    pub without_formats: Vec<Format>,
 }
 
 /// What is known of a device.
@@ -163,7 +165,7 @@ impl Gpu {
                 tier,
                 info,
                 timing,
-                formats: AdapterFormats::of(adapter),
+                formats: AdapterFormats::of(adapter, &options.without_formats),
                 adapter: adapter.clone(),
                 pool: Mutex::new(pool),
                 pipelines: Mutex::new(pipelines),
@@ -224,6 +226,18 @@ impl Gpu {
     /// Bytes of GPU memory that wait in the pool for the next engine.
     pub fn pooled_bytes(&self) -> u64 {
         lock(&self.inner.pool).free_bytes()
+    }
+
+    /// Builds `module` no more on this device: its variant, by its whole name, computes wrongly there. What is built already
+    /// stays.
+    pub fn refuse(&self, module: &str, reason: &str) {
+        lock(&self.inner.pipelines).refuse(module, reason);
+    }
+
+    /// Modules that are not built on this device, and why: refused, or they ended the program at an earlier start.
+    pub fn refused(&self) -> Vec<(String, String)> {
+        let refused = lock(&self.inner.pipelines);
+        refused.refused().iter().map(|(module, reason)| (module.clone(), reason.clone())).collect()
     }
 
     /// Gives pooled memory back to the driver.

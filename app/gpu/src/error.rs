@@ -145,6 +145,14 @@ pub enum GpuError {
         /// What the driver says.
         reason: String,
     },
+    /// A kernel is not to be built on this device.
+    #[error("kernel {module} is not used on this device: {reason}")]
+    ModuleRefused {
+        /// The module, with its variant.
+        module: &'static str,
+        /// Why.
+        reason: String,
+    },
     /// The device is gone.
     #[error("the GPU device was lost: {reason}")]
     DeviceLost {

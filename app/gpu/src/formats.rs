@@ -42,9 +42,10 @@ const FORMATS: [Format; 11] = [
 pub(crate) struct AdapterFormats(Vec<(Format, TextureFormatFeatures)>);
 
 impl AdapterFormats {
-    pub fn of(adapter: &wgpu::Adapter) -> Self {
+    /// All but those `without` which the device is to be used.
+    pub fn of(adapter: &wgpu::Adapter, without: &[Format]) -> Self {
         let features = |format| (format, adapter.get_texture_format_features(texture_format(format)));
-        Self(FORMATS.into_iter().map(features).collect())
+        Self(FORMATS.into_iter().filter(|format| !without.contains(format)).map(features).collect())
     }
 }
 

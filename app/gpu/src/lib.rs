@@ -3,6 +3,7 @@
 
 mod adapters;
 mod cache;
+mod canary;
 mod copy_out;
 mod device;
 mod draw;

@@ -2,6 +2,7 @@
 
 use crate::cache::CacheFile;
 pub use crate::cache::CacheStatus;
+use crate::canary::{Canary, Skipped};
 use crate::draw::{Blend, Cull, DepthTest, DrawState, Topology};
 use crate::error::{GpuError, describe, tier_name};
 use crate::guard::Guard;
@@ -36,6 +37,9 @@ pub(crate) struct Pipelines {
     file: Option<CacheFile>,
     status: CacheStatus,
     unsaved: bool,
+    canary: Option<Canary>,
+    /// Modules that are not built, and why.
+    refused: Skipped,
     layouts: HashMap<Entries, Layout>,
     compute: HashMap<(usize, Entries), wgpu::ComputePipeline>,
     draws: HashMap<DrawKey, wgpu::RenderPipeline>,
@@ -67,7 +71,11 @@ impl Pipelines {
                 })
             }
         });
+        let watched = file.as_ref().zip(folder);
+        let (canary, refused) = watched.and_then(|(file, folder)| file.canary(folder)).unzip();
         Self {
+            canary,
+            refused: refused.unwrap_or_default(),
             cache,
             file,
             status,
@@ -81,6 +89,44 @@ impl Pipelines {
 
     pub fn cache_status(&self) -> CacheStatus {
         self.status.clone()
+    }
+
+    /// Builds `module` no more, and says why.
+    pub fn refuse(&mut self, module: &str, reason: &str) {
+        self.refused.insert(module.to_owned(), reason.to_owned());
+    }
+
+    /// Modules that are not built, and why.
+    pub fn refused(&self) -> &Skipped {
+        &self.refused
+    }
+
+    fn check_refused(&self, module: &'static Module) -> Result<(), GpuError> {
+        match self.refused.get(module.name) {
+            Some(reason) => Err(GpuError::ModuleRefused { module: module.name, reason: reason.clone() }),
+            None => Ok(()),
+        }
+    }
+
+    /// Lets the driver build something out of `module`.
+    fn build<T>(
+        &mut self,
+        gpu: &Guard,
+        module: &'static Module,
+        build: impl FnOnce(&mut Self) -> T,
+    ) -> Result<T, GpuError> {
+        if let Some(canary) = &self.canary {
+            canary.building(module.name);
+        }
+        let built = gpu.scoped(|| build(self));
+        let built = built_or_lost(gpu, module, built);
+        match (&built, &self.canary) {
+            (Ok(_), Some(canary)) => canary.built(),
+            // A device that is gone with it is opened again: then it is known not to be tried.
+            (Err(error), _) => self.refuse(module.name, &error.to_string()),
+            (Ok(_), None) => {}
+        }
+        built
     }
 
     /// Writes what was compiled since the last time. A cache that cannot be written costs time at
@@ -130,8 +176,9 @@ impl Pipelines {
         if let Some(pipeline) = self.compute.get(&key) {
             return Ok(pipeline.clone());
         }
-        let built = gpu.scoped(|| {
-            let layout = self.layout(gpu, entries);
+        self.check_refused(module)?;
+        let pipeline = self.build(gpu, module, |this| {
+            let layout = this.layout(gpu, entries);
             let shader = shader_module(&gpu.device, module);
             gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
                 label: Some(module.name),
@@ -139,10 +186,9 @@ impl Pipelines {
                 module: &shader,
                 entry_point: Some(module.entry),
                 compilation_options: Default::default(),
-                cache: self.cache.as_ref(),
+                cache: this.cache.as_ref(),
             })
-        });
-        let pipeline = built_or_lost(gpu, module, built)?;
+        })?;
         self.unsaved = true;
         self.compute.insert(key, pipeline.clone());
         Ok(pipeline)
@@ -158,9 +204,13 @@ impl Pipelines {
         if let Some(pipeline) = self.draws.get(&key) {
             return Ok(pipeline.clone());
         }
-        let built = gpu.scoped(|| {
+        self.check_refused(vertex)?;
+        fragment.map_or(Ok(()), |module| self.check_refused(module))?;
+        // A crash is the fragment stage's more often than not, and a draw can be done without as a whole.
+        let blamed = fragment.unwrap_or(vertex);
+        let pipeline = self.build(gpu, blamed, |this| {
             let device = &gpu.device;
-            let layout = self.layout(gpu, &key.entries);
+            let layout = this.layout(gpu, &key.entries);
             let vertex_module = shader_module(device, vertex);
             let fragment_module = fragment.map(|module| (shader_module(device, module), module));
             let targets: Vec<_> = key.color.iter().map(|f| Some(color(*f, key.state))).collect();
@@ -183,10 +233,9 @@ impl Pipelines {
                     targets: &targets,
                 }),
                 multiview_mask: None,
-                cache: self.cache.as_ref(),
+                cache: this.cache.as_ref(),
             })
-        });
-        let pipeline = built_or_lost(gpu, vertex, built)?;
+        })?;
         self.unsaved = true;
         self.draws.insert(key, pipeline.clone());
         Ok(pipeline)

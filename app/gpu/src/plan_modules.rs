@@ -7,6 +7,18 @@ use crate::plan::Plan;
 use crate::recording::Command;
 
 impl Plan {
+    /// Every module that it runs, each as often as it is recorded.
+    pub fn modules(&self) -> impl Iterator<Item = &'static Module> + '_ {
+        self.recordings.iter().flat_map(|recording| &recording.commands).flat_map(|command| {
+            let modules: [Option<&'static Module>; 2] = match command {
+                Command::Dispatch(dispatch) => [Some(dispatch.module), None],
+                Command::Draw(draw) => [Some(draw.vertex), draw.fragment],
+                _ => [None, None],
+            };
+            modules.into_iter().flatten()
+        })
+    }
+
     /// The plan with each module that `other` has another for exchanged. One that binds otherwise than its
     /// predecessor is not taken: what is bound was checked against the first.
     ///

@@ -11,6 +11,7 @@ pub mod left_out;
 pub mod png;
 mod scene_plan;
 mod start;
+pub mod step_down;
 pub mod surface;
 
 pub use camera::{Camera, View};
@@ -18,4 +19,5 @@ pub use error::RenderError;
 pub use frame::{Coloring, FrameOptions, FramePasses, FrameUniforms, record};
 pub use scene_plan::{ScenePlan, ScenePlanError};
 pub use start::{StartError, start};
+pub use step_down::{Concession, start_stepping_down};
 pub use surface::{MarchingCubesOptions, Particles, ScreenSpaceOptions, SmoothedSurface, SurfaceOptions};

@@ -28,6 +28,16 @@ pub enum StartError {
     Gpu(GpuError),
 }
 
+impl StartError {
+    /// What the device says.
+    pub fn gpu_error(&self) -> &GpuError {
+        match self {
+            Self::Misfit { error, .. } => error,
+            Self::Gpu(error) => error,
+        }
+    }
+}
+
 /// Starts a session of `planned`.
 ///
 /// # Errors

@@ -109,8 +109,13 @@ impl Viewer {
         let scene = current.session.scene();
         let solver = &scene.solver;
         let name = |value: &dyn std::fmt::Debug| format!("{value:?}").to_lowercase();
+        let settings: Vec<&str> = current.concessions.iter().map(|concession| concession.setting).collect();
+        let event = match settings.as_slice() {
+            [] => event.to_owned(),
+            settings => format!("{event}; for what the device cannot do: {}", settings.join(", ")),
+        };
         let state = StateRow {
-            event: event.to_owned(),
+            event,
             scene: Some(current.scene.name.clone()),
             tier: tier_name(self.gpu.tier()).to_owned(),
             precision: name(&solver.precision),

@@ -357,6 +357,9 @@ impl Viewer {
                     self.messages.notify(Kind::Error, error.to_string());
                 }
                 self.playback.begin(&current, carries, &mut self.messages);
+                for concession in &current.concessions {
+                    self.messages.notify(Kind::Warning, concession.to_string());
+                }
                 self.picture = current.picture().map(|picture| self.presenter.show(picture));
                 self.panels.draft = Some(Draft::new(current.scene.clone()));
                 self.waiting.clear();

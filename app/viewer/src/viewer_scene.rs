@@ -9,7 +9,7 @@ use brooklet_kernels::MeshCounts;
 use brooklet_render::frame::FrameValues;
 use brooklet_render::left_out::{self, Absent};
 use brooklet_render::surface::marching_cubes::MeshRoom;
-use brooklet_render::{Camera, FrameOptions, FramePasses, ScenePlan, View};
+use brooklet_render::{Camera, Concession, FrameOptions, FramePasses, ScenePlan, View, start_stepping_down};
 
 use crate::ViewerError;
 use crate::ladder::Rung;
@@ -89,17 +89,43 @@ pub struct ViewerScene {
     pub session: Session,
     /// What its plan does without.
     pub left_out: Vec<Absent>,
+    /// What of the scene the device could not do, and what `scene` has instead.
+    pub concessions: Vec<Concession>,
     view: View,
     options: FrameOptions,
     passes: FramePasses,
 }
 
 impl ViewerScene {
-    /// Plans the desc and builds it; `progress` is told of each part that is done.
+    /// Plans the desc and builds it, without what the device cannot do of it where that can be done without; `progress` is told
+    /// of each part that is done.
     ///
     /// # Errors
     /// If the scene has no plan, or the device no room for it.
     pub fn build(
+        gpu: &Gpu,
+        desc: SceneDesc,
+        progress: &mut dyn FnMut(usize, usize, &str),
+    ) -> Result<ViewerScene, ViewerError> {
+        let count = desc.rung.scene(&desc.scene).particle_count().try_into().unwrap_or(u32::MAX);
+        let plan_of = |scene: &Scene| {
+            let simulated = desc.rung.scene(scene);
+            let looks = options(&simulated, &desc.rung, gpu.tier(), desc.mesh_room);
+            let planned = plan(&simulated, ParticleSource::Count(count), View::of_scene(&simulated), looks).ok()?;
+            Some(planned.session.plan)
+        };
+        let start =
+            |scene: &Scene| Self::build_as_it_is(gpu, SceneDesc { scene: scene.clone(), ..desc.clone() }, progress);
+        let cause = |error: &ViewerError| match error {
+            ViewerError::Gpu(error) => Some(error.clone()),
+            _ => None,
+        };
+        let (mut built, _, concessions) = start_stepping_down(gpu, &desc.scene, &plan_of, start, cause)?;
+        built.concessions = concessions;
+        Ok(built)
+    }
+
+    fn build_as_it_is(
         gpu: &Gpu,
         desc: SceneDesc,
         progress: &mut dyn FnMut(usize, usize, &str),
@@ -131,7 +157,8 @@ impl ViewerScene {
         if resampled {
             session.relax_start()?;
         }
-        Ok(ViewerScene { scene: desc.scene, session, left_out, view, options, passes })
+        let concessions = Vec::new();
+        Ok(ViewerScene { scene: desc.scene, session, left_out, concessions, view, options, passes })
     }
 
     /// Takes over the state of `old`, the same particles in another plan, without a way over the host.
