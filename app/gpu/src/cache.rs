@@ -56,7 +56,7 @@ impl CacheFile {
 
     /// What watches the building of pipelines, in `folder`, and what it knows from earlier starts.
     pub fn canary(&self, folder: &Path) -> Option<(Canary, Skipped)> {
-        Canary::open(folder, self.path.file_name()?.to_str()?, &self.key)
+        Some(Canary::open(folder, self.path.file_name()?.to_str()?, &self.key))
     }
 
     /// The driver's data, if the file is whole and made for this device and driver.

@@ -1,5 +1,5 @@
 //! Drivers crash while they build a pipeline, and take the program with them. So the name of the module about to be built is
-//! written to a file first, and the file is emptied after: a start that finds a name there knows who ended the last one.
+//! written to a file first, which goes when it is built: a start that finds one knows what ended an earlier program.
 //!
 //! That module is then skipped. A program may also be killed while it builds, so after one such end the module is tried again
 //! at the start after the next; after two it is skipped for as long as device and driver are the same.
@@ -26,14 +26,12 @@ pub(crate) struct Canary {
 pub(crate) type Skipped = BTreeMap<String, String>;
 
 impl Canary {
-    /// In `folder`, which is made if need be, for the device and driver that `key` names; with it what ended earlier programs.
-    /// None where the folder cannot be written: then nothing is known, and nothing is lost.
-    pub fn open(folder: &Path, stem: &str, key: &str) -> Option<(Self, Skipped)> {
+    /// In `folder`, for the device and driver that `key` names; with it what ended earlier programs. Where the folder cannot
+    /// be written nothing is known, and nothing is lost.
+    pub fn open(folder: &Path, stem: &str, key: &str) -> (Self, Skipped) {
         static COUNT: AtomicU64 = AtomicU64::new(0);
-        std::fs::create_dir_all(folder).ok()?;
         let count = COUNT.fetch_add(1, Ordering::Relaxed);
         let own = folder.join(format!("{stem}.{}.{count}.building", std::process::id()));
-        std::fs::write(&own, "").ok()?;
         let canary = Self { own, history: folder.join(format!("{stem}.refused")) };
         let mut ends = canary.read_history(key);
         let mut skipped = Skipped::new();
@@ -50,18 +48,19 @@ impl Canary {
                 format!("the program ended {TWICE} times while the driver built it; without {file} it is tried again");
             skipped.insert(module.clone(), reason);
         }
-        Some((canary, skipped))
+        (canary, skipped)
     }
 
     /// A driver is about to build `module`.
     pub fn building(&self, module: &str) {
         // What cannot be written is not known at the next start; this one goes on all the same.
-        let _ = std::fs::write(&self.own, module);
+        let folder = self.own.parent().unwrap_or(&self.own);
+        let _ = std::fs::create_dir_all(folder).and_then(|()| std::fs::write(&self.own, module));
     }
 
     /// It came back.
     pub fn built(&self) {
-        let _ = std::fs::write(&self.own, "");
+        let _ = std::fs::remove_file(&self.own);
     }
 
     /// Lines of `count module`, after one that says what device and driver they are of.
@@ -90,7 +89,7 @@ impl Canary {
 
 impl Drop for Canary {
     fn drop(&mut self) {
-        let _ = std::fs::remove_file(&self.own);
+        self.built();
     }
 }
 
@@ -131,7 +130,7 @@ mod tests {
     }
 
     fn skipped(folder: &Path, key: &str) -> Vec<String> {
-        Canary::open(folder, "device", key).unwrap().1.into_keys().collect()
+        Canary::open(folder, "device", key).1.into_keys().collect()
     }
 
     #[test]
@@ -153,7 +152,7 @@ mod tests {
     fn one_that_runs_or_came_through_is_not_to_blame() {
         let folder = tempfile::tempdir().unwrap();
         let folder = folder.path();
-        let (other, _) = Canary::open(folder, "device", "driver").unwrap();
+        let (other, _) = Canary::open(folder, "device", "driver");
         other.building("Sum");
         assert_eq!(skipped(folder, "driver"), Vec::<String>::new(), "this program still runs");
         other.built();

@@ -228,8 +228,8 @@ impl Gpu {
         lock(&self.inner.pool).free_bytes()
     }
 
-    /// Builds `module` no more on this device: its variant, by its whole name, computes wrongly there. What is built already
-    /// stays.
+    /// Builds `module` no more on this device: its variant, by its whole name, computes wrongly there. Engines that have it
+    /// keep it.
     pub fn refuse(&self, module: &str, reason: &str) {
         lock(&self.inner.pipelines).refuse(module, reason);
     }

@@ -172,11 +172,11 @@ impl Pipelines {
         module: &'static Module,
         entries: &Entries,
     ) -> Result<wgpu::ComputePipeline, GpuError> {
+        self.check_refused(module)?;
         let key = (identity(module), entries.clone());
         if let Some(pipeline) = self.compute.get(&key) {
             return Ok(pipeline.clone());
         }
-        self.check_refused(module)?;
         let pipeline = self.build(gpu, module, |this| {
             let layout = this.layout(gpu, entries);
             let shader = shader_module(&gpu.device, module);
@@ -201,11 +201,11 @@ impl Pipelines {
         vertex: &'static Module,
         fragment: Option<&'static Module>,
     ) -> Result<wgpu::RenderPipeline, GpuError> {
+        self.check_refused(vertex)?;
+        fragment.map_or(Ok(()), |module| self.check_refused(module))?;
         if let Some(pipeline) = self.draws.get(&key) {
             return Ok(pipeline.clone());
         }
-        self.check_refused(vertex)?;
-        fragment.map_or(Ok(()), |module| self.check_refused(module))?;
         // A crash is the fragment stage's more often than not, and a draw can be done without as a whole.
         let blamed = fragment.unwrap_or(vertex);
         let pipeline = self.build(gpu, blamed, |this| {

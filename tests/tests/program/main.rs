@@ -10,4 +10,5 @@ mod ended_early;
 mod mesh;
 #[cfg(feature = "report")]
 mod report;
+mod stepping_down;
 mod study;

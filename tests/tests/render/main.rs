@@ -6,6 +6,7 @@ mod mesh;
 mod mesh_room;
 mod picture;
 mod picture_water;
+mod step_down;
 mod support;
 mod surface_ellipsoids;
 mod surface_switching;

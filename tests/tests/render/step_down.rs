@@ -1,0 +1,123 @@
+//! What the device cannot do is done without: modules that are not built, formats that it lacks.
+
+use std::collections::BTreeSet;
+
+use brooklet_fluid::{Scene, Session};
+use brooklet_gpu::{Gpu, GpuError, GpuOptions, Plan};
+use brooklet_kernels::{Format, Tier};
+use brooklet_render::step_down::step_down;
+use brooklet_render::{Concession, ScenePlan, StartError, start_stepping_down};
+use brooklet_tests::gpu;
+
+/// A device of its own: what is refused stays so.
+fn device(without_formats: &[Format]) -> Gpu {
+    let name = Some(gpu().info().name.clone());
+    let without_formats = without_formats.to_vec();
+    let options = GpuOptions { tier: Some(gpu().tier()), device_name: name, without_formats, ..GpuOptions::default() };
+    Gpu::open(&options).expect("a device")
+}
+
+fn scene(name: &str, settings: &[&str]) -> Scene {
+    let small = ["outputs.width_px=64", "outputs.height_px=36"];
+    let settings: Vec<String> = small.iter().chain(settings).map(|setting| (*setting).to_owned()).collect();
+    Scene::load(name, &settings).expect("a scene")
+}
+
+fn plan_of(scene: &Scene, tier: Tier) -> Option<Plan> {
+    Some(ScenePlan::of_count(scene, 64, tier).ok()?.session.plan)
+}
+
+fn start(gpu: &Gpu, scene: &Scene) -> Result<(Scene, Vec<Concession>), StartError> {
+    let plan = |scene: &Scene| plan_of(scene, gpu.tier());
+    let start = |scene: &Scene| -> Result<Session, StartError> {
+        brooklet_render::start(gpu, ScenePlan::new(scene, gpu.tier()).expect("a plan").session)
+    };
+    let cause = |error: &StartError| Some(error.gpu_error().clone());
+    let (_, scene, concessions) = start_stepping_down(gpu, scene, &plan, start, cause)?;
+    Ok((scene, concessions))
+}
+
+/// Modules of the scene's plan that no setting does without, by kernel.
+fn essential(gpu: &Gpu, scene: &Scene) -> BTreeSet<&'static str> {
+    let tier = gpu.tier();
+    let plan = plan_of(scene, tier).expect("a plan");
+    let mut essential = BTreeSet::new();
+    for module in plan.modules() {
+        let error = GpuError::ModuleRefused { module: module.name, reason: "it computes wrongly".into() };
+        match step_down(gpu, scene, &error, &|scene| plan_of(scene, tier)) {
+            Some((other, concessions)) => {
+                let without = plan_of(&other, tier).expect("a plan");
+                assert!(without.modules().all(|other| other.name != module.name), "{}: {concessions:?}", module.name);
+                assert!(!concessions.is_empty() && other != *scene);
+            }
+            None => {
+                essential.insert(module.name.split('+').next().unwrap_or(module.name));
+            }
+        }
+    }
+    essential
+}
+
+#[test]
+fn every_module_but_the_chains_own_can_be_done_without() {
+    let gpu = device(&[]);
+    let picture = ["DrawResolve.vertex", "DrawSky.fragment", "DrawSky.vertex"];
+    let grid = ["CountCells", "ListNeighbours", "Reorder", "ReduceGroups", "ScanGroups"];
+    let solver = ["BeginSubstep", "CorrectPositions", "Predict", "UpdateVelocity"];
+    let chain = || picture.into_iter().chain(grid).chain(solver).collect::<BTreeSet<_>>();
+    assert_eq!(essential(&gpu, &scene("dam-break", &[])), chain());
+    assert_eq!(essential(&gpu, &scene("dam-break", &["surface.method=marching-cubes"])), chain());
+    let all = ["forces.vorticity_m_s=0.1", "solver.pbf.warm_start=0.1", "solver.precision=half", "surface.method=auto"];
+    assert!(essential(&gpu, &scene("dam-break", &all)).is_subset(&chain()), "a term makes another kernel essential");
+    let particles = ["BeginSubstep", "IntegrateParticles"].into_iter().chain(picture).collect();
+    assert_eq!(essential(&gpu, &scene("sparks", &[])), particles);
+}
+
+#[test]
+fn a_scene_steps_down_from_module_to_module_and_says_so() {
+    let gpu = device(&[]);
+    let scene = scene("dam-break", &["spacing_m=0.1", "solver.precision=relaxed"]);
+    let (same, none) = start(&gpu, &scene).expect("it starts");
+    assert!(none.is_empty() && same == scene);
+    let has = |scene: &Scene, kernel: &str| {
+        let plan = plan_of(scene, gpu.tier()).expect("a plan");
+        plan.modules().find(|module| module.name.starts_with(kernel)).map(|module| module.name)
+    };
+    let mut now = scene.clone();
+    for (kernel, setting) in [
+        ("CorrectPositions", "solver.precision=full"),
+        ("Anisotropy", "surface.anisotropic=false"),
+        ("DrawSmoothNarrowRange", "surface.smoothing=bilateral"),
+        ("DrawFluidDepth", "surface.method=marching-cubes"),
+        ("GatherField", "surface.method=points"),
+        ("DrawParticles", "surface.method=none"),
+    ] {
+        let module = has(&now, kernel).unwrap_or_else(|| panic!("{kernel} is not drawn"));
+        gpu.refuse(module, "its worst element is off");
+        let (next, concessions) = start(&gpu, &scene).expect("it steps down");
+        let settings: Vec<&str> = concessions.iter().map(|concession| concession.setting).collect();
+        assert!(settings.contains(&setting), "{kernel}: {settings:?}");
+        assert!(concessions.iter().any(|concession| concession.to_string().contains("its worst element is off")));
+        assert_eq!(has(&next, module), None);
+        now = next;
+    }
+    gpu.refuse(has(&now, "Predict").expect("it is there"), "it is broken");
+    let error = start(&gpu, &scene).expect_err("nothing moves without it");
+    assert!(error.to_string().contains("Predict") && error.to_string().contains("it is broken"), "{error}");
+}
+
+#[test]
+fn a_format_that_is_missing_is_drawn_without() {
+    let wanted = scene("dam-break", &["spacing_m=0.1"]);
+    // Shadows' depths, which points have too; thickness, which only water has.
+    for (missing, method) in [(Format::R32Float, "none"), (Format::R16Float, "points")] {
+        let gpu = device(&[missing]);
+        let (scene, concessions) = start(&gpu, &wanted).expect("it steps down");
+        let last = concessions.last().expect("a concession");
+        assert_eq!(last.setting, format!("surface.method={method}"), "{missing:?}: {concessions:?}");
+        assert!(last.reason.contains(&format!("{missing:?}")), "{}", last.reason);
+        assert_ne!(scene, wanted);
+    }
+    let error = start(&device(&[Format::Rgba8Unorm]), &wanted).expect_err("pictures are of it");
+    assert!(error.to_string().contains("Rgba8Unorm"), "{error}");
+}
