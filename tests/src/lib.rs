@@ -8,6 +8,7 @@ pub mod extreme;
 pub mod full_disk;
 pub mod mesh_files;
 pub mod peers;
+pub mod phones;
 pub mod program;
 pub mod python;
 pub mod states;

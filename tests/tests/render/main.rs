@@ -4,6 +4,7 @@ mod auto;
 mod indirect;
 mod mesh;
 mod mesh_room;
+mod phones;
 mod picture;
 mod picture_water;
 mod step_down;

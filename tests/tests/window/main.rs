@@ -1,5 +1,6 @@
 //! The window under a display of its own.
 
+mod first_rung;
 mod mesh_room;
 mod person;
 mod soak;
