@@ -44,7 +44,7 @@ pub struct CompareOptions {
     #[arg(value_name = "B")]
     pub b: PathBuf,
     /// End with exit code 1 if the whole interval of a pass lies beyond this, as 5%
-    #[arg(long, value_name = "SHARE", value_parser = share, allow_negative_numbers = true, conflicts_with = "json")]
+    #[arg(long, value_name = "SHARE", value_parser = share, allow_negative_numbers = true)]
     pub fail_if_slower: Option<f64>,
     /// Print the result as JSON
     #[arg(long)]

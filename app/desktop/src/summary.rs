@@ -77,6 +77,8 @@ struct Solver {
     acceleration: Option<&'static str>,
     /// Whether the first of them has a coarse correction.
     coarse_correction: Option<bool>,
+    /// The share of the last substep's pressure that each begins with.
+    warm_start: Option<f64>,
     substeps: u32,
     dt_s: f64,
 }
@@ -190,6 +192,7 @@ impl Summary {
                 iterations: scene.solver.iterations(),
                 acceleration: weights.as_ref().map(|weights| weights.acceleration().name()),
                 coarse_correction: weights.as_ref().map(|weights| has_coarse_correction(scene, weights)),
+                warm_start: weights.as_ref().map(|_| scene.solver.pbf.warm_start),
                 substeps: scene.solver.substeps,
                 dt_s: scene.solver.dt_s,
             },

@@ -67,7 +67,8 @@ fn a_run_writes_pictures_particles_capture_and_summary() {
     assert_eq!((summary["particles"].as_u64(), summary["steps"].as_u64()), (Some(64), Some(8)));
     let simulated_s = summary["simulated_s"].as_f64().unwrap();
     assert!((simulated_s - 8.0 * summary["solver"]["dt_s"].as_f64().unwrap()).abs() < 1e-12);
-    let solver = BTreeSet::from(["name", "iterations", "acceleration", "coarse_correction", "substeps", "dt_s"]);
+    let solver =
+        BTreeSet::from(["name", "iterations", "acceleration", "coarse_correction", "warm_start", "substeps", "dt_s"]);
     assert_eq!(keys(&summary["solver"]), solver);
     for field in ["density_error", "compression"] {
         assert_eq!(keys(&summary[field]), BTreeSet::from(["mean", "p99", "max"]), "{field}");

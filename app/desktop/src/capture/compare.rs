@@ -29,7 +29,6 @@ pub fn compare(options: &CompareOptions) -> Result<(), Failure> {
             options.b.display()
         )));
     }
-    let slower = options.fail_if_slower.map_or(Vec::new(), |share| comparison.slower_than(share));
     if options.json {
         say!("{}", serde_json::to_string_pretty(&comparison).map_err(Failure::stopped)?);
     } else {
@@ -48,11 +47,17 @@ pub fn compare(options: &CompareOptions) -> Result<(), Failure> {
     if let Some(path) = &options.plot {
         plot::ratios(path, &comparison.passes, options.fail_if_slower)?;
     }
-    if let (Some(share), [_, ..]) = (options.fail_if_slower, slower.as_slice()) {
-        let passes: Vec<String> = slower.iter().map(|pass| format!("{} {}", pass.stage, percent(pass))).collect();
-        return Err(Failure::Stopped(format!("slower by more than {:.1} %: {}", 100.0 * share, passes.join(", "))));
+    options.fail_if_slower.map_or(Ok(()), |share| judge(&comparison, share))
+}
+
+/// The verdict of `--fail-if-slower`.
+pub fn judge(comparison: &Comparison, share: f64) -> Result<(), Failure> {
+    let slower = comparison.slower_than(share);
+    if slower.is_empty() {
+        return Ok(());
     }
-    Ok(())
+    let passes: Vec<String> = slower.iter().map(|pass| format!("{} {}", pass.stage, percent(pass))).collect();
+    Err(Failure::Stopped(format!("slower by more than {:.1} %: {}", 100.0 * share, passes.join(", "))))
 }
 
 /// `+15.2 % (+13.1 to +17.4)`.

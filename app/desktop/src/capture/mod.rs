@@ -10,7 +10,7 @@ mod summary;
 
 use crate::failure::Failure;
 
-pub use compare::compare as compare_captures;
+pub use compare::{compare as compare_captures, judge};
 pub use options::{CaptureCommand, CompareOptions as CaptureCompare, share};
 
 /// Does it.

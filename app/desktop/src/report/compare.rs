@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 
 use super::FIGURES;
 use crate::{
-    capture::{CaptureCompare, compare_captures},
+    capture::{CaptureCompare, compare_captures, judge},
     failure::Failure,
     report_options::CompareOptions,
     table::table,
@@ -37,7 +37,8 @@ pub fn compare(options: &CompareOptions) -> Result<(), Failure> {
     let captures = [&options.a, &options.b].map(|folder| folder.join("run").join("capture.mcap"));
     let missing = captures.iter().find(|path| !path.is_file());
     let missing = missing.map(|path| format!("{}: is not there, so that passes cannot be compared", path.display()));
-    if let (true, Some(missing)) = (sizes.is_empty(), &missing) {
+    // A verdict is wanted of passes, and there are none.
+    if let (true, Some(missing)) = (sizes.is_empty() || options.fail_if_slower.is_some(), &missing) {
         return Err(Failure::Input(missing.clone()));
     }
     if options.json {
@@ -51,7 +52,8 @@ pub fn compare(options: &CompareOptions) -> Result<(), Failure> {
         let of = |report: &Value| json!({ "device": report["device"], "driver": report["driver"], "tier": report["tier"], "commit": report["commit"] });
         let both = json!({ "a": of(&a), "b": of(&b), "sizes": sizes, "passes": passes });
         say!("{}", serde_json::to_string_pretty(&both).map_err(Failure::stopped)?);
-        return Ok(());
+        let judged = passes.as_ref().zip(options.fail_if_slower);
+        return judged.map_or(Ok(()), |(passes, share)| judge(passes, share));
     }
     for (which, report) in [("A", &a), ("B", &b)] {
         let text = |name: &str| report[name].as_str().unwrap_or("-").to_string();
