@@ -2,6 +2,7 @@
 
 use brooklet_fluid::{Scene, Stats};
 
+use super::SHAKEN;
 use super::course::Course;
 use crate::Figure;
 
@@ -111,29 +112,22 @@ impl Quantity {
     }
 }
 
-/// What the full run itself has.
-pub fn full_figures(scene: &Scene, full: &Course) -> Vec<Figure> {
-    let told = |quantity: &Quantity, value, what| Figure::told(&quantity.figure_of(FULL), value, "", what);
+/// What `full` has, what shaken runs of it are off by at most, and, judged beside that, what the `ways` are.
+pub fn figures(scene: &Scene, full: &Course, shaken: &[Course], ways: &[&str], others: &[Course]) -> Vec<Figure> {
     let densities = [mean_of(full, |s| s.compression.mean), mean_of(full, |s| s.compression.p99)];
-    let of = quantities(scene).filter(|quantity| quantity.of_density);
-    of.zip(densities).map(|(quantity, value)| told(quantity, value, "mean over time")).collect()
-}
-
-/// How far `other` is off `full`: told, or judged beside a shaken run of `full`.
-pub fn figures(scene: &Scene, way: &str, full: &Course, other: &Course, shaken: Option<&Course>) -> Vec<Figure> {
-    let of = |quantity: &Quantity| {
-        let (name, value) = (quantity.figure_of(way), (quantity.of)(scene, full, other));
-        match shaken {
-            None => Figure::told(&name, value, quantity.unit, quantity.why),
-            Some(shaken) => {
-                let chance = OF_SHAKEN * (quantity.of)(scene, full, shaken);
-                let limit = chance.max((quantity.rule)(scene, full));
-                let why = format!("{}, or three times what a shaken start is off by", quantity.why);
-                Figure::judged(&name, value, quantity.unit, limit, &why)
-            }
-        }
-    };
-    quantities(scene).map(of).collect()
+    let own = quantities(scene).filter(|quantity| quantity.of_density).zip(densities);
+    let mut figures: Vec<Figure> =
+        own.map(|(quantity, value)| Figure::told(&quantity.figure_of(FULL), value, "", "mean over time")).collect();
+    for quantity in quantities(scene) {
+        let chance = shaken.iter().map(|run| (quantity.of)(scene, full, run)).fold(0.0, larger);
+        figures.push(Figure::told(&quantity.figure_of(SHAKEN), chance, quantity.unit, quantity.why));
+        let limit = (OF_SHAKEN * chance).max((quantity.rule)(scene, full));
+        let why = format!("{}, or three times what shaken starts are off by", quantity.why);
+        figures.extend(ways.iter().zip(others).map(|(way, other)| {
+            Figure::judged(&quantity.figure_of(way), (quantity.of)(scene, full, other), quantity.unit, limit, &why)
+        }));
+    }
+    figures
 }
 
 fn mean_of(course: &Course, of: impl Fn(&Stats) -> f64) -> f64 {
@@ -191,8 +185,8 @@ mod tests {
     fn beyond(other: &Course, shaken: &Course) -> Vec<String> {
         let scene = Scene::load("dam-break", &[]).unwrap();
         let full = course(|_| {}, 100);
-        let found = figures(&scene, "half", &full, other, Some(shaken));
-        assert_eq!(found.len(), QUANTITIES.len());
+        let found = figures(&scene, &full, std::slice::from_ref(shaken), &["half"], std::slice::from_ref(other));
+        assert_eq!(found.len(), 2 + 2 * QUANTITIES.len());
         found.into_iter().filter(|f| f.verdict() == Verdict::FallsShort).map(|f| f.name).collect()
     }
 

@@ -1,8 +1,8 @@
 //! What lower precision and smaller tiers cost: every shipped scene, run in each way, against `full` on the desktop tier.
 //!
 //! A flow is chaotic: where particles were once moved by no more than a packed position rounds, a run of `full` ends
-//! elsewhere too. So each way's difference is told beside that of a `full` run that was shaken so, and may be as large as
-//! a few of it.
+//! elsewhere too. So each way's difference is told beside the largest of `full` runs that were shaken so, and may be as
+//! large as a few of it.
 
 mod compare;
 mod course;
@@ -10,13 +10,13 @@ mod course;
 pub use compare::{FULL, QUANTITIES, Quantity};
 
 use brooklet_fluid::particles::{ParticleSet, sample_lattice};
-use brooklet_fluid::scene::shipped_scenes;
+use brooklet_fluid::scene::{SurfaceMethod, shipped_scenes};
 use brooklet_fluid::{Scene, relax_particles};
 use brooklet_gpu::{Tier, tier_name};
 
 use crate::session::{Session, StudyError};
 use crate::{Outcome, State, Task};
-use compare::{figures, full_figures};
+use compare::figures;
 use course::{Course, Looks};
 
 /// Part of a study.
@@ -29,16 +29,21 @@ pub struct Way {
     pub name: &'static str,
     tier: Tier,
     precision: &'static str,
-    shaken: bool,
 }
 
-/// What is held against `full`. The first says what the flow itself makes of a rounding, and is not judged.
-pub const WAYS: [Way; 4] = [
-    Way { name: "full, shaken", tier: Tier::Desktop, precision: "full", shaken: true },
-    Way { name: "mobile", tier: Tier::Mobile, precision: "relaxed", shaken: false },
-    Way { name: "floor", tier: Tier::Floor, precision: "relaxed", shaken: false },
-    Way { name: "half", tier: Tier::Desktop, precision: "half", shaken: false },
+/// What is held against `full`.
+pub const WAYS: [Way; 3] = [
+    Way { name: "mobile", tier: Tier::Mobile, precision: "relaxed" },
+    Way { name: "floor", tier: Tier::Floor, precision: "relaxed" },
+    Way { name: "half", tier: Tier::Desktop, precision: "half" },
 ];
+
+const FULL_WAY: Way = Way { name: FULL, tier: Tier::Desktop, precision: "full" };
+
+/// Name of what the flow itself makes of a rounding: the largest of so many runs of `full`.
+pub const SHAKEN: &str = "full, shaken";
+const SHAKEN_RUNS: u64 = 3;
+const RUNS: u64 = 1 + SHAKEN_RUNS + WAYS.len() as u64;
 
 /// As many particles as the phone scenes have at most.
 const MOST_PARTICLES: f64 = 5000.0;
@@ -70,6 +75,10 @@ fn task(name: &str, most: f64, end_s: f64) -> Task {
     // Every shipped scene loads, which a test holds.
     if let Ok(scene) = Scene::load(name, &[]) {
         settings.push(format!("outputs.seconds={}", end_s.min(scene.outputs.seconds)));
+        if scene.surface.method != SurfaceMethod::Points {
+            // By default the desktop tier alone has them: a choice of look, and no error.
+            settings.extend(["caustics", "self_shadow"].map(|light| format!("surface.{light}=false")));
+        }
         let wider = (sample_lattice(&scene).positions.len() as f64 / most).cbrt();
         if wider > 1.0 {
             settings.push(format!("spacing_m={:.4}", wider * scene.spacing_m));
@@ -83,7 +92,7 @@ pub fn cost(task: &Task) -> Option<f64> {
     let scene = Scene::load(&task.case, &task.settings).ok()?;
     let each = f64::from(scene.solver.substeps) * (f64::from(scene.solver.pbf.iterations) + 2.0);
     let steps = course::looks_of(&scene).steps() as f64;
-    Some((1 + WAYS.len()) as f64 * sample_lattice(&scene).positions.len() as f64 * steps * each)
+    Some(RUNS as f64 * sample_lattice(&scene).positions.len() as f64 * steps * each)
 }
 
 /// Runs a scene in every way.
@@ -103,32 +112,31 @@ pub fn run(session: &Session<'_>, task: &Task) -> Result<Option<Outcome>, StudyE
         return Ok(Some(Outcome::empty(State::Refused, error.to_string())));
     }
     let mut courses = Vec::new();
-    let full = Way { name: FULL, shaken: false, ..WAYS[0] };
-    for (index, way) in std::iter::once(full).chain(WAYS).enumerate() {
-        let progress = |share: f64| session.progress((index as f64 + share) / (1 + WAYS.len()) as f64);
-        match run_way(session, task, &way, (&looks, &particles), &progress)? {
+    let shaken = (1..=SHAKEN_RUNS).map(|seed| (FULL_WAY, Some(seed)));
+    let runs = std::iter::once((FULL_WAY, None)).chain(shaken).chain(WAYS.map(|way| (way, None)));
+    for (index, (way, seed)) in runs.enumerate() {
+        let progress = |share: f64| session.progress((index as f64 + share) / RUNS as f64);
+        let mut start = particles.clone();
+        if let Some(seed) = seed {
+            shake(&mut start, &scene, seed);
+        }
+        match run_way(session, task, &way, (&looks, start), &progress)? {
+            Ok(Some(course)) if course.moments.iter().any(|stats| stats.quarantined > 0) => {
+                let reason = format!("{}: particles are not finite, and quarantined", way.name);
+                return Ok(Some(Outcome::empty(State::Unstable, reason)));
+            }
             Ok(Some(course)) => courses.push(course),
             Ok(None) => return Ok(None),
             Err(reason) => return Ok(Some(Outcome::empty(State::NotRun, format!("{}: {reason}", way.name)))),
         }
     }
-    let [full, shaken, others @ ..] = courses.as_slice() else { return Ok(None) };
-    let mut outcome = match courses.iter().zip(std::iter::once(FULL).chain(WAYS.map(|way| way.name))).find(unsound) {
-        Some((_, name)) => Outcome::empty(State::Unstable, format!("{name}: particles are quarantined")),
-        None => Outcome::empty(State::Stable, ""),
-    };
-    outcome.figures = full_figures(&scene, full);
-    outcome.figures.extend(figures(&scene, WAYS[0].name, full, shaken, None));
-    for (way, course) in WAYS[1..].iter().zip(others) {
-        outcome.figures.extend(figures(&scene, way.name, full, course, Some(shaken)));
-    }
+    let (full, others) = courses.split_at(1);
+    let (shaken, others) = others.split_at(SHAKEN_RUNS as usize);
+    let mut outcome = Outcome::empty(State::Stable, "");
+    outcome.figures = figures(&scene, &full[0], shaken, &WAYS.map(|way| way.name), others);
     outcome.particles = particles.positions.len() as u64;
     outcome.device = gpu.info().name.clone();
     Ok(Some(outcome))
-}
-
-fn unsound((course, _): &(&Course, &str)) -> bool {
-    course.moments.iter().any(|stats| stats.quarantined > 0)
 }
 
 /// One way: its course, none if it was stopped, or why it cannot be run here.
@@ -136,30 +144,31 @@ fn run_way(
     session: &Session<'_>,
     task: &Task,
     way: &Way,
-    (looks, particles): (&Looks, &ParticleSet),
+    (looks, start): (&Looks, ParticleSet),
     progress: &dyn Fn(f64),
 ) -> Result<Result<Option<Course>, String>, StudyError> {
-    let mut settings = task.settings.clone();
-    settings.push(format!("solver.precision={}", way.precision));
-    let scene = match Scene::load(&task.case, &settings) {
+    let loaded = |settings: &[String]| Scene::load(&task.case, settings).map_err(|error| error.to_string());
+    // Particles that do not interact have no precision to choose: of theirs the tiers alone are compared.
+    let precision = match loaded(&task.settings) {
+        Ok(scene) if !scene.solver.method.interacts() => None,
+        _ => Some(format!("solver.precision={}", way.precision)),
+    };
+    let settings: Vec<String> = task.settings.iter().cloned().chain(precision).collect();
+    let scene = match loaded(&settings) {
         Ok(scene) => scene,
-        Err(error) => return Ok(Err(error.to_string())),
+        Err(reason) => return Ok(Err(reason)),
     };
     let gpu = session.gpu(tier_name(way.tier))?;
     if gpu.tier() != way.tier {
         return Ok(Err(format!("{} is of tier {}", gpu.info().name, tier_name(gpu.tier()))));
     }
-    let mut particles = particles.clone();
-    if way.shaken {
-        shake(&mut particles, &scene);
-    }
-    Ok(course::run(&gpu, &scene, particles, looks, &|| session.stops(), progress))
+    Ok(course::run(&gpu, &scene, start, looks, &|| session.stops(), progress))
 }
 
 /// Moves every particle by what a packed position may round.
-fn shake(particles: &mut ParticleSet, scene: &Scene) {
+fn shake(particles: &mut ParticleSet, scene: &Scene, seed: u64) {
     let most_m = 0.5 * ROUNDING * scene.support_m();
-    let mut random = fastrand::Rng::with_seed(17);
+    let mut random = fastrand::Rng::with_seed(seed);
     for position in &mut particles.positions {
         for axis in &mut position.position_m {
             *axis = (f64::from(*axis) + most_m * (2.0 * random.f64() - 1.0)) as f32;
@@ -189,7 +198,7 @@ mod tests {
         let scene = Scene::load("calm-pool", &[]).unwrap();
         let start = sample_lattice(&scene);
         let mut shaken = start.clone();
-        shake(&mut shaken, &scene);
+        shake(&mut shaken, &scene, 1);
         let off = |axis: usize| {
             let pairs = start.positions.iter().zip(&shaken.positions);
             pairs.map(|(a, b)| f64::from((a.position_m[axis] - b.position_m[axis]).abs())).fold(0.0, f64::max)

@@ -3,7 +3,7 @@
 use maud::{Markup, html};
 
 use super::work_precision::class_of;
-use crate::precision::{FULL, QUANTITIES, Quantity, WAYS, tasks};
+use crate::precision::{FULL, QUANTITIES, Quantity, SHAKEN, WAYS, tasks};
 use crate::{Figure, Outcome, Store, Task, Verdict};
 
 fn found(quick: bool, store: &Store) -> Vec<(Task, &Outcome)> {
@@ -17,7 +17,7 @@ fn of_full<'a>(outcome: &'a Outcome, quantity: &Quantity) -> Option<&'a Figure> 
 
 /// How far each way is off it; none where the scene has no such quantity.
 fn differences<'a>(outcome: &'a Outcome, quantity: &Quantity) -> Option<Vec<&'a Figure>> {
-    WAYS.iter().map(|way| outcome.figure(&quantity.figure_of(way.name))).collect()
+    names().map(|name| outcome.figure(&quantity.figure_of(name))).collect()
 }
 
 /// Two digits; of ratios as per cent.
@@ -34,8 +34,12 @@ fn two_digits(value: f64) -> String {
     format!("{value:.decimals$}")
 }
 
+fn names() -> impl Iterator<Item = &'static str> {
+    std::iter::once(SHAKEN).chain(WAYS.map(|way| way.name))
+}
+
 fn ways() -> String {
-    WAYS.map(|way| way.name).join(" / ")
+    names().collect::<Vec<_>>().join(" / ")
 }
 
 fn header(quantity: &Quantity) -> String {
@@ -48,7 +52,7 @@ pub fn section(quick: bool, store: &Store) -> Markup {
     let found = found(quick, store);
     html! {
         h2 id="precision" { "Precision" }
-        p { "How far each way to run a scene is off " code { "full" } " on the desktop tier, as " (ways()) ". The first is a run of full whose start was shaken by what a packed position rounds: what the flow itself makes of a rounding. Where full has a value of its own, it stands before the colon." }
+        p { "How far each way to run a scene is off " code { "full" } " on the desktop tier, as " (ways()) ". The first is the largest of three runs of full whose starts were shaken by what a packed position rounds: what the flow itself makes of a rounding. Where full has a value of its own, it stands before the colon." }
         table {
             thead { tr { th { "scene" } th { "particles" } @for quantity in &QUANTITIES { th title=(quantity.why()) { (header(quantity)) } } } }
             tbody {
@@ -120,8 +124,8 @@ mod tests {
         let task = tasks(true).remove(0);
         let mut outcome = Outcome::empty(crate::State::Stable, "");
         for quantity in &QUANTITIES {
-            for way in WAYS {
-                outcome.figures.push(Figure::judged(&quantity.figure_of(way.name), 0.002, quantity.unit, 0.01, ""));
+            for name in names() {
+                outcome.figures.push(Figure::judged(&quantity.figure_of(name), 0.002, quantity.unit, 0.01, ""));
             }
         }
         store.put(&task, outcome.clone()).unwrap();
