@@ -112,8 +112,15 @@ impl Quantity {
     }
 }
 
-/// What `full` has, what shaken runs of it are off by at most, and, judged beside that, what the `ways` are.
-pub fn figures(scene: &Scene, full: &Course, shaken: &[Course], ways: &[&str], others: &[Course]) -> Vec<Figure> {
+/// What `full` has, what shaken runs of it are off by at most, and, judged beside that, what those of the `ways` are that
+/// were run.
+pub fn figures(
+    scene: &Scene,
+    full: &Course,
+    shaken: &[Course],
+    ways: &[&str],
+    others: &[Option<Course>],
+) -> Vec<Figure> {
     let densities = [mean_of(full, |s| s.compression.mean), mean_of(full, |s| s.compression.p99)];
     let own = quantities(scene).filter(|quantity| quantity.of_density).zip(densities);
     let mut figures: Vec<Figure> =
@@ -123,8 +130,9 @@ pub fn figures(scene: &Scene, full: &Course, shaken: &[Course], ways: &[&str], o
         figures.push(Figure::told(&quantity.figure_of(SHAKEN), chance, quantity.unit, quantity.why));
         let limit = (OF_SHAKEN * chance).max((quantity.rule)(scene, full));
         let why = format!("{}, or three times what shaken starts are off by", quantity.why);
-        figures.extend(ways.iter().zip(others).map(|(way, other)| {
-            Figure::judged(&quantity.figure_of(way), (quantity.of)(scene, full, other), quantity.unit, limit, &why)
+        figures.extend(ways.iter().zip(others).filter_map(|(way, other)| {
+            let value = (quantity.of)(scene, full, other.as_ref()?);
+            Some(Figure::judged(&quantity.figure_of(way), value, quantity.unit, limit, &why))
         }));
     }
     figures
@@ -185,7 +193,7 @@ mod tests {
     fn beyond(other: &Course, shaken: &Course) -> Vec<String> {
         let scene = Scene::load("dam-break", &[]).unwrap();
         let full = course(|_| {}, 100);
-        let found = figures(&scene, &full, std::slice::from_ref(shaken), &["half"], std::slice::from_ref(other));
+        let found = figures(&scene, &full, std::slice::from_ref(shaken), &["half"], &[Some(other.clone())]);
         assert_eq!(found.len(), 2 + 2 * QUANTITIES.len());
         found.into_iter().filter(|f| f.verdict() == Verdict::FallsShort).map(|f| f.name).collect()
     }

@@ -111,7 +111,7 @@ pub fn run(session: &Session<'_>, task: &Task) -> Result<Option<Outcome>, StudyE
     if let Err(error) = relax_particles(&gpu, &scene, &mut particles) {
         return Ok(Some(Outcome::empty(State::Refused, error.to_string())));
     }
-    let mut courses = Vec::new();
+    let (mut courses, mut not_run) = (Vec::new(), Vec::new());
     let shaken = (1..=SHAKEN_RUNS).map(|seed| (FULL_WAY, Some(seed)));
     let runs = std::iter::once((FULL_WAY, None)).chain(shaken).chain(WAYS.map(|way| (way, None)));
     for (index, (way, seed)) in runs.enumerate() {
@@ -125,15 +125,21 @@ pub fn run(session: &Session<'_>, task: &Task) -> Result<Option<Outcome>, StudyE
                 let reason = format!("{}: particles are not finite, and quarantined", way.name);
                 return Ok(Some(Outcome::empty(State::Unstable, reason)));
             }
-            Ok(Some(course)) => courses.push(course),
+            Ok(Some(course)) => courses.push(Some(course)),
             Ok(None) => return Ok(None),
-            Err(reason) => return Ok(Some(Outcome::empty(State::NotRun, format!("{}: {reason}", way.name)))),
+            Err(reason) if way.name == FULL => return Ok(Some(Outcome::empty(State::NotRun, reason))),
+            // As a device without f16 has no half: the others are compared.
+            Err(reason) => {
+                not_run.push(format!("{}: {reason}", way.name));
+                courses.push(None);
+            }
         }
     }
-    let (full, others) = courses.split_at(1);
-    let (shaken, others) = others.split_at(SHAKEN_RUNS as usize);
-    let mut outcome = Outcome::empty(State::Stable, "");
-    outcome.figures = figures(&scene, &full[0], shaken, &WAYS.map(|way| way.name), others);
+    let others = courses.split_off(1 + SHAKEN_RUNS as usize);
+    let full_runs: Vec<Course> = courses.into_iter().flatten().collect();
+    let Some((full, shaken)) = full_runs.split_first() else { return Ok(None) };
+    let mut outcome = Outcome::empty(State::Stable, not_run.join("; "));
+    outcome.figures = figures(&scene, full, shaken, &WAYS.map(|way| way.name), &others);
     outcome.particles = particles.positions.len() as u64;
     outcome.device = gpu.info().name.clone();
     Ok(Some(outcome))

@@ -15,15 +15,20 @@ fn of_full<'a>(outcome: &'a Outcome, quantity: &Quantity) -> Option<&'a Figure> 
     outcome.figure(&quantity.figure_of(FULL))
 }
 
-/// How far each way is off it; none where the scene has no such quantity.
-fn differences<'a>(outcome: &'a Outcome, quantity: &Quantity) -> Option<Vec<&'a Figure>> {
-    names().map(|name| outcome.figure(&quantity.figure_of(name))).collect()
+/// How far each way is off it, none of a way that was not run; nothing where the scene has no such quantity.
+fn differences<'a>(outcome: &'a Outcome, quantity: &Quantity) -> Option<Vec<Option<&'a Figure>>> {
+    outcome.figure(&quantity.figure_of(SHAKEN))?;
+    Some(names().map(|name| outcome.figure(&quantity.figure_of(name))).collect())
+}
+
+fn falls_short(figure: Option<&Figure>) -> bool {
+    figure.is_some_and(|figure| figure.verdict() == Verdict::FallsShort)
 }
 
 /// Two digits; of ratios as per cent.
-fn number(figure: &Figure) -> String {
-    let scale = if figure.unit.is_empty() { 100.0 } else { 1.0 };
-    figure.value.map_or("–".into(), |value| two_digits(scale * value))
+fn number(figure: Option<&Figure>) -> String {
+    let scaled = figure.and_then(|figure| Some(figure.value? * if figure.unit.is_empty() { 100.0 } else { 1.0 }));
+    scaled.map_or("–".into(), two_digits)
 }
 
 fn two_digits(value: f64) -> String {
@@ -72,10 +77,10 @@ pub fn section(quick: bool, store: &Store) -> Markup {
 fn cell(outcome: &Outcome, quantity: &Quantity) -> Markup {
     let Some(differences) = differences(outcome, quantity) else { return html! {} };
     html! {
-        @if let Some(full) = of_full(outcome, quantity) { (number(full)) ": " }
+        @if let Some(full) = of_full(outcome, quantity) { (number(Some(full))) ": " }
         @for (index, figure) in differences.into_iter().enumerate() {
             @if index > 0 { " / " }
-            @if figure.verdict() == Verdict::FallsShort { span.pill.bad { (number(figure)) } } @else { (number(figure)) }
+            @if falls_short(figure) { span.pill.bad { (number(figure)) } } @else { (number(figure)) }
         }
     }
 }
@@ -93,11 +98,8 @@ pub fn markdown(quick: bool, store: &Store) -> String {
             cells.push(format!("{}: {}", outcome.state.word(), outcome.reason));
         }
         cells.extend(QUANTITIES.iter().map(|quantity| {
-            let own = of_full(outcome, quantity).map_or(String::new(), |full| format!("{}: ", number(full)));
-            let each = |figure: &Figure| match figure.verdict() {
-                Verdict::FallsShort => format!("**{}**", number(figure)),
-                _ => number(figure),
-            };
+            let own = of_full(outcome, quantity).map_or(String::new(), |full| format!("{}: ", number(Some(full))));
+            let each = |figure| if falls_short(figure) { format!("**{}**", number(figure)) } else { number(figure) };
             let all = differences(outcome, quantity).map(|figures| figures.into_iter().map(each).collect::<Vec<_>>());
             all.map_or(String::new(), |all| own + &all.join(" / "))
         }));
@@ -112,7 +114,7 @@ mod tests {
 
     #[test]
     fn numbers_have_two_digits_and_ratios_are_per_cent() {
-        let of = |value: f64, unit: &str| number(&Figure::told("", value, unit, ""));
+        let of = |value: f64, unit: &str| number(Some(&Figure::told("", value, unit, "")));
         let shown = [of(0.012_34, ""), of(0.5, "d"), of(0.0, ""), of(f64::NAN, "d"), of(3.0e-6, ""), of(12.0, "")];
         assert_eq!(shown, ["1.2", "0.50", "0", "–", "0.00030", "1200"]);
     }
@@ -131,8 +133,11 @@ mod tests {
         store.put(&task, outcome.clone()).unwrap();
         assert!(markdown(true, &store).contains("0.20 / 0.20 / 0.20 / 0.20") && !markdown(true, &store).contains("**"));
         outcome.figures[1].value = Some(0.02);
-        store.put(&task, outcome).unwrap();
+        store.put(&task, outcome.clone()).unwrap();
         assert!(markdown(true, &store).contains("0.20 / **2.0** / 0.20 / 0.20"));
+        outcome.figures.retain(|figure| !figure.name.starts_with("half"));
+        store.put(&task, outcome).unwrap();
+        assert!(markdown(true, &store).contains("0.20 / **2.0** / 0.20 / –"));
         assert!(section(true, &store).into_string().contains("pill bad"));
     }
 }
