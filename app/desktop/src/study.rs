@@ -84,7 +84,7 @@ fn chosen(part: StudyPart, curves: &CurveOptions) -> Result<Study, Failure> {
         knobs: curves.knobs.clone(),
         quick: curves.quick,
     };
-    if !choice.is_whole() && matches!(part, StudyPart::Validation | StudyPart::Stability) {
+    if !choice.is_whole() && matches!(part, StudyPart::Validation | StudyPart::Precision | StudyPart::Stability) {
         let text = "--scenes, --methods and --knobs choose curves of error against time: study error";
         return Err(Failure::Input(text.into()));
     }
@@ -92,6 +92,7 @@ fn chosen(part: StudyPart, curves: &CurveOptions) -> Result<Study, Failure> {
     let others = choice.is_whole();
     Ok(Study {
         validation: others && matches!(part, StudyPart::All | StudyPart::Validation),
+        precision: others && matches!(part, StudyPart::All | StudyPart::Precision),
         stability: others && matches!(part, StudyPart::All | StudyPart::Stability),
         error: matches!(part, StudyPart::All | StudyPart::Error).then_some(choice),
         quick: curves.quick,

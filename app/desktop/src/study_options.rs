@@ -81,6 +81,8 @@ pub enum StudyPart {
     Error,
     /// Published cases
     Validation,
+    /// Lower precision and smaller tiers
+    Precision,
     /// Extreme cases and maps
     Stability,
 }

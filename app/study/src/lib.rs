@@ -8,6 +8,7 @@
 //! |---|---|
 //! | [`error`] | work-precision: one knob a curve, error against GPU time per simulated second |
 //! | [`validation`] | published cases, each with a tolerance that was fixed beforehand |
+//! | [`precision`] | what lower precision and smaller tiers cost each shipped scene |
 //! | [`stability`] | the extreme cases over precisions and tiers, and maps of where a solver holds |
 //! | [`tune`] | the cheapest setting for an error, the most exact one for a time |
 
@@ -18,6 +19,7 @@ pub mod error;
 mod figure;
 pub mod knob;
 pub mod method;
+pub mod precision;
 pub mod report;
 mod runner;
 mod sample;

@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use crate::session::{Event, Session, StudyError};
-use crate::{Outcome, Store, Task, error, stability, validation};
+use crate::{Outcome, Store, Task, error, precision, stability, validation};
 
 /// Runs tasks of every part of a study.
 pub struct Runner<'a> {
@@ -56,6 +56,7 @@ impl<'a> Runner<'a> {
             error::JACOBI_PART => Ok(error::run_jacobi(session, task)),
             error::OVERHEAD_PART => error::run_overhead(session, task),
             error::EQUAL_WORK_PART => error::run_equal_work(session, task),
+            precision::PART => precision::run(session, task),
             stability::ROWS_PART => stability::run_row(session, task),
             stability::MAP_PART => stability::run_cell(session, task),
             part => Err(StudyError::Unknown(format!("there is no part '{part}' of a study"))),
@@ -66,6 +67,7 @@ impl<'a> Runner<'a> {
 /// Particle iterations that a task costs.
 fn weight(task: &Task) -> f64 {
     let setup = match task.part.as_str() {
+        precision::PART => precision::cost(task),
         stability::ROWS_PART => stability::row_cost(task),
         stability::MAP_PART => stability::cell_cost(task),
         error::EQUAL_WORK_PART => error::equal_work_cost(task),

@@ -109,10 +109,7 @@ impl<'a> Session<'a> {
     /// Runs a setup on the GPU; what it says where it cannot.
     pub fn run_setup(&self, gpu: &Gpu, setup: &Setup) -> Result<GpuRun, String> {
         let steps = setup.steps().max(1) as f64;
-        let progress = |step: u64| {
-            let (done, weight) = *self.done.borrow();
-            (self.notify)(Event::Done(done + weight * step as f64 / steps));
-        };
+        let progress = |step: u64| self.progress(step as f64 / steps);
         let options = Options { stop: self.stop, edit: self.fault.map(|fault| fault.plan), progress: &progress };
         let mut setup = setup.clone();
         if let Some(fault) = self.fault {
@@ -139,6 +136,12 @@ impl<'a> Session<'a> {
     pub(crate) fn begin(&self, task: &Task, done: f64, weight: f64) {
         self.tell(Event::Task(task));
         *self.done.borrow_mut() = (done, weight);
+    }
+
+    /// So much of the present task is done.
+    pub(crate) fn progress(&self, share: f64) {
+        let (done, weight) = *self.done.borrow();
+        self.tell(Event::Done(done + weight * share));
     }
 
     /// Whether it is to end.

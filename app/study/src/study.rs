@@ -2,7 +2,7 @@
 
 use crate::error::{self, Choice};
 use crate::session::StudyError;
-use crate::{Task, stability, validation};
+use crate::{Task, precision, stability, validation};
 
 /// A study: which parts, and of the first which curves.
 #[derive(Clone, Debug)]
@@ -11,6 +11,8 @@ pub struct Study {
     pub error: Option<Choice>,
     /// Published cases.
     pub validation: bool,
+    /// Lower precision and smaller tiers.
+    pub precision: bool,
     /// Extreme cases and maps.
     pub stability: bool,
     /// Few of everything, within minutes.
@@ -39,6 +41,9 @@ impl Study {
                 }
             }
         }
+        if self.precision {
+            tasks.extend(precision::tasks(self.quick));
+        }
         if self.stability {
             tasks.extend(stability::row_tasks(self.quick));
             tasks.extend(stability::map_tasks(self.quick));
@@ -58,7 +63,7 @@ mod tests {
 
     fn study(quick: bool) -> Study {
         let choice = Choice { cases: Vec::new(), methods: Vec::new(), knobs: Vec::new(), quick };
-        Study { error: Some(choice), validation: true, stability: true, quick }
+        Study { error: Some(choice), validation: true, precision: true, stability: true, quick }
     }
 
     #[test]

@@ -51,6 +51,19 @@ fn a_report_is_whole_and_is_kept() {
     assert!(table.contains("axis error"), "the first report is kept");
 }
 
+#[test]
+fn what_precision_costs_is_a_table_for_a_page() {
+    let workshop = Workshop::new();
+    let ended = workshop.run(&["study", "precision", "--quick", "--out", "s"]);
+    assert_eq!(ended.code, Some(0), "{}", ended.stderr);
+    let table = fs::read_to_string(workshop.path("s/precision.md")).unwrap();
+    let row = table.lines().find(|line| line.starts_with("| dam-break |")).expect("a row");
+    assert_eq!(row.matches(" / ").count(), 7 * 3, "{row}");
+    // Nothing stands apart, and something was compared.
+    assert!(!row.contains("**") && !row.contains("0 / 0 / 0 / 0"), "{row}");
+    assert!(fs::read_to_string(workshop.path("s/report.html")).unwrap().contains("id=\"precision\""));
+}
+
 #[cfg(unix)]
 #[test]
 fn a_study_that_was_ended_goes_on() {

@@ -2,7 +2,7 @@
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
-use super::{Facts, deck, stability, validation, work_precision};
+use super::{Facts, deck, precision, stability, validation, work_precision};
 use crate::session::StudyError;
 use crate::{State, Store, Study, Task};
 
@@ -56,6 +56,7 @@ pub fn page(study: &Study, tasks: &[Task], store: &Store, facts: &Facts) -> Resu
         nav {
             @if study.validation { a href="#validation" { "Validation" } }
             @if study.error.is_some() { a href="#error" { "Error against run time" } }
+            @if study.precision { a href="#precision" { "Precision" } }
             @if study.stability { a href="#stability" { "Stability" } }
             a href="#method" { "How it was measured" }
         }
@@ -63,6 +64,7 @@ pub fn page(study: &Study, tasks: &[Task], store: &Store, facts: &Facts) -> Resu
         @if study.validation { (validation::section(study.quick, store)) }
         (work)
         @if study.error.is_some() { (deck::section(study.quick, store)) }
+        @if study.precision { (precision::section(study.quick, store)) }
         @if study.stability { (stability::section(study.quick, store)) }
         (method())
     };

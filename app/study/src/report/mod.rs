@@ -5,6 +5,7 @@ mod deck;
 mod heat;
 mod html;
 mod plot;
+mod precision;
 mod stability;
 mod table;
 mod validation;
@@ -90,6 +91,10 @@ pub fn write(folder: &Path, study: &Study, store: &Store, facts: &Facts) -> Resu
         .map_err(|error| StoreError::File { path: plots_folder.display().to_string(), reason: error.to_string() })?;
     for (name, svg) in plots(study, store)? {
         file(&plots_folder.join(format!("{name}.svg")), |to| to.write_all(svg.as_bytes()))?;
+    }
+    if study.precision {
+        let text = precision::markdown(study.quick, store);
+        file(&folder.join("precision.md"), |to| to.write_all(text.as_bytes()))?;
     }
     // The page last: where it is, the study is whole.
     let page = html::page(study, &tasks, store, facts)?;
