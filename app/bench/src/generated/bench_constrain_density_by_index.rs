@@ -93,5 +93,5 @@ static CONSTRAIN_DENSITY_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/constrain_density_by_index.compute",
-    hash: "6ec5bfa83b84df347f3bcad6aae25ee792390baac95640378388e513bcbb58c6",
+    hash: "e6cc10e76edb6f724848f83e4cb75fcab4656d54438040d4815500a84011f152",
 };

@@ -94,5 +94,5 @@ static LIST_NEIGHBOURS_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/list_neighbours_by_index.compute",
-    hash: "b607713243528886181370411478778b11d8e2eec253dc0697e3dcb6f13794b2",
+    hash: "2a10ac65272c4db64ddd81b8ec1b8969867f47b3ad20b8a2d6c86a6f44be70ad",
 };

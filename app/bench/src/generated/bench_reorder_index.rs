@@ -82,5 +82,5 @@ static REORDER_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/reorder_index.compute",
-    hash: "ea4fa6ebcc03f7432f75e3511aaa5811d4b562e46e954f9b6ec41ef105f0550a",
+    hash: "3f33cef8ad17ae28412d09e6d8838f4e6fc315043c2ed54affdcac29fcb8e527",
 };

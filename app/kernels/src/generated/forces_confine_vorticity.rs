@@ -99,7 +99,7 @@ static CONFINE_VORTICITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/confine_vorticity.compute",
-    hash: "8b3284fc41e3798c007f0ed721c71681be1623dd3721bfd82609c1c538a6384b",
+    hash: "d3ca33fbffb6976da9bd798300f43f0ce4ddd3fb197d3ca03bf0b156b183e89f",
 };
 
 static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -112,7 +112,7 @@ static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/confine_vorticity.compute",
-    hash: "85d172caa583804153b8fb6e654d64326272a49fad6109ce73968fe35aa673a2",
+    hash: "1967c702bf999215a25c75ef7d8fedf10c60dbfa289334cc686eef5c1b28a80f",
 };
 
 static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
@@ -125,5 +125,5 @@ static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/confine_vorticity.compute",
-    hash: "d9eeeafa5878272b8b1f1c9333699c6e3e7d2034b0fcced140d97f8c436d44f9",
+    hash: "a74fbb67e3519137d12d6879c3c8ad2d3cc01e67b229584f3d5d5e89c24c6be9",
 };

@@ -97,7 +97,7 @@ static CURL: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/curl.compute",
-    hash: "92f10008f24ecb5934036473f1c5b592a5e9c6ff0aee0390d87f7b9b16ec5697",
+    hash: "feddc61b18045e9c84a41fa671b410361e6a6c63a2243bcdb3f1bd63bbb81336",
 };
 
 static CURL_WITH_RELAXED_PRECISION: Module = Module {
@@ -110,7 +110,7 @@ static CURL_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/curl.compute",
-    hash: "23d2ef6d8c6804623e23f3f5f12c81b961b72258b36d01133c94818f025f70ac",
+    hash: "5b1e9e81ac2e2707e5ff0fd09fcce817d8b11213a8e523147830f7ff6ad64dea",
 };
 
 static CURL_WITH_HALF_PRECISION: Module = Module {
@@ -123,5 +123,5 @@ static CURL_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/curl.compute",
-    hash: "f7e776ee49285e18e8e8d37cbdf402cad5ec6fb2cf65fde7f4467a369892df03",
+    hash: "a4b8ba0eb8d9cfab5b84f55ccdc868877bbeb5ae59eea0e391933cb8a411555e",
 };

@@ -102,7 +102,7 @@ static XSPH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/xsph.compute",
-    hash: "6f5d582dedb02b32a27beb392d15237cee1b240004d8b55d49e4157fe5ad2052",
+    hash: "7cf27300085e8535e552f4f7f138ae75d72ab1717301d895f41f0ad1ee249afd",
 };
 
 static XSPH_WITH_RELAXED_PRECISION: Module = Module {
@@ -115,7 +115,7 @@ static XSPH_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/xsph.compute",
-    hash: "85084687ebf01c11aa91b518328db5ef83b57aabd86b3e39afa0522d118e63b5",
+    hash: "ac8044ffc811871e2ab3e70b95ab0d62c330c002359e51dff805855694b944e8",
 };
 
 static XSPH_WITH_HALF_PRECISION: Module = Module {
@@ -128,5 +128,5 @@ static XSPH_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/xsph.compute",
-    hash: "603efd1ddd4fe0b420ce214786b194221c1d0a12915a9a1a4b79853fb05aa0ab",
+    hash: "80c69ac568d35b3ac0e079346a816cfd3eeff94cab92d9ec09be24bf35e1c16b",
 };

@@ -135,7 +135,7 @@ static LIST_NEIGHBOURS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "6b7dd674f9e10925c621de05431f77658a9bdaff2e37ccd59ea7ef57296326aa",
+    hash: "19ee6f11ec71af4160e59ee141dfe459fbb19984f2d8b46bdff21ef53d418d56",
 };
 
 static LIST_NEIGHBOURS_WITH_RELAXED_PRECISION: Module = Module {
@@ -148,7 +148,7 @@ static LIST_NEIGHBOURS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "6734e2855d3a8162be7f866720c6fa05c1a7ffb7e7f0330a4c4d48ed0c1a89b2",
+    hash: "d885554fc1499d3649f91d724d302b42ff50b0a610c0c4926118b61b7179b59b",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
@@ -161,7 +161,7 @@ static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "bce371ccc9e0b37f5f55fa9b305fee3a4515035409c71745fe3fa2dfb021ddef",
+    hash: "bee7fe88305b601a464881be2a4d25d4afb5732ea9e22a312d43195603500b46",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
@@ -174,7 +174,7 @@ static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "5d3392cac7214886856fc08798734386f1b28ae2bdd00a0adc943e48f352f052",
+    hash: "d93ea7681a4786ea21acada671c9b0ba2e0abba6007f497a7d5cdd3bfb9db77a",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
@@ -187,7 +187,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "e353ae4ef7abc21035061c4b01d5ec4dfcdfe4e57fc680ae6bb67c86e27cf1ab",
+    hash: "84749c0618b7057ab498d222102efce4da8e9b3ecb4aa1b26fb0c4dfccec8dfc",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_RELAXED_PRECISION: Module = Module {
@@ -200,7 +200,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "727641163304eb279747255c1836f817a10b21e913ed801ba8262c93e3bf860e",
+    hash: "f61a530ddfd6441abb4f5762c63282b0a38214179a8d9712c6a330b548d4227d",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
@@ -213,7 +213,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "295f6d5e9524b086ef9c08bc9fdbe5d8519861252cf219151e9016218fb0ad9d",
+    hash: "e964adf71797d66326c73ddfc392f2283847609f48b34dc9408706eb18bf5bf5",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
@@ -226,5 +226,5 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "d8a7d124974d418bbef1ba3c7c9f5994fd3116dbc5ca8c0473cd0d7dd2ea7a2e",
+    hash: "7d11c05620c17c02838f2dbaa127e2a666605e0bc63efc3b83828fc83d9feb52",
 };

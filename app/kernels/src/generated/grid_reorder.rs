@@ -106,7 +106,7 @@ static REORDER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "49de66cc8b9d3465fe7e61eb05ca7a66d00f56aa7e808ccc876aac14cd7d4932",
+    hash: "84fb11e715e072c1ac315026b01a462631b9539a1311a0ceb50b8150db6960bc",
 };
 
 static REORDER_WITH_RELAXED_PRECISION: Module = Module {
@@ -119,5 +119,5 @@ static REORDER_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "b3f2481dd633f57ce85194eb516445f01ece1f34ffa2e48a30b98fe54e0e3205",
+    hash: "86e5111f45ac9c3feeef97b021d5ad7597d1d254d683e8049429ac9e491620e1",
 };

@@ -97,7 +97,7 @@ static DENSITY_RATIOS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "7579341152c7f09cd0b555eb7575cecaafa5bed6da72ed15cbc11733f305903d",
+    hash: "5b277b48d07cc9e0abc428113b3c2f59315bc44958c07010435e726a7aa16065",
 };
 
 static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
@@ -110,7 +110,7 @@ static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "645e635b57a85c39f495e3ca7dbe78ea1d7c4d8f9f99a4e551a52f963060748e",
+    hash: "dd920c1fd59ef96781d21e377103ed3dc7680b9f0564fc0916b5449bd8176b1a",
 };
 
 static DENSITY_RATIOS_WITH_WALLS: Module = Module {
@@ -123,7 +123,7 @@ static DENSITY_RATIOS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "15b0b6be250d3d9d6a475513ef68108a517df5e5c2fea3dba657e3b51bd4062c",
+    hash: "5d1385704dee56b6e2b96e77053dbe00045548b0ecea4b2120111cbe1bf879cf",
 };
 
 static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -136,5 +136,5 @@ static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "4b24f221b7ff6cf4e1b411b27b5bb1b2f2637caff28cfa38c7fe35a9f4c17906",
+    hash: "7c6880741acc10b1a74a059dd29a74bc88050912a484c921894e92ff96b402ca",
 };

@@ -132,7 +132,7 @@ static MEASURE_PARTICLES: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "1ca50512f6ac4647af9b67db47d206f201c20d6c10e7bca1089983aacfea683c",
+    hash: "44fd11093c53f9f7a757427868b401a1610899a9b29fe6c5fbaa769ce82a2c25",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
@@ -145,7 +145,7 @@ static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "809f5496a5d9a25e664052fe9ee242478202d9690f5ce396ad8deb1f95e168cf",
+    hash: "338deff9edf3f16656e552308377ecf21b21f07217b0f815d5265c63fa2d7fcf",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
@@ -158,7 +158,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "f49d6b993bb483c3ca29c1dda3827fe776bd3d2d3db7f98b2a75a90b63f59485",
+    hash: "6f6c675d1c16458c79c8e9b7c8395e8d5ca992370270a7c416996b67dad14b81",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
@@ -171,7 +171,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "f5167e5a0e4d737363d1b1086fe6e5888fcb24caae8471b2d51d5d12e50a868d",
+    hash: "d4bf190699569315d31a1789eb2d31832456a37689c83db1e5d4a1d436178342",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -184,5 +184,5 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module 
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "c9a5bb50e170f53edca137917f3b37ffcc2fe2552739b69420971446d2167165",
+    hash: "0700414b85ef7e5cdea276c03df60c15ce349288f7f52ade27ab215566b0d603",
 };

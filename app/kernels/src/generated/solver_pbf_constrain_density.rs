@@ -485,7 +485,7 @@ static CONSTRAIN_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "f377aef01a8114f656b988cb3fc903780f05cfca36b994a6a96680443897e711",
+    hash: "87291ab6e21fbdb23090f5add663c7d33b35118d67084b89376c5680aaaf159a",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -498,7 +498,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "b01fb24f4c05af705b8f08e4c2d82379e881845c6bcc8edeaf5c95139c7edadf",
+    hash: "1c89797b624019b7aafbc8faefc99a27eee4152ad99085433ad640a7b68f8626",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -511,7 +511,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "989f215979e469f3b4b6d154e02f8dd613dcb2605500496c851615fa2f2c307e",
+    hash: "533d4f9f8fbaa25ae09e914e2df55ee22e86c3d2ab86d7939df1b9ccf796bacd",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
@@ -524,7 +524,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "c0e02b31949ca93b5d746a3865163ba2500ec6cc771cf251119045be6613e506",
+    hash: "9b980860c4d1312860160d2f0ac0eea0ba7632f6dcb7403bfd9bb9ba7c2fb497",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -537,7 +537,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "3707d2af79a7b831c007c1e7eead3e44a35c7fba756184227903a557c7e111eb",
+    hash: "97aa3be1cefb1ef5ffbde30817953ba98d16a5865e9f6ddd8ecc7b1260e4c4fd",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -550,7 +550,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "d2166d261d8376610d4e2fb1b9f496593a34227ed72bdb73c3ad2bcfb4a34286",
+    hash: "6472b868487c03b93f92dcd62c0c37f140c23c4632610daa7fc0d8957a6a29b0",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -563,7 +563,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "045dc6d1af0ab5e69ebf523abed028ab8fe7744c93fec1afca9f2afc97470e8e",
+    hash: "95865bdbbf348825eb3476ac8188beb02efac3dbb76e97bc1f78fe2854f422f4",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -576,7 +576,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "33879ab82de8cd581337a9bbbf82e7da15a0cb020e16d66af9eb017b0a123663",
+    hash: "2ef403b896c035c967ae55c8090f4faf45d35f4d9ad53d0402d9d27c77f666a2",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -589,7 +589,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "4549ec3d6557d7feac38329ada3a58fcabad73f3f2477d036b7b51f6ffc289ec",
+    hash: "af0e217caf16bf3a077183782345d6ee81687818f742110c9221090e2f99a914",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -602,7 +602,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "821c98af312d12650907e25836349d672f6eea7b982c447cbd7c625df27e2950",
+    hash: "744c607aa4d5200b1d2fee64a4b6e73ea5e71e03f850d8e3c944055608b4962d",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -615,7 +615,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "c3bbf39cd68dae87f320aa44df7f53a8d1222b3c37dd1322d343133b448aa487",
+    hash: "2b1ed6615fcc279aa34e915cb2a9bd546d2d222996d5c18520d464c17274261d",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -628,7 +628,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "1e9ac775ac8adc8ce0a238c9b9199add2ea4212505fb1fb67faf5837f36b923d",
+    hash: "780d5b348fd816cd1c1365c283899bfec6ba4adb976f3cf160ecfe0032203f62",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
@@ -641,7 +641,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "0bf96e0ac338a592159cb8f6c531b1377cb6083940374ec7bcbed78a3fd9ef66",
+    hash: "9c5d42d7f95469b4faaa3acfd3dbf725f01b45c43c9a0c5b3d348acf2562365e",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -654,7 +654,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "bd974b3bde4a13b056462c1541513db2bcc61aa8468d6993af24ad4b105a076e",
+    hash: "c44f2c11940999478e2fd305d2737f3ba2954d49caed10c431b40eab8ba2a066",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -667,7 +667,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "a1eafb0edb21278f5fcb9091a15b75bb797689a6daabcb122f7089a096f486da",
+    hash: "7cc5341f3612ac5d46d9de0e1045b989afabd2ec0e027706849a4db405c99703",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
@@ -680,7 +680,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "6be74004369c75718735b212420a9eb7f5d57fea61690f4d53b227ffc27ace47",
+    hash: "b50f14f0eb39f29569c65728c3a58fee6473a7efaaace6f02c2c6af5a27299a9",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -693,7 +693,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "be88007c59ab8b681e97358b5fe772da6c7e0b22ac55b9d6ed684ae5ff9f426a",
+    hash: "b0ab803290c49e07eb027f0a9ec62d760f01cfe750197c082523afec987d069c",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -706,7 +706,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "b66c50706d6807cc0cda557efe5785d8ab55ebb8e05a23b767bd357054b66fcf",
+    hash: "e186a04d38a65532f48afa3bcf8e866d95a0a033539aad9e697c32d240286a04",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -719,7 +719,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "d26cee8e292a2c3ad5c282f5372e6b66e2e9ec0eabbc15b3eba788035db0045d",
+    hash: "e8f6e5aa14c6750843b916fe1944affd4ad5496543077839b6abdc47130cc0d3",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -732,7 +732,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECI
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "05a81b3d9a1b1d58033b846c0fff18be9922e419ead09270a966f0ca3a5d9af5",
+    hash: "ba6f002049c6030fe7cf084dbae4d5fc9e6b8122cd238697c9d493a7a0090aaf",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -745,7 +745,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISIO
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "7e1916ef9bceac7f6c2b09c865b588d3934a80b242ef84805beda175920deb1c",
+    hash: "955a6c961925780ba050c8c9c3543497ca01da9185862190ca58616791d3326a",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -758,7 +758,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "64228f263667b9b1c58c9af09f0b368a8702bf50f7f2ac213f7a5b8b5393fc2a",
+    hash: "3672d9b01ad0758c8e8aa8b87399665910aac0daffad71e93730c739ac31ae6a",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -771,7 +771,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECIS
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "639f57d5386329a3a6666f47b6bb3be77356fa7c505ca6b2f3400a186e9a01ab",
+    hash: "a8c7f8012e9e93b63e0e626b59ffdbe68f58eae6ca6e0d6ccce114b998b5cd82",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -784,5 +784,5 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "89945c36bd401c1869092cef666fecdf04a36cc25d3f2af0b575777da7cab924",
+    hash: "eae8544ac71c7f1e2891f2cbe627104d2d4a31588aa4523a6a1eb82b3f8f67f0",
 };

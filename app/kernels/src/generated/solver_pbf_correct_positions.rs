@@ -180,7 +180,7 @@ static CORRECT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "23ac425f2682d70c1ce02e46df09ec0f0a8ceb94c07d326931999deee5850b8b",
+    hash: "5966da0ceb3aea06d6949d47fb77d5fac8cc498b0f484a0d75126084ac95c672",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
@@ -193,7 +193,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "fcf5e1f2776f9772fcbeb983c86e2fc9c0f7908b0ca8f6ffd74703b2dc6e26bc",
+    hash: "d06ede2c00c0b9941d0c625a4103a67eac753dd821d7a69320fdd83545497e0f",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
@@ -206,7 +206,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "82e0ea9cbdaf004fe79c590c16d3aad3776ce72bc89691f5be00acb45673ab8b",
+    hash: "96f8ed69bab6bd3fbec952a3dceeb0f6ade1665cfc398165094f6f6cb41256b8",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
@@ -219,7 +219,7 @@ static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "aa3c073077f5cc1af1652135a821182fa134f337bc6a50500247cde9905b2e3f",
+    hash: "83fd3efe8e89c701124948b95fcbfd05539508c71f01e83cf5212615a90ff00a",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -232,7 +232,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "162056a7b7437086b289138fe0d12b1c85f613088878f03557fa7927a55f9559",
+    hash: "0b1697c96fa9870558c946974a3b46194aa19f1dfcdff7b9f4632e7cfb04cdc9",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -245,7 +245,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "08ab04fc1e3e325c07d46894ed53c620fca440e64504f7e3b0bd9748e7d7fac7",
+    hash: "180c727909c49c54d346fbcd4294b3e1c6f49c9c7189d48d6de4295dccd379b8",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
@@ -258,7 +258,7 @@ static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "0964fe1683b77fbdf4bd6b894ba927ee9dcb3a6e52fbc74ab352c7bc764686b3",
+    hash: "ec9774daa147c8a7d9077581d7786d21ba069454c7d8b188dc66681b13e91250",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -271,7 +271,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "7ee332103af3070ad9247e8204e0b9386d0981a64d95d7d68f1cb16995bad80e",
+    hash: "fa8c9a55b612c7dabc7484014c262d2e6c51b915b4e367e69b87a2559641626a",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -284,7 +284,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "1ac123f8a584fcd823f7918a9768d23a10c2839287d381e1d1def68c73025c84",
+    hash: "ee7c64c36c0edeac7827da226b60a7a39f0629c8023d3f731622dbf51cd2b173",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
@@ -297,7 +297,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "5174f6b0cd3e4cfc24b5a12ac557d8c43ae39158981dcd01e0b59d15b9676945",
+    hash: "9a4e7cbe44468369bfa507e89f53427d2a558553641450d4e6c43a3fbedde038",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -310,7 +310,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "c296916f1f8a22abebde7bc2a52fab637b5a716008983cdc1cb3312e9b951e76",
+    hash: "b12ae72d54a8174d589f2f0f39dccb69de22305e396d43453616997296c9fcc8",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -323,5 +323,5 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "0efb9c0c6bed5d725676932f4ff6b855d3637caf70b8e0ebaa2d9cc9f2b994dd",
+    hash: "f1b1b0f939d8c1f55c20d09c3f78454976ff65d79e5fe703d3bfd4d5ad9dec9c",
 };

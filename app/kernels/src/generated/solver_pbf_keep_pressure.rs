@@ -133,7 +133,7 @@ static KEEP_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/keep_pressure.compute",
-    hash: "24d380cc3ac3854d04c16c67a9059b58c3d760fb9fa9dc1ce3f2efb4e34b40bf",
+    hash: "5e525db107fabd72585d36a628e1cb761b51d4f567a30cbc1dac79272bb60ac2",
 };
 
 static KEEP_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
@@ -146,5 +146,5 @@ static KEEP_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/keep_pressure.compute",
-    hash: "81f256e29e9df14bfe9261418890db73d3c9407638636775d35ccd5495b4fc1a",
+    hash: "6563db88fb6031b661d41575568ee93cea752cc4ed5e0fb9909bbd18cec07402",
 };

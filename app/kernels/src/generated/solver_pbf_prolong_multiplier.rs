@@ -114,7 +114,7 @@ static PROLONG_MULTIPLIER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/prolong_multiplier.compute",
-    hash: "f8b3a96d2c468826253a29206080699010794315caa09b7c7734020e9881945a",
+    hash: "f9b5cd14241a4a6879e478b8844ea5778e08711cc4be0c23268fba06758bf2e9",
 };
 
 static PROLONG_MULTIPLIER_WITH_RELAXED_PRECISION: Module = Module {
@@ -127,5 +127,5 @@ static PROLONG_MULTIPLIER_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/prolong_multiplier.compute",
-    hash: "0d2c73c94a70f8aa5abda316e1607262e5f43abee9ead5d5a8fe9ae3a682e8f8",
+    hash: "ac9b2e0398bdcf280cd4dfda0747c2734e1512e0d5451d58854e6f4dff7000fe",
 };

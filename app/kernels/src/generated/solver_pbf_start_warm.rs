@@ -201,7 +201,7 @@ static START_WARM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "83da9cea561e7d2bf1533991363c2bde4097fc198b6a08b061f28e9a3f8fae0f",
+    hash: "73fb3ca3ead794a2fd1dcd5ee4c15b9a87a6e25a1d17bf996c4b389b5ddbc5d4",
 };
 
 static START_WARM_WITH_RELAXED_PRECISION: Module = Module {
@@ -214,7 +214,7 @@ static START_WARM_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "68339dd9146d113940262921e3902d1c44dafbc749927e9f63320463c3c0dac9",
+    hash: "bebcfdc31fb2d29826dcea82145af743d86a72aeed08db79801728efa877ca38",
 };
 
 static START_WARM_WITH_WALLS: Module = Module {
@@ -227,7 +227,7 @@ static START_WARM_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "a78db82f6dacfb1b3a56d094fcd769bb9407a6bc5135fa3e7fdf54cb2f940c3b",
+    hash: "2aa690711ad9cc32dfe9f817de49a9f7485613f47286945f48dd22921c53154d",
 };
 
 static START_WARM_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -240,5 +240,5 @@ static START_WARM_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "c29174abc579b414503746b8ea775a455ef214a890e7bbcf2bf03e8238733cad",
+    hash: "ea53b2fe95fc0f321601e0132fe6fbda6df3d119ec048db1c411b578cebd918e",
 };

@@ -211,7 +211,7 @@ static UPDATE_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "2a76c0b2ddd30329dcf0bde74eebc4f5ae92f07cbebcb6135267db3f7de29bf2",
+    hash: "abfd4017e70ce8f1d0fa0a3e1d87c75e67d14ad6e4c81e89ddaf5697817af562",
 };
 
 static UPDATE_VELOCITY_WITH_KEEP_VELOCITY: Module = Module {
@@ -224,7 +224,7 @@ static UPDATE_VELOCITY_WITH_KEEP_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "4a95690027c1898563767719c598cd3028f3a3cbfb3bd8dc21deb01b0cbd492f",
+    hash: "2042215138d5ae633add753c7f318e9e7a15184b0236571fd0149f62a3a68712",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
@@ -237,7 +237,7 @@ static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "1950b2d8cba477c2e6eeeb722c67f22a1a71287fc4e4ccfcb940677a67b1040d",
+    hash: "563a79785d82806ff79be121092bad493f576e2fbe47ba046920bd0807873a89",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC_WITH_KEEP_VELOCITY: Module = Module {
@@ -250,7 +250,7 @@ static UPDATE_VELOCITY_WITH_PERIODIC_WITH_KEEP_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "789eaf198fb122c2caf339d21e522f70e7549ca7411450a649b65e3f58cbfb85",
+    hash: "b9719476f0eaaa61119b208b21e6804410f69252dc7352b4ac537b82811acc67",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -263,7 +263,7 @@ static UPDATE_VELOCITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "afcbe33e890530b1197e5ec9406308efbca6292b53dc0e1ba7ed383bae7b87b4",
+    hash: "e78806ed0e6358fe7aa85d4a311060840a5d06d5db996dd5b18d2b242010adf3",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_KEEP_VELOCITY: Module = Module {
@@ -276,7 +276,7 @@ static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_KEEP_VELOCITY: Module = Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "28495645ebb05726bf062dc26362a893169abf09bb7c9c2ef2c666ad3774232b",
+    hash: "9328ce09a7cd5966588afd968ad989f8b067a16018e42de23c91baa40424a56d",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC: Module = Module {
@@ -289,7 +289,7 @@ static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "9516d07471352c0e372779ccdf851f35f6c2eefcd5ad2d842b89d9ba366f67f6",
+    hash: "bb3a9004b8812cf035d2ca8c859d64dd8e82950f4de893c79ff7969d7e4b55fb",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC_WITH_KEEP_VELOCITY: Module = Module {
@@ -302,5 +302,5 @@ static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC_WITH_KEEP_VELOCITY: 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "24bfc0693fd69cf4bf772160dfec8dfc6af4805285796c72a8d75036d83326c3",
+    hash: "679c5091b801896ca54039ec5d818d10405afab05f439ee116efbaf98cd352ff",
 };
