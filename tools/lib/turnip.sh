@@ -44,8 +44,8 @@ build_turnip() {
     fetch_mesa "$folder" || die "Mesa's sources could not be fetched: tools/adreno needs Debian 12's bookworm-backports"
     [ -x "$folder/python/bin/meson" ] || {
         python3 -m venv "$folder/python"
-        quietly "$folder/python/bin/pip" install -q meson==1.7.2 mako packaging pyyaml setuptools ||
-            die "pip could not install meson, mako, packaging and pyyaml"
+        quietly "$folder/python/bin/pip" install -q meson==1.7.2 mako packaging pyyaml setuptools blake3 ||
+            die "pip could not install meson, mako, packaging, pyyaml and blake3"
     }
     say "building Turnip (minutes)"
     local build=$folder/build PATH=$folder/python/bin:$PATH

@@ -93,5 +93,5 @@ static CONSTRAIN_DENSITY_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/constrain_density_by_index.compute",
-    hash: "e6cc10e76edb6f724848f83e4cb75fcab4656d54438040d4815500a84011f152",
+    hash: "618052697988aa4326b42dce63df5b17e641437c1b024409167e24927d692154",
 };

@@ -94,5 +94,5 @@ static LIST_NEIGHBOURS_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/list_neighbours_by_index.compute",
-    hash: "2a10ac65272c4db64ddd81b8ec1b8969867f47b3ad20b8a2d6c86a6f44be70ad",
+    hash: "b987992b34acf1a99d56f218782587fbe5f0efe495164b40bf16c759fa63541a",
 };

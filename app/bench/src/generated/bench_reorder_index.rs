@@ -82,5 +82,5 @@ static REORDER_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/reorder_index.compute",
-    hash: "3f33cef8ad17ae28412d09e6d8838f4e6fc315043c2ed54affdcac29fcb8e527",
+    hash: "fd467484e570d4db62642efd39f74242a90744c9087aa11eb9c66597fe7976e6",
 };

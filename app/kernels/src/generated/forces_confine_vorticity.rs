@@ -99,7 +99,7 @@ static CONFINE_VORTICITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/confine_vorticity.compute",
-    hash: "d3ca33fbffb6976da9bd798300f43f0ce4ddd3fb197d3ca03bf0b156b183e89f",
+    hash: "0d9e7e9571d6adfaadd612d278932a15a92670cc71cc5106fb6eddc58f03568b",
 };
 
 static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -112,7 +112,7 @@ static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/confine_vorticity.compute",
-    hash: "1967c702bf999215a25c75ef7d8fedf10c60dbfa289334cc686eef5c1b28a80f",
+    hash: "746046afdcc32dca232a6492757cff9bfc9b747f2b3c7a31fb6ec3a930f69ff7",
 };
 
 static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
@@ -125,5 +125,5 @@ static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/confine_vorticity.compute",
-    hash: "a74fbb67e3519137d12d6879c3c8ad2d3cc01e67b229584f3d5d5e89c24c6be9",
+    hash: "0fe545cf78a3397c1427e1e6e42483f4063687ff25462ca6bc5956fc0b86aeac",
 };

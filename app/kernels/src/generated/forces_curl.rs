@@ -97,7 +97,7 @@ static CURL: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/curl.compute",
-    hash: "feddc61b18045e9c84a41fa671b410361e6a6c63a2243bcdb3f1bd63bbb81336",
+    hash: "3bb6a1313d6938d2e5e6c8232702a5bf0d6e651bd3c943ff5e8ad39f72d1d066",
 };
 
 static CURL_WITH_RELAXED_PRECISION: Module = Module {
@@ -110,7 +110,7 @@ static CURL_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/curl.compute",
-    hash: "5b1e9e81ac2e2707e5ff0fd09fcce817d8b11213a8e523147830f7ff6ad64dea",
+    hash: "dfc5ffc9f29ca9ab55f442a6c3d9f3f989978be17a392725613e9526b2d0af22",
 };
 
 static CURL_WITH_HALF_PRECISION: Module = Module {
@@ -123,5 +123,5 @@ static CURL_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/curl.compute",
-    hash: "a4b8ba0eb8d9cfab5b84f55ccdc868877bbeb5ae59eea0e391933cb8a411555e",
+    hash: "a35c39db54c8c44d4a57df2a19682eeeee7d75d66f1fac45d156b5d609b9e46d",
 };

@@ -102,7 +102,7 @@ static XSPH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/xsph.compute",
-    hash: "7cf27300085e8535e552f4f7f138ae75d72ab1717301d895f41f0ad1ee249afd",
+    hash: "88eb8d185798d24ba7a0f4bae8b0ef70fb5b794b0d572f54910a6c1d262dbc3d",
 };
 
 static XSPH_WITH_RELAXED_PRECISION: Module = Module {
@@ -115,7 +115,7 @@ static XSPH_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/xsph.compute",
-    hash: "ac8044ffc811871e2ab3e70b95ab0d62c330c002359e51dff805855694b944e8",
+    hash: "f392f3fdee143b212ea4b4161e54a96b07ba4246025299d5a62485bc568e270a",
 };
 
 static XSPH_WITH_HALF_PRECISION: Module = Module {
@@ -128,5 +128,5 @@ static XSPH_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/xsph.compute",
-    hash: "80c69ac568d35b3ac0e079346a816cfd3eeff94cab92d9ec09be24bf35e1c16b",
+    hash: "0c155575d924031c60ad82ca99c424c2983557c881f60689811beecea444ab85",
 };

@@ -135,7 +135,7 @@ static LIST_NEIGHBOURS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "19ee6f11ec71af4160e59ee141dfe459fbb19984f2d8b46bdff21ef53d418d56",
+    hash: "16e9a3d257541d6451469d0c868b9c915940d279626c3af70783e5f3e5da06b9",
 };
 
 static LIST_NEIGHBOURS_WITH_RELAXED_PRECISION: Module = Module {
@@ -148,7 +148,7 @@ static LIST_NEIGHBOURS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "d885554fc1499d3649f91d724d302b42ff50b0a610c0c4926118b61b7179b59b",
+    hash: "bc3521a976e2ff8ff030ab66b9dda03c43de25f1cccef1de2999439bb08b5d7b",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
@@ -161,7 +161,7 @@ static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "bee7fe88305b601a464881be2a4d25d4afb5732ea9e22a312d43195603500b46",
+    hash: "11a492f6ddf49e5223678b38df639d1ed5f5c2e06730be3e73b6140841987127",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
@@ -174,7 +174,7 @@ static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "d93ea7681a4786ea21acada671c9b0ba2e0abba6007f497a7d5cdd3bfb9db77a",
+    hash: "5e2931376c9820466069b47eaf59e12d05dac3852edd85dd9a1e998568d687c7",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
@@ -187,7 +187,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "84749c0618b7057ab498d222102efce4da8e9b3ecb4aa1b26fb0c4dfccec8dfc",
+    hash: "387c216eb7b903103dd1fd898cd40ea06d2245bba41f510a4571a42205960edb",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_RELAXED_PRECISION: Module = Module {
@@ -200,7 +200,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "f61a530ddfd6441abb4f5762c63282b0a38214179a8d9712c6a330b548d4227d",
+    hash: "141ca505026bab3d19b23dc9bc466913832d9eb83098588e93989774e6a41fab",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
@@ -213,7 +213,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "e964adf71797d66326c73ddfc392f2283847609f48b34dc9408706eb18bf5bf5",
+    hash: "a5ab84b7855ecd262e0ad6692352a1d9ff827b5e919f0e5707566ec7a55b88aa",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
@@ -226,5 +226,5 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "7d11c05620c17c02838f2dbaa127e2a666605e0bc63efc3b83828fc83d9feb52",
+    hash: "84bf410ac01e27541dc8776c00144af2df97960f3231145704bc5b5f710c776b",
 };

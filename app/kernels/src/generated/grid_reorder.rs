@@ -106,7 +106,7 @@ static REORDER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "84fb11e715e072c1ac315026b01a462631b9539a1311a0ceb50b8150db6960bc",
+    hash: "dd3fd71c2aa13f2c4934fd3e07d8ef15f064f93c243670e8f6042ba8ca25df3c",
 };
 
 static REORDER_WITH_RELAXED_PRECISION: Module = Module {
@@ -119,5 +119,5 @@ static REORDER_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "86e5111f45ac9c3feeef97b021d5ad7597d1d254d683e8049429ac9e491620e1",
+    hash: "ee0bada8f44c23dc3cbdd99c7a80f7705e9edd3146f25021f946160abe6c8644",
 };

@@ -97,7 +97,7 @@ static DENSITY_RATIOS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "5b277b48d07cc9e0abc428113b3c2f59315bc44958c07010435e726a7aa16065",
+    hash: "8952a63e86f0629e832413c2cafa4c71e59ad961d75a1cf14457f48f57b06fda",
 };
 
 static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
@@ -110,7 +110,7 @@ static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "dd920c1fd59ef96781d21e377103ed3dc7680b9f0564fc0916b5449bd8176b1a",
+    hash: "1e56b801e19c8405dbc7fed4fce64ead5c23c3fe3d0c75ac23a06ff40283fe1d",
 };
 
 static DENSITY_RATIOS_WITH_WALLS: Module = Module {
@@ -123,7 +123,7 @@ static DENSITY_RATIOS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "5d1385704dee56b6e2b96e77053dbe00045548b0ecea4b2120111cbe1bf879cf",
+    hash: "25634f417a4c0406206e586ce484188dc510aa5ec90bfb549f1c1b2c7e6c544c",
 };
 
 static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -136,5 +136,5 @@ static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "7c6880741acc10b1a74a059dd29a74bc88050912a484c921894e92ff96b402ca",
+    hash: "fc808c7ddaa32b742ed9c461c320fcd80f9d1ad2b6c4ed853466588f1a0cfd45",
 };

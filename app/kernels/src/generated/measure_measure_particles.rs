@@ -132,7 +132,7 @@ static MEASURE_PARTICLES: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "44fd11093c53f9f7a757427868b401a1610899a9b29fe6c5fbaa769ce82a2c25",
+    hash: "d3dc0fe29d5e2f185112afcf41682b33bbf1b9999d08a54c4a4f2951b23cb1eb",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
@@ -145,7 +145,7 @@ static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "338deff9edf3f16656e552308377ecf21b21f07217b0f815d5265c63fa2d7fcf",
+    hash: "3614ec27d7a167b0f474301475a701457b7472f1ba0bdd5ed576fd23432c3074",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
@@ -158,7 +158,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "6f6c675d1c16458c79c8e9b7c8395e8d5ca992370270a7c416996b67dad14b81",
+    hash: "316334d2c703dc3cebdf773f6a5ca5429e50ad0ef4003a86339bbb839b6e3890",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
@@ -171,7 +171,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "d4bf190699569315d31a1789eb2d31832456a37689c83db1e5d4a1d436178342",
+    hash: "8f512521156441c4a62e29f850617b851e03d7b9fe3cd2637e60d9889260d8a9",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -184,5 +184,5 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module 
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "0700414b85ef7e5cdea276c03df60c15ce349288f7f52ade27ab215566b0d603",
+    hash: "574cc68d69102eaafad85b9668fa83736b8db39552feeaf253a24dbb93f480ba",
 };

@@ -485,7 +485,7 @@ static CONSTRAIN_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "87291ab6e21fbdb23090f5add663c7d33b35118d67084b89376c5680aaaf159a",
+    hash: "11aa383e30d26a579e0cba0a3621b782b0cb46bf4dacb712b306fc4a78b201bb",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -498,7 +498,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "1c89797b624019b7aafbc8faefc99a27eee4152ad99085433ad640a7b68f8626",
+    hash: "d94b434ca4b20e9cba346ae41e25b191cb4d7261585e8e2a006275e7a621ecf8",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -511,7 +511,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "533d4f9f8fbaa25ae09e914e2df55ee22e86c3d2ab86d7939df1b9ccf796bacd",
+    hash: "992652be5db91ded2daa8675e00fec851bf3aa004ef1ce54f731a6fb0472d5b8",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
@@ -524,7 +524,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "9b980860c4d1312860160d2f0ac0eea0ba7632f6dcb7403bfd9bb9ba7c2fb497",
+    hash: "5d3cb16661296199dfb3bc71b36f231ac2ae09397f08e4051eeeac4e985d1a4c",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -537,7 +537,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "97aa3be1cefb1ef5ffbde30817953ba98d16a5865e9f6ddd8ecc7b1260e4c4fd",
+    hash: "e52be0fe4dd4bdd3a32c3b6dab88368eb20431d59b14c44c76dbb013b1c184a3",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -550,7 +550,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "6472b868487c03b93f92dcd62c0c37f140c23c4632610daa7fc0d8957a6a29b0",
+    hash: "5bd57209f29d3062af09a848d259bfb5bf0a70802644769830bb8b9084e8616a",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -563,7 +563,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "95865bdbbf348825eb3476ac8188beb02efac3dbb76e97bc1f78fe2854f422f4",
+    hash: "3e517ef4d92b022dac513c730a99c243367e2344e0a3f7df6ada2aab4463f18a",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -576,7 +576,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "2ef403b896c035c967ae55c8090f4faf45d35f4d9ad53d0402d9d27c77f666a2",
+    hash: "642cb496dbc6d701adc7371c2416ad8b2a324dfefcb7ebbf26756909ff1036f8",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -589,7 +589,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "af0e217caf16bf3a077183782345d6ee81687818f742110c9221090e2f99a914",
+    hash: "5294f1a45128c7921471922aae6678bc67fcc8d57665ba715275ea95a8da218c",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -602,7 +602,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "744c607aa4d5200b1d2fee64a4b6e73ea5e71e03f850d8e3c944055608b4962d",
+    hash: "8efce68cdb193965292baa7d2ab01ec3863a93e86e9d5b4585c736afa04dbf6d",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -615,7 +615,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "2b1ed6615fcc279aa34e915cb2a9bd546d2d222996d5c18520d464c17274261d",
+    hash: "e9d6d80cad79c16017b83487b54aa58c88ec8cfeaf1038491282cca57811feb8",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -628,7 +628,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "780d5b348fd816cd1c1365c283899bfec6ba4adb976f3cf160ecfe0032203f62",
+    hash: "c5bf093d5818cd520da468ec4bc67436f52105ed0a1d6644dc0ca1233376aa1c",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
@@ -641,7 +641,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "9c5d42d7f95469b4faaa3acfd3dbf725f01b45c43c9a0c5b3d348acf2562365e",
+    hash: "b164ae3f2ca06b3c3c3994e34ec41c4eb93006ac397bedd3143323b592418b52",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -654,7 +654,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "c44f2c11940999478e2fd305d2737f3ba2954d49caed10c431b40eab8ba2a066",
+    hash: "60c37f20beca61f15e85394fd30419a4fa5f3a768a9e05161395dd1d19c61afe",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -667,7 +667,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "7cc5341f3612ac5d46d9de0e1045b989afabd2ec0e027706849a4db405c99703",
+    hash: "1b802b02a7c21b6446aae98b372f9353878fa2d4a56f5c05f0e7c6a7bb0aa293",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
@@ -680,7 +680,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "b50f14f0eb39f29569c65728c3a58fee6473a7efaaace6f02c2c6af5a27299a9",
+    hash: "6d9230a01ed0ad544c5f440bffdaf5a0b16362ca7297e479b0e650860c318345",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -693,7 +693,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "b0ab803290c49e07eb027f0a9ec62d760f01cfe750197c082523afec987d069c",
+    hash: "a260d0c7f4753b25a7523e2b1a71fb64244d766d0948b045e2bc8dc752e43cfa",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -706,7 +706,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "e186a04d38a65532f48afa3bcf8e866d95a0a033539aad9e697c32d240286a04",
+    hash: "c8d6990951d5bce85890c48019f42e328ab937b88254ab6b8a55a02210b5ca86",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -719,7 +719,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "e8f6e5aa14c6750843b916fe1944affd4ad5496543077839b6abdc47130cc0d3",
+    hash: "a1f14c9d2a170f72587c1f05a35d13dec402e7fd7862f695df5a8177b094c861",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -732,7 +732,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECI
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "ba6f002049c6030fe7cf084dbae4d5fc9e6b8122cd238697c9d493a7a0090aaf",
+    hash: "663568d58b2f424ba56bc2fbc23930fff2cf1885e7e038df8afd3dcebf9fd9c1",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -745,7 +745,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISIO
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "955a6c961925780ba050c8c9c3543497ca01da9185862190ca58616791d3326a",
+    hash: "676363f09e33eadd455702d68f351f214fec36512fefd662372ec0ed7bda5c24",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -758,7 +758,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "3672d9b01ad0758c8e8aa8b87399665910aac0daffad71e93730c739ac31ae6a",
+    hash: "f9f5c925d67e8b4e1f35d18f1aa08b5cc41b070484f23fb7ab57855b1f7339b5",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -771,7 +771,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECIS
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "a8c7f8012e9e93b63e0e626b59ffdbe68f58eae6ca6e0d6ccce114b998b5cd82",
+    hash: "064e46eb60c898704e0ee124e6f315b2eda1b9f2e6d01e07ec9bff1f5c47d466",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -784,5 +784,5 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "eae8544ac71c7f1e2891f2cbe627104d2d4a31588aa4523a6a1eb82b3f8f67f0",
+    hash: "bb65857ceacb81c853cd94fa9b25d33f2f3d18562658d89e810a0f4a6f810d62",
 };

@@ -180,7 +180,7 @@ static CORRECT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "5966da0ceb3aea06d6949d47fb77d5fac8cc498b0f484a0d75126084ac95c672",
+    hash: "016420ecd12fa58ec6bb9e777cf8b6bf8ca5616f1603cc5e8ff11743b1473804",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
@@ -193,7 +193,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "d06ede2c00c0b9941d0c625a4103a67eac753dd821d7a69320fdd83545497e0f",
+    hash: "a43776a34586468f21c4bfe64f36a10ae3ef78b71180b445427f3c5d278f89cb",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
@@ -206,7 +206,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "96f8ed69bab6bd3fbec952a3dceeb0f6ade1665cfc398165094f6f6cb41256b8",
+    hash: "b705270284f1cc3e4445da27c56f4e02f28b0341cb014fc4b54ebd1c02e847db",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
@@ -219,7 +219,7 @@ static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "83fd3efe8e89c701124948b95fcbfd05539508c71f01e83cf5212615a90ff00a",
+    hash: "e5121d51e832c204ea21e0e22fa4537a0243047dd81a6b926ee4a931d9d01a17",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -232,7 +232,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "0b1697c96fa9870558c946974a3b46194aa19f1dfcdff7b9f4632e7cfb04cdc9",
+    hash: "56d255f04c8f05c42d0ca1633ed7c4f561b85c331f51a8218c1f541ebacbb03b",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -245,7 +245,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "180c727909c49c54d346fbcd4294b3e1c6f49c9c7189d48d6de4295dccd379b8",
+    hash: "7344e843e7d76e1948e9f950a252b7a99842829986ae8cb3a3a9c62914dfa6ed",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
@@ -258,7 +258,7 @@ static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "ec9774daa147c8a7d9077581d7786d21ba069454c7d8b188dc66681b13e91250",
+    hash: "9e32b3f63702858619f6fb0f790fb69c3f68f545d34e1de890f103541cfe99b0",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -271,7 +271,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "fa8c9a55b612c7dabc7484014c262d2e6c51b915b4e367e69b87a2559641626a",
+    hash: "a0e423e4e645fd25bfb4ee907d433a532253ed454cfe18529854923b968bcc90",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -284,7 +284,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "ee7c64c36c0edeac7827da226b60a7a39f0629c8023d3f731622dbf51cd2b173",
+    hash: "87a65ea0d07daa6931fbfc3ca098b9e95e1c2c462ae001e3848d971d18103331",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
@@ -297,7 +297,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "9a4e7cbe44468369bfa507e89f53427d2a558553641450d4e6c43a3fbedde038",
+    hash: "056abb36e58930a177bd9e24e5fb9daf8e350a3132af6b473b9d49a55dd32025",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -310,7 +310,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "b12ae72d54a8174d589f2f0f39dccb69de22305e396d43453616997296c9fcc8",
+    hash: "2e7701152149f67db166f2e306f4a0b6851f843fdc9c4fac2ce94adb5dfbabd9",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -323,5 +323,5 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "f1b1b0f939d8c1f55c20d09c3f78454976ff65d79e5fe703d3bfd4d5ad9dec9c",
+    hash: "3d1d62472febbb703b655b90ebcd408cc889ddd32ff631a11179e78a860fedeb",
 };

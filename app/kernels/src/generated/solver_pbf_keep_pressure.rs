@@ -133,7 +133,7 @@ static KEEP_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/keep_pressure.compute",
-    hash: "5e525db107fabd72585d36a628e1cb761b51d4f567a30cbc1dac79272bb60ac2",
+    hash: "6c28d3a0a79de310277f082ec080c9590d48d19d0a6eee11b2f4db2901fc295f",
 };
 
 static KEEP_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
@@ -146,5 +146,5 @@ static KEEP_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/keep_pressure.compute",
-    hash: "6563db88fb6031b661d41575568ee93cea752cc4ed5e0fb9909bbd18cec07402",
+    hash: "6d2ae8164b793a64a271e872b6e188b0e2f08b41f0a866a92ea7a6cac46cc97a",
 };

@@ -114,7 +114,7 @@ static PROLONG_MULTIPLIER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/prolong_multiplier.compute",
-    hash: "f9b5cd14241a4a6879e478b8844ea5778e08711cc4be0c23268fba06758bf2e9",
+    hash: "0d0b8de2f508d22347644f36c2a0125e0d5be0e33ae24dca39e89578f30cb533",
 };
 
 static PROLONG_MULTIPLIER_WITH_RELAXED_PRECISION: Module = Module {
@@ -127,5 +127,5 @@ static PROLONG_MULTIPLIER_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/prolong_multiplier.compute",
-    hash: "ac9b2e0398bdcf280cd4dfda0747c2734e1512e0d5451d58854e6f4dff7000fe",
+    hash: "68bf260b7ba043c668a1418eddecf66ef5516f6f5a9d8c35c3dd2b302cd9c412",
 };

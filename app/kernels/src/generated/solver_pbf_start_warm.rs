@@ -201,7 +201,7 @@ static START_WARM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "73fb3ca3ead794a2fd1dcd5ee4c15b9a87a6e25a1d17bf996c4b389b5ddbc5d4",
+    hash: "6f6a2bf92d27b0abc1905bd87435a4933bd92a551f108705616cb1f1e40a021d",
 };
 
 static START_WARM_WITH_RELAXED_PRECISION: Module = Module {
@@ -214,7 +214,7 @@ static START_WARM_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "bebcfdc31fb2d29826dcea82145af743d86a72aeed08db79801728efa877ca38",
+    hash: "fd73532731ad0be543a616e7111fafb6dd742e98c245ad63b267ee0852b7e3d6",
 };
 
 static START_WARM_WITH_WALLS: Module = Module {
@@ -227,7 +227,7 @@ static START_WARM_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "2aa690711ad9cc32dfe9f817de49a9f7485613f47286945f48dd22921c53154d",
+    hash: "7a20df395090ff1439017eddfed2ba1061694b7abb8f186926ec20d7aa223c04",
 };
 
 static START_WARM_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -240,5 +240,5 @@ static START_WARM_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "ea53b2fe95fc0f321601e0132fe6fbda6df3d119ec048db1c411b578cebd918e",
+    hash: "e739778598b99cdf7a93608274721b33ff8c83831c29fd1ee313038c10755080",
 };

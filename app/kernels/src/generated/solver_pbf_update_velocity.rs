@@ -211,7 +211,7 @@ static UPDATE_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "abfd4017e70ce8f1d0fa0a3e1d87c75e67d14ad6e4c81e89ddaf5697817af562",
+    hash: "7eba51a72c34384f571a2a7aa2c8a2490ae38bf4b914941b2d78ee705dee118d",
 };
 
 static UPDATE_VELOCITY_WITH_KEEP_VELOCITY: Module = Module {
@@ -224,7 +224,7 @@ static UPDATE_VELOCITY_WITH_KEEP_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "2042215138d5ae633add753c7f318e9e7a15184b0236571fd0149f62a3a68712",
+    hash: "2039e4b525ec92951aa486373b41fd6bed50f9155fd726a382c9dba6d7865c5c",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
@@ -237,7 +237,7 @@ static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "563a79785d82806ff79be121092bad493f576e2fbe47ba046920bd0807873a89",
+    hash: "0daf6c1d89d6003560db7224d1e603a82609d9e438b9281bd5205bef6e1b11a7",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC_WITH_KEEP_VELOCITY: Module = Module {
@@ -250,7 +250,7 @@ static UPDATE_VELOCITY_WITH_PERIODIC_WITH_KEEP_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "b9719476f0eaaa61119b208b21e6804410f69252dc7352b4ac537b82811acc67",
+    hash: "0ca327ce06a3946bded393eb27de6ff4c595beed73564e9fd3a53048202dee89",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -263,7 +263,7 @@ static UPDATE_VELOCITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "e78806ed0e6358fe7aa85d4a311060840a5d06d5db996dd5b18d2b242010adf3",
+    hash: "7b7a4f728f87393afc01cc4f4ce7ba417738393db0804185516ce41dd42f924b",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_KEEP_VELOCITY: Module = Module {
@@ -276,7 +276,7 @@ static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_KEEP_VELOCITY: Module = Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "9328ce09a7cd5966588afd968ad989f8b067a16018e42de23c91baa40424a56d",
+    hash: "76612eef353f4922ff23f60ec65631d0840c3f16fd08aac916c401041764c292",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC: Module = Module {
@@ -289,7 +289,7 @@ static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "bb3a9004b8812cf035d2ca8c859d64dd8e82950f4de893c79ff7969d7e4b55fb",
+    hash: "1e504b3ab9f01bc4826e32ed681d2eb4323c501e1c7cde8ce566d436c4a93a79",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC_WITH_KEEP_VELOCITY: Module = Module {
@@ -302,5 +302,5 @@ static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC_WITH_KEEP_VELOCITY: 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "679c5091b801896ca54039ec5d818d10405afab05f439ee116efbaf98cd352ff",
+    hash: "a39c90129e84ff5938b20738ef9191adec0206637498b6b1caf6c7b7d5dc1282",
 };
