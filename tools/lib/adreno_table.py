@@ -11,11 +11,12 @@ are told apart. Columns, per chip:
   spills       loads and stores of private memory (ldp, stp)
   waves        at once on a core, of 16: registers alone, by Mesa's rule
   pair         instructions for a pair of particles, without nops: of the longest innermost loop, over the four
-               neighbours that it takes at once; of the kernels with a `relaxed` variant
+               neighbours or candidates that it takes at once; of the kernels that look at pairs
 """
 
 import argparse
 import csv
+import json
 import pathlib
 import re
 import sys
@@ -25,7 +26,7 @@ import blake3
 # Of Mesa's freedreno_devices.py: registers of four components on a core, and what a wave is counted in.
 REGISTERS = {"618": (48, 1), "630": (96, 2), "660": (64, 2), "730": (96, 2), "740": (96, 2), "750": (96, 2)}
 MAX_WAVES = 16
-WALKS_A_LIST = re.compile(r"(constrain_density|correct_positions|xsph|curl|confine_vorticity)")
+WALKS_A_LIST = re.compile(r"(constrain_density|correct_positions|xsph|curl|confine_vorticity|list_neighbours)")
 LIST_CHUNK = 4
 FIELDS = ["instr", "nops", "half", "full", "spills", "waves", "pair"]
 
@@ -99,6 +100,13 @@ def read_log(path, chip, names):
     return found, unnamed
 
 
+def wanted_modules(manifest, tier):
+    """Names of the modules that a device of that tier may run."""
+    tiers = {"floor": ["floor"], "mobile": ["floor", "mobile"]}[tier]
+    modules = json.loads(manifest.read_text())["modules"]
+    return {pathlib.Path(module["spirv"]).stem for module in modules if module["tier"] in tiers}
+
+
 def text_of(value):
     return f"{value:g}" if isinstance(value, float) else str(value)
 
@@ -106,6 +114,8 @@ def text_of(value):
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--spirv", type=pathlib.Path, action="append", required=True)
+    parser.add_argument("--manifest", type=pathlib.Path, help="names those of --tier that no log has")
+    parser.add_argument("--tier", choices=["floor", "mobile"], default="mobile")
     parser.add_argument("--before", type=pathlib.Path)
     parser.add_argument("--out", type=pathlib.Path, required=True)
     parser.add_argument("logs", nargs="+", metavar="CHIP=LOG")
@@ -130,6 +140,10 @@ def main():
             if earlier := before.get((name, chip)):
                 row |= {"instr_before": earlier["instr"], "pair_before": earlier["pair"]}
             rows.append(row)
+    if arguments.manifest:
+        missing = wanted_modules(arguments.manifest, arguments.tier) - {row["kernel"] for row in rows}
+        print(f"not built, as nothing that was run needs them: {len(missing)}: {' '.join(sorted(missing))}",
+              file=sys.stderr)
     rows.sort(key=lambda row: (row["kernel"], row["chip"]))
     fields = ["kernel", "chip", *FIELDS] + (["instr_before", "pair_before"] if before else [])
     table = [[text_of(row.get(field, "")) for field in fields] for row in rows]
