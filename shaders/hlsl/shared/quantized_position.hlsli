@@ -69,6 +69,35 @@ float3 Offset(uint3 x_i, uint3 x_j)
     return float3(asint(x_i - x_j)) * SUPPORTS_PER_UNIT;
 }
 
+// What pairs subtract: packed coordinates two to a word, as they are stored, others each in the top bits of its own.
+#if defined(PACKED)
+typedef uint2 PairCoordinates;
+#else
+typedef uint3 PairCoordinates;
+#endif
+
+PairCoordinates CoordinatesForPairs(uint2 quantized_position)
+{
+#if defined(PACKED)
+    return quantized_position;
+#else
+    return UnpackCoordinates(quantized_position);
+#endif
+}
+
+// From x_j to x_i, in the units of SUPPORTS_PER_UNIT: what all pairs have in common is multiplied after their sum.
+// Packed, x is off by less than its last bit, for y is below it: as much the other way for the other of the two, so
+// that pairs still push each other equally. What stands below z has to be taken away before.
+float3 PairOffset(PairCoordinates x_i, PairCoordinates x_j)
+{
+#if defined(PACKED)
+    uint2 difference = x_i - x_j;
+    return float3(asint(uint3(difference.x, difference.x << 16, difference.y)));
+#else
+    return float3(asint(x_i - x_j));
+#endif
+}
+
 // How far a particle is from a position, in metres: exactly nothing where it has not moved.
 float3 DisplacementFrom(float3 position_m, uint2 quantized_position, SmoothingKernelParams kernel)
 {
@@ -82,6 +111,11 @@ float3 DisplacementFrom(float3 position_m, uint2 quantized_position, SmoothingKe
 uint2 PackLambda(uint2 quantized_position, float lambda)
 {
     return uint2(quantized_position.x, quantized_position.y | f32tof16(lambda));
+}
+
+uint2 WithoutLambda(uint2 quantized_position)
+{
+    return uint2(quantized_position.x, quantized_position.y & 0xffff0000);
 }
 
 float UnpackLambda(uint2 quantized_position)

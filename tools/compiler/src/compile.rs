@@ -14,6 +14,7 @@ use crate::hash;
 use crate::problem::{Problem, Problems};
 use crate::program::{Program, Stage, Tree};
 use crate::reflect::{self, Reflection};
+use crate::relaxed;
 use crate::validate;
 
 /// One entry point of one combination, compiled, numbered and reflected.
@@ -102,7 +103,8 @@ impl Compiler {
             };
             let hash = hash::of_module(self.dxc.version(), job.profile, entry, &defines, &source.text);
             let compiled = self.compile(&job, &hash)?;
-            let module = parsed(&compiled.spirv, &job.label)?;
+            let mut module = parsed(&compiled.spirv, &job.label)?;
+            relaxed::decorate_copies(&mut module);
             modules.push((*stage, entry.clone(), job.label, job.profile, defines.clone(), hash, module));
         }
         let slots = dense_slots(modules.iter().map(|(.., module)| reflect::reflect(module)));

@@ -5,7 +5,7 @@ use sha2::{Digest, Sha256};
 use crate::flags::FLAGS;
 
 /// Raised when the same source is to give other files than before.
-const FORMAT: &str = "brooklet shaders 1";
+const FORMAT: &str = "brooklet shaders 2";
 
 /// Bytes in hex.
 pub fn hex(bytes: &[u8]) -> String {

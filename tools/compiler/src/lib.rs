@@ -25,6 +25,7 @@ pub mod problem;
 pub mod program;
 pub mod recompile;
 pub mod reflect;
+pub mod relaxed;
 pub mod source;
 pub mod text;
 pub mod tier;

@@ -93,5 +93,5 @@ static CONSTRAIN_DENSITY_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/constrain_density_by_index.compute",
-    hash: "6ec5bfa83b84df347f3bcad6aae25ee792390baac95640378388e513bcbb58c6",
+    hash: "618052697988aa4326b42dce63df5b17e641437c1b024409167e24927d692154",
 };

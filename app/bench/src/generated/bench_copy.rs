@@ -57,5 +57,5 @@ static COPY_ELEMENTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/copy.compute",
-    hash: "57f7e162c5b8b09b48ba98e602bcf9dc41a2a99e1952c6cebd16f0ae22f779e7",
+    hash: "64ccfa72208562c502658c9903d806512399257a455e5cfc1ca333fc36f811e4",
 };

@@ -74,5 +74,5 @@ static COUNT_CELLS_AGGREGATED: Module = Module {
     shared_bytes: 512,
     tier: Tier::Floor,
     source: "bench/count_cells_aggregated.compute",
-    hash: "32cfd8670f1ee2ce706ec291a93cb7fc705414cd331b2692c5736df66132f3c5",
+    hash: "24fb6ed90ce1d6906609fc1f912ac60e0a70b14d84deff878f3686cec76304b2",
 };

@@ -55,5 +55,5 @@ static GATHER_ELEMENTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/gather_elements.compute",
-    hash: "46b6cdbda805b0044ec5f45a49a773a2d372ca76cc0c23bcd06c956ae2d0c8cf",
+    hash: "075213d8b88f848c18ca516e302dded30f60e0a189e0a5255392e3e41bea47ec",
 };

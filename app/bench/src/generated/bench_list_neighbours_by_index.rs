@@ -94,5 +94,5 @@ static LIST_NEIGHBOURS_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/list_neighbours_by_index.compute",
-    hash: "b607713243528886181370411478778b11d8e2eec253dc0697e3dcb6f13794b2",
+    hash: "b987992b34acf1a99d56f218782587fbe5f0efe495164b40bf16c759fa63541a",
 };

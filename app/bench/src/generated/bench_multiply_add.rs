@@ -45,5 +45,5 @@ static MULTIPLY_ADD: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/multiply_add.compute",
-    hash: "315d5095ea9fa5c9724d176c0e0205c4e849857a15f4f0eb2d7ef5745536e26a",
+    hash: "45a03b04f01620080b200fd16b3e2720c40877c3284936723683812642430be3",
 };

@@ -82,5 +82,5 @@ static REORDER_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/reorder_index.compute",
-    hash: "ea4fa6ebcc03f7432f75e3511aaa5811d4b562e46e954f9b6ec41ef105f0550a",
+    hash: "fd467484e570d4db62642efd39f74242a90744c9087aa11eb9c66597fe7976e6",
 };

@@ -74,7 +74,7 @@ static SCAN_GROUPS_DOUBLING: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "bench/scan_groups_doubling.compute",
-    hash: "5ba4822580a571613d0e29aaa96e1f1c03e63c131760c4ed6a142e3152ab29d9",
+    hash: "bc83295f475acadc8fc9a10fcc294ca2664e759b78369166afc51ed962f723ac",
 };
 
 static SCAN_GROUPS_DOUBLING_WITH_GROUP_OFFSETS: Module = Module {
@@ -87,5 +87,5 @@ static SCAN_GROUPS_DOUBLING_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "bench/scan_groups_doubling.compute",
-    hash: "e0b27982c20422f425e14a7c601ee826d09da4ef58436ae0854492c8f5470de5",
+    hash: "331c62dbf6099992c2b541d6a0942e3ed882c77593909cbf3efd327d2f0733c7",
 };

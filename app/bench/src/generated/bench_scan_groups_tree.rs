@@ -87,7 +87,7 @@ static SCAN_GROUPS_TREE: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "7dc7aa9e184b62ffcfe35d2d253b8cf7a1abd836ccbb329a65b372d203190212",
+    hash: "64a437c9bcac5b0f0be693d728867e4f083d7c72d225b62f37d5d110557b96c6",
 };
 
 static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
@@ -100,7 +100,7 @@ static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "8e105780b8b375c7c68d23b32f9ed28052fd76cdbb33923be9fb0480f0f73c42",
+    hash: "fd516ae8542d514875776d08a3e88f97beb19e5de9112e3c9534fd08cdba987f",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
@@ -113,7 +113,7 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "528a88e26a8ebb06ef6be59e57f3b3b01b13b6a663a5f4c919816a87e5960e89",
+    hash: "fb2e646c19a8e4eb957454aabcd55479b6f90901e59a368a41cabdaaa3a2b255",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
@@ -126,5 +126,5 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "6efde478ed97810699128ce5db4be85707233de18ae77f88dd0278b1ae28c903",
+    hash: "246e117f05117ca20af1122a4970afde97aad9b135a45eb7cbaa5ed912a97c82",
 };

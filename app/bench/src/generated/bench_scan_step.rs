@@ -54,5 +54,5 @@ static SCAN_STEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/scan_step.compute",
-    hash: "f3aeac88d778c45afad7242c14b09f660376cc45c85ec642b651e117dcaa581f",
+    hash: "e4ff180843138eb4621cf124f5e0da956275eaf240c20aea0a769da9eac535f8",
 };

@@ -99,7 +99,7 @@ static CONFINE_VORTICITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/confine_vorticity.compute",
-    hash: "8b3284fc41e3798c007f0ed721c71681be1623dd3721bfd82609c1c538a6384b",
+    hash: "0d9e7e9571d6adfaadd612d278932a15a92670cc71cc5106fb6eddc58f03568b",
 };
 
 static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -112,7 +112,7 @@ static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/confine_vorticity.compute",
-    hash: "85d172caa583804153b8fb6e654d64326272a49fad6109ce73968fe35aa673a2",
+    hash: "746046afdcc32dca232a6492757cff9bfc9b747f2b3c7a31fb6ec3a930f69ff7",
 };
 
 static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
@@ -125,5 +125,5 @@ static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/confine_vorticity.compute",
-    hash: "d9eeeafa5878272b8b1f1c9333699c6e3e7d2034b0fcced140d97f8c436d44f9",
+    hash: "0fe545cf78a3397c1427e1e6e42483f4063687ff25462ca6bc5956fc0b86aeac",
 };

@@ -97,7 +97,7 @@ static CURL: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/curl.compute",
-    hash: "92f10008f24ecb5934036473f1c5b592a5e9c6ff0aee0390d87f7b9b16ec5697",
+    hash: "3bb6a1313d6938d2e5e6c8232702a5bf0d6e651bd3c943ff5e8ad39f72d1d066",
 };
 
 static CURL_WITH_RELAXED_PRECISION: Module = Module {
@@ -110,7 +110,7 @@ static CURL_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/curl.compute",
-    hash: "23d2ef6d8c6804623e23f3f5f12c81b961b72258b36d01133c94818f025f70ac",
+    hash: "dfc5ffc9f29ca9ab55f442a6c3d9f3f989978be17a392725613e9526b2d0af22",
 };
 
 static CURL_WITH_HALF_PRECISION: Module = Module {
@@ -123,5 +123,5 @@ static CURL_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/curl.compute",
-    hash: "f7e776ee49285e18e8e8d37cbdf402cad5ec6fb2cf65fde7f4467a369892df03",
+    hash: "a35c39db54c8c44d4a57df2a19682eeeee7d75d66f1fac45d156b5d609b9e46d",
 };

@@ -102,7 +102,7 @@ static XSPH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/xsph.compute",
-    hash: "6f5d582dedb02b32a27beb392d15237cee1b240004d8b55d49e4157fe5ad2052",
+    hash: "88eb8d185798d24ba7a0f4bae8b0ef70fb5b794b0d572f54910a6c1d262dbc3d",
 };
 
 static XSPH_WITH_RELAXED_PRECISION: Module = Module {
@@ -115,7 +115,7 @@ static XSPH_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/xsph.compute",
-    hash: "85084687ebf01c11aa91b518328db5ef83b57aabd86b3e39afa0522d118e63b5",
+    hash: "f392f3fdee143b212ea4b4161e54a96b07ba4246025299d5a62485bc568e270a",
 };
 
 static XSPH_WITH_HALF_PRECISION: Module = Module {
@@ -128,5 +128,5 @@ static XSPH_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/xsph.compute",
-    hash: "603efd1ddd4fe0b420ce214786b194221c1d0a12915a9a1a4b79853fb05aa0ab",
+    hash: "0c155575d924031c60ad82ca99c424c2983557c881f60689811beecea444ab85",
 };

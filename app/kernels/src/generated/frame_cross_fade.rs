@@ -50,7 +50,7 @@ static DRAW_CROSS_FADE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/cross_fade.hlsl",
-    hash: "cf6ed77a3861be345693ca0f20afff9b0704b59fa277ae2c66bc83df1345af52",
+    hash: "e8586937d7279517f63708dc3ef6ba3a7de5d6817720ea4d20dab632abf443b6",
 };
 
 static DRAW_CROSS_FADE_FRAGMENT: Module = Module {
@@ -63,5 +63,5 @@ static DRAW_CROSS_FADE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/cross_fade.hlsl",
-    hash: "11a7f845be046cad1d4c536a842363f7d4579c5ec7dea3a46262a74d1dd5f356",
+    hash: "1962845892b3cb4aa90a23a5fcf3f6114857e071a778a72d755de4bde6aeffa9",
 };

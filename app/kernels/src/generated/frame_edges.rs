@@ -92,7 +92,7 @@ static DRAW_EDGES_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/edges.hlsl",
-    hash: "ae4b9654202c90309d60959d0a1a7af77fb92c982852bca36506e01be55deef1",
+    hash: "f6fed7545707ba2ff7f96ab452ae770a26935dfde3317171079371a451a09f75",
 };
 
 static DRAW_EDGES_FRAGMENT: Module = Module {
@@ -105,7 +105,7 @@ static DRAW_EDGES_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/edges.hlsl",
-    hash: "98057a22892608c352ff577af097ceae0cace52aac371ca0c5f03c4c62fa8530",
+    hash: "7ac69b7fca90d1916b1b9c4fb852bf0e99947cc3b2f63f2764eb09a8d4aa5279",
 };
 
 static DRAW_EDGES_VERTEX_WITH_BEHIND_WATER: Module = Module {
@@ -118,7 +118,7 @@ static DRAW_EDGES_VERTEX_WITH_BEHIND_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/edges.hlsl",
-    hash: "8094210a89f81db253484b1f46f83a2a39dabd26bcbef9172ed801272b8764d6",
+    hash: "fa8194f56d6c57664534c63efc6cb86e79ab4a4f51992186e0b8ac97baa1b00e",
 };
 
 static DRAW_EDGES_FRAGMENT_WITH_BEHIND_WATER: Module = Module {
@@ -131,7 +131,7 @@ static DRAW_EDGES_FRAGMENT_WITH_BEHIND_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/edges.hlsl",
-    hash: "e9fe52ea1f91e5a8d1b2ff12d61e87b94ce0747011c54b505b08f8174f7abc55",
+    hash: "47d41837162fb14a54ef31a9ad799587cca7642858ba1791f0e4da86ac4aa384",
 };
 
 static DRAW_EDGES_FRAGMENT_WITH_BEFORE_WATER: Module = Module {
@@ -144,5 +144,5 @@ static DRAW_EDGES_FRAGMENT_WITH_BEFORE_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/edges.hlsl",
-    hash: "323ddd692b89e21863cb56fa0f7c8494104dd0272c22f7916ee7a55743465f1a",
+    hash: "3d8ec5a921158ab75470b1afa21c021625db626cc3434b2caa78c06e3d3527ae",
 };

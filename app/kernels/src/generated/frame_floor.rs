@@ -145,7 +145,7 @@ static DRAW_FLOOR_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "d3c72d5a7637113d166d5add1126ba99a06fddef12b3ff49641c74a75cd283c6",
+    hash: "fa6ced010ddde1f69bd0584bdb5aa53ca5df9cb67fcd7fe6f65530048484dc23",
 };
 
 static DRAW_FLOOR_FRAGMENT: Module = Module {
@@ -158,7 +158,7 @@ static DRAW_FLOOR_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "eeee6c8d087c6bc4db8c65bf20c9f6cc9944bd463621c8ce67b60bd9b9f66174",
+    hash: "99aff0b0b9a6824933f3bee2a597bd939fbb5bf9f71f211d9ea7fb2a5bfef5fd",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW: Module = Module {
@@ -171,7 +171,7 @@ static DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "e28f52d3129fac30451b48da057ed6d0402debf178b433c6429c4f63ca903631",
+    hash: "84de2f1507314f145df254f16384017cba19c33d246febd012942a3a7e2dbb8f",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW: Module = Module {
@@ -184,7 +184,7 @@ static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "5a634dd7f439f63404ef07ca7126f3d71b59b541f7ff6bd1483fc8d600e17da3",
+    hash: "0f0c6548b50f8e04d6fe5ab4a12bb097feaab90a2de7c7b639d4c3cc97b6b819",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW: Module = Module {
@@ -197,7 +197,7 @@ static DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "ef27167b68ef8e765b6d51815583505db7dc6afabf0065e8e8b2fa8c555e93ce",
+    hash: "46007170048444487f2b96b9d978486a9bcbfa424e397513f2d1d3fd66866f1e",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW: Module = Module {
@@ -210,7 +210,7 @@ static DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "ee2a6355f4ca0d7e9282871b260d8ed46d435ece49480ed5a96685f9d7a59285",
+    hash: "5295dbbca1caffdac0efbd8e9c46f2c7139ccada5b865bb1cdd57712a943586b",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_CAUSTICS_SHADOW: Module = Module {
@@ -223,7 +223,7 @@ static DRAW_FLOOR_VERTEX_WITH_CAUSTICS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "73dc70a83200c981997c1baf580e548e89d3b87635dd678e6d49749a0bec0829",
+    hash: "84f660caf326355b50ec1dbab6d9a23c463295b96dded80fa27e23744bc2469c",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW: Module = Module {
@@ -236,5 +236,5 @@ static DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "e3b1c9cfcef2b24623f5117f8dc7ab94ac498e5cbe39d48dd346b79930a31512",
+    hash: "6e110e9676f618e1ec3d3054bf071884e1b87c1bbae9ff4f693271d30a786f2a",
 };

@@ -62,7 +62,7 @@ static DRAW_PARTICLES_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "82b1bfd0dddc179a0e34d9fa07352ea32d32dcc4b7f871bdb8a43ff97f000213",
+    hash: "25bb3bf9feb0b393ea7c82e5dbbf0a72a47fe9c77f2502c2f12c412e359b8638",
 };
 
 static DRAW_PARTICLES_FRAGMENT: Module = Module {
@@ -75,5 +75,5 @@ static DRAW_PARTICLES_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "f9fe97ee7854317d10ab9f0c9e10dca6f8c0cadc1470fc90a35f934f00aa8343",
+    hash: "a2973a63fc950d28c5858acfe0c7bf1dc22b0f5c8e20bc84bb0132f11f2b5784",
 };

@@ -88,7 +88,7 @@ static DRAW_RESOLVE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/resolve.hlsl",
-    hash: "3154cedeb60e61f80d78ce749937e5018293887d010a7f8de0606206cfcf609f",
+    hash: "a5f0d1a85137e08ecd180be0ff0bc8cae924fb870101b57fcb22cf6aebf9ce00",
 };
 
 static DRAW_RESOLVE_FRAGMENT: Module = Module {
@@ -101,7 +101,7 @@ static DRAW_RESOLVE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/resolve.hlsl",
-    hash: "cd4582f1a38227226b5584acd4a8e21bbef804b263ca35c50d5f69a057876f96",
+    hash: "4e68803eca3207452ff5a861a657a8b10e1aea2f6ba5c6124bc96103040cb6ac",
 };
 
 static DRAW_RESOLVE_FRAGMENT_WITH_WATER: Module = Module {
@@ -114,5 +114,5 @@ static DRAW_RESOLVE_FRAGMENT_WITH_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/resolve.hlsl",
-    hash: "de2260d40459433bf18f7da67ba48df73214dade53521d2ed392ba9cce5303eb",
+    hash: "8b8eb0d953e49d3622f3536391a8570dc928a37c98409e6873d04e2dc86d026b",
 };

@@ -130,7 +130,7 @@ static DRAW_SHADE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "6870e12d2fd64a119b262627c7d6e641923f25b0b216ea0bad07c15156a2fa3e",
+    hash: "577b2990a62957bfc4e3bbe729059f54a922e34bf1cefb5cf39ecf2925252727",
 };
 
 static DRAW_SHADE_FRAGMENT: Module = Module {
@@ -143,7 +143,7 @@ static DRAW_SHADE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "2c12f1e9f461dfff9fbf54b1fade0173aafc5c30878f88adee3b08e547518693",
+    hash: "945f8d33268218066737efec19534d77ae442e44391a0fa0967839b83ffa98d1",
 };
 
 static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
@@ -156,7 +156,7 @@ static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "a0cf8208a1aadf9788460f1c602cce64bcf551cf84881ba4e52f5d5b296f67c6",
+    hash: "da0faf8725b082c2399b6a7dcbe38a1c77d3a7da7284b03dea40f3eebc3605c3",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
@@ -169,7 +169,7 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "212993e74b12088e4d996ce30fb279410d42c2ed17b9c90ae58f025d39b7b3c2",
+    hash: "2698b73241bd87ed658cfdfceea231102c17f42ba4231afd70ddabe4c9172125",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
@@ -182,5 +182,5 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "286de3d6e3ebe8af5797e8ec73aa80ed1b694313b545adb81e3d1fcb6afc9bd7",
+    hash: "3c9ad82a14ada92cd83977e2cb60698d13992fdf52e4151da43706ba49be91ae",
 };

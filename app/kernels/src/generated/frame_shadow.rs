@@ -55,7 +55,7 @@ static DRAW_SHADOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "481cb7f1c2c5ffcb6416ada7f63229abeeee473cc34ce9cabc8ffa29e5a9e8a9",
+    hash: "e27b2332d6f26e0f3a5d3511406d50d4fcfd177d22d50197e05c1ba9bbea0f4c",
 };
 
 static DRAW_SHADOW_FRAGMENT: Module = Module {
@@ -68,5 +68,5 @@ static DRAW_SHADOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "42592b25516ac188b15fcbf524707ad15ed6208f3dec61e7493182c88b338e2f",
+    hash: "79953dbf11896384876d703bc25850d509ed559e565ae731f8059e62018a96a7",
 };

@@ -46,7 +46,7 @@ static DRAW_SKY_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/sky.hlsl",
-    hash: "bfd3350942c1c52635f6d33997e7eeb7c12b49e9218e2c5a89c93334e85bccb4",
+    hash: "81353efb27dd3e81add8a042fe5efb09d238ae186a0b7e4ac98b386c1c900bed",
 };
 
 static DRAW_SKY_FRAGMENT: Module = Module {
@@ -59,5 +59,5 @@ static DRAW_SKY_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/sky.hlsl",
-    hash: "39560b326e6e5edef2e96f8888934c23fbed8e405dfd8abb7c41ce74fcad91b5",
+    hash: "ff26a0100421908a7b12a80dc1dc2fc465dc599aeb0ec28c4c10b6fe7e8bbcad",
 };

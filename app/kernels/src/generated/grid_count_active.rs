@@ -60,5 +60,5 @@ static COUNT_ACTIVE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_active.compute",
-    hash: "261c2911154d7fd49d5b6bb3de9547a774981d148ce5c4b3875b47a2dc009c44",
+    hash: "2cef0a08ec063bb6a9edd0f13cb173571d35e36e64eafdf71a65b1ac7e62c6fd",
 };

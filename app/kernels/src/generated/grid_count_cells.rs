@@ -90,7 +90,7 @@ static COUNT_CELLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "480412437fc71f5c8bc6a066de95d55ff5184eb42e7d86adb567956c986df4cf",
+    hash: "d02c625b9a370f615bc4319dcd8f6747a3b560cc38745caa4dbf35c1aa0c7b56",
 };
 
 static COUNT_CELLS_WITH_PERIODIC: Module = Module {
@@ -103,7 +103,7 @@ static COUNT_CELLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "82e8947114136a796c09742704c447aefd42a7cb7ecaac5158ce26691523c6c6",
+    hash: "299c5090a3b92c8f42e445940dc6e4a454770842c8f0e7ddbb777ab127a5b185",
 };
 
 static COUNT_CELLS_WITH_WRAPPED: Module = Module {
@@ -116,7 +116,7 @@ static COUNT_CELLS_WITH_WRAPPED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "01542ad8a02b428b9e0f84574f430fd1c00ba4be4ad013275ad9640bd1e73da3",
+    hash: "61b34c22a6bf6d69868de4033fa5dfac15de8980aab8c2a2992976cbc8b024d4",
 };
 
 static COUNT_CELLS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
@@ -129,5 +129,5 @@ static COUNT_CELLS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "5642b2b74a675ba5910dce203c82e6a2369f7d7e8436e8c70c77d15b6b4ffdf5",
+    hash: "b53ce9c33b44c55f43f70ec591f3f020121f16a9b34ccdce91d0aa8dcfca0fc0",
 };

@@ -135,7 +135,7 @@ static LIST_NEIGHBOURS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "6b7dd674f9e10925c621de05431f77658a9bdaff2e37ccd59ea7ef57296326aa",
+    hash: "16e9a3d257541d6451469d0c868b9c915940d279626c3af70783e5f3e5da06b9",
 };
 
 static LIST_NEIGHBOURS_WITH_RELAXED_PRECISION: Module = Module {
@@ -148,7 +148,7 @@ static LIST_NEIGHBOURS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "6734e2855d3a8162be7f866720c6fa05c1a7ffb7e7f0330a4c4d48ed0c1a89b2",
+    hash: "bc3521a976e2ff8ff030ab66b9dda03c43de25f1cccef1de2999439bb08b5d7b",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
@@ -161,7 +161,7 @@ static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "bce371ccc9e0b37f5f55fa9b305fee3a4515035409c71745fe3fa2dfb021ddef",
+    hash: "11a492f6ddf49e5223678b38df639d1ed5f5c2e06730be3e73b6140841987127",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
@@ -174,7 +174,7 @@ static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "5d3392cac7214886856fc08798734386f1b28ae2bdd00a0adc943e48f352f052",
+    hash: "5e2931376c9820466069b47eaf59e12d05dac3852edd85dd9a1e998568d687c7",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
@@ -187,7 +187,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "e353ae4ef7abc21035061c4b01d5ec4dfcdfe4e57fc680ae6bb67c86e27cf1ab",
+    hash: "387c216eb7b903103dd1fd898cd40ea06d2245bba41f510a4571a42205960edb",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_RELAXED_PRECISION: Module = Module {
@@ -200,7 +200,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "727641163304eb279747255c1836f817a10b21e913ed801ba8262c93e3bf860e",
+    hash: "141ca505026bab3d19b23dc9bc466913832d9eb83098588e93989774e6a41fab",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
@@ -213,7 +213,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "295f6d5e9524b086ef9c08bc9fdbe5d8519861252cf219151e9016218fb0ad9d",
+    hash: "a5ab84b7855ecd262e0ad6692352a1d9ff827b5e919f0e5707566ec7a55b88aa",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
@@ -226,5 +226,5 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "d8a7d124974d418bbef1ba3c7c9f5994fd3116dbc5ca8c0473cd0d7dd2ea7a2e",
+    hash: "84bf410ac01e27541dc8776c00144af2df97960f3231145704bc5b5f710c776b",
 };

@@ -77,5 +77,5 @@ static RANK_BY_ID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/rank_by_id.compute",
-    hash: "a38148b2dc3f6699bd35b3c70342801f04d88767b016c9358f99da57f8eeecfe",
+    hash: "67c190d71e8a4b1a7e5e93e427c212df993bec696d0857618eeb57c65c0b2412",
 };

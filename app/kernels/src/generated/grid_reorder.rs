@@ -106,7 +106,7 @@ static REORDER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "49de66cc8b9d3465fe7e61eb05ca7a66d00f56aa7e808ccc876aac14cd7d4932",
+    hash: "dd3fd71c2aa13f2c4934fd3e07d8ef15f064f93c243670e8f6042ba8ca25df3c",
 };
 
 static REORDER_WITH_RELAXED_PRECISION: Module = Module {
@@ -119,5 +119,5 @@ static REORDER_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "b3f2481dd633f57ce85194eb516445f01ece1f34ffa2e48a30b98fe54e0e3205",
+    hash: "ee0bada8f44c23dc3cbdd99c7a80f7705e9edd3146f25021f946160abe6c8644",
 };

@@ -109,7 +109,7 @@ static REDUCE_GROUPS: Module = Module {
     shared_bytes: 576,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "9f27f5af0528eee1c302ee89caa532f843f88d5e48d9f8ae1619e93fdb5081ec",
+    hash: "db829703e1b54699740e002215120bf257d1bd473fe82753d0b6376c54f9c241",
 };
 
 static SCAN_GROUPS: Module = Module {
@@ -122,7 +122,7 @@ static SCAN_GROUPS: Module = Module {
     shared_bytes: 576,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "57c857823bd0e931ca541d8a6c9d29b4cc0698424224b896f6c7ab17b20d03a7",
+    hash: "138010f197bfb8d7fee2fdbac961c8bf9f6c02c17742a47887e8f9ba179ae871",
 };
 
 static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
@@ -135,5 +135,5 @@ static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 576,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "10e4e48f08f85a4b7d94ec70fe30b70bb8b769a2df373d894abd7637af482245",
+    hash: "cc8876fa5e7b353c515a0c1dd9ef441be9e19fe9308d80529ea6493ae41eb9ad",
 };

@@ -65,5 +65,5 @@ static SCATTER_CELL_MEMBERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/scatter_cell_members.compute",
-    hash: "0a2b9f2224cf2c5d34674f66bd2761a7cb425331973a63fa691956ed14e18d05",
+    hash: "01107f8b432b5aee7fbb2b5c2ba28851b74f190bff2612ac7763349fac8193ae",
 };

@@ -97,7 +97,7 @@ static DENSITY_RATIOS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "7579341152c7f09cd0b555eb7575cecaafa5bed6da72ed15cbc11733f305903d",
+    hash: "8952a63e86f0629e832413c2cafa4c71e59ad961d75a1cf14457f48f57b06fda",
 };
 
 static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
@@ -110,7 +110,7 @@ static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "645e635b57a85c39f495e3ca7dbe78ea1d7c4d8f9f99a4e551a52f963060748e",
+    hash: "1e56b801e19c8405dbc7fed4fce64ead5c23c3fe3d0c75ac23a06ff40283fe1d",
 };
 
 static DENSITY_RATIOS_WITH_WALLS: Module = Module {
@@ -123,7 +123,7 @@ static DENSITY_RATIOS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "15b0b6be250d3d9d6a475513ef68108a517df5e5c2fea3dba657e3b51bd4062c",
+    hash: "25634f417a4c0406206e586ce484188dc510aa5ec90bfb549f1c1b2c7e6c544c",
 };
 
 static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -136,5 +136,5 @@ static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "4b24f221b7ff6cf4e1b411b27b5bb1b2f2637caff28cfa38c7fe35a9f4c17906",
+    hash: "fc808c7ddaa32b742ed9c461c320fcd80f9d1ad2b6c4ed853466588f1a0cfd45",
 };

@@ -132,7 +132,7 @@ static MEASURE_PARTICLES: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "1ca50512f6ac4647af9b67db47d206f201c20d6c10e7bca1089983aacfea683c",
+    hash: "d3dc0fe29d5e2f185112afcf41682b33bbf1b9999d08a54c4a4f2951b23cb1eb",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
@@ -145,7 +145,7 @@ static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "809f5496a5d9a25e664052fe9ee242478202d9690f5ce396ad8deb1f95e168cf",
+    hash: "3614ec27d7a167b0f474301475a701457b7472f1ba0bdd5ed576fd23432c3074",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
@@ -158,7 +158,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "f49d6b993bb483c3ca29c1dda3827fe776bd3d2d3db7f98b2a75a90b63f59485",
+    hash: "316334d2c703dc3cebdf773f6a5ca5429e50ad0ef4003a86339bbb839b6e3890",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
@@ -171,7 +171,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "f5167e5a0e4d737363d1b1086fe6e5888fcb24caae8471b2d51d5d12e50a868d",
+    hash: "8f512521156441c4a62e29f850617b851e03d7b9fe3cd2637e60d9889260d8a9",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -184,5 +184,5 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module 
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "c9a5bb50e170f53edca137917f3b37ffcc2fe2552739b69420971446d2167165",
+    hash: "574cc68d69102eaafad85b9668fa83736b8db39552feeaf253a24dbb93f480ba",
 };

@@ -73,5 +73,5 @@ static MEASURE_TOTALS: Module = Module {
     shared_bytes: 4616,
     tier: Tier::Floor,
     source: "measure/measure_totals.compute",
-    hash: "0f2e798b9f2d14922c90ab7c1bf911084a969151e5d9621908a7f30d13a93dc4",
+    hash: "44bfb78cf249611777da0056f9ce2862fb2498223913bb77820a6d0afb8c8129",
 };

@@ -67,5 +67,5 @@ static SAMPLE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/sample_particles.compute",
-    hash: "21935b8083396b05e1124ed4cb453d17cfe6ce55312a19fff6c9b03f0e1c053c",
+    hash: "ddf8e6c14987b11456647bd911a6084eae2c21dea9ef01737b335eabb503f3dc",
 };

@@ -114,7 +114,7 @@ static ACTIVATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/activate.compute",
-    hash: "3c7e24c371597aefe6e0ed6fc7414f64ba4d30c7773488b5fae42f1e097db810",
+    hash: "2b0d2cbaefbe8796f1349e2611e056141317440d351dec2e39c48517fb41aa84",
 };
 
 static CLAIM_SLOTS: Module = Module {
@@ -127,5 +127,5 @@ static CLAIM_SLOTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/activate.compute",
-    hash: "898c9229dd9154d4a62cd6cffbb6c4aafa815460ae4bf2188ace0cd28381f34c",
+    hash: "d1364eb7878f0af4af60e4edda2a135239af9e8d2cab47f9295ab165a6c7f1ee",
 };

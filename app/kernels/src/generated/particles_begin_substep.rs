@@ -50,5 +50,5 @@ static BEGIN_SUBSTEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/begin_substep.compute",
-    hash: "e161039b3eac5e51f5ffcc3c5e9b85af6fb3b089e997ce3b0af66ff662a5f394",
+    hash: "3795a8ffee6de33f39c1ccf0d5a5b751d5209bfd4e444464a363c1d54af5f8f4",
 };

@@ -68,5 +68,5 @@ static DEACTIVATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/deactivate.compute",
-    hash: "147b7ca7e2767f0070281cefa7c05aa08ff2f049b7df4ac91688e1b70bea9217",
+    hash: "8e7318e63584149f07df8ebd160be4655954d68d7d1a3011f37e2e785dd9a168",
 };

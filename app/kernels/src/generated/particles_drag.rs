@@ -66,5 +66,5 @@ static DRAG: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/drag.compute",
-    hash: "28f0e47e1f751e3c102ff10a410bc53e56fe53e6091a5371fa887765f0f8706e",
+    hash: "82fbd45ccdc64ba664e8e4e13edad8eebae0a5594dfea38d430df237b579050a",
 };

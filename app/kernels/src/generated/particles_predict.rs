@@ -94,7 +94,7 @@ static PREDICT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "cd1f2c2677a226688a301bd61cd5a3523acef634ed6cdaf0ddb3af6f156a856c",
+    hash: "7d6610e590e8ef95485526b74d0eecf04a8049fdfae9b91bda64cf0b22e6bc8d",
 };
 
 static PREDICT_WITH_PERIODIC: Module = Module {
@@ -107,7 +107,7 @@ static PREDICT_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "c497a23cfdad0db61cee2f49876816218f21f0b585da3e7cb01942b6961e115e",
+    hash: "5648f054ed4c69b7c40466fada885a5bbd4689dfc1732513d715fa84b9f7a0e6",
 };
 
 static PREDICT_WITH_WALLS: Module = Module {
@@ -120,7 +120,7 @@ static PREDICT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "9d84a8367f27821282b53c17461543c37bea8ab31a7c67e75d52aab931d09dec",
+    hash: "ec662baebf2c79768ae32667a924c216428c696b53890a83b43ee7bb2480ee1a",
 };
 
 static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -133,5 +133,5 @@ static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "6bc952758d1b4345ca3f7535f106a7e9c4c2ef568c7a9dcfd4accbfc3ad7cabc",
+    hash: "8165bc47afdf8b91722f653b712a7bbb9e31d3a199a6151dfdba7224ec2405ba",
 };

@@ -102,7 +102,7 @@ static INTEGRATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "046e62b7ededc357a63e1116a313b086d7c6f596c6a8796804af1c7d66cc18c6",
+    hash: "888b266b9b4af250aba222bda45ae3ff92d06148173fbacb392a127c2be36178",
 };
 
 static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
@@ -115,7 +115,7 @@ static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "3fbb06d8d47d7ff3940fec8cfae745ae639a0b16d6036b43283029807b37fb8c",
+    hash: "60546f6460ace41774c9b7c8cd1c273bed7a736c2418bbb69888989160dac172",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
@@ -128,7 +128,7 @@ static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "056c55d13175a7cf38f39ece6b75e0484697953d9148eb00ab1dad392ed354db",
+    hash: "a53b82d0698c1648600da689549e44ad2293a26dcd5b838cbbfdc4b7b238aff4",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -141,5 +141,5 @@ static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "474a2743ca1d5b72d05e35eb29b2a194208b41705a665a6b6c551dacd1b5be66",
+    hash: "e43c0540f9bff44f80048de673eb9e43becc5e0f8979216be070ce58e8b399b0",
 };

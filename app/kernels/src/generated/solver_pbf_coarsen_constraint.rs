@@ -60,5 +60,5 @@ static COARSEN_CONSTRAINT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/coarsen_constraint.compute",
-    hash: "7deb651faffd0d79f5d6bc77aa02178aa4f547e225db6ea853d97f692c2ae164",
+    hash: "550ec8d122a87c01896498162cabd293c88ad3e531de96b316bed33d59130f4c",
 };

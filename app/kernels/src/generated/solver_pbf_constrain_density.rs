@@ -485,7 +485,7 @@ static CONSTRAIN_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "f377aef01a8114f656b988cb3fc903780f05cfca36b994a6a96680443897e711",
+    hash: "11aa383e30d26a579e0cba0a3621b782b0cb46bf4dacb712b306fc4a78b201bb",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -498,7 +498,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "b01fb24f4c05af705b8f08e4c2d82379e881845c6bcc8edeaf5c95139c7edadf",
+    hash: "d94b434ca4b20e9cba346ae41e25b191cb4d7261585e8e2a006275e7a621ecf8",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -511,7 +511,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "989f215979e469f3b4b6d154e02f8dd613dcb2605500496c851615fa2f2c307e",
+    hash: "992652be5db91ded2daa8675e00fec851bf3aa004ef1ce54f731a6fb0472d5b8",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
@@ -524,7 +524,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "c0e02b31949ca93b5d746a3865163ba2500ec6cc771cf251119045be6613e506",
+    hash: "5d3cb16661296199dfb3bc71b36f231ac2ae09397f08e4051eeeac4e985d1a4c",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -537,7 +537,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "3707d2af79a7b831c007c1e7eead3e44a35c7fba756184227903a557c7e111eb",
+    hash: "e52be0fe4dd4bdd3a32c3b6dab88368eb20431d59b14c44c76dbb013b1c184a3",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -550,7 +550,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "d2166d261d8376610d4e2fb1b9f496593a34227ed72bdb73c3ad2bcfb4a34286",
+    hash: "5bd57209f29d3062af09a848d259bfb5bf0a70802644769830bb8b9084e8616a",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -563,7 +563,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "045dc6d1af0ab5e69ebf523abed028ab8fe7744c93fec1afca9f2afc97470e8e",
+    hash: "3e517ef4d92b022dac513c730a99c243367e2344e0a3f7df6ada2aab4463f18a",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -576,7 +576,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "33879ab82de8cd581337a9bbbf82e7da15a0cb020e16d66af9eb017b0a123663",
+    hash: "642cb496dbc6d701adc7371c2416ad8b2a324dfefcb7ebbf26756909ff1036f8",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -589,7 +589,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "4549ec3d6557d7feac38329ada3a58fcabad73f3f2477d036b7b51f6ffc289ec",
+    hash: "5294f1a45128c7921471922aae6678bc67fcc8d57665ba715275ea95a8da218c",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -602,7 +602,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "821c98af312d12650907e25836349d672f6eea7b982c447cbd7c625df27e2950",
+    hash: "8efce68cdb193965292baa7d2ab01ec3863a93e86e9d5b4585c736afa04dbf6d",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -615,7 +615,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "c3bbf39cd68dae87f320aa44df7f53a8d1222b3c37dd1322d343133b448aa487",
+    hash: "e9d6d80cad79c16017b83487b54aa58c88ec8cfeaf1038491282cca57811feb8",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -628,7 +628,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "1e9ac775ac8adc8ce0a238c9b9199add2ea4212505fb1fb67faf5837f36b923d",
+    hash: "c5bf093d5818cd520da468ec4bc67436f52105ed0a1d6644dc0ca1233376aa1c",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
@@ -641,7 +641,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "0bf96e0ac338a592159cb8f6c531b1377cb6083940374ec7bcbed78a3fd9ef66",
+    hash: "b164ae3f2ca06b3c3c3994e34ec41c4eb93006ac397bedd3143323b592418b52",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -654,7 +654,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "bd974b3bde4a13b056462c1541513db2bcc61aa8468d6993af24ad4b105a076e",
+    hash: "60c37f20beca61f15e85394fd30419a4fa5f3a768a9e05161395dd1d19c61afe",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -667,7 +667,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "a1eafb0edb21278f5fcb9091a15b75bb797689a6daabcb122f7089a096f486da",
+    hash: "1b802b02a7c21b6446aae98b372f9353878fa2d4a56f5c05f0e7c6a7bb0aa293",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
@@ -680,7 +680,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "6be74004369c75718735b212420a9eb7f5d57fea61690f4d53b227ffc27ace47",
+    hash: "6d9230a01ed0ad544c5f440bffdaf5a0b16362ca7297e479b0e650860c318345",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -693,7 +693,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "be88007c59ab8b681e97358b5fe772da6c7e0b22ac55b9d6ed684ae5ff9f426a",
+    hash: "a260d0c7f4753b25a7523e2b1a71fb64244d766d0948b045e2bc8dc752e43cfa",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -706,7 +706,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "b66c50706d6807cc0cda557efe5785d8ab55ebb8e05a23b767bd357054b66fcf",
+    hash: "c8d6990951d5bce85890c48019f42e328ab937b88254ab6b8a55a02210b5ca86",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -719,7 +719,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "d26cee8e292a2c3ad5c282f5372e6b66e2e9ec0eabbc15b3eba788035db0045d",
+    hash: "a1f14c9d2a170f72587c1f05a35d13dec402e7fd7862f695df5a8177b094c861",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -732,7 +732,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECI
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "05a81b3d9a1b1d58033b846c0fff18be9922e419ead09270a966f0ca3a5d9af5",
+    hash: "663568d58b2f424ba56bc2fbc23930fff2cf1885e7e038df8afd3dcebf9fd9c1",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -745,7 +745,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISIO
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "7e1916ef9bceac7f6c2b09c865b588d3934a80b242ef84805beda175920deb1c",
+    hash: "676363f09e33eadd455702d68f351f214fec36512fefd662372ec0ed7bda5c24",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -758,7 +758,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "64228f263667b9b1c58c9af09f0b368a8702bf50f7f2ac213f7a5b8b5393fc2a",
+    hash: "f9f5c925d67e8b4e1f35d18f1aa08b5cc41b070484f23fb7ab57855b1f7339b5",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -771,7 +771,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECIS
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "639f57d5386329a3a6666f47b6bb3be77356fa7c505ca6b2f3400a186e9a01ab",
+    hash: "064e46eb60c898704e0ee124e6f315b2eda1b9f2e6d01e07ec9bff1f5c47d466",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -784,5 +784,5 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "89945c36bd401c1869092cef666fecdf04a36cc25d3f2af0b575777da7cab924",
+    hash: "bb65857ceacb81c853cd94fa9b25d33f2f3d18562658d89e810a0f4a6f810d62",
 };

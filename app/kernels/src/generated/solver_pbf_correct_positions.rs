@@ -180,7 +180,7 @@ static CORRECT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "23ac425f2682d70c1ce02e46df09ec0f0a8ceb94c07d326931999deee5850b8b",
+    hash: "016420ecd12fa58ec6bb9e777cf8b6bf8ca5616f1603cc5e8ff11743b1473804",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
@@ -193,7 +193,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "fcf5e1f2776f9772fcbeb983c86e2fc9c0f7908b0ca8f6ffd74703b2dc6e26bc",
+    hash: "a43776a34586468f21c4bfe64f36a10ae3ef78b71180b445427f3c5d278f89cb",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
@@ -206,7 +206,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "82e0ea9cbdaf004fe79c590c16d3aad3776ce72bc89691f5be00acb45673ab8b",
+    hash: "b705270284f1cc3e4445da27c56f4e02f28b0341cb014fc4b54ebd1c02e847db",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
@@ -219,7 +219,7 @@ static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "aa3c073077f5cc1af1652135a821182fa134f337bc6a50500247cde9905b2e3f",
+    hash: "e5121d51e832c204ea21e0e22fa4537a0243047dd81a6b926ee4a931d9d01a17",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -232,7 +232,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "162056a7b7437086b289138fe0d12b1c85f613088878f03557fa7927a55f9559",
+    hash: "56d255f04c8f05c42d0ca1633ed7c4f561b85c331f51a8218c1f541ebacbb03b",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -245,7 +245,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "08ab04fc1e3e325c07d46894ed53c620fca440e64504f7e3b0bd9748e7d7fac7",
+    hash: "7344e843e7d76e1948e9f950a252b7a99842829986ae8cb3a3a9c62914dfa6ed",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
@@ -258,7 +258,7 @@ static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "0964fe1683b77fbdf4bd6b894ba927ee9dcb3a6e52fbc74ab352c7bc764686b3",
+    hash: "9e32b3f63702858619f6fb0f790fb69c3f68f545d34e1de890f103541cfe99b0",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -271,7 +271,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "7ee332103af3070ad9247e8204e0b9386d0981a64d95d7d68f1cb16995bad80e",
+    hash: "a0e423e4e645fd25bfb4ee907d433a532253ed454cfe18529854923b968bcc90",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -284,7 +284,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "1ac123f8a584fcd823f7918a9768d23a10c2839287d381e1d1def68c73025c84",
+    hash: "87a65ea0d07daa6931fbfc3ca098b9e95e1c2c462ae001e3848d971d18103331",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
@@ -297,7 +297,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "5174f6b0cd3e4cfc24b5a12ac557d8c43ae39158981dcd01e0b59d15b9676945",
+    hash: "056abb36e58930a177bd9e24e5fb9daf8e350a3132af6b473b9d49a55dd32025",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -310,7 +310,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "c296916f1f8a22abebde7bc2a52fab637b5a716008983cdc1cb3312e9b951e76",
+    hash: "2e7701152149f67db166f2e306f4a0b6851f843fdc9c4fac2ce94adb5dfbabd9",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -323,5 +323,5 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "0efb9c0c6bed5d725676932f4ff6b855d3637caf70b8e0ebaa2d9cc9f2b994dd",
+    hash: "3d1d62472febbb703b655b90ebcd408cc889ddd32ff631a11179e78a860fedeb",
 };

@@ -133,7 +133,7 @@ static KEEP_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/keep_pressure.compute",
-    hash: "24d380cc3ac3854d04c16c67a9059b58c3d760fb9fa9dc1ce3f2efb4e34b40bf",
+    hash: "6c28d3a0a79de310277f082ec080c9590d48d19d0a6eee11b2f4db2901fc295f",
 };
 
 static KEEP_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
@@ -146,5 +146,5 @@ static KEEP_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/keep_pressure.compute",
-    hash: "81f256e29e9df14bfe9261418890db73d3c9407638636775d35ccd5495b4fc1a",
+    hash: "6d2ae8164b793a64a271e872b6e188b0e2f08b41f0a866a92ea7a6cac46cc97a",
 };

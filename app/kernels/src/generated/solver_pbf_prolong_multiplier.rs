@@ -114,7 +114,7 @@ static PROLONG_MULTIPLIER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/prolong_multiplier.compute",
-    hash: "f8b3a96d2c468826253a29206080699010794315caa09b7c7734020e9881945a",
+    hash: "0d0b8de2f508d22347644f36c2a0125e0d5be0e33ae24dca39e89578f30cb533",
 };
 
 static PROLONG_MULTIPLIER_WITH_RELAXED_PRECISION: Module = Module {
@@ -127,5 +127,5 @@ static PROLONG_MULTIPLIER_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/prolong_multiplier.compute",
-    hash: "0d2c73c94a70f8aa5abda316e1607262e5f43abee9ead5d5a8fe9ae3a682e8f8",
+    hash: "68bf260b7ba043c668a1418eddecf66ef5516f6f5a9d8c35c3dd2b302cd9c412",
 };

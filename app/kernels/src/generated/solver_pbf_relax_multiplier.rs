@@ -89,7 +89,7 @@ static RELAX_MULTIPLIER: Module = Module {
     shared_bytes: 4000,
     tier: Tier::Floor,
     source: "solver/pbf/relax_multiplier.compute",
-    hash: "99f2fb9022e59b86a9291ee727820dd30fe9d2ea10a5cf554b4e6fbbbf847e0e",
+    hash: "89b51528ac9baed17f87bc404ea97a67cbfe0786145aa477c87a3dbc3e442a42",
 };
 
 static RELAX_MULTIPLIER_WITH_PROLONGED: Module = Module {
@@ -102,5 +102,5 @@ static RELAX_MULTIPLIER_WITH_PROLONGED: Module = Module {
     shared_bytes: 4000,
     tier: Tier::Floor,
     source: "solver/pbf/relax_multiplier.compute",
-    hash: "75ff77eaaf182078ca82805b3ed1e1ce3a3894e83849ddfe650fa1986aa4c7e4",
+    hash: "d654ff331911ce8b4ff8ed881338ff3dc099a585c6fccdb60c9fb4c6814198d4",
 };

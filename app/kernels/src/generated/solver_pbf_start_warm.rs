@@ -201,7 +201,7 @@ static START_WARM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "83da9cea561e7d2bf1533991363c2bde4097fc198b6a08b061f28e9a3f8fae0f",
+    hash: "6f6a2bf92d27b0abc1905bd87435a4933bd92a551f108705616cb1f1e40a021d",
 };
 
 static START_WARM_WITH_RELAXED_PRECISION: Module = Module {
@@ -214,7 +214,7 @@ static START_WARM_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "68339dd9146d113940262921e3902d1c44dafbc749927e9f63320463c3c0dac9",
+    hash: "fd73532731ad0be543a616e7111fafb6dd742e98c245ad63b267ee0852b7e3d6",
 };
 
 static START_WARM_WITH_WALLS: Module = Module {
@@ -227,7 +227,7 @@ static START_WARM_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "a78db82f6dacfb1b3a56d094fcd769bb9407a6bc5135fa3e7fdf54cb2f940c3b",
+    hash: "7a20df395090ff1439017eddfed2ba1061694b7abb8f186926ec20d7aa223c04",
 };
 
 static START_WARM_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -240,5 +240,5 @@ static START_WARM_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "c29174abc579b414503746b8ea775a455ef214a890e7bbcf2bf03e8238733cad",
+    hash: "e739778598b99cdf7a93608274721b33ff8c83831c29fd1ee313038c10755080",
 };

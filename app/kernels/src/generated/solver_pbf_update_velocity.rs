@@ -211,7 +211,7 @@ static UPDATE_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "2a76c0b2ddd30329dcf0bde74eebc4f5ae92f07cbebcb6135267db3f7de29bf2",
+    hash: "7eba51a72c34384f571a2a7aa2c8a2490ae38bf4b914941b2d78ee705dee118d",
 };
 
 static UPDATE_VELOCITY_WITH_KEEP_VELOCITY: Module = Module {
@@ -224,7 +224,7 @@ static UPDATE_VELOCITY_WITH_KEEP_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "4a95690027c1898563767719c598cd3028f3a3cbfb3bd8dc21deb01b0cbd492f",
+    hash: "2039e4b525ec92951aa486373b41fd6bed50f9155fd726a382c9dba6d7865c5c",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
@@ -237,7 +237,7 @@ static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "1950b2d8cba477c2e6eeeb722c67f22a1a71287fc4e4ccfcb940677a67b1040d",
+    hash: "0daf6c1d89d6003560db7224d1e603a82609d9e438b9281bd5205bef6e1b11a7",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC_WITH_KEEP_VELOCITY: Module = Module {
@@ -250,7 +250,7 @@ static UPDATE_VELOCITY_WITH_PERIODIC_WITH_KEEP_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "789eaf198fb122c2caf339d21e522f70e7549ca7411450a649b65e3f58cbfb85",
+    hash: "0ca327ce06a3946bded393eb27de6ff4c595beed73564e9fd3a53048202dee89",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -263,7 +263,7 @@ static UPDATE_VELOCITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "afcbe33e890530b1197e5ec9406308efbca6292b53dc0e1ba7ed383bae7b87b4",
+    hash: "7b7a4f728f87393afc01cc4f4ce7ba417738393db0804185516ce41dd42f924b",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_KEEP_VELOCITY: Module = Module {
@@ -276,7 +276,7 @@ static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_KEEP_VELOCITY: Module = Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "28495645ebb05726bf062dc26362a893169abf09bb7c9c2ef2c666ad3774232b",
+    hash: "76612eef353f4922ff23f60ec65631d0840c3f16fd08aac916c401041764c292",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC: Module = Module {
@@ -289,7 +289,7 @@ static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "9516d07471352c0e372779ccdf851f35f6c2eefcd5ad2d842b89d9ba366f67f6",
+    hash: "1e504b3ab9f01bc4826e32ed681d2eb4323c501e1c7cde8ce566d436c4a93a79",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC_WITH_KEEP_VELOCITY: Module = Module {
@@ -302,5 +302,5 @@ static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC_WITH_KEEP_VELOCITY: 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "24bfc0693fd69cf4bf772160dfec8dfc6af4805285796c72a8d75036d83326c3",
+    hash: "a39c90129e84ff5938b20738ef9191adec0206637498b6b1caf6c7b7d5dc1282",
 };

@@ -77,5 +77,5 @@ static ANISOTROPY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/anisotropy.compute",
-    hash: "3f35211670d15d74fefc30206bdb70e26a1e47987c75b4efabf65315f1007ff4",
+    hash: "ee6e0c6d070709327d37bf3d3f9764f7659d0a002a8bf470761c293354caf9b6",
 };

@@ -63,7 +63,7 @@ static DRAW_CAUSTICS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/caustics.hlsl",
-    hash: "75e97de50df8afd0c0cf1f247a57a3a85ca75ade8087c0395028461802f011fd",
+    hash: "ae4b81ef162b9d9be4c05fb485158ad3b3db090faf518dcdde2ea32a74ca5408",
 };
 
 static DRAW_CAUSTICS_FRAGMENT: Module = Module {
@@ -76,5 +76,5 @@ static DRAW_CAUSTICS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/caustics.hlsl",
-    hash: "2edc207ee9d4c9857ed30c9435e4b8fe823820d71dd8b625a559eb65c92f24c6",
+    hash: "cbf47b8d54c621d1de616fe1d1b81b522bfcc5ab94136fd2ecca988ff4d8b8f0",
 };

@@ -61,5 +61,5 @@ static COUNT_COVERED: Module = Module {
     shared_bytes: 4,
     tier: Tier::Floor,
     source: "surface/count_covered.compute",
-    hash: "0606493fc63281dcf4dfd84d077568d29e3ba2bb91a129dc75084b499ff5c532",
+    hash: "988c8f4a9127570ad23125706a08a1c09a14d2598b2ea70d745d4bc73b4956ee",
 };

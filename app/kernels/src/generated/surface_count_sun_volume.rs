@@ -69,5 +69,5 @@ static COUNT_SUN_VOLUME: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/count_sun_volume.compute",
-    hash: "554d5176049b374d6bf2701add829aecdc859705b7a43e9e1367db06fdb2373c",
+    hash: "b54a2cac3e5c126e4764c76d2798c8a3e275c4f035b537fafda5e845fa3c2439",
 };

@@ -112,7 +112,7 @@ static DRAW_FLUID_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "985203e8efafc8f7853985031ad79b7e8b6694073b35d1576349b8c50e7a655b",
+    hash: "03d53864d0f62df7091c3b55dda65d045130419978b048d07910d0379aceb77a",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
@@ -125,7 +125,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "5926f7f6274c100f1815c6f88bce3873a52ddf6188c72f8d7272595ed665771b",
+    hash: "06e8cf177efc5304b33855f8c6b134ed9806cbd4df17931d393e124ecd08defa",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -138,7 +138,7 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "23bf78308a63ddc3b0c85f5a0edf17f0d8f236b1b8797dc9e915f3d211be14e2",
+    hash: "ea9efd88b3b31beb300df0aa37d30eb9affe82b711120c7acb79963545685de7",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -151,7 +151,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "b42ac26845d9ae9591f2c116be8779408eb73d644b855c0c121b6e05c08484d2",
+    hash: "1f5e487d2e4c63b69ce81cd6c7bfdc1cc4842a5d9c80f65a3011bd257f3158b0",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -164,5 +164,5 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "1bb386dd415c242bf17c9caacd9da6e6830f60eb216f9ba174c7c4849ed86edb",
+    hash: "3ec5e87d9430a53ccd4fb48dfb7835adfab10a95906ad4db17eea104717d3123",
 };

@@ -103,7 +103,7 @@ static COUNT_BINS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/count_bins.compute",
-    hash: "d7ddd716e843cbac54c3ab31ba66792cbf7c33941c14a460aa7e0a82521a9a94",
+    hash: "799d2c606b5012ce116fc144c67e06b2d52b85f05b4559b883b25046aa5cabc9",
 };
 
 static COUNT_BINS_WITH_ANISOTROPIC: Module = Module {
@@ -116,5 +116,5 @@ static COUNT_BINS_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/count_bins.compute",
-    hash: "8d060cc853e86ee3b8624591f6e32505094fcd3ca00856780965ef00f6f98625",
+    hash: "eede484b346e4b0e31af38ae6d39d4c03157e117333282262938405012cf53b9",
 };

@@ -88,5 +88,5 @@ static COUNT_MESH: Module = Module {
     shared_bytes: 112,
     tier: Tier::Floor,
     source: "surface/mesh/count_mesh.compute",
-    hash: "167b595dbe840e4fe4c27fa814f61bfb53f433429a473801ff4e38c401f97af4",
+    hash: "176e44b2f11d41899fe2542645645e3272570f16fb8bd132b45079116d8df4e1",
 };

@@ -109,5 +109,5 @@ static EMIT_TRIANGLES: Module = Module {
     shared_bytes: 112,
     tier: Tier::Floor,
     source: "surface/mesh/emit_triangles.compute",
-    hash: "45ff8e4b860170dc84ddd676d75858eaaf016528e8229a3a2f6e3558ea671bce",
+    hash: "3573cdedf719707932a4890fba7969b41d67a258b5ff2ba6892505aed8329ea7",
 };

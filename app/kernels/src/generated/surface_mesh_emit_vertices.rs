@@ -103,5 +103,5 @@ static EMIT_VERTICES: Module = Module {
     shared_bytes: 112,
     tier: Tier::Floor,
     source: "surface/mesh/emit_vertices.compute",
-    hash: "75ccbdf837fe25de394de605a52019efa2e0a33ca653a29251dfca4d477f6bc8",
+    hash: "59150b4cc95e1bbc523082b1fa038b7b8d124c1aca23eae2a9a5841cc3da328b",
 };

@@ -74,5 +74,5 @@ static FINISH_MESH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/finish_mesh.compute",
-    hash: "fd4c1b2ca1b1ccb0dd67ed1b9162933b6844671e8e4692b8d32db9683c27c7ec",
+    hash: "a0cab7f790a0f18a84abfc9aa59ed0dfe8b0ced50aef70316037669c51b73112",
 };

@@ -115,7 +115,7 @@ static GATHER_FIELD: Module = Module {
     shared_bytes: 64,
     tier: Tier::Floor,
     source: "surface/mesh/gather_field.compute",
-    hash: "3d5dce24effdce7b35bfbdcbd495fc4d96809160f78ee50a379defad54e67dca",
+    hash: "39854b7821bec2d7ab1190f770d8f2a3848b3f610e527bdf1a9a155156e6c1f6",
 };
 
 static GATHER_FIELD_WITH_ANISOTROPIC: Module = Module {
@@ -128,5 +128,5 @@ static GATHER_FIELD_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 64,
     tier: Tier::Floor,
     source: "surface/mesh/gather_field.compute",
-    hash: "111ebc185acd68533df41f63dbac43d2a05a838cd62f8acc2716dfeb57745235",
+    hash: "9229eff5bc76e9cba3d2b824cf06db171f1856819f24879531d5fd415b679b15",
 };

@@ -82,5 +82,5 @@ static LIST_BLOCKS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/list_blocks.compute",
-    hash: "05ce1934a2576cd4e2b84c1137dd0395ba19d31749558d78cc941cf42948d1ca",
+    hash: "f480658cf4a713a4122ee153eeadb3c001bf38fe96b9c68e9cabaf301da2b498",
 };

@@ -84,5 +84,5 @@ static MARK_BLOCKS: Module = Module {
     shared_bytes: 500,
     tier: Tier::Floor,
     source: "surface/mesh/mark_blocks.compute",
-    hash: "21201344fb1fef582ebecc8d2284c58f64090b34344d75585fda3895e1b708f4",
+    hash: "b8c89c211b379ea7c27f6bae4b4cbfdbff6f6e7b5352b4dd7635ef3fecc1d0aa",
 };

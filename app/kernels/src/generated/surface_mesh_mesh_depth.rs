@@ -72,7 +72,7 @@ static DRAW_MESH_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_depth.hlsl",
-    hash: "5ec39c085483d7fb08403de76d1acefd8e87a5b2cccfd74e3008840a79987869",
+    hash: "d7d4956b783e0fe11d6d7b483412230f10f47f774fc4dbf5084ec31915e00763",
 };
 
 static DRAW_MESH_DEPTH_FRAGMENT: Module = Module {
@@ -85,5 +85,5 @@ static DRAW_MESH_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_depth.hlsl",
-    hash: "170a54a6c5dd43654e015e4ccb19c38c0af1e778cef282ede67bbfd17d511607",
+    hash: "927769b9e9312bc73baa0ecd2e453fc54bc5b004da43e878b964135544813df6",
 };

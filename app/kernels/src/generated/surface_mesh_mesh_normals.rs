@@ -97,7 +97,7 @@ static MESH_NORMALS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_normals.compute",
-    hash: "4206128ac2afc08ee3ace330048c5446c644f66f149c269752a752a49b8ca927",
+    hash: "de0dc4382bdf1a1e4b743b810b5b5eae464f8e302afe203d99118fdd33dc402b",
 };
 
 static MESH_NORMALS_WITH_ANISOTROPIC: Module = Module {
@@ -110,5 +110,5 @@ static MESH_NORMALS_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_normals.compute",
-    hash: "037dedf7b9739c4ec54130ca9135a98a238e53d778e779d78826bd5f2463db16",
+    hash: "8d47ff8b1af612ff6094ea28711668d0a02dc0b8ccdf68fea960179e2e650541",
 };

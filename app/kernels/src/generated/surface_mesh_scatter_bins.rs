@@ -100,7 +100,7 @@ static SCATTER_BINS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/scatter_bins.compute",
-    hash: "e513c565f53861d102c2eddf70aecad1c65fd150a0d58812cad8145bca5474f0",
+    hash: "68be7d423989daa9575dbc1f61652c0f9be397f9fe629b6f1ffeed23474fa9b0",
 };
 
 static SCATTER_BINS_WITH_ANISOTROPIC: Module = Module {
@@ -113,5 +113,5 @@ static SCATTER_BINS_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/scatter_bins.compute",
-    hash: "a3a00bf94cb4e1c690ca05e2c17eef42dd27c8926792694b2f47d938a2e2d8bb",
+    hash: "e3ae0b7cabbe9950f1d59420e5cace2f02f70cc437295fe69228a84f452f51b5",
 };

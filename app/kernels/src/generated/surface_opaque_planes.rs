@@ -58,7 +58,7 @@ static DRAW_OPAQUE_PLANES_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/opaque_planes.hlsl",
-    hash: "53d5a2327fedd6ba1b9b5cf1088980cd1de65e619f8e5b7bae8a2dafd43b1b7d",
+    hash: "000586e379db601ea3fcbe348db7c206fbb538a0ec2c0b5498d716d2bbc76b81",
 };
 
 static DRAW_OPAQUE_PLANES_FRAGMENT: Module = Module {
@@ -71,5 +71,5 @@ static DRAW_OPAQUE_PLANES_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/opaque_planes.hlsl",
-    hash: "3b53d3b95e05aacf666c6c04f644430446fbe98f86da30fdb07f678c81c9e8f5",
+    hash: "991a10f106bc633303b059d447382c48e4289e3821ec80c32d911fddfe3291e8",
 };

@@ -64,5 +64,5 @@ static COUNT_EDGES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/count_edges.compute",
-    hash: "971198f64d1328d0d30192cd38e7079f45af7f812137004defbbb52185e02fbe",
+    hash: "15199c637bf19bf2694ca5df1cf1458b031e1317c4c34ec5e281697d19093c03",
 };

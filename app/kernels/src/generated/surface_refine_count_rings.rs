@@ -71,5 +71,5 @@ static COUNT_RINGS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/count_rings.compute",
-    hash: "72eae08d7d39d4785ec78c282c65b561ab52a2e3a0d439e07721c6bf5cfb3dbe",
+    hash: "6c0b0dacf25bc5dcf2892b64fe93be1d5a8bae7ff776eca25006d15dbe6c0faf",
 };

@@ -66,5 +66,5 @@ static FINISH_SUBDIVISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/finish_subdivision.compute",
-    hash: "eec5ea71f5332c3c6b8079a521fbae9d260c0e5fd1c6e3db1a788d03ec012f47",
+    hash: "81c6811150bf2f72259879140e0724a3bc74f424bce2ea18ba925130ed1e9789",
 };

@@ -64,5 +64,5 @@ static LIST_RINGS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/list_rings.compute",
-    hash: "cd4453a2e32925f98ee6d2aff023b893124970f48e7d34a46c6d304140fb127b",
+    hash: "263187b8237682635f4ebe0b8a4b2d6debc91f52366eb5b8b8c85899348cf6da",
 };

@@ -50,5 +50,5 @@ static SIZE_MESH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/size_mesh.compute",
-    hash: "63b113ea6cbfc81890b864d348822bb07d5ec6532906b65cb2bbc686ce52da27",
+    hash: "95b8785beee69ba3ff4d0c2d9a23c34bd6d3c17c69f2631aa95699100251cdf2",
 };

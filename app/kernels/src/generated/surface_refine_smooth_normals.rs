@@ -77,5 +77,5 @@ static SMOOTH_NORMALS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/smooth_normals.compute",
-    hash: "7d9ac600607d946f9152e568ac91703de448014a4d513c7e5a978def8b7d71a9",
+    hash: "19047003054842c98d67867e73df95f669474754c22bb185028e9d042cb70a90",
 };

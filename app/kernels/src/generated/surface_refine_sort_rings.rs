@@ -57,5 +57,5 @@ static SORT_RINGS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/sort_rings.compute",
-    hash: "b3ffe6455bb7fdf0f0aeaa05c3ae07eb7c293b7f11358854eb174bbc8c6721a4",
+    hash: "d472160aa84336f616a8da2cf5c3217a3119378fb1f72ff985217f0f0122b6bf",
 };

@@ -81,5 +81,5 @@ static SUBDIVIDE_EDGES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/subdivide_edges.compute",
-    hash: "681293d69a5f53da165ea9c5088253d5da05e6c8ffd9a4de4f0f7016a88d5fc7",
+    hash: "42ceba5c115f9747912b7a77dc81e1b12cb060c6fac3601950987ae53a40a886",
 };

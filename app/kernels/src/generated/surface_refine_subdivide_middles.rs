@@ -76,5 +76,5 @@ static SUBDIVIDE_MIDDLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/subdivide_middles.compute",
-    hash: "bc50e942675dc2fc168915d5d6238e5d5e65b68d4ebe0877d12aab9cba01e3c4",
+    hash: "b33705c9dced9094bcdbed302d0f860c045f70166fd59601a4902f337438a9b1",
 };

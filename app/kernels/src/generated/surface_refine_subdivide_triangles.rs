@@ -85,5 +85,5 @@ static SUBDIVIDE_TRIANGLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/subdivide_triangles.compute",
-    hash: "2ae8fb721601dc0fbc76572882777cfe17388531ed753fdd756b11b12e522b65",
+    hash: "2a5ca9f9509210295f474636c1a54b8cecd3e3911dacba6bc0f5d0757c22cf9a",
 };

@@ -70,5 +70,5 @@ static REFRACT_PHOTONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refract_photons.compute",
-    hash: "e2521479c69ff857b182732b7dcdf5e78c0685a0f694544075a7a725a8d7ae34",
+    hash: "0ef3cd62aa5ee2511c722381607fb6946875955b748ce183e69478ddcbf275fb",
 };

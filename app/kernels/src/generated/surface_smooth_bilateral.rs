@@ -77,7 +77,7 @@ static DRAW_SMOOTH_BILATERAL_VERTEX_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "cc20bf169a693dcdb5580d6b6ce6a379960baad74175a73049be8b8bbabd0764",
+    hash: "03ed483c355f8fa8bcdc4a3dd0c74b93b7a2e00b09084780d1b76b4680e27252",
 };
 
 static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_X: Module = Module {
@@ -90,7 +90,7 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "b608a71d3c67033b91b8d792359b12402132247bd85b638500621d05f0fbe63a",
+    hash: "8a8cb5e7da672be2984772f406364da7a9682026e8c04551013e39750898ff1f",
 };
 
 static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_Y: Module = Module {
@@ -103,7 +103,7 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "b34e2b9a5b846cd82834e8b4ec6b6cb09ecf9c442e0ccd0990071bdae1bdbef8",
+    hash: "bd9a0b74ba2e7c541e71f7ba97ee7ce425c39b2add28431051cc4c83d96ed8cf",
 };
 
 static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
@@ -116,5 +116,5 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "832f31815f924afe0ab19409b5024d6d3577427c922afb65bfdcb703ec58d5f8",
+    hash: "e1b3861b8c351862f1e400b9a7efee8a58b86c76248d8fc8d5b848e27684cd27",
 };

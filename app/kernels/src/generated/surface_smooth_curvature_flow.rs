@@ -61,7 +61,7 @@ static DRAW_SMOOTH_CURVATURE_FLOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_curvature_flow.hlsl",
-    hash: "6252e568ce5f0fbe99c15266521affa86530073abe5a797cd077f587539ad3f8",
+    hash: "bc4f69f88c5efcc2e49351f222acb84d97f9b6023b2a247ebbea125de0ca082f",
 };
 
 static DRAW_SMOOTH_CURVATURE_FLOW_FRAGMENT: Module = Module {
@@ -74,5 +74,5 @@ static DRAW_SMOOTH_CURVATURE_FLOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_curvature_flow.hlsl",
-    hash: "2ad751c258111e62902aa7519485b094227e187de44842db9affd3f00b4f47f0",
+    hash: "3246884818ae500c9fad9c8c849e689e95d770c17d72490cd1141bd476a186d7",
 };

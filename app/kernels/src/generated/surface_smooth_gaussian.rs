@@ -74,7 +74,7 @@ static DRAW_SMOOTH_GAUSSIAN_VERTEX_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_gaussian.hlsl",
-    hash: "49445fc31d34ff2a42ecf8978a8f69caa72bb69ed16d7b3b220fa81db0ad1dde",
+    hash: "b9675efc151608b0ca83f1ec6593489dda1cf00eafac2215ecf265fb8806ea7d",
 };
 
 static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_X: Module = Module {
@@ -87,7 +87,7 @@ static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_gaussian.hlsl",
-    hash: "b6ce7061c26de3c7b2ec1a980cfe22d0bb70352e4a8cb2948abacf1e60943691",
+    hash: "6faea756ea9e588912981fd36059f7df8fadc4e75bb31a452fc59382413225b2",
 };
 
 static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_Y: Module = Module {
@@ -100,5 +100,5 @@ static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_gaussian.hlsl",
-    hash: "5a4faecfe2dd66d939790cc2bbdc4ab218eebb2207305bd11487fca7760d2fb2",
+    hash: "ff6da61850c45d8a87096d7243b20328715dfd91904c05997dc359145195e649",
 };

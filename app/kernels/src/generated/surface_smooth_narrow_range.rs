@@ -78,7 +78,7 @@ static DRAW_SMOOTH_NARROW_RANGE_VERTEX_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "3df709182a1c69b0abe9456a127f7c4a0df25330c34cf8f1d35d772a4bae14c1",
+    hash: "d361a285fce7de2937097637e781d9de29f170343a944e33b59ccf062b72954d",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_X: Module = Module {
@@ -91,7 +91,7 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "45dd9cd0a8e4d19db85dd48382f34fea90d73cba2c92b6e746d58c41b0e60445",
+    hash: "8b96e1b674baa1204085cab948293426400d8e184cbc236b806f25084b8b9a8f",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_Y: Module = Module {
@@ -104,7 +104,7 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "58bce4517506c987851e4c122a3073888993f2858ba544c633d0bd6a0da6f347",
+    hash: "c0e676cd7a07adf51bc53dddba452a1c5cb5f9785f644c953d82d8426e7bfe62",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
@@ -117,5 +117,5 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "64c0e55a15f3ca1102c821d7b2aa702bdc24933966be01bf799a78c310a4954b",
+    hash: "b63c17948037b112348e537df9849e464db9fc940c99db96c1208b0df9c1e5fb",
 };

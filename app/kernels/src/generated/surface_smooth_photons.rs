@@ -85,7 +85,7 @@ static SMOOTH_PHOTONS_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_photons.compute",
-    hash: "6aeaaedb6b3fc8d3ee4f288359a48b082ac26530a3d98ec29a75fefb38ee68aa",
+    hash: "82a28b0c9bddd62546f576bbf10fb0af118ab880d73c3419e2b31e5ddb25b1fa",
 };
 
 static SMOOTH_PHOTONS_WITH_ALONG_Y: Module = Module {
@@ -98,5 +98,5 @@ static SMOOTH_PHOTONS_WITH_ALONG_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_photons.compute",
-    hash: "c48874d6094aa898981b6691ba156b8067ca911d40bbb5e9b1d97aba269b5321",
+    hash: "5f63e491750d6103c1112f370f46e989fb20061f184edbdbdcd0b2b26362b67f",
 };

@@ -76,7 +76,7 @@ static DRAW_SMOOTH_SUN_DEPTH_VERTEX_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_sun_depth.hlsl",
-    hash: "67dfcd1b3e533a768b5e27af595e7465bce5c1a7e3334055dfd18f7e977b5727",
+    hash: "478cd915f982883ba772a3bd48dbd81e9c0869fa9fe46475b2a8b40634133626",
 };
 
 static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_X: Module = Module {
@@ -89,7 +89,7 @@ static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_sun_depth.hlsl",
-    hash: "fb6e0f0309d812dfd709031f8ae55d299d90b853de4a5c4c56d3e157022bc73f",
+    hash: "c6794ec6bfa38d1ce758fb6262b00b8c5e22bd6c0e29b31e338c663f029aede4",
 };
 
 static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_Y: Module = Module {
@@ -102,5 +102,5 @@ static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_sun_depth.hlsl",
-    hash: "a6b136f976cebfd0bfd925e77ca663617b53ab395d1e827dd16bee1c1bc263ff",
+    hash: "b34ac0071203c5dace0a7303ba051ac035fe52d10790ed6f46d5fb10a24fe31a",
 };

@@ -64,5 +64,5 @@ static SUM_SUN_VOLUME: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sum_sun_volume.compute",
-    hash: "7481ea6944f5bb2089f4dcb4a57a63bd054e0a3ddbba78a88f8fe7c2c5bdaed1",
+    hash: "d7f5caf7cd391b955a2b5d48bab49df72f53faf82c1c3971dfe1fa65a876b404",
 };

@@ -114,7 +114,7 @@ static DRAW_SUN_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "7c7ea8ea3dd1f95401956983977894f54fe7a52f98a72979ba94fa8fd871674e",
+    hash: "a13ec91f16ce80ce154d9e3002ec4368892b9750c321d7c85a6957c11964205d",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
@@ -127,7 +127,7 @@ static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "2789a1451befa599c5661e3c1bbb33d46615214a58a113030c00938358383617",
+    hash: "672d4131bd1ed2cdb3a8428fe5a8f619dd7a74da2377cff06186f638d542fa0d",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -140,7 +140,7 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "71e0fe46d270a019af8e26c2b19240e234b0247cbad77a0c0ff69e9622f499c0",
+    hash: "8843587806f400e8bf8feb611cdf3eb1e3feaec21ca49b1ab0ced3062687d207",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -153,7 +153,7 @@ static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "762b839f3e8c07e841dfc3449a9a3c536ff1123b95385664a6bd09f1da626a4a",
+    hash: "96522ca25e0082e5c28f94fd84879cd8ff2a55d233937579412d31422844ddcf",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -166,5 +166,5 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "05e4641a9edffc490b4bcc810b5aeb7adccb14490301deff8b74e6ca447706a3",
+    hash: "49450590cdb8ab77e6a678255083874ec64190f5df4a59b993875468413e28c7",
 };

@@ -85,7 +85,7 @@ static DRAW_SUN_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "dc89d68a0093359da803456fa5e1f57e1df79d006dfed5971db616a96959f895",
+    hash: "e2b0aa255175f45618b87312d02c00f5e55728128071c4ea28d91155f2ce6f48",
 };
 
 static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
@@ -98,7 +98,7 @@ static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "20ba2fc132fa92a08aa2b38c097c718fdd3308f11c069b0983667ce027dc2398",
+    hash: "531edc735086cfea8e9cbae4dbd7a1e3fc85cf23f826e11d5ae5c72df87cfbf2",
 };
 
 static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -111,5 +111,5 @@ static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "d3f62d7f9ef5cd3ee2d8bfaf7323ea9fa7b0fc8a32b4a89e814e217b374bd8bf",
+    hash: "a5f2d3cbd8ac5eb91aee20e2bb374ff31c80f63becb06e085be9e00d0d494a25",
 };

@@ -58,7 +58,7 @@ static DRAW_SURFACE_NORMALS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/surface_normals.hlsl",
-    hash: "a6cb2eeb7dc794c3b75ae41c86759990030f250cbebc63a8326787a8f23514b1",
+    hash: "aeae1ea13b1f9472c98919e3294bdf924b830a93301ace7bb6a4d8292060de46",
 };
 
 static DRAW_SURFACE_NORMALS_FRAGMENT: Module = Module {
@@ -71,5 +71,5 @@ static DRAW_SURFACE_NORMALS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/surface_normals.hlsl",
-    hash: "cdaf376692dea6dbf289e1a502a666fe496deb7a2521dd7c076e2f99974ffa27",
+    hash: "06fceae473d78aa3487082af072fb8a9e7ff29d4c6d27e4bb97576bc7a2a88e3",
 };

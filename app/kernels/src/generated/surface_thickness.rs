@@ -91,7 +91,7 @@ static DRAW_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "b42412421eb0265d0aabc6e21512b27510ee4f4846a15a2e30703d5dc2acf0e7",
+    hash: "ba1cdeb570b408bf45ac0957fad8511290398abef432aee3f5b89f15995f70ed",
 };
 
 static DRAW_THICKNESS_FRAGMENT: Module = Module {
@@ -104,7 +104,7 @@ static DRAW_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "c690348053c9ad867812916fc15bbdf91791329222fa1f510fe8836b1b0e3fc4",
+    hash: "2267c01a8ad7742593caf9239fbcace8849fb64e1131788453540d543ea107cc",
 };
 
 static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -117,5 +117,5 @@ static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "e8b9f258bc20bbacb88d7b373ae21ec98ba2a1f431038b6ee4f469907d8a8cbb",
+    hash: "a0425f65470ad4a10d455a94e99b2853da938952f00b262d9f53f0403528c89c",
 };

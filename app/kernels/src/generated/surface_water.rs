@@ -177,7 +177,7 @@ static DRAW_WATER_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "7038f7d35d9ea172d70ec6b17150043f3bceda660309c89dace8cdd4a134c0a5",
+    hash: "5f3a967f2251e8d18e36a4a14370bb6240dcf10ebf85a06eabd5c4cff49e180e",
 };
 
 static DRAW_WATER_FRAGMENT: Module = Module {
@@ -190,7 +190,7 @@ static DRAW_WATER_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "3dba5d50bcaa63b1eaecb66e29bd6b5fc02c372fbf6622cebb809d9f73141a48",
+    hash: "4bebb9d2d0aade9a2277c9c7e84e0303b20d15cefa06fbd2010ebda4a4f38b7a",
 };
 
 static DRAW_WATER_VERTEX_WITH_SELF_SHADOW: Module = Module {
@@ -203,7 +203,7 @@ static DRAW_WATER_VERTEX_WITH_SELF_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "58f8c7a9fc85fdc6575b0ea14a4cacadedc84958199999a7b600c1f8a171f58a",
+    hash: "f4db282875ca3c0518e125825f5a61d8e12f30745dda15a50b17f2499d068c04",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_SELF_SHADOW: Module = Module {
@@ -216,7 +216,7 @@ static DRAW_WATER_FRAGMENT_WITH_SELF_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "a69408eca73195ae02d5cccad3360b944132b809468ed8d307122da071459ae3",
+    hash: "08f55f6b798222f185561f68dd929172b6cdfd5621f83d7fd6f4bc06a69d7d50",
 };
 
 static DRAW_WATER_VERTEX_WITH_MESH_NORMALS: Module = Module {
@@ -229,7 +229,7 @@ static DRAW_WATER_VERTEX_WITH_MESH_NORMALS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "9c96894b5e068f6fd0ae2f84478906487cac483cfc8d5f16a4b417034cbd2cdc",
+    hash: "fbc1abacb034fe4d4441d34d3a16c6ddbce9652c5367268f51bd5713fe84056b",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS: Module = Module {
@@ -242,7 +242,7 @@ static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "c0e5805d156767a2f3d28c1d1f27d1bc2459e8a4ee3091e30feee68fcb4b8ee1",
+    hash: "e664ebe1e7ad0426b2f50d6629d0fb533b0ffab4c8581ce1c6cea2742225b476",
 };
 
 static DRAW_WATER_VERTEX_WITH_MESH_NORMALS_WITH_SELF_SHADOW: Module = Module {
@@ -255,7 +255,7 @@ static DRAW_WATER_VERTEX_WITH_MESH_NORMALS_WITH_SELF_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "0bfeed7380f1e88e7999367e0dcb2ff4ad36d2409bf3ff05185a39c36e3892a4",
+    hash: "f1e41ae106d700e71f34099af24947d1fab1111a71655ffdd520f3de74995fcf",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS_WITH_SELF_SHADOW: Module = Module {
@@ -268,5 +268,5 @@ static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS_WITH_SELF_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "4ed60467b492c4afebb9cf22c3ed284b7b21e04d58c1f09da571633427dfc9a0",
+    hash: "50c57d7a2f16289a59b70d021c8b1bfb1f7e41cceadb58d9beb04790dbcc77b8",
 };

@@ -11,7 +11,7 @@ struct DensitySums
 {
     float density;
     float3 gradient;            // of the constraint, over the particle's own position
-    float gradient_squares;     // over its neighbours' positions
+    float gradient_squares;     // over its neighbours' positions; both in units of a pair until they are Weighted
 };
 
 // Of a particle alone: W(0) = 1.
@@ -25,22 +25,22 @@ DensitySums NoNeighbours()
 }
 
 // `is_other`: not the particle itself, whose distance of 0 has no gradient but a density.
-void AddNeighbour(inout DensitySums sums, uint3 x_i, uint3 x_j, bool is_other)
+void AddNeighbour(inout DensitySums sums, PairCoordinates x_i, PairCoordinates x_j, bool is_other)
 {
-    real3 offset = real3(Offset(x_i, x_j));
-    real q_squared = dot(offset, offset);
-    real q = sqrt(q_squared);
-    real factor = WendlandGradientFactor(q);
-    sums.density += is_other ? float(WendlandW(q)) : 0.0;
-    sums.gradient += float3(factor * offset);
-    sums.gradient_squares += float(factor * factor * q_squared);
+    float3 offset = PairOffset(x_i, x_j);
+    float squared = dot(offset, offset);
+    WendlandPair pair = WendlandOf(sqrt(squared), SUPPORTS_PER_UNIT);
+    sums.density += is_other ? WendlandW(pair) : 0.0;
+    sums.gradient += pair.t_cubed * offset;
+    sums.gradient_squares += pair.t_cubed * pair.t_cubed * squared;
 }
 
 DensitySums Weighted(DensitySums sums, float weight)
 {
+    float unit = weight * (WENDLAND_GRADIENT * SUPPORTS_PER_UNIT);
     sums.density *= weight;
-    sums.gradient *= weight;
-    sums.gradient_squares *= weight * weight;
+    sums.gradient *= unit;
+    sums.gradient_squares *= unit * unit;
     return sums;
 }
 
