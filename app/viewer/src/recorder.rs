@@ -154,6 +154,11 @@ impl Recorder {
         self.writer.cost(cost)
     }
 
+    /// Writes what is recorded so far.
+    pub fn flush(&mut self) -> Result<(), CaptureError> {
+        self.writer.flush()
+    }
+
     /// Bytes written so far.
     pub fn bytes(&self) -> u64 {
         self.writer.bytes_written()
