@@ -9,8 +9,13 @@
 
 mod app;
 mod canvas;
+mod gravity;
+mod heat;
+mod screen;
+mod self_check;
 mod touch;
 
 pub use app::{App, AppPaths, Wake};
 pub use canvas::{Picture, WindowSource};
+pub use self_check::{Checked, WrongAnswer};
 pub use touch::{Acceleration, TouchEvent, TouchPhase};

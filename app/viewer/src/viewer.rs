@@ -90,16 +90,13 @@ pub struct Viewer {
     mesh_room_ends: bool,
     /// Gravity in place of the scene's own.
     pub(crate) gravity_m_s2: Option<[f64; 3]>,
+    /// What is above it the ladder does not take by itself any more.
+    pub(crate) least_rung: usize,
+    /// Metadata of captures.
+    pub(crate) about: Vec<(String, Vec<(String, String)>)>,
 }
 
 impl Viewer {
-    /// Goes on with what another viewer showed: the same scene, particles and rung, and who chooses that.
-    pub fn resume(&mut self, state: brooklet_fluid::state::State, rung: usize, auto: bool) {
-        (self.rung, self.auto) = (rung.min(RUNGS.len() - 1), auto);
-        let start = Start::Particles { particles: state.particles, steps: state.steps, simulated_s: state.time_s };
-        self.load(state.scene, start, "tier");
-    }
-
     /// Begins to load `scene`; windows have textures of `format`.
     pub fn new(gpu: &Gpu, format: wgpu::TextureFormat, scene: Scene, settings: Settings, room_px: [u32; 2]) -> Self {
         let mut viewer = Self::without_scene(gpu, format, settings, room_px);
@@ -140,6 +137,8 @@ impl Viewer {
             mesh_room: None,
             mesh_room_ends: false,
             gravity_m_s2: None,
+            least_rung: 0,
+            about: vec![("build".into(), crate::outside::build("brooklet view"))],
             settings,
         }
     }
@@ -371,6 +370,7 @@ impl Viewer {
         let Some(result) = loading.poll() else { return };
         let carries = matches!(loading.desc.start, Start::Carry(_));
         let why = std::mem::take(&mut loading.desc.why);
+        let desc = loading.desc.clone();
         self.loading = None;
         match result {
             Ok(mut current) => {
@@ -394,6 +394,7 @@ impl Viewer {
             }
             Err(error) => {
                 self.messages.notify(Kind::Error, error.to_string());
+                self.load_less(&error, desc);
                 if why == MESH_ROOM {
                     (self.mesh_room, self.mesh_room_ends) = (None, true);
                 }
