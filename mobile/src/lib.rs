@@ -12,6 +12,7 @@ mod canvas;
 mod gravity;
 mod heat;
 mod screen;
+pub mod script;
 mod self_check;
 mod touch;
 
