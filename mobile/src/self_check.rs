@@ -40,6 +40,13 @@ pub struct WrongAnswer {
 }
 
 impl Checked {
+    /// What a result on this device is of.
+    pub fn key(gpu: &Gpu) -> String {
+        let info = gpu.info();
+        let version = env!("CARGO_PKG_VERSION");
+        format!("{version}, {}, {} {}, {}", info.name, info.driver, info.driver_info, tier_name(gpu.tier()))
+    }
+
     /// In a line.
     pub fn summary(&self) -> String {
         match self.wrong.as_slice() {
@@ -71,7 +78,7 @@ impl Checked {
         let text = std::fs::read_to_string(folder.join(FILE)).ok()?;
         // One that cannot be read is asked for again.
         let kept: Self = serde_json::from_str(&text).ok()?;
-        (kept.of == key(gpu)).then_some(kept)
+        (kept.of == Self::key(gpu)).then_some(kept)
     }
 
     /// Keeps it.
@@ -87,12 +94,6 @@ impl Checked {
         let unfinished: PathBuf = folder.join(format!("{FILE}.part"));
         std::fs::write(&unfinished, text).and_then(|()| std::fs::rename(&unfinished, &path)).map_err(failed)
     }
-}
-
-fn key(gpu: &Gpu) -> String {
-    let info = gpu.info();
-    let version = env!("CARGO_PKG_VERSION");
-    format!("{version}, {}, {} {}, {}", info.name, info.driver, info.driver_info, tier_name(gpu.tier()))
 }
 
 /// A check under way, on a thread of its own.
@@ -141,7 +142,7 @@ impl SelfCheck {
 fn check(gpu: &Gpu, scene: &Scene, replacements: Vec<&'static Module>, tell: &mut dyn FnMut([usize; 2])) -> Checked {
     let begun = Instant::now();
     let count = scene.particle_count().try_into().unwrap_or(u32::MAX);
-    let mut checked = Checked { of: key(gpu), ..Checked::default() };
+    let mut checked = Checked { of: Checked::key(gpu), ..Checked::default() };
     let planned = match ScenePlan::of_count(scene, count, gpu.tier()) {
         Ok(planned) => planned,
         Err(error) => {

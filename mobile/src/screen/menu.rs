@@ -21,7 +21,7 @@ fn sheet<T>(context: &Context, screen: Rect, title: &str, content: impl FnOnce(&
     let rect = Rect::from_min_size(screen.max - size, size);
     let round = CornerRadius { nw: 20, ne: if is_wide { 0 } else { 20 }, sw: if is_wide { 20 } else { 0 }, se: 0 };
     let frame = Frame::new().fill(SHEET).corner_radius(round).inner_margin(Margin::symmetric(16, 10));
-    let area = Area::new(Id::unique("sheet")).order(Order::Foreground).fixed_pos(rect.min).constrain(false);
+    let area = Area::new(Id::unique("sheet")).fade_in(false).order(Order::Foreground).fixed_pos(rect.min).constrain(false);
     area.show(context, |ui| {
         frame.show(ui, |ui| {
             ui.set_min_size(rect.size() - vec2(32.0, 20.0));

@@ -91,7 +91,7 @@ impl Screen {
         asks: &mut Vec<Ask>,
     ) {
         // What lies beside the sheet closes it, and is not touched by that.
-        let beside = egui::Area::new(Id::unique("beside")).order(Order::Middle).fixed_pos(screen.min);
+        let beside = egui::Area::new(Id::unique("beside")).fade_in(false).order(Order::Middle).fixed_pos(screen.min);
         let beside = beside.show(context, |ui| {
             ui.painter().rect_filled(screen, 0.0, egui::Color32::from_black_alpha(110));
             ui.allocate_rect(screen, Sense::click())

@@ -13,7 +13,7 @@ const WIDTH: f32 = 248.0;
 /// Scene and frames at the top; touched, it shows times or hides them.
 pub(super) fn head(context: &Context, shown: &PanelInput<'_>, times: &mut bool) {
     let Some(current) = shown.current else { return };
-    let area = Area::new(Id::unique("head")).order(Order::Middle).anchor(Align2::LEFT_TOP, vec2(10.0, 10.0));
+    let area = Area::new(Id::unique("head")).fade_in(false).order(Order::Middle).anchor(Align2::LEFT_TOP, vec2(10.0, 10.0));
     area.show(context, |ui| {
         look::glass().show(ui, |ui| {
             let frames = shown.times.frame_ms.quantiles().filter(|ms| ms.p50 > 0.0).map(|ms| 1000.0 / ms.p50);
@@ -43,7 +43,7 @@ pub(super) fn head(context: &Context, shown: &PanelInput<'_>, times: &mut bool) 
 
 /// Where the time goes.
 pub(super) fn times(context: &Context, screen: Rect, shown: &PanelInput<'_>) {
-    let area = Area::new(Id::unique("overlay")).order(Order::Middle).interactable(false);
+    let area = Area::new(Id::unique("overlay")).fade_in(false).order(Order::Middle).interactable(false);
     area.fixed_pos(screen.min + vec2(10.0, 74.0)).show(context, |ui| {
         let frame = look::glass().inner_margin(12);
         let shown = frame.show(ui, |ui| {
@@ -103,7 +103,7 @@ fn bar(ui: &mut Ui, stage: &str, ms: f64, share: f64) {
 
 /// How far the first self-check is.
 pub(super) fn checking(context: &Context, [done, all]: [usize; 2]) {
-    let area = Area::new(Id::unique("checking")).order(Order::Foreground).anchor(Align2::CENTER_CENTER, vec2(0.0, 0.0));
+    let area = Area::new(Id::unique("checking")).fade_in(false).order(Order::Foreground).anchor(Align2::CENTER_CENTER, vec2(0.0, 0.0));
     area.show(context, |ui| {
         look::glass().inner_margin(18).show(ui, |ui| {
             ui.set_width(270.0);
@@ -123,7 +123,7 @@ pub(super) fn messages(context: &Context, screen: Rect, said: &[Message]) {
         return;
     }
     let width = (screen.width() - 32.0).min(520.0);
-    let area = Area::new(Id::unique("messages")).order(Order::Foreground).interactable(false);
+    let area = Area::new(Id::unique("messages")).fade_in(false).order(Order::Foreground).interactable(false);
     area.anchor(Align2::CENTER_BOTTOM, vec2(0.0, -90.0)).show(context, |ui| {
         for message in said {
             let (sign, color) = match message.kind {
