@@ -8,8 +8,8 @@ use object::{Endianness, Error};
 
 use crate::{library, nothing, own};
 
-/// Issue 17's limit is the optimised library's. That of the tests is quick to build and larger.
-const MOST_BYTES: usize = 20_000_000;
+/// Of the library of the tests, which is quick to build; that for phones is half as large. More is a package too many.
+const MOST_BYTES: usize = 28_000_000;
 /// Devices with pages of 16 KiB load nothing that is aligned to less.
 const PAGE: u64 = 16 << 10;
 /// What Android loads the app by, and what the test under an emulator calls.
@@ -44,12 +44,12 @@ fn read(data: &[u8]) -> Result<Elf, Error> {
     let header = FileHeader64::<Endianness>::parse(data)?;
     let endian = header.endian()?;
     let mut elf =
-        Elf { bytes: data.len(), machine: header.e_machine(endian), kind: header.e_type(endian), ..Elf::default() };
+        Elf { bytes: data.len(), machine: header.e_machine(endian).0, kind: header.e_type(endian).0, ..Elf::default() };
     for segment in header.program_headers(endian, data)? {
         if segment.p_type(endian) == PT_LOAD {
             elf.alignments.push(segment.p_align(endian));
             let flags = segment.p_flags(endian);
-            elf.writable_code += usize::from(flags & PF_W != 0 && flags & PF_X != 0);
+            elf.writable_code += usize::from(flags.0 & PF_W.0 != 0 && flags.0 & PF_X.0 != 0);
         }
     }
     let sections = header.sections(endian, data)?;
@@ -57,7 +57,7 @@ fn read(data: &[u8]) -> Result<Elf, Error> {
     if let Some((entries, section)) = sections.dynamic(endian, data)? {
         let strings = sections.strings(endian, data, section)?;
         for entry in entries {
-            if entry.tag32(endian) == Some(DT_NEEDED) {
+            if entry.d_tag(endian) == DT_NEEDED {
                 elf.needed.push(text(entry.string(endian, strings)?));
             }
         }
@@ -77,7 +77,7 @@ fn read(data: &[u8]) -> Result<Elf, Error> {
 /// What would keep a phone of API 26 or later from loading it.
 fn problems(elf: &Elf) -> Vec<String> {
     let mut wrong = Vec::new();
-    if (elf.machine, elf.kind) != (EM_AARCH64, ET_DYN) {
+    if (elf.machine, elf.kind) != (EM_AARCH64.0, ET_DYN.0) {
         wrong.push(format!("machine {} and type {}: no library for 64-bit ARM", elf.machine, elf.kind));
     }
     if elf.bytes > MOST_BYTES {
@@ -150,8 +150,8 @@ fn a_library_with_one_thing_changed_is_refused() {
 fn each_rule_refuses_what_breaks_it() {
     let good = Elf {
         bytes: 1000,
-        machine: EM_AARCH64,
-        kind: ET_DYN,
+        machine: EM_AARCH64.0,
+        kind: ET_DYN.0,
         needed: vec!["libc.so".into(), "libm.so".into()],
         exported: ENTRIES.map(String::from).into(),
         undefined: vec!["malloc".into(), "sin".into()],
@@ -168,7 +168,7 @@ fn each_rule_refuses_what_breaks_it() {
     one(|elf| elf.kind = 2);
     one(|elf| elf.bytes = MOST_BYTES + 1);
     one(|elf| elf.needed.push("libc++_shared.so".into()));
-    one(|elf| drop(elf.exported.remove("android_main")));
+    one(|elf| assert!(elf.exported.remove("android_main")));
     // In Android 11's, not in 8's.
     one(|elf| elf.undefined.push("AThermal_acquireManager".into()));
     // In a list, of a library that is not linked.

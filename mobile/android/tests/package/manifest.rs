@@ -70,7 +70,7 @@ fn the_manifest_asks_for_vulkan_and_nothing_else() {
         ("launchable-activity", "application-debuggable\nlaunchable-activity"),
     ] {
         assert!(badging.contains(from), "{from}");
-        assert_eq!(problems(&badging.replace(from, to), &tree).is_empty(), false, "{to} is taken");
+        assert!(!problems(&badging.replace(from, to), &tree).is_empty(), "{to} is taken");
     }
     for (from, to) in [
         ("(0x0101001e)=1", "(0x0101001e)=-1"),
