@@ -1,10 +1,9 @@
 //! The phone's app as Android loads it: `libbrooklet.so`, whose `ANativeActivity_onCreate` is android-activity's.
 //!
-//! `app` is what it shows. It is handed what Android has: a window, touches, the back key,
+//! What the app does is in `brooklet-mobile`. Here it is handed what Android has: a window, touches, the back key,
 //! the accelerometer, the display's rotation, thermal headroom, the files' place. `android` is compiled for Android
 //! alone; what stands beside it knows no Android and is tested on any machine.
 
-pub mod app;
 pub mod lifecycle;
 pub mod screen;
 pub mod self_test;

@@ -1,6 +1,6 @@
 //! Android's motion events as touches.
 
-use crate::app::{TouchEvent, TouchPhase};
+use brooklet_mobile::{TouchEvent, TouchPhase};
 
 /// What a motion event says, `AMOTION_EVENT_ACTION_*`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -41,7 +41,7 @@ const ROOMS: &[(&str, &[&str])] = &[
     // The window compiles a changed shader while it runs.
     ("brooklet", &["kernels", "gpu", "fluid", "render", "bench", "capture", "viewer", "check", "study", "compiler"]),
     ("brooklet-mobile", &["kernels", "gpu", "fluid", "render", "capture", "check", "viewer"]),
-    ("brooklet-android", &["gpu", "fluid", "capture", "viewer", "mobile"]),
+    ("brooklet-android", &["fluid", "capture", "mobile"]),
     (
         "brooklet-tests",
         &["kernels", "gpu", "fluid", "render", "bench", "capture", "reference", "check", "study", "compiler"],

@@ -13,9 +13,9 @@ use super::system::System;
 use super::text;
 use super::thermal::Thermal;
 use super::window::{self, Window};
-use crate::app::{App, AppPaths, Wake};
 use crate::lifecycle::{Lifecycle, Said, Step};
 use crate::touches::{Motion, Pointer, touches};
+use brooklet_mobile::{Acceleration, App, AppPaths, Wake};
 
 /// Runs a new app until its activity ends.
 pub fn run(android: &AndroidApp) {
@@ -34,14 +34,14 @@ pub fn run(android: &AndroidApp) {
         ends: false,
     };
     let mut wake = Wake::OnEvent;
-    while !running.ends && running.app.problem().is_none() {
+    while !running.ends && running.app.failure().is_none() {
         running.take_events(if running.life.is_shown() { wake } else { Wake::OnEvent });
         if !running.ends && running.life.is_shown() {
             wake = running.frame();
         }
     }
     let ends = running.ends;
-    let problem = running.app.problem().map(str::to_owned);
+    let problem = running.app.failure().map(str::to_owned);
     // Its surface goes with it: nothing else can draw in the window before.
     drop(running);
     if let (false, Some(problem)) = (ends, problem) {
@@ -98,6 +98,7 @@ impl Running<'_> {
             MainEvent::Resume { .. } => Said::Resume,
             MainEvent::Pause => Said::Pause,
             MainEvent::InputAvailable => return self.take_input(),
+            MainEvent::LowMemory => return self.app.low_memory(),
             MainEvent::Destroy => {
                 self.ends = true;
                 self.hide();
@@ -139,7 +140,7 @@ impl Running<'_> {
         while events.next(|event| match event {
             InputEvent::MotionEvent(event) => touch(app, event),
             InputEvent::KeyEvent(key) if key.key_code() == Keycode::Back => {
-                if key.action() == KeyAction::Up {
+                if key.action() == KeyAction::Up && !app.back() {
                     activity::move_to_back(android);
                 }
                 InputStatus::Handled
@@ -150,8 +151,8 @@ impl Running<'_> {
     }
 
     fn frame(&mut self) -> Wake {
-        if let Some([x, y, z]) = self.sensors.as_ref().and_then(Sensors::take) {
-            ::log::debug!("{x:.2} {y:.2} {z:.2} m/s² with the display turned by {} degrees", self.rotation_degrees);
+        if let Some(m_s2) = self.sensors.as_ref().and_then(Sensors::take) {
+            self.app.acceleration(Acceleration { m_s2, rotation_degrees: self.rotation_degrees });
         }
         if let Some(headroom) = self.thermal.as_mut().and_then(Thermal::headroom) {
             self.app.thermal_headroom(headroom);

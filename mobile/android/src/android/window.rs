@@ -3,7 +3,7 @@
 use ndk::native_window::NativeWindow;
 use raw_window_handle::{DisplayHandle, HandleError, HasDisplayHandle, HasWindowHandle, WindowHandle};
 
-use crate::app::WindowSource;
+use brooklet_mobile::WindowSource;
 
 /// A window, kept for as long as this is.
 #[derive(Debug)]
