@@ -1,7 +1,9 @@
 //! A scene as recordings: its start, one step of its solver's substeps, and its measurement.
 
 use brooklet_gpu::{Engine, GpuError, Plan, Recording, RecordingId, Resources};
-use brooklet_kernels::{Buffer, Counters, Measure, Position, ResourceId, Velocity, WarmStart};
+use brooklet_kernels::{
+    Buffer, Counters, Measure, PbfParams, Position, ResourceId, StepParams, Velocity, WarmStart,
+};
 
 use crate::grid::Neighbours;
 use crate::measure::{Densities, Measuring};
@@ -34,6 +36,10 @@ pub struct Recorded {
     pub neighbours: Option<Neighbours>,
     /// What a substep begins with of the last one's pressure; none of scenes that begin cold.
     pub warm_starts: Option<Buffer<WarmStart>>,
+    /// What the shaders are told of a step, gravity among it.
+    pub step_params: Buffer<StepParams>,
+    /// What the density constraint's are told, if that is the solver.
+    pub pbf_params: Option<Buffer<PbfParams>>,
     /// Events since the last measurement.
     pub counters: Buffer<Counters>,
     /// What their density ratios are computed from, if they have neighbours.
@@ -142,6 +148,8 @@ pub fn record_count(resources: &mut Resources, scene: &Scene, capacity: u32) -> 
         neighbours: solver.search().map(|search| search.neighbours.alias()),
         warm_starts: solver.warm_starts().map(Buffer::alias),
         densities: solver.search().map(|search| Densities::of(&context, search)),
+        step_params: context.step.alias(),
+        pbf_params: solver.pbf_params().map(Buffer::alias),
         slots: context.slots,
         counters: context.counters,
         positions: particles.positions,

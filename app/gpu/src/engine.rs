@@ -227,6 +227,13 @@ impl Engine {
         }
     }
 
+    /// As [`Engine::write`], over what an upload of the plan filled once: the running plan is then one that uploads `data`, and
+    /// another is held against that ([`Engine::take_uploads`]).
+    pub fn write_uploaded<T: Pod>(&mut self, to: &Buffer<T>, data: &[T]) {
+        self.write(to, data);
+        self.plan.set_uploads(to.id, bytemuck::cast_slice(data));
+    }
+
     /// Takes the numbers of a plan that is the running one but for the content of uploads of the recordings
     /// `of`, and writes those that changed before the next run: what such recordings filled once is then as if
     /// they had been `other`'s. False, and nothing is written, if `other` needs an engine of its own.

@@ -66,6 +66,18 @@ impl Plan {
         }
     }
 
+    /// Takes `content` as what its uploads to a buffer hold; those of another length stay.
+    pub(crate) fn set_uploads(&mut self, buffer: ResourceId, content: &[u8]) {
+        for command in self.recordings.iter_mut().flat_map(|recording| &mut recording.commands) {
+            if let Command::Upload { to, data } = command
+                && *to == buffer
+                && data.len() == content.len()
+            {
+                *data = content.into();
+            }
+        }
+    }
+
     fn memory(&self) -> impl Iterator<Item = (ResourceId, &ResourceInfo)> {
         self.resources().iter().filter(|(id, _)| self.uses(*id))
     }

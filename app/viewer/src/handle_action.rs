@@ -145,7 +145,7 @@ impl Viewer {
         let path = free_name(&self.settings.folder, &self.name(), "mcap");
         let begun = std::fs::create_dir_all(&self.settings.folder)
             .map_err(|error| format!("{}: {error}", self.settings.folder.display()))
-            .and_then(|()| Recorder::begin(path, &self.gpu, current).map_err(|error| error.to_string()));
+            .and_then(|()| Recorder::begin(path, &self.gpu, current, &self.about).map_err(|error| error.to_string()));
         match begun {
             Ok(recorder) => {
                 self.playback.recorder = Some(recorder);

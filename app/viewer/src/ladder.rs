@@ -11,7 +11,7 @@ pub struct Rung {
     /// What is new on it.
     pub name: &'static str,
     /// One of so many particles is left, about: the spacing grows by its root.
-    fewer_particles: u32,
+    pub(crate) fewer_particles: u32,
     /// Whether what is only seen through the water, or as its shadow, is half as fine.
     coarse_fields: bool,
     /// Drawn pixels a side of a picture's pixel.

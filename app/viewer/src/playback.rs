@@ -129,6 +129,11 @@ impl Playback {
         self.record(messages, |recorder| recorder.cost(cost));
     }
 
+    /// Writes what the capture has so far.
+    pub fn flush_capture(&mut self, messages: &mut Messages) {
+        self.record(messages, Recorder::flush);
+    }
+
     /// Whether frames come without anybody asking.
     pub fn is_moving(&self) -> bool {
         !self.paused

@@ -23,7 +23,11 @@ impl Viewer {
     /// What each rung comes to for `scene` in the window as it is.
     pub(crate) fn weigh(&mut self, scene: &Scene) {
         let (tier, room_px) = (self.gpu.tier(), self.room_px);
-        self.works = RUNGS.iter().map(|rung| Work::of(rung, scene, tier, room_px)).collect();
+        let weigh = |(index, rung)| match index < self.least_rung {
+            true => Work { step: f64::INFINITY, draw: f64::INFINITY },
+            false => Work::of(rung, scene, tier, room_px),
+        };
+        self.works = RUNGS.iter().enumerate().map(weigh).collect();
     }
 
     /// Steps that a frame of the budget's length is to have.

@@ -41,7 +41,12 @@ pub struct Recorder {
 
 impl Recorder {
     /// Creates the file and writes what holds for all of it.
-    pub fn begin(path: PathBuf, gpu: &Gpu, current: &ViewerScene) -> Result<Self, CaptureError> {
+    pub fn begin(
+        path: PathBuf,
+        gpu: &Gpu,
+        current: &ViewerScene,
+        about: &[(String, Vec<(String, String)>)],
+    ) -> Result<Self, CaptureError> {
         let clock = CaptureClock::new();
         let has_mesh = current.is_meshed();
         let mesh = MESH_FIELDS.into_iter().filter(|_| has_mesh);
@@ -53,8 +58,9 @@ impl Recorder {
         };
         let mut writer = CaptureWriter::create(&path, options)?;
         writer.device(gpu.info(), tier_name(gpu.tier()))?;
-        let build = [("program", "brooklet view".to_owned()), ("version", env!("CARGO_PKG_VERSION").to_owned())];
-        writer.metadata("build", build)?;
+        for (name, fields) in about {
+            writer.metadata(name, fields.clone())?;
+        }
         let mut recorder = Self {
             path,
             writer,
@@ -152,6 +158,11 @@ impl Recorder {
     /// What capturing costs, where somebody measured it.
     pub fn cost(&mut self, cost: &CaptureCost) -> Result<(), CaptureError> {
         self.writer.cost(cost)
+    }
+
+    /// Writes what is recorded so far.
+    pub fn flush(&mut self) -> Result<(), CaptureError> {
+        self.writer.flush()
     }
 
     /// Bytes written so far.

@@ -19,7 +19,7 @@ use crate::loading::Loading;
 use crate::messages::{Kind, Messages};
 use crate::orbit::Orbit;
 use crate::panels::settings::Draft;
-use crate::panels::{PanelInput, PanelOutput, Panels};
+use crate::panels::{Face, PanelInput, PanelOutput, Panels};
 use crate::playback::Playback;
 use crate::presenter::{Presenter, Target};
 use crate::recorder::Recorder;
@@ -88,23 +88,29 @@ pub struct Viewer {
     mesh_room: Option<MeshRoom>,
     /// Whether the device refused more of it.
     mesh_room_ends: bool,
+    /// Gravity in place of the scene's own.
+    pub(crate) gravity_m_s2: Option<[f64; 3]>,
+    /// What is above it the ladder does not take by itself any more.
+    pub(crate) least_rung: usize,
+    /// Metadata of captures.
+    pub(crate) about: Vec<(String, Vec<(String, String)>)>,
 }
 
 impl Viewer {
-    /// Goes on with what another viewer showed: the same scene, particles and rung, and who chooses that.
-    pub fn resume(&mut self, state: brooklet_fluid::state::State, rung: usize, auto: bool) {
-        (self.rung, self.auto) = (rung.min(RUNGS.len() - 1), auto);
-        let start = Start::Particles { particles: state.particles, steps: state.steps, simulated_s: state.time_s };
-        self.load(state.scene, start, "tier");
-    }
-
     /// Begins to load `scene`; windows have textures of `format`.
     pub fn new(gpu: &Gpu, format: wgpu::TextureFormat, scene: Scene, settings: Settings, room_px: [u32; 2]) -> Self {
+        let mut viewer = Self::without_scene(gpu, format, settings, room_px);
+        viewer.begin(scene);
+        viewer
+    }
+
+    /// As [`Viewer::new`], with no scene until one is opened.
+    pub fn without_scene(gpu: &Gpu, format: wgpu::TextureFormat, settings: Settings, room_px: [u32; 2]) -> Self {
         let context = Context::default();
         style::apply(&context);
         let speed = DeviceSpeed::of_kind(&gpu.info().device_type, gpu.tier());
         let budget_ms = settings.budget_ms.unwrap_or_else(|| default_budget_ms(gpu));
-        let mut viewer = Self {
+        Self {
             gpu: gpu.clone(),
             context,
             presenter: Presenter::new(gpu, format),
@@ -130,10 +136,11 @@ impl Viewer {
             modules: NewModules::default(),
             mesh_room: None,
             mesh_room_ends: false,
+            gravity_m_s2: None,
+            least_rung: 0,
+            about: vec![("build".into(), crate::outside::build("brooklet view"))],
             settings,
-        };
-        viewer.begin(scene);
-        viewer
+        }
     }
 
     /// The user interface's context, for the program around it to feed.
@@ -236,13 +243,26 @@ impl Viewer {
     /// # Errors
     /// If the device is lost. Everything else is said in the window.
     pub fn frame(&mut self, input: RawInput, target: Option<&Target<'_>>) -> Result<Painted, ViewerError> {
+        self.frame_with(input, target, None)
+    }
+
+    /// As [`Viewer::frame`], with `face` in place of the panels.
+    ///
+    /// # Errors
+    /// As [`Viewer::frame`].
+    pub fn frame_with(
+        &mut self,
+        input: RawInput,
+        target: Option<&Target<'_>>,
+        face: Option<&mut Face<'_>>,
+    ) -> Result<Painted, ViewerError> {
         self.take_loaded();
         let painted = self.presenter.reports();
         if let Some(current) = &mut self.current {
             self.playback.take_reports(current, painted, &mut self.messages)?;
         }
         let is_writing = self.playback.jobs.poll(&mut self.messages);
-        let (mut output, panel_output) = self.lay_out(input);
+        let (mut output, panel_output) = self.lay_out(input, face);
         // Kept until it is painted: a frame may have nothing to be painted on.
         self.textures.append(std::mem::take(&mut output.textures_delta));
         let mut for_window = Vec::new();
@@ -267,7 +287,7 @@ impl Viewer {
         Ok(Painted { platform: platform_output, again, within, for_window })
     }
 
-    fn lay_out(&mut self, input: RawInput) -> (FullOutput, PanelOutput) {
+    fn lay_out(&mut self, input: RawInput, mut face: Option<&mut Face<'_>>) -> (FullOutput, PanelOutput) {
         let has_messages = self.messages.fade();
         let mut panel_output = PanelOutput::default();
         let picture_px = self.current.as_ref().map(|current| current.view().size_px);
@@ -291,7 +311,10 @@ impl Viewer {
         let panels = &mut self.panels;
         let context = self.context.clone();
         let output = context.run_ui(input, |ui| {
-            panel_output = panels.show(ui, &shown);
+            match &mut face {
+                Some(face) => face(ui, &shown, &mut panel_output),
+                None => panel_output = panels.show(ui, &shown),
+            }
             panel_output.actions.extend(action::pressed(ui.ctx()));
             if has_messages {
                 ui.ctx().request_repaint_after(std::time::Duration::from_millis(500));
@@ -347,6 +370,7 @@ impl Viewer {
         let Some(result) = loading.poll() else { return };
         let carries = matches!(loading.desc.start, Start::Carry(_));
         let why = std::mem::take(&mut loading.desc.why);
+        let desc = loading.desc.clone();
         self.loading = None;
         match result {
             Ok(mut current) => {
@@ -370,6 +394,7 @@ impl Viewer {
             }
             Err(error) => {
                 self.messages.notify(Kind::Error, error.to_string());
+                self.load_less(&error, desc);
                 if why == MESH_ROOM {
                     (self.mesh_room, self.mesh_room_ends) = (None, true);
                 }
@@ -433,6 +458,9 @@ impl Viewer {
 
     fn advance(&mut self) -> Result<bool, ViewerError> {
         let Some(current) = &mut self.current else { return Ok(false) };
+        if let Some(gravity_m_s2) = self.gravity_m_s2 {
+            current.session.set_gravity(gravity_m_s2);
+        }
         let advanced = self.playback.advance(current, self.governor.budget_ms)?;
         // While the simulation stands nothing is moved by hand, nor later for it.
         if self.playback.drag.is_none() || self.playback.paused {

@@ -41,6 +41,7 @@ const ROOMS: &[(&str, &[&str])] = &[
     // The window compiles a changed shader while it runs.
     ("brooklet", &["kernels", "gpu", "fluid", "render", "bench", "capture", "viewer", "check", "study", "compiler"]),
     ("brooklet-mobile", &["kernels", "gpu", "fluid", "render", "capture", "check", "viewer"]),
+    ("brooklet-android", &["fluid", "capture", "mobile"]),
     (
         "brooklet-tests",
         &["kernels", "gpu", "fluid", "render", "bench", "capture", "reference", "check", "study", "compiler"],
@@ -373,7 +374,7 @@ fn files_are_where_they_belong_and_right_on_any_machine() {
 #[test]
 fn scripts_can_be_run() {
     use std::os::unix::fs::PermissionsExt;
-    for script in ["tools/setup", "tools/demo", "tools/test", ".ci/run"] {
+    for script in ["tools/setup", "tools/demo", "tools/test", "tools/android", ".ci/run"] {
         let mode = fs::metadata(top().join(script)).unwrap().permissions();
         assert_eq!(mode.mode() & 0o111, 0o111, "{script} is not executable");
     }

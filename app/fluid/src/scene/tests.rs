@@ -34,6 +34,20 @@ fn every_shipped_scene_loads_and_says_what_it_is() {
     }
 }
 
+/// A published table of a phone's frame rates is of these: 1,000 and 5,000 particles, PBF of 2 iterations, marching cubes.
+#[test]
+fn the_phones_scenes_are_those_that_are_published() {
+    for (name, particles) in [("phone-1k", 1000), ("phone-5k", 5000)] {
+        let scene = Scene::load(name, &[]).unwrap();
+        assert_eq!(scene.particle_count(), particles, "{name}");
+        assert_eq!((scene.solver.pbf.iterations, scene.solver.substeps), (2, 1), "{name}");
+        let [x_m, y_m, z_m] = scene.domain.size_m();
+        let of_cells_m = [80.0, 40.0, 40.0].map(|cells| cells * x_m / 80.0);
+        assert_eq!(scene.surface.mesh.dense_cells, 80, "{name}");
+        assert!([x_m, y_m, z_m].iter().zip(of_cells_m).all(|(size_m, wanted_m)| (size_m - wanted_m).abs() < 1e-12), "{name}");
+    }
+}
+
 #[test]
 fn settings_replace_values() {
     let scene =

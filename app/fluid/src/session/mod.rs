@@ -19,7 +19,9 @@ use crate::particles::ParticleSet;
 use crate::scene::{Scene, Update};
 use crate::slot_changes::{DrainBox, ParticleBlock, SlotChanges};
 use crate::slots::step_state;
+use crate::solver::pbf::{self, IterationWeights};
 use crate::step::Recorded;
+use crate::step_params::step_params;
 
 /// Why a session cannot start.
 #[derive(Debug, Error)]
@@ -321,6 +323,26 @@ impl Session {
         let before = std::mem::replace(&mut self.scene, planned.scene.clone());
         self.go_on_after(&before)?;
         Ok(true)
+    }
+
+    /// Other gravity from the next frame on, m/s², of a domain of two dimensions its part in their plane: as if the scene had
+    /// been planned with it, without a plan. Values that are no numbers change nothing.
+    pub fn set_gravity(&mut self, mut gravity_m_s2: [f64; 3]) {
+        if self.scene.domain.dimensions == 2 {
+            gravity_m_s2[2] = 0.0;
+        }
+        if gravity_m_s2 == self.scene.gravity_m_s2 || !gravity_m_s2.iter().all(|g| g.is_finite()) {
+            return;
+        }
+        let before = pbf::separation_lambda(&self.scene);
+        self.scene.gravity_m_s2 = gravity_m_s2;
+        self.engine.write_uploaded(&self.recorded.step_params, &[step_params(&self.scene)]);
+        if let Some(params) = &self.recorded.pbf_params
+            && before != pbf::separation_lambda(&self.scene)
+        {
+            let weights = IterationWeights::of(&self.scene);
+            self.engine.write_uploaded(params, &[pbf::params(&self.scene, &weights)]);
+        }
     }
 
     /// Takes over the state of `old`, the same particles in another plan, without a way over the host: every

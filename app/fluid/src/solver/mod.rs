@@ -5,7 +5,7 @@ pub mod none;
 pub mod pbf;
 
 use brooklet_gpu::{Recording, Resources};
-use brooklet_kernels::{Buffer, WarmStart};
+use brooklet_kernels::{Buffer, PbfParams, WarmStart};
 
 use crate::grid::NeighbourSearch;
 use crate::scene::{Method, Scene};
@@ -64,6 +64,14 @@ impl Solver {
     pub fn warm_starts(&self) -> Option<&Buffer<WarmStart>> {
         match self {
             Self::Pbf(pbf) => pbf.warm_starts(),
+            Self::None(_) => None,
+        }
+    }
+
+    /// What the density constraint's shaders are told, if that is the solver.
+    pub fn pbf_params(&self) -> Option<&Buffer<PbfParams>> {
+        match self {
+            Self::Pbf(pbf) => Some(pbf.params()),
             Self::None(_) => None,
         }
     }

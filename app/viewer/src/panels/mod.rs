@@ -3,7 +3,7 @@
 mod bar;
 mod help;
 mod messages;
-mod picture;
+pub mod picture;
 mod quality;
 pub mod settings;
 mod side;
@@ -58,6 +58,9 @@ pub struct PanelInput<'a> {
     /// Settings that wait for the next reset.
     pub waiting: &'a [String],
 }
+
+/// What a program shows in place of the panels: over the picture ([`picture::show`]), or without one.
+pub type Face<'a> = dyn FnMut(&mut egui::Ui, &PanelInput<'_>, &mut PanelOutput) + 'a;
 
 /// What of the panels is open, and what is being edited.
 pub struct Panels {

@@ -7,7 +7,8 @@ use crate::marks::mark;
 use crate::pointer::{Pointing, Strokes};
 use crate::style;
 
-pub(super) fn show(ui: &mut Ui, shown: &PanelInput<'_>, strokes: &mut Strokes, panel_output: &mut PanelOutput) {
+/// The picture in all the room that is left, and what the pointer does on it.
+pub fn show(ui: &mut Ui, shown: &PanelInput<'_>, strokes: &mut Strokes, panel_output: &mut PanelOutput) {
     CentralPanel::default().frame(Frame::new().fill(Color32::from_rgb(10, 12, 15))).show(ui, |ui| {
         let room = ui.max_rect();
         let pixels_per_point = ui.ctx().pixels_per_point();

@@ -95,7 +95,7 @@ const SEPARATION_LAMBDA: f64 = -0.02;
 const SEPARATION_TIME: f64 = 0.055;
 
 /// That of a scene. Without gravity the step is what others' substeps are held against.
-fn separation_lambda(scene: &Scene) -> f64 {
+pub(crate) fn separation_lambda(scene: &Scene) -> f64 {
     let g_m_s2 = scene.gravity_m_s2.iter().map(|g| g * g).sum::<f64>().sqrt();
     let fall_s = SEPARATION_TIME * (scene.fitted_spacing_m() / g_m_s2).sqrt();
     let whole_s = if g_m_s2 > 0.0 { fall_s } else { scene.solver.dt_s };
@@ -246,6 +246,11 @@ impl Pbf {
         if let Some(Momentum { warm: Some(warm), totals, .. }) = &mut self.momentum {
             warm.keep(recording, context, &self.search, (&self.lambdas, totals.as_ref()));
         }
+    }
+
+    /// What its shaders are told.
+    pub(crate) fn params(&self) -> &Buffer<PbfParams> {
+        &self.params
     }
 
     /// What the next substep begins with of the last one's pressure, by slot; none of scenes that begin cold.

@@ -1,0 +1,79 @@
+//! What the program round the window knows of the world outside: heat, memory, which way is down, what it is itself.
+
+use brooklet_fluid::state::State;
+use brooklet_gpu::GpuError;
+
+use crate::ViewerError;
+use crate::ladder::RUNGS;
+use crate::messages::Kind;
+use crate::viewer::Viewer;
+use crate::viewer_scene::{SceneDesc, Start};
+
+/// What captures are told of the program that writes them.
+pub(crate) fn build(program: &str) -> Vec<(String, String)> {
+    vec![("program".into(), program.into()), ("version".into(), env!("CARGO_PKG_VERSION").into())]
+}
+
+impl Viewer {
+    /// Goes on with what another viewer showed: the same scene, particles and rung, and who chooses that.
+    pub fn resume(&mut self, state: State, rung: usize, auto: bool) {
+        (self.rung, self.auto) = (rung.min(RUNGS.len() - 1), auto);
+        let start = Start::Particles { particles: state.particles, steps: state.steps, simulated_s: state.time_s };
+        self.load(state.scene, start, "tier");
+    }
+
+    /// Takes the budget as `share` of itself from now on, above 0 to 1: a device that is about to be throttled.
+    pub fn be_strict(&mut self, share: f64) {
+        self.governor.be_strict(share);
+    }
+
+    /// Gravity in place of the scene's own, m/s², from the next frame on and for every scene; none: its own, from the next
+    /// scene on.
+    pub fn set_gravity(&mut self, gravity_m_s2: Option<[f64; 3]>) {
+        self.gravity_m_s2 = gravity_m_s2;
+    }
+
+    /// Gives up particles for good: the ladder goes to the next rung that has fewer, and no higher from then on. False if there
+    /// is none; said either way, with `reason`.
+    pub fn give_up_particles(&mut self, reason: &str) -> bool {
+        let fewer = |rung: &usize| RUNGS[*rung].fewer_particles > RUNGS[self.rung].fewer_particles;
+        let Some(rung) = (self.rung..RUNGS.len()).find(fewer) else {
+            self.messages.notify(Kind::Warning, format!("{reason}: there is nothing left to give up"));
+            return false;
+        };
+        self.least_rung = rung;
+        self.messages.notify(Kind::Warning, format!("{reason}: {}", RUNGS[rung].given_up()));
+        if let Some(scene) = self.current.as_ref().map(|current| current.scene.clone()) {
+            self.weigh(&scene);
+        }
+        self.take_rung(rung);
+        true
+    }
+
+    /// Loads a scene that the device has no room for once more, with fewer particles, if it is to run from its start.
+    pub(crate) fn load_less(&mut self, error: &ViewerError, desc: SceneDesc) {
+        let no_room = matches!(
+            error,
+            ViewerError::Gpu(GpuError::OutOfMemory { .. } | GpuError::BufferTooLarge { .. })
+        );
+        if no_room && self.auto && matches!(desc.start, Start::Scene) && self.give_up_particles("there is no room") {
+            self.load(desc.scene, Start::Scene, "fewer particles");
+        }
+    }
+
+    /// Facts that captures have as metadata `name` from the next one on.
+    pub fn set_about(&mut self, name: &str, fields: Vec<(String, String)>) {
+        self.about.retain(|(known, _)| known != name);
+        self.about.push((name.to_owned(), fields));
+    }
+
+    /// Writes what is recorded of the capture, and goes on with it.
+    pub fn flush_capture(&mut self) {
+        self.playback.flush_capture(&mut self.messages);
+    }
+
+    /// Paints the picture anew, whatever moves: the window had another, or none.
+    pub fn repaint(&mut self) {
+        self.playback.redraw();
+    }
+}

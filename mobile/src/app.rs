@@ -1,0 +1,446 @@
+//! The app: its device, its viewer, its screen, and the window that comes and goes.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use brooklet_fluid::Scene;
+use brooklet_gpu::{Gpu, GpuOptions, vulkan_instance};
+use brooklet_kernels::Module;
+use brooklet_viewer::action::Action;
+use brooklet_viewer::panels::{PanelInput, PanelOutput};
+use brooklet_viewer::{Kind, Painted, Settings, Target, Viewer, ViewerError};
+use egui::{Pos2, RawInput, Rect, vec2};
+
+use crate::canvas::{Canvas, Picture, SharedWindow, SurfaceLost, WindowSource};
+use crate::gravity::Gravity;
+use crate::heat::Heat;
+use crate::screen::{self, Ask, Facts, Screen};
+use crate::self_check::{Checked, SelfCheck};
+use crate::touch::{Acceleration, TouchEvent, Touches};
+
+/// Folders of the app's own.
+#[derive(Clone, Debug)]
+pub struct AppPaths {
+    /// Captures and pictures, where the user finds them.
+    pub files: PathBuf,
+    /// Compiled pipelines.
+    pub cache: PathBuf,
+}
+
+/// When the next frame is wanted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Wake {
+    /// At once.
+    Now,
+    /// After that time, or when something happens before.
+    After(Duration),
+    /// When something happens.
+    OnEvent,
+}
+
+/// The scene that the app begins with, and whose kernels are checked.
+const FIRST_SCENE: &str = "phone-1k";
+/// A busy GPU is asked so often whether it is done.
+const BUSY: Duration = Duration::from_millis(2);
+/// A window that gives no frame, and a check under way, are asked so often.
+const HIDDEN: Duration = Duration::from_millis(100);
+/// A device that is lost again within this time is not opened a third time.
+const LOST_AGAIN: Duration = Duration::from_secs(20);
+
+/// The app.
+pub struct App {
+    paths: AppPaths,
+    options: GpuOptions,
+    replacements: Vec<&'static Module>,
+    instance: Option<wgpu::Instance>,
+    open: Option<Open>,
+    shown: Option<Shown>,
+    screen: Screen,
+    touches: Touches,
+    gravity: Gravity,
+    heat: Heat,
+    /// Whether something happened since the last frame.
+    touched: bool,
+    lost: Option<Instant>,
+    failure: Option<String>,
+}
+
+/// All that goes when the device goes.
+struct Open {
+    viewer: Viewer,
+    format: wgpu::TextureFormat,
+    gpu: Gpu,
+    check: Option<SelfCheck>,
+    checked: Option<Checked>,
+}
+
+/// All that goes when the window goes.
+struct Shown {
+    window: Option<SharedWindow>,
+    canvas: Canvas,
+    pixels_per_point: f32,
+}
+
+impl App {
+    /// Opens nothing yet.
+    pub fn new(paths: AppPaths) -> App {
+        App {
+            paths,
+            options: GpuOptions { timing: true, ..GpuOptions::default() },
+            replacements: Vec::new(),
+            instance: None,
+            open: None,
+            shown: None,
+            screen: Screen::default(),
+            touches: Touches::default(),
+            gravity: Gravity::default(),
+            heat: Heat::default(),
+            touched: true,
+            lost: None,
+            failure: None,
+        }
+    }
+
+    /// As a device is opened, but for the folder of its pipelines: a tier, a name.
+    pub fn with_gpu_options(self, options: GpuOptions) -> App {
+        App { options, ..self }
+    }
+
+    /// Kernels that the self-check runs in place of those of their names: to see what becomes of a wrong one.
+    pub fn with_checked_modules(self, replacements: Vec<&'static Module>) -> App {
+        App { replacements, ..self }
+    }
+
+    /// Shows itself in a window from now on. Device, queue and scene are made by the first call, and kept until the device
+    /// is lost. What goes wrong is [`App::failure`]; the next call tries again.
+    pub fn resume(&mut self, window: Box<dyn WindowSource>, size_px: [u32; 2], pixels_per_point: f32) {
+        self.show(Some(SharedWindow(Arc::from(window))), size_px, pixels_per_point);
+    }
+
+    /// As [`App::resume`], without a window: frames are painted on a texture, which [`App::picture`] reads.
+    pub fn resume_offscreen(&mut self, size_px: [u32; 2], pixels_per_point: f32) {
+        self.show(None, size_px, pixels_per_point);
+    }
+
+    /// Lets the window go, and writes what there is of the capture.
+    pub fn suspend(&mut self) {
+        self.touches.cancel();
+        self.shown = None;
+        if let Some(open) = &mut self.open {
+            open.viewer.flush_capture();
+        }
+    }
+
+    /// Takes what a finger did.
+    pub fn touch(&mut self, event: TouchEvent) {
+        let Some(shown) = &self.shown else { return };
+        self.touches.take(event, shown.pixels_per_point);
+    }
+
+    /// Takes a reading of the accelerometer. The first one, and what the level button is touched at, is level.
+    pub fn acceleration(&mut self, reading: Acceleration) {
+        self.gravity.take(&reading, Instant::now());
+    }
+
+    /// Takes how near the device is to being slowed down for its heat: 0 is cool, 1 is there, NaN is unknown.
+    pub fn thermal_headroom(&mut self, headroom: f32) {
+        self.heat.take_headroom(headroom);
+    }
+
+    /// The system is short of memory: what is kept for later goes, and half of the particles.
+    pub fn low_memory(&mut self) {
+        let Some(open) = &mut self.open else { return };
+        open.gpu.trim();
+        open.viewer.give_up_particles("the system is short of memory");
+        self.touched = true;
+    }
+
+    /// The back key: closes what is open over the picture; false if the app should go to the background.
+    pub fn back(&mut self) -> bool {
+        self.touched = true;
+        self.screen.back()
+    }
+
+    /// What keeps the app from showing anything, in words for a screen of text; none if nothing does.
+    pub fn failure(&self) -> Option<&str> {
+        self.failure.as_deref()
+    }
+
+    /// The viewer, once there is a device.
+    pub fn viewer(&self) -> Option<&Viewer> {
+        self.open.as_ref().map(|open| &open.viewer)
+    }
+
+    /// The viewer, for a program that drives it without fingers.
+    pub fn viewer_mut(&mut self) -> Option<&mut Viewer> {
+        self.touched = true;
+        self.open.as_mut().map(|open| &mut open.viewer)
+    }
+
+    /// The device, once there is one.
+    pub fn gpu(&self) -> Option<&Gpu> {
+        self.open.as_ref().map(|open| &open.gpu)
+    }
+
+    /// What the self-check found on this device, once it is known.
+    pub fn checked(&self) -> Option<&Checked> {
+        self.open.as_ref()?.checked.as_ref()
+    }
+
+    /// What was painted last, where that is no window.
+    pub fn picture(&self) -> Option<Picture> {
+        let (open, shown) = (self.open.as_ref()?, self.shown.as_ref()?);
+        shown.canvas.read(&open.gpu)
+    }
+
+    /// One frame, if it would show anything new.
+    pub fn frame(&mut self) -> Wake {
+        if self.failure.is_some() {
+            return Wake::OnEvent;
+        }
+        self.follow_check();
+        self.sense();
+        let (Some(open), Some(shown)) = (&mut self.open, &mut self.shown) else { return Wake::OnEvent };
+        let is_new = std::mem::take(&mut self.touched) | self.touches.is_new();
+        match open.viewer.has_news() {
+            Ok(false) if !is_new => return Wake::After(BUSY),
+            Ok(_) => {}
+            Err(error) => return self.lose_device(&error.to_string()),
+        }
+        let sheet = match shown.canvas.next(&open.gpu) {
+            Ok(Some(sheet)) => sheet,
+            Ok(None) => {
+                self.touched = true;
+                return match open.gpu.is_lost() {
+                    Some(reason) => self.lose_device(&reason),
+                    None => Wake::After(HIDDEN),
+                };
+            }
+            Err(SurfaceLost) => return self.rebuild(),
+        };
+        let Some(view) = shown.canvas.view(&sheet) else { return Wake::OnEvent };
+        let size_px = shown.canvas.size_px();
+        let target = Target { view: &view, size_px, pixels_per_point: shown.pixels_per_point };
+        match self.paint(&target) {
+            Ok((painted, asks)) => {
+                if let (Some(open), Some(shown)) = (&self.open, &self.shown) {
+                    shown.canvas.show(&open.gpu, sheet);
+                }
+                let asked = !asks.is_empty();
+                asks.into_iter().for_each(|ask| self.answer(ask));
+                if asked { Wake::Now } else { self.wake(&painted) }
+            }
+            Err(error) => self.lose_device(&error.to_string()),
+        }
+    }
+
+    fn paint(&mut self, target: &Target<'_>) -> Result<(Painted, Vec<Ask>), ViewerError> {
+        let Some(open) = &mut self.open else { return Err(ViewerError::NoPicture) };
+        let [width, height] = target.size_px.map(|side| side as f32 / target.pixels_per_point);
+        let mut input = RawInput {
+            screen_rect: Some(Rect::from_min_size(Pos2::ZERO, vec2(width, height))),
+            events: self.touches.events(),
+            max_texture_side: Some(open.gpu.device().limits().max_texture_dimension_2d as usize),
+            ..RawInput::default()
+        };
+        let viewport = input.viewports.entry(input.viewport_id).or_default();
+        viewport.native_pixels_per_point = Some(target.pixels_per_point);
+        let files = self.paths.files.display().to_string();
+        let facts = Facts {
+            has_gravity: self.gravity.is_known(),
+            checking: open.check.as_ref().map(|check| check.progress),
+            checked: open.checked.as_ref().map(Checked::summary),
+            is_wrong: open.checked.as_ref().is_some_and(|checked| !checked.wrong.is_empty()),
+            files: &files,
+        };
+        let (screen, mut asks) = (&mut self.screen, Vec::new());
+        let mut face = |ui: &mut egui::Ui, shown: &PanelInput<'_>, output: &mut PanelOutput| {
+            asks = screen.show(ui, shown, &facts, output);
+        };
+        let painted = open.viewer.frame_with(input, Some(target), Some(&mut face))?;
+        Ok((painted, asks))
+    }
+
+    fn answer(&mut self, ask: Ask) {
+        self.touched = true;
+        let Some(open) = &mut self.open else { return };
+        match ask {
+            Ask::Level => match self.gravity.set_level() {
+                true => open.viewer.notify(Kind::Done, "this is level now"),
+                false => open.viewer.notify(Kind::Warning, "the sensor does not say which way is down: hold still"),
+            },
+            Ask::Check => begin_check(open, self.replacements.clone()),
+        }
+    }
+
+    /// Gravity and heat, as they are now.
+    fn sense(&mut self) {
+        let Some(open) = &mut self.open else { return };
+        let now = Instant::now();
+        if let Some(current) = open.viewer.current() {
+            let axes = current.view().camera.axes();
+            let gravity = self.gravity.now([axes.x_axis, axes.y_axis, axes.z_axis], now);
+            open.viewer.set_gravity(gravity.map(|gravity| gravity.to_array()));
+        }
+        if let Some((step_ms, draw_ms)) = open.viewer.cost_ms() {
+            self.heat.take_frame(open.viewer.rung(), step_ms + draw_ms, now);
+        }
+        open.viewer.be_strict(self.heat.share());
+    }
+
+    /// Takes what the self-check found: keeps it, refuses what is wrong, and goes on without.
+    fn follow_check(&mut self) {
+        let Some(open) = &mut self.open else { return };
+        let Some(check) = &mut open.check else { return };
+        self.touched = true;
+        let Some(found) = check.poll() else { return };
+        open.check = None;
+        match found {
+            Ok(checked) => {
+                if let Err(reason) = checked.save(&self.paths.files) {
+                    open.viewer.notify(Kind::Warning, format!("the self-check's result is not kept: {reason}"));
+                }
+                take_checked(open, checked);
+            }
+            Err(reason) => open.viewer.notify(Kind::Warning, reason),
+        }
+        match open.viewer.current() {
+            None => open.viewer.open(FIRST_SCENE),
+            Some(_) if open.gpu.refused().is_empty() => {}
+            Some(_) => drop(open.viewer.handle_action(Action::Reset)),
+        }
+    }
+
+    fn show(&mut self, window: Option<SharedWindow>, size_px: [u32; 2], pixels_per_point: f32) {
+        self.shown = None;
+        (self.failure, self.touched) = (None, true);
+        let sensible = pixels_per_point.is_finite() && pixels_per_point > 0.0;
+        let pixels_per_point = if sensible { pixels_per_point.clamp(0.5, 8.0) } else { 1.0 };
+        match self.try_to_show(window, size_px, pixels_per_point) {
+            Ok(shown) => self.shown = Some(shown),
+            Err(reason) => self.failure = Some(reason),
+        }
+    }
+
+    fn try_to_show(
+        &mut self,
+        window: Option<SharedWindow>,
+        size_px: [u32; 2],
+        pixels_per_point: f32,
+    ) -> Result<Shown, String> {
+        let instance = self.instance.get_or_insert_with(vulkan_instance);
+        let made = window.clone().map(|window| instance.create_surface(window)).transpose();
+        let surface = made.map_err(|error| format!("Vulkan cannot show pictures in this window: {error}"))?;
+        let gpu = match &self.open {
+            Some(open) => open.gpu.clone(),
+            None => {
+                let options = GpuOptions { pipeline_cache: Some(self.paths.cache.clone()), ..self.options.clone() };
+                Gpu::open_on(instance, surface.as_ref(), &options).map_err(|error| error.to_string())?
+            }
+        };
+        let canvas = match surface {
+            Some(surface) => Canvas::on_surface(surface, &gpu, size_px)?,
+            None => Canvas::offscreen(&gpu, size_px),
+        };
+        match &mut self.open {
+            Some(open) if open.format == canvas.format() => open.viewer.repaint(),
+            Some(open) => change_format(open, &canvas, &self.paths),
+            None => self.open = Some(self.first(gpu, &canvas)),
+        }
+        Ok(Shown { window, canvas, pixels_per_point })
+    }
+
+    /// A viewer on a device that was opened just now; what is known to be wrong there is refused before anything is loaded.
+    fn first(&self, gpu: Gpu, canvas: &Canvas) -> Open {
+        let viewer = viewer(&gpu, canvas, &self.paths);
+        let mut open = Open { viewer, format: canvas.format(), gpu, check: None, checked: None };
+        match Checked::load(&self.paths.files, &open.gpu) {
+            Some(checked) => take_checked(&mut open, checked),
+            None => begin_check(&mut open, self.replacements.clone()),
+        }
+        if open.check.is_none() {
+            open.viewer.open(FIRST_SCENE);
+        }
+        open
+    }
+
+    /// Another surface of the same window.
+    fn rebuild(&mut self) -> Wake {
+        let Some(Shown { window, canvas, pixels_per_point }) = self.shown.take() else { return Wake::OnEvent };
+        let size_px = canvas.size_px();
+        // A window has one surface: the old one goes first.
+        drop(canvas);
+        self.show(window, size_px, pixels_per_point);
+        Wake::Now
+    }
+
+    /// Opens the device anew, and says why; not a second time in a row.
+    fn lose_device(&mut self, reason: &str) -> Wake {
+        let lost_again = self.lost.is_some_and(|lost| lost.elapsed() < LOST_AGAIN);
+        self.lost = Some(Instant::now());
+        let shown = self.shown.take().map(|Shown { window, canvas, pixels_per_point }| {
+            (window, canvas.size_px(), pixels_per_point)
+        });
+        // Everything of the device goes before it is opened again.
+        (self.open, self.instance) = (None, None);
+        if lost_again {
+            self.failure = Some(format!("the GPU stopped twice: {reason}"));
+            return Wake::OnEvent;
+        }
+        if let Some((window, size_px, pixels_per_point)) = shown {
+            self.show(window, size_px, pixels_per_point);
+        }
+        if let Some(open) = &mut self.open {
+            open.viewer.notify(Kind::Error, format!("the GPU stopped, and was started again: {reason}"));
+        }
+        Wake::Now
+    }
+
+    fn wake(&self, painted: &Painted) -> Wake {
+        let is_checking = self.open.as_ref().is_some_and(|open| open.check.is_some());
+        match painted.within {
+            _ if painted.again => Wake::Now,
+            // Water that is tilted while it stands still is not simulated.
+            within if is_checking => Wake::After(within.min(HIDDEN)),
+            Duration::MAX => Wake::OnEvent,
+            within => Wake::After(within),
+        }
+    }
+}
+
+fn viewer(gpu: &Gpu, canvas: &Canvas, paths: &AppPaths) -> Viewer {
+    let settings = Settings { folder: paths.files.clone(), budget_ms: None, rung: None };
+    let mut viewer = Viewer::without_scene(gpu, canvas.format(), settings, canvas.size_px());
+    screen::apply(viewer.context());
+    let build = [("program", "brooklet mobile"), ("version", env!("CARGO_PKG_VERSION"))];
+    viewer.set_about("build", build.map(|(name, value)| (name.to_owned(), value.to_owned())).to_vec());
+    viewer
+}
+
+/// A window came back with another format, for which nothing was built.
+fn change_format(open: &mut Open, canvas: &Canvas, paths: &AppPaths) {
+    let (state, rung, auto) = (open.viewer.take_state(), open.viewer.rung(), open.viewer.is_auto());
+    (open.viewer, open.format) = (viewer(&open.gpu, canvas, paths), canvas.format());
+    match state {
+        Some(state) => open.viewer.resume(state, rung, auto),
+        None if open.check.is_none() => open.viewer.open(FIRST_SCENE),
+        None => {}
+    }
+}
+
+fn begin_check(open: &mut Open, replacements: Vec<&'static Module>) {
+    let scene = Scene::load(FIRST_SCENE, &[]).map_err(|error| error.to_string());
+    match scene.and_then(|scene| SelfCheck::begin(&open.gpu, &scene, replacements)) {
+        Ok(check) => open.check = Some(check),
+        Err(reason) => open.viewer.notify(Kind::Warning, reason),
+    }
+}
+
+fn take_checked(open: &mut Open, checked: Checked) {
+    checked.refuse_wrong(&open.gpu);
+    open.viewer.set_about("self_check", checked.fields());
+    let kind = if checked.wrong.is_empty() { Kind::Done } else { Kind::Error };
+    open.viewer.notify(kind, format!("self-check: {}", checked.summary()));
+    open.checked = Some(checked);
+}

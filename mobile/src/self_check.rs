@@ -1,0 +1,177 @@
+//! Whether this phone computes what it should: known answers of every kernel of the small scene, at the first start and from
+//! the menu. What is wrong is refused, so that scenes are planned without it; the result is kept for each version and driver.
+
+use std::path::{Path, PathBuf};
+use std::sync::mpsc::{Receiver, TryRecvError, channel};
+use std::time::Instant;
+
+use brooklet_check::{Device, ModuleVerdict, Report, Verdict, Wanted};
+use brooklet_fluid::Scene;
+use brooklet_gpu::{Gpu, tier_name};
+use brooklet_kernels::Module;
+use brooklet_render::ScenePlan;
+use serde::{Deserialize, Serialize};
+
+/// Where the result is kept.
+const FILE: &str = "self-check.json";
+
+/// What came of it.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Checked {
+    /// Version, device, driver and tier that it holds for.
+    pub of: String,
+    /// Known answers that were asked.
+    pub cases: usize,
+    /// That could not run here.
+    pub skipped: usize,
+    /// How long it took, s.
+    pub wall_s: f64,
+    /// What is wrong.
+    pub wrong: Vec<WrongAnswer>,
+}
+
+/// A wrong answer.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct WrongAnswer {
+    /// The kernel and variant; empty if it is not known which.
+    pub module: String,
+    /// What was wrong with it.
+    pub reason: String,
+}
+
+impl Checked {
+    /// What a result on this device is of.
+    pub fn key(gpu: &Gpu) -> String {
+        let info = gpu.info();
+        let version = env!("CARGO_PKG_VERSION");
+        format!("{version}, {}, {} {}, {}", info.name, info.driver, info.driver_info, tier_name(gpu.tier()))
+    }
+
+    /// In a line.
+    pub fn summary(&self) -> String {
+        match self.wrong.as_slice() {
+            [] => format!("{} known answers, all right ({:.1} s)", self.cases - self.skipped, self.wall_s),
+            wrong => {
+                let mut names: Vec<&str> = wrong.iter().map(|wrong| wrong.module.as_str()).collect();
+                names.dedup();
+                format!("computes wrongly: {}", names.join(", "))
+            }
+        }
+    }
+
+    /// For captures.
+    pub fn fields(&self) -> Vec<(String, String)> {
+        let wrong = self.wrong.iter().map(|wrong| (format!("wrong {}", wrong.module), wrong.reason.clone()));
+        let facts = [("of", self.of.clone()), ("summary", self.summary())];
+        facts.map(|(name, value)| (name.to_owned(), value)).into_iter().chain(wrong).collect()
+    }
+
+    /// Takes what is wrong from the device: no pipeline of it is built from now on.
+    pub fn refuse_wrong(&self, gpu: &Gpu) {
+        for WrongAnswer { module, reason } in self.wrong.iter().filter(|wrong| !wrong.module.is_empty()) {
+            gpu.refuse(module, reason);
+        }
+    }
+
+    /// The result that is kept of this version and driver.
+    pub fn load(folder: &Path, gpu: &Gpu) -> Option<Self> {
+        let text = std::fs::read_to_string(folder.join(FILE)).ok()?;
+        // One that cannot be read is asked for again.
+        let kept: Self = serde_json::from_str(&text).ok()?;
+        (kept.of == Self::key(gpu)).then_some(kept)
+    }
+
+    /// Keeps it.
+    ///
+    /// # Errors
+    /// If that cannot be written, with the file's name.
+    pub fn save(&self, folder: &Path) -> Result<(), String> {
+        let path = folder.join(FILE);
+        let failed = |error: std::io::Error| format!("{}: {error}", path.display());
+        std::fs::create_dir_all(folder).map_err(failed)?;
+        let text = serde_json::to_string_pretty(self).map_err(|error| format!("{}: {error}", path.display()))?;
+        // A start that is cut short leaves the old one or none.
+        let unfinished: PathBuf = folder.join(format!("{FILE}.part"));
+        std::fs::write(&unfinished, text).and_then(|()| std::fs::rename(&unfinished, &path)).map_err(failed)
+    }
+}
+
+/// A check under way, on a thread of its own.
+pub struct SelfCheck {
+    news: Receiver<News>,
+    /// Cases that are done, and all.
+    pub progress: [usize; 2],
+}
+
+enum News {
+    Progress([usize; 2]),
+    Done(Checked),
+}
+
+impl SelfCheck {
+    /// Begins; `replacements` run in place of the kernels of their names.
+    ///
+    /// # Errors
+    /// If the system has no thread left.
+    pub fn begin(gpu: &Gpu, scene: &Scene, replacements: Vec<&'static Module>) -> Result<Self, String> {
+        let (sender, news) = channel();
+        let (gpu, scene) = (gpu.clone(), scene.clone());
+        let run = move || {
+            // Nobody listens any more only where the app ends.
+            let checked = check(&gpu, &scene, replacements, &mut |progress| drop(sender.send(News::Progress(progress))));
+            drop(sender.send(News::Done(checked)));
+        };
+        let thread = std::thread::Builder::new().name("self-check".into()).spawn(run);
+        thread.map_err(|error| format!("the self-check cannot begin: {error}"))?;
+        Ok(Self { news, progress: [0, 0] })
+    }
+
+    /// What came of it, once it is done.
+    pub fn poll(&mut self) -> Option<Result<Checked, String>> {
+        loop {
+            match self.news.try_recv() {
+                Ok(News::Progress(progress)) => self.progress = progress,
+                Ok(News::Done(checked)) => return Some(Ok(checked)),
+                Err(TryRecvError::Empty) => return None,
+                Err(TryRecvError::Disconnected) => return Some(Err("the self-check ended early".into())),
+            }
+        }
+    }
+}
+
+fn check(gpu: &Gpu, scene: &Scene, replacements: Vec<&'static Module>, tell: &mut dyn FnMut([usize; 2])) -> Checked {
+    let begun = Instant::now();
+    let count = scene.particle_count().try_into().unwrap_or(u32::MAX);
+    let mut checked = Checked { of: Checked::key(gpu), ..Checked::default() };
+    let planned = match ScenePlan::of_count(scene, count, gpu.tier()) {
+        Ok(planned) => planned,
+        Err(error) => {
+            checked.wrong.push(WrongAnswer { module: String::new(), reason: error.to_string() });
+            return checked;
+        }
+    };
+    // The sizes that take minutes on a processor are for a developer's machine.
+    let device = Device::new(gpu.clone(), true).with_modules(replacements);
+    let report = Report::run(&device, &Wanted::of_plan(planned.plan()), &mut |progress| {
+        tell([progress.done, progress.total]);
+    });
+    checked.cases = report.outcomes.len();
+    checked.skipped = report.outcomes.iter().filter(|outcome| matches!(outcome.verdict, Verdict::Skipped(_))).count();
+    for module in report.modules.iter().filter(|module| module.verdict == ModuleVerdict::Wrong) {
+        let reason = report.outcomes.iter().find_map(|outcome| match &outcome.verdict {
+            Verdict::Wrong(wrong) if wrong.modules.contains(&module.run.module) => Some(wrong.to_string()),
+            _ => None,
+        });
+        checked.wrong.push(WrongAnswer { module: module.run.module.into(), reason: reason.unwrap_or_default() });
+    }
+    // What is wrong with the device as a whole has no module.
+    for outcome in &report.outcomes {
+        if let Verdict::Wrong(wrong) = &outcome.verdict
+            && !wrong.modules.iter().any(|name| checked.wrong.iter().any(|known| known.module == *name))
+        {
+            checked.wrong.push(WrongAnswer { module: String::new(), reason: format!("{}: {wrong}", outcome.known.name) });
+        }
+    }
+    checked.wall_s = begun.elapsed().as_secs_f64();
+    checked
+}
