@@ -96,6 +96,15 @@ impl Checked {
     }
 }
 
+/// What is asked.
+#[derive(Clone, Debug, Default)]
+pub struct Asked {
+    /// Known answers of these rooms; of all where none is named.
+    pub rooms: Vec<String>,
+    /// Run in place of the kernels of their names.
+    pub replacements: Vec<&'static Module>,
+}
+
 /// A check under way, on a thread of its own.
 pub struct SelfCheck {
     news: Receiver<News>,
@@ -109,16 +118,16 @@ enum News {
 }
 
 impl SelfCheck {
-    /// Begins; `replacements` run in place of the kernels of their names.
+    /// Begins.
     ///
     /// # Errors
     /// If the system has no thread left.
-    pub fn begin(gpu: &Gpu, scene: &Scene, replacements: Vec<&'static Module>) -> Result<Self, String> {
+    pub fn begin(gpu: &Gpu, scene: &Scene, asked: &Asked) -> Result<Self, String> {
         let (sender, news) = channel();
-        let (gpu, scene) = (gpu.clone(), scene.clone());
+        let (gpu, scene, asked) = (gpu.clone(), scene.clone(), asked.clone());
         let run = move || {
             // Nobody listens any more only where the app ends.
-            let checked = check(&gpu, &scene, replacements, &mut |progress| drop(sender.send(News::Progress(progress))));
+            let checked = check(&gpu, &scene, asked, &mut |progress| drop(sender.send(News::Progress(progress))));
             drop(sender.send(News::Done(checked)));
         };
         let thread = std::thread::Builder::new().name("self-check".into()).spawn(run);
@@ -139,7 +148,7 @@ impl SelfCheck {
     }
 }
 
-fn check(gpu: &Gpu, scene: &Scene, replacements: Vec<&'static Module>, tell: &mut dyn FnMut([usize; 2])) -> Checked {
+fn check(gpu: &Gpu, scene: &Scene, asked: Asked, tell: &mut dyn FnMut([usize; 2])) -> Checked {
     let begun = Instant::now();
     let count = scene.particle_count().try_into().unwrap_or(u32::MAX);
     let mut checked = Checked { of: Checked::key(gpu), ..Checked::default() };
@@ -151,8 +160,9 @@ fn check(gpu: &Gpu, scene: &Scene, replacements: Vec<&'static Module>, tell: &mu
         }
     };
     // The sizes that take minutes on a processor are for a developer's machine.
-    let device = Device::new(gpu.clone(), true).with_modules(replacements);
-    let report = Report::run(&device, &Wanted::of_plan(planned.plan()), &mut |progress| {
+    let device = Device::new(gpu.clone(), true).with_modules(asked.replacements);
+    let wanted = Wanted::of_plan(planned.plan()).in_rooms(&asked.rooms);
+    let report = Report::run(&device, &wanted, &mut |progress| {
         tell([progress.done, progress.total]);
     });
     checked.cases = report.outcomes.len();
@@ -169,7 +179,9 @@ fn check(gpu: &Gpu, scene: &Scene, replacements: Vec<&'static Module>, tell: &mu
         if let Verdict::Wrong(wrong) = &outcome.verdict
             && !wrong.modules.iter().any(|name| checked.wrong.iter().any(|known| known.module == *name))
         {
-            checked.wrong.push(WrongAnswer { module: String::new(), reason: format!("{}: {wrong}", outcome.known.name) });
+            checked
+                .wrong
+                .push(WrongAnswer { module: String::new(), reason: format!("{}: {wrong}", outcome.known.name) });
         }
     }
     checked.wall_s = begun.elapsed().as_secs_f64();
