@@ -79,7 +79,8 @@ fn begins_a_check() {
 #[test]
 fn a_check_that_is_cut_short_leaves_nothing_that_is_believed() {
     let folder = tempfile::tempdir().unwrap();
-    let mut child = in_own_process("check::begins_a_check", folder.path()).spawn().unwrap();
+    let mut child =
+        in_own_process("check::begins_a_check", folder.path()).stdout(std::process::Stdio::null()).spawn().unwrap();
     std::thread::sleep(Duration::from_millis(300));
     child.kill().unwrap();
     child.wait().unwrap();
