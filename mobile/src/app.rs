@@ -6,7 +6,6 @@ use std::time::{Duration, Instant};
 
 use brooklet_fluid::Scene;
 use brooklet_gpu::{Gpu, GpuOptions, vulkan_instance};
-use brooklet_kernels::Module;
 use brooklet_viewer::action::Action;
 use brooklet_viewer::panels::{PanelInput, PanelOutput};
 use brooklet_viewer::{Kind, Painted, Settings, Target, Viewer, ViewerError};
@@ -16,7 +15,7 @@ use crate::canvas::{Canvas, Picture, SharedWindow, SurfaceLost, WindowSource};
 use crate::gravity::Gravity;
 use crate::heat::Heat;
 use crate::screen::{self, Ask, Facts, Screen};
-use crate::self_check::{Checked, SelfCheck};
+use crate::self_check::{Asked, Checked, SelfCheck};
 use crate::touch::{Acceleration, TouchEvent, Touches};
 
 /// Folders of the app's own.
@@ -52,7 +51,7 @@ const LOST_AGAIN: Duration = Duration::from_secs(20);
 pub struct App {
     paths: AppPaths,
     options: GpuOptions,
-    replacements: Vec<&'static Module>,
+    asked: Asked,
     instance: Option<wgpu::Instance>,
     open: Option<Open>,
     shown: Option<Shown>,
@@ -88,7 +87,7 @@ impl App {
         App {
             paths,
             options: GpuOptions { timing: true, ..GpuOptions::default() },
-            replacements: Vec::new(),
+            asked: Asked::default(),
             instance: None,
             open: None,
             shown: None,
@@ -107,9 +106,9 @@ impl App {
         App { options, ..self }
     }
 
-    /// Kernels that the self-check runs in place of those of their names: to see what becomes of a wrong one.
-    pub fn with_checked_modules(self, replacements: Vec<&'static Module>) -> App {
-        App { replacements, ..self }
+    /// What the self-check asks, where that is not all: to see what becomes of a wrong kernel.
+    pub fn with_asked(self, asked: Asked) -> App {
+        App { asked, ..self }
     }
 
     /// Shows itself in a window from now on. Device, queue and scene are made by the first call, and kept until the device
@@ -270,7 +269,7 @@ impl App {
                 true => open.viewer.notify(Kind::Done, "this is level now"),
                 false => open.viewer.notify(Kind::Warning, "the sensor does not say which way is down: hold still"),
             },
-            Ask::Check => begin_check(open, self.replacements.clone()),
+            Ask::Check => begin_check(open, &self.asked),
         }
     }
 
@@ -357,7 +356,7 @@ impl App {
         let mut open = Open { viewer, format: canvas.format(), gpu, check: None, checked: None };
         match Checked::load(&self.paths.files, &open.gpu) {
             Some(checked) => take_checked(&mut open, checked),
-            None => begin_check(&mut open, self.replacements.clone()),
+            None => begin_check(&mut open, &self.asked),
         }
         if open.check.is_none() {
             open.viewer.open(FIRST_SCENE);
@@ -379,9 +378,10 @@ impl App {
     fn lose_device(&mut self, reason: &str) -> Wake {
         let lost_again = self.lost.is_some_and(|lost| lost.elapsed() < LOST_AGAIN);
         self.lost = Some(Instant::now());
-        let shown = self.shown.take().map(|Shown { window, canvas, pixels_per_point }| {
-            (window, canvas.size_px(), pixels_per_point)
-        });
+        let shown = self
+            .shown
+            .take()
+            .map(|Shown { window, canvas, pixels_per_point }| (window, canvas.size_px(), pixels_per_point));
         // Everything of the device goes before it is opened again.
         (self.open, self.instance) = (None, None);
         if lost_again {
@@ -429,9 +429,9 @@ fn change_format(open: &mut Open, canvas: &Canvas, paths: &AppPaths) {
     }
 }
 
-fn begin_check(open: &mut Open, replacements: Vec<&'static Module>) {
+fn begin_check(open: &mut Open, asked: &Asked) {
     let scene = Scene::load(FIRST_SCENE, &[]).map_err(|error| error.to_string());
-    match scene.and_then(|scene| SelfCheck::begin(&open.gpu, &scene, replacements)) {
+    match scene.and_then(|scene| SelfCheck::begin(&open.gpu, &scene, asked)) {
         Ok(check) => open.check = Some(check),
         Err(reason) => open.viewer.notify(Kind::Warning, reason),
     }

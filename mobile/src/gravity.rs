@@ -135,7 +135,10 @@ mod tests {
         assert!(is_near(got, [9.81, 0.0, 0.0]), "{got}");
         let got = after(&[upright, reading([0.0, 0.0, 9.81], 0)]);
         assert!(is_near(got, [0.0, 0.0, -9.81]), "on its back, gravity goes into the picture: {got}");
-        assert!(!is_near(after(&[upright, reading([9.81, 0.0, 0.0], 0)]), [9.81, 0.0, 0.0]), "the other side is another");
+        assert!(
+            !is_near(after(&[upright, reading([9.81, 0.0, 0.0], 0)]), [9.81, 0.0, 0.0]),
+            "the other side is another"
+        );
     }
 
     #[test]
@@ -162,7 +165,6 @@ mod tests {
         let tilted = gravity.now(CAMERA, now + 2 * LATER).unwrap();
         assert!(tilted.z < -6.0, "{tilted}");
         assert!(gravity.set_level());
-        assert!(is_near(gravity.now(CAMERA, now + 3 * LATER).unwrap(), [0.0, -9.758, 0.0]) || tilted.y > -9.0);
         let level = gravity.now(CAMERA, now + 3 * LATER).unwrap();
         assert!(level.z.abs() < 1e-4 && level.y < -9.7, "{level}");
         gravity.take(&reading([0.0, 0.1, 0.1], 0), now + 4 * LATER);
@@ -177,9 +179,10 @@ mod tests {
             let now = begun + index * Duration::from_millis(5);
             let tremble = if index % 2 == 0 { 2.0 } else { -2.0 };
             gravity.take(&reading([tremble, 9.81, 0.0], 0), now);
-            let g = gravity.now([DVec3::X, DVec3::Y, DVec3::Z], now).unwrap();
+            let g = gravity.now(CAMERA, now).unwrap();
+            let level = gravity.level.unwrap() * DVec3::new(0.0, -9.81, 0.0);
             if index > 100 {
-                most = most.max((g.x - gravity.level.unwrap().mul_vec3(DVec3::new(0.0, -9.81, 0.0)).x).abs());
+                most = most.max((g.x - level.x).abs());
             }
         }
         assert!(most < 0.2, "{most}");

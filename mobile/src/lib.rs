@@ -18,5 +18,5 @@ mod touch;
 
 pub use app::{App, AppPaths, Wake};
 pub use canvas::{Picture, WindowSource};
-pub use self_check::{Checked, WrongAnswer};
+pub use self_check::{Asked, Checked, WrongAnswer};
 pub use touch::{Acceleration, TouchEvent, TouchPhase};

@@ -54,7 +54,8 @@ impl Hand {
 
     /// Frames until the scene made so many steps more; false if it does not within that time.
     pub fn steps(&mut self, steps: u64, within: Duration) -> bool {
-        let done = |hand: &Self| hand.app.viewer().and_then(|viewer| viewer.current()).map_or(0, |run| run.session.steps());
+        let done =
+            |hand: &Self| hand.app.viewer().and_then(|viewer| viewer.current()).map_or(0, |run| run.session.steps());
         let before = done(self);
         self.until(within, |hand| done(hand) >= before + steps)
     }
@@ -171,7 +172,9 @@ mod tests {
 
     #[test]
     fn a_line_that_is_none_is_named() {
-        for (text, said) in [("0,1,2,3\n0,1,2\n", "four numbers"), ("0,1,2,x", "four numbers"), ("1,0,0,0\n0,0,0,0", "before")] {
+        for (text, said) in
+            [("0,1,2,3\n0,1,2\n", "four numbers"), ("0,1,2,x", "four numbers"), ("1,0,0,0\n0,0,0,0", "before")]
+        {
             let (line, reason) = Readings::parse(text).unwrap_err();
             assert!(line == text.lines().count() && reason.contains(said), "{line}: {reason}");
         }

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
 use std::time::Instant;
 
-use brooklet_check::{Device, ModuleVerdict, Report, Verdict, Wanted};
+use brooklet_check::{Device, Report, Verdict, Wanted};
 use brooklet_fluid::Scene;
 use brooklet_gpu::{Gpu, tier_name};
 use brooklet_kernels::Module;
@@ -28,6 +28,8 @@ pub struct Checked {
     pub wall_s: f64,
     /// What is wrong.
     pub wrong: Vec<WrongAnswer>,
+    /// Other wrong answers, which that explains.
+    pub explained: usize,
 }
 
 /// A wrong answer.
@@ -54,7 +56,11 @@ impl Checked {
             wrong => {
                 let mut names: Vec<&str> = wrong.iter().map(|wrong| wrong.module.as_str()).collect();
                 names.dedup();
-                format!("computes wrongly: {}", names.join(", "))
+                let more = match self.explained {
+                    0 => String::new(),
+                    more => format!("; {more} answers more are wrong where that ran"),
+                };
+                format!("computes wrongly: {}{more}", names.join(", "))
             }
         }
     }
@@ -96,6 +102,15 @@ impl Checked {
     }
 }
 
+/// What is asked.
+#[derive(Clone, Debug, Default)]
+pub struct Asked {
+    /// Known answers of these rooms; of all where none is named.
+    pub rooms: Vec<String>,
+    /// Run in place of the kernels of their names.
+    pub replacements: Vec<&'static Module>,
+}
+
 /// A check under way, on a thread of its own.
 pub struct SelfCheck {
     news: Receiver<News>,
@@ -109,16 +124,16 @@ enum News {
 }
 
 impl SelfCheck {
-    /// Begins; `replacements` run in place of the kernels of their names.
+    /// Begins.
     ///
     /// # Errors
     /// If the system has no thread left.
-    pub fn begin(gpu: &Gpu, scene: &Scene, replacements: Vec<&'static Module>) -> Result<Self, String> {
+    pub fn begin(gpu: &Gpu, scene: &Scene, asked: &Asked) -> Result<Self, String> {
         let (sender, news) = channel();
-        let (gpu, scene) = (gpu.clone(), scene.clone());
+        let (gpu, scene, asked) = (gpu.clone(), scene.clone(), asked.clone());
         let run = move || {
             // Nobody listens any more only where the app ends.
-            let checked = check(&gpu, &scene, replacements, &mut |progress| drop(sender.send(News::Progress(progress))));
+            let checked = check(&gpu, &scene, asked, &mut |progress| drop(sender.send(News::Progress(progress))));
             drop(sender.send(News::Done(checked)));
         };
         let thread = std::thread::Builder::new().name("self-check".into()).spawn(run);
@@ -139,7 +154,7 @@ impl SelfCheck {
     }
 }
 
-fn check(gpu: &Gpu, scene: &Scene, replacements: Vec<&'static Module>, tell: &mut dyn FnMut([usize; 2])) -> Checked {
+fn check(gpu: &Gpu, scene: &Scene, asked: Asked, tell: &mut dyn FnMut([usize; 2])) -> Checked {
     let begun = Instant::now();
     let count = scene.particle_count().try_into().unwrap_or(u32::MAX);
     let mut checked = Checked { of: Checked::key(gpu), ..Checked::default() };
@@ -151,27 +166,74 @@ fn check(gpu: &Gpu, scene: &Scene, replacements: Vec<&'static Module>, tell: &mu
         }
     };
     // The sizes that take minutes on a processor are for a developer's machine.
-    let device = Device::new(gpu.clone(), true).with_modules(replacements);
-    let report = Report::run(&device, &Wanted::of_plan(planned.plan()), &mut |progress| {
+    let device = Device::new(gpu.clone(), true).with_modules(asked.replacements);
+    let wanted = Wanted::of_plan(planned.plan()).in_rooms(&asked.rooms);
+    let report = Report::run(&device, &wanted, &mut |progress| {
         tell([progress.done, progress.total]);
     });
     checked.cases = report.outcomes.len();
     checked.skipped = report.outcomes.iter().filter(|outcome| matches!(outcome.verdict, Verdict::Skipped(_))).count();
-    for module in report.modules.iter().filter(|module| module.verdict == ModuleVerdict::Wrong) {
-        let reason = report.outcomes.iter().find_map(|outcome| match &outcome.verdict {
-            Verdict::Wrong(wrong) if wrong.modules.contains(&module.run.module) => Some(wrong.to_string()),
-            _ => None,
-        });
-        checked.wrong.push(WrongAnswer { module: module.run.module.into(), reason: reason.unwrap_or_default() });
-    }
-    // What is wrong with the device as a whole has no module.
-    for outcome in &report.outcomes {
-        if let Verdict::Wrong(wrong) = &outcome.verdict
-            && !wrong.modules.iter().any(|name| checked.wrong.iter().any(|known| known.module == *name))
-        {
-            checked.wrong.push(WrongAnswer { module: String::new(), reason: format!("{}: {wrong}", outcome.known.name) });
-        }
-    }
+    let answers = report.outcomes.iter().filter_map(|outcome| {
+        let Verdict::Wrong(wrong) = &outcome.verdict else { return None };
+        Some(Answer {
+            blamed: wrong.modules.clone(),
+            ran: outcome.modules.iter().map(|run| run.module).collect(),
+            reason: format!("{}: {wrong}", outcome.known.name),
+        })
+    });
+    (checked.wrong, checked.explained) = guilty(answers.collect());
     checked.wall_s = begun.elapsed().as_secs_f64();
     checked
+}
+
+/// A case that came out wrong.
+struct Answer {
+    /// The modules that made the result.
+    blamed: Vec<&'static str>,
+    /// All that ran in it.
+    ran: Vec<&'static str>,
+    reason: String,
+}
+
+/// Whom wrong answers are due to, and how many of them others explain. A picture is wrong if anything is that it was drawn from:
+/// so the answers that blame fewest are believed first, and those in which a guilty module ran say nothing of the others.
+fn guilty(mut answers: Vec<Answer>) -> (Vec<WrongAnswer>, usize) {
+    // What names nobody may be due to anybody.
+    answers.sort_by_key(|answer| if answer.blamed.is_empty() { usize::MAX } else { answer.blamed.len() });
+    let (mut guilty, mut explained) = (Vec::<WrongAnswer>::new(), 0);
+    for Answer { blamed, ran, reason } in answers {
+        if ran.iter().any(|module| guilty.iter().any(|known| known.module == *module)) {
+            explained += 1;
+        } else if blamed.is_empty() {
+            guilty.push(WrongAnswer { module: String::new(), reason });
+        } else {
+            guilty.extend(blamed.into_iter().map(|name| WrongAnswer { module: name.into(), reason: reason.clone() }));
+        }
+    }
+    (guilty, explained)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn answer(blamed: &[&'static str], ran: &[&'static str]) -> Answer {
+        Answer { blamed: blamed.to_vec(), ran: ran.to_vec(), reason: "off".into() }
+    }
+
+    fn names(guilty: &[WrongAnswer]) -> Vec<&str> {
+        guilty.iter().map(|wrong| wrong.module.as_str()).collect()
+    }
+
+    #[test]
+    fn what_a_wrong_kernel_spoils_is_not_blamed_on_others() {
+        let picture = || answer(&["Water", "Floor"], &["Normals", "Water", "Floor"]);
+        let (found, explained) = guilty(vec![picture(), answer(&["Normals"], &["Normals"]), answer(&[], &["Normals"])]);
+        assert_eq!((names(&found), explained), (vec!["Normals"], 2));
+        // Alone it is all that is known.
+        assert_eq!(names(&guilty(vec![picture()]).0), ["Water", "Floor"]);
+        let (found, explained) = guilty(vec![answer(&[], &[]), answer(&["Xsph"], &["Xsph"]), picture()]);
+        assert_eq!((names(&found), explained), (vec!["Xsph", "Water", "Floor", ""], 0));
+        assert_eq!(guilty(Vec::new()), (Vec::new(), 0));
+    }
 }

@@ -1,9 +1,7 @@
 //! A scene as recordings: its start, one step of its solver's substeps, and its measurement.
 
 use brooklet_gpu::{Engine, GpuError, Plan, Recording, RecordingId, Resources};
-use brooklet_kernels::{
-    Buffer, Counters, Measure, PbfParams, Position, ResourceId, StepParams, Velocity, WarmStart,
-};
+use brooklet_kernels::{Buffer, Counters, Measure, PbfParams, Position, ResourceId, StepParams, Velocity, WarmStart};
 
 use crate::grid::Neighbours;
 use crate::measure::{Densities, Measuring};

@@ -52,10 +52,7 @@ impl Viewer {
 
     /// Loads a scene that the device has no room for once more, with fewer particles, if it is to run from its start.
     pub(crate) fn load_less(&mut self, error: &ViewerError, desc: SceneDesc) {
-        let no_room = matches!(
-            error,
-            ViewerError::Gpu(GpuError::OutOfMemory { .. } | GpuError::BufferTooLarge { .. })
-        );
+        let no_room = matches!(error, ViewerError::Gpu(GpuError::OutOfMemory { .. } | GpuError::BufferTooLarge { .. }));
         if no_room && self.auto && matches!(desc.start, Start::Scene) && self.give_up_particles("there is no room") {
             self.load(desc.scene, Start::Scene, "fewer particles");
         }

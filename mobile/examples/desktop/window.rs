@@ -10,9 +10,7 @@ use winit::dpi::PhysicalSize;
 use winit::event::{ElementState, MouseButton, Touch, WindowEvent};
 use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoop};
 use winit::keyboard::{Key, NamedKey};
-use winit::raw_window_handle::{
-    DisplayHandle, HandleError, HasDisplayHandle, HasWindowHandle, WindowHandle,
-};
+use winit::raw_window_handle::{DisplayHandle, HandleError, HasDisplayHandle, HasWindowHandle, WindowHandle};
 use winit::window::{Window, WindowId};
 
 use crate::Options;
@@ -108,7 +106,8 @@ impl Phone {
 impl ApplicationHandler for Phone {
     fn resumed(&mut self, events: &ActiveEventLoop) {
         let [width, height] = self.size_px;
-        let wanted = Window::default_attributes().with_title("Brooklet").with_inner_size(PhysicalSize::new(width, height));
+        let wanted =
+            Window::default_attributes().with_title("Brooklet").with_inner_size(PhysicalSize::new(width, height));
         match events.create_window(wanted) {
             Ok(window) => self.window = Some(Arc::new(window)),
             Err(error) => {

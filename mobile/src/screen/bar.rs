@@ -22,7 +22,10 @@ pub(super) fn show(
 ) {
     let room = context.content_rect().width() - 16.0 - 12.0;
     let width = WIDTH.min(room / BUTTONS).max(look::FINGER);
-    let bar = Area::new(Id::unique("bar")).fade_in(false).order(Order::Middle).anchor(Align2::CENTER_BOTTOM, vec2(0.0, -10.0));
+    let bar = Area::new(Id::unique("bar"))
+        .fade_in(false)
+        .order(Order::Middle)
+        .anchor(Align2::CENTER_BOTTOM, vec2(0.0, -10.0));
     bar.show(context, |ui| {
         look::glass().show(ui, |ui| {
             ui.spacing_mut().item_spacing.x = 0.0;

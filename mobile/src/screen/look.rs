@@ -1,7 +1,9 @@
 //! Sizes for fingers, and buttons of them.
 
 use brooklet_viewer::style;
-use egui::{Align2, Color32, Context, CornerRadius, FontId, Frame, Margin, Response, Sense, Stroke, TextStyle, Ui, vec2};
+use egui::{
+    Align2, Color32, Context, CornerRadius, FontId, Frame, Margin, Response, Sense, Stroke, TextStyle, Ui, vec2,
+};
 
 /// The least side of what a finger is to hit, points.
 pub const FINGER: f32 = 48.0;
@@ -36,7 +38,14 @@ pub fn glass() -> Frame {
 }
 
 /// A button of a sign and a word, `width` points wide.
-pub fn sign(ui: &mut Ui, name: &str, (glyph, word): (&str, &str), color: Color32, width: f32, enabled: bool) -> Response {
+pub fn sign(
+    ui: &mut Ui,
+    name: &str,
+    (glyph, word): (&str, &str),
+    color: Color32,
+    width: f32,
+    enabled: bool,
+) -> Response {
     let sense = if enabled { Sense::click() } else { Sense::hover() };
     let (rect, response) = ui.allocate_exact_size(vec2(width, 58.0), sense);
     let color = if enabled { color } else { style::QUIET.gamma_multiply(0.5) };

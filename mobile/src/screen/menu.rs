@@ -17,28 +17,34 @@ const SHEET: Color32 = Color32::from_rgb(22, 27, 33);
 /// touched.
 fn sheet<T>(context: &Context, screen: Rect, title: &str, content: impl FnOnce(&mut Ui) -> T) -> (T, bool) {
     let is_wide = screen.width() > screen.height();
-    let size = if is_wide { vec2(400f32.min(screen.width()), screen.height()) } else { vec2(screen.width(), 0.68 * screen.height()) };
+    let size = if is_wide {
+        vec2(400f32.min(screen.width()), screen.height())
+    } else {
+        vec2(screen.width(), 0.68 * screen.height())
+    };
     let rect = Rect::from_min_size(screen.max - size, size);
     let round = CornerRadius { nw: 20, ne: if is_wide { 0 } else { 20 }, sw: if is_wide { 20 } else { 0 }, se: 0 };
     let frame = Frame::new().fill(SHEET).corner_radius(round).inner_margin(Margin::symmetric(16, 10));
-    let area = Area::new(Id::unique("sheet")).fade_in(false).order(Order::Foreground).fixed_pos(rect.min).constrain(false);
+    let area =
+        Area::new(Id::unique("sheet")).fade_in(false).order(Order::Foreground).fixed_pos(rect.min).constrain(false);
     area.show(context, |ui| {
-        frame.show(ui, |ui| {
-            ui.set_min_size(rect.size() - vec2(32.0, 20.0));
-            ui.set_max_size(rect.size() - vec2(32.0, 20.0));
-            let closes = ui
-                .horizontal(|ui| {
-                    ui.label(RichText::new(title).heading());
-                    ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                        look::sign(ui, "close", ("✖", ""), style::QUIET, look::FINGER, true).clicked()
+        frame
+            .show(ui, |ui| {
+                ui.set_min_size(rect.size() - vec2(32.0, 20.0));
+                ui.set_max_size(rect.size() - vec2(32.0, 20.0));
+                let closes = ui
+                    .horizontal(|ui| {
+                        ui.label(RichText::new(title).heading());
+                        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                            look::sign(ui, "close", ("✖", ""), style::QUIET, look::FINGER, true).clicked()
+                        })
+                        .inner
                     })
-                    .inner
-                })
-                .inner;
-            let inner = ScrollArea::vertical().auto_shrink(false).show(ui, content).inner;
-            (inner, closes)
-        })
-        .inner
+                    .inner;
+                let inner = ScrollArea::vertical().auto_shrink(false).show(ui, content).inner;
+                (inner, closes)
+            })
+            .inner
     })
     .inner
 }

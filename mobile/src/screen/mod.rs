@@ -20,6 +20,9 @@ pub enum Sheet {
     Menu,
 }
 
+/// Of a screen that is narrower, points, only the picture is shown.
+const LEAST_SIDE: f32 = 200.0;
+
 /// What a button asks the app for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ask {
@@ -60,11 +63,21 @@ impl Screen {
     }
 
     /// One frame.
-    pub fn show(&mut self, ui: &mut Ui, shown: &PanelInput<'_>, facts: &Facts<'_>, output: &mut PanelOutput) -> Vec<Ask> {
+    pub fn show(
+        &mut self,
+        ui: &mut Ui,
+        shown: &PanelInput<'_>,
+        facts: &Facts<'_>,
+        output: &mut PanelOutput,
+    ) -> Vec<Ask> {
         let mut asks = Vec::new();
         picture::show(ui, shown, &mut self.strokes, output);
         let context = ui.ctx().clone();
         let screen = context.content_rect();
+        // No finger finds anything there, and no button has room.
+        if screen.width().min(screen.height()) < LEAST_SIDE {
+            return asks;
+        }
         overlay::head(&context, shown, &mut self.times);
         if self.times {
             overlay::times(&context, screen, shown);

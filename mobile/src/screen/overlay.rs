@@ -2,7 +2,9 @@
 
 use brooklet_viewer::panels::PanelInput;
 use brooklet_viewer::{Kind, Message, style};
-use egui::{Align2, Area, Color32, Context, FontId, Id, Order, Pos2, ProgressBar, Rect, RichText, Sense, Stroke, Ui, pos2, vec2};
+use egui::{
+    Align2, Area, Color32, Context, FontId, Id, Order, Pos2, ProgressBar, Rect, RichText, Sense, Stroke, Ui, pos2, vec2,
+};
 
 use super::look;
 
@@ -13,7 +15,8 @@ const WIDTH: f32 = 248.0;
 /// Scene and frames at the top; touched, it shows times or hides them.
 pub(super) fn head(context: &Context, shown: &PanelInput<'_>, times: &mut bool) {
     let Some(current) = shown.current else { return };
-    let area = Area::new(Id::unique("head")).fade_in(false).order(Order::Middle).anchor(Align2::LEFT_TOP, vec2(10.0, 10.0));
+    let area =
+        Area::new(Id::unique("head")).fade_in(false).order(Order::Middle).anchor(Align2::LEFT_TOP, vec2(10.0, 10.0));
     area.show(context, |ui| {
         look::glass().show(ui, |ui| {
             let frames = shown.times.frame_ms.quantiles().filter(|ms| ms.p50 > 0.0).map(|ms| 1000.0 / ms.p50);
@@ -103,7 +106,10 @@ fn bar(ui: &mut Ui, stage: &str, ms: f64, share: f64) {
 
 /// How far the first self-check is.
 pub(super) fn checking(context: &Context, [done, all]: [usize; 2]) {
-    let area = Area::new(Id::unique("checking")).fade_in(false).order(Order::Foreground).anchor(Align2::CENTER_CENTER, vec2(0.0, 0.0));
+    let area = Area::new(Id::unique("checking"))
+        .fade_in(false)
+        .order(Order::Foreground)
+        .anchor(Align2::CENTER_CENTER, vec2(0.0, 0.0));
     area.show(context, |ui| {
         look::glass().inner_margin(18).show(ui, |ui| {
             ui.set_width(270.0);

@@ -10,17 +10,9 @@ use brooklet_capture::Capture;
 use crate::python::read_in_python;
 use crate::{LONG, SIZE_PX, app, in_own_process, mark_checked, own_folder, running, said, started};
 
-const TOPICS: [&str; 9] = [
-    "/gpu/frame",
-    "/gpu/passes",
-    "/gpu/span",
-    "/gpu/state",
-    "/device/thermal",
-    "/sim/stats",
-    "/sim/particles",
-    "/view/image",
-    "/log",
-];
+/// `/device/thermal` comes where the system tells temperatures: not on every machine.
+const TOPICS: [&str; 8] =
+    ["/gpu/frame", "/gpu/passes", "/gpu/span", "/gpu/state", "/sim/stats", "/sim/particles", "/view/image", "/log"];
 
 fn captures(folder: &Path) -> Vec<PathBuf> {
     let Ok(entries) = std::fs::read_dir(folder.join("files")) else { return Vec::new() };
@@ -56,7 +48,11 @@ fn a_capture_has_every_topic_and_what_is_flushed_is_there_before_its_end() {
     let seen = seen.unwrap();
     let has = |topic: &str| seen["topics"][topic]["rows"].as_array().is_some_and(|rows| !rows.is_empty());
     let missing: Vec<&str> = TOPICS.into_iter().filter(|topic| !has(topic)).collect();
-    assert!(missing.is_empty(), "{missing:?} of {:?}", seen["topics"].as_object().map(|topics| topics.keys().cloned().collect::<Vec<_>>()));
+    assert!(
+        missing.is_empty(),
+        "{missing:?} of {:?}",
+        seen["topics"].as_object().map(|topics| topics.keys().cloned().collect::<Vec<_>>())
+    );
     assert!(!has("/nobody/s"));
     assert_eq!(seen["metadata"]["build"]["program"], "brooklet mobile");
     assert!(seen["metadata"]["self_check"]["summary"].as_str().is_some_and(|text| text.contains("right")));
@@ -81,10 +77,12 @@ fn an_app_that_is_killed_leaves_its_capture() {
     let mut child =
         in_own_process("capture::captures_until_it_is_killed", folder.path()).stdout(Stdio::null()).spawn().unwrap();
     let begun = Instant::now();
-    let frames = || captures(folder.path()).first().map_or(0, |path| {
-        let length = std::fs::metadata(path).unwrap().len();
-        Capture::read(File::open(path).unwrap(), length, "capture").map_or(0, |capture| capture.frames.len())
-    });
+    let frames = || {
+        captures(folder.path()).first().map_or(0, |path| {
+            let length = std::fs::metadata(path).unwrap().len();
+            Capture::read(File::open(path).unwrap(), length, "capture").map_or(0, |capture| capture.frames.len())
+        })
+    };
     while frames() < 3 && begun.elapsed() < LONG {
         std::thread::sleep(Duration::from_millis(200));
     }

@@ -33,7 +33,7 @@ fn suspends_a_hundred_times() {
     for round in 0..100 {
         hand.app.suspend();
         assert_eq!(hand.frame(), brooklet_mobile::Wake::OnEvent, "nothing is painted in the background");
-        hand.app.resume_offscreen(if round % 2 == 0 { SMALL_PX } else { SIZE_PX }, 1.0);
+        hand.app.resume_offscreen(if round % 20 == 19 { SIZE_PX } else { SMALL_PX }, 1.0);
         hand.settle();
         bytes.push(resident_bytes());
     }

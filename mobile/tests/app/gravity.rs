@@ -5,7 +5,7 @@ use brooklet_mobile::script::{Hand, Readings};
 
 use crate::{LONG, running, said};
 
-/// Where the water's middle is along x, m, after so many steps of a sensor that is upright for a second, then as a file says.
+/// Where the water's middle is along x, m, after so many steps of a sensor that is upright first, then as a file says.
 fn middle_x_m(text: &str) -> f64 {
     let (mut hand, folder) = running();
     let path = folder.path().join("sensor.csv");
@@ -13,7 +13,7 @@ fn middle_x_m(text: &str) -> f64 {
     let readings = Readings::load(&path).unwrap();
     let dt_s = Scene::load("phone-1k", &[]).unwrap().solver.dt_s;
     let steps = |hand: &Hand| crate::current(hand).map_or(0, |run| run.session.steps());
-    while steps(&hand) < 100 {
+    while steps(&hand) < 80 {
         if let Some(reading) = readings.at(steps(&hand) as f64 * dt_s, 0) {
             hand.app.acceleration(reading);
         }

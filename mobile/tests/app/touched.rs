@@ -74,7 +74,8 @@ fn buttons_do_what_they_say_and_the_back_key_closes_what_is_open() {
 
     hand.tap("scenes").unwrap();
     hand.tap("scene phone-5k").unwrap();
-    let begins = |hand: &mut brooklet_mobile::script::Hand| current(hand).is_some_and(|run| run.scene.name == "phone-5k");
+    let begins =
+        |hand: &mut brooklet_mobile::script::Hand| current(hand).is_some_and(|run| run.scene.name == "phone-5k");
     assert!(hand.until(LONG, begins), "{:?}", said(&hand));
     assert!(!hand.marks.contains_key("scene phone-5k"), "the sheet is closed");
     assert!(folder.path().join("files").is_dir());

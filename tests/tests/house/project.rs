@@ -62,8 +62,18 @@ const CHOSEN: &[(&str, &[&str])] = &[
 
 const BACKENDS: &[&str] = &["dx12", "gles", "metal", "webgl", "webgpu", "angle", "vulkan-portability"];
 
-const TOP_LEVEL: &[&str] =
-    &["Cargo.lock", "Cargo.toml", "LICENSE-APACHE", "LICENSE-MIT", "README.md", "app", "shaders", "tests", "tools"];
+const TOP_LEVEL: &[&str] = &[
+    "Cargo.lock",
+    "Cargo.toml",
+    "LICENSE-APACHE",
+    "LICENSE-MIT",
+    "README.md",
+    "app",
+    "mobile",
+    "shaders",
+    "tests",
+    "tools",
+];
 
 const INDEX: &str = "registry+https://github.com/rust-lang/crates.io-index";
 
@@ -161,8 +171,7 @@ fn wrong_places(files: &[(String, String)]) -> Vec<String> {
     let mut wrong = Vec::new();
     let tops: BTreeSet<&str> = files.iter().filter_map(|(file, _)| file.split('/').next()).collect();
     for top in &tops {
-        // `mobile` comes with a later step.
-        if !TOP_LEVEL.contains(top) && *top != "mobile" && !top.starts_with('.') {
+        if !TOP_LEVEL.contains(top) && !top.starts_with('.') {
             wrong.push(format!("{top} does not belong at the top"));
         }
     }

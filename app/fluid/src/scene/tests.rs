@@ -44,7 +44,10 @@ fn the_phones_scenes_are_those_that_are_published() {
         let [x_m, y_m, z_m] = scene.domain.size_m();
         let of_cells_m = [80.0, 40.0, 40.0].map(|cells| cells * x_m / 80.0);
         assert_eq!(scene.surface.mesh.dense_cells, 80, "{name}");
-        assert!([x_m, y_m, z_m].iter().zip(of_cells_m).all(|(size_m, wanted_m)| (size_m - wanted_m).abs() < 1e-12), "{name}");
+        assert!(
+            [x_m, y_m, z_m].iter().zip(of_cells_m).all(|(size_m, wanted_m)| (size_m - wanted_m).abs() < 1e-12),
+            "{name}"
+        );
     }
 }
 
