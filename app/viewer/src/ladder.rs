@@ -59,13 +59,22 @@ pub const RUNGS: [Rung; 14] =
 
 /// Smoothing of plainer water reaches so many drawn pixels at most.
 const PLAIN_REACH_PX: u32 = 16;
+/// Fewer particles than these are no fluid any more.
+const LEAST_PARTICLES: f64 = 600.0;
 
 impl Rung {
+    /// One of how many particles of `scene` is left: none are given up that a small scene needs.
+    fn fewer_particles_of(&self, scene: &Scene) -> f64 {
+        let most = scene.particle_count() as f64 / LEAST_PARTICLES;
+        f64::from(self.fewer_particles).min(most).max(1.0)
+    }
+
     /// The scene as it is simulated on this rung.
     pub fn scene(&self, scene: &Scene) -> Scene {
         let mut scene = scene.clone();
-        if self.fewer_particles > 1 {
-            scene.spacing_m *= f64::from(self.fewer_particles).powf(1.0 / f64::from(scene.domain.dimensions));
+        let fewer = self.fewer_particles_of(&scene);
+        if fewer > 1.0 {
+            scene.spacing_m *= fewer.powf(1.0 / f64::from(scene.domain.dimensions));
         }
         if self.lower_precision && scene.solver.precision == Precision::Full {
             scene.solver.precision = Precision::Relaxed;
@@ -112,11 +121,12 @@ impl Rung {
         window_px.map(|side| ((f64::from(side) * self.scale).round() as u32).max(1))
     }
 
-    /// All that is given up on this rung, in words; empty on the first.
-    pub fn given_up(&self) -> String {
+    /// All that is given up of `scene` on this rung, in words; empty on the first.
+    pub fn given_up(&self, scene: &Scene) -> String {
         let mut list = Vec::new();
-        if self.fewer_particles > 1 {
-            list.push(format!("1/{} of the particles", self.fewer_particles));
+        let fewer = self.fewer_particles_of(scene);
+        if fewer > 1.05 {
+            list.push(format!("1/{:.2} of the particles", fewer).replace(".00 ", " "));
         }
         let mut add = |is_given_up: bool, words: &str| list.extend(is_given_up.then(|| words.to_owned()));
         add(self.points, "particles instead of water");
@@ -139,7 +149,7 @@ mod tests {
     use brooklet_gpu::Tier;
 
     fn scene() -> Scene {
-        Scene::load("dam-break", &["spacing_m=0.05".into()]).unwrap()
+        Scene::load("dam-break", &[]).unwrap()
     }
 
     #[test]
@@ -163,8 +173,9 @@ mod tests {
 
     #[test]
     fn what_is_given_up_is_said() {
-        assert_eq!(RUNGS[0].given_up(), "");
-        let mut said: Vec<String> = RUNGS.iter().map(Rung::given_up).collect();
+        let scene = Scene::load("dam-break", &[]).unwrap();
+        assert_eq!(RUNGS[0].given_up(&scene), "");
+        let mut said: Vec<String> = RUNGS.iter().map(|rung| rung.given_up(&scene)).collect();
         assert!(said[2].contains("no supersampling") && said[13].contains("1/16 of the particles"), "{said:?}");
         said.sort_unstable();
         said.dedup();

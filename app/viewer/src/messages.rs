@@ -47,6 +47,11 @@ impl Messages {
         self.latest.push(Message { kind, text, said: Instant::now() });
     }
 
+    /// Says no longer what begins with these words.
+    pub fn withdraw(&mut self, start: &str) {
+        self.latest.retain(|message| !message.text.starts_with(start));
+    }
+
     /// What there is to read, the oldest first.
     pub fn latest(&self) -> &[Message] {
         &self.latest

@@ -42,8 +42,10 @@ impl Viewer {
             return false;
         };
         self.least_rung = rung;
-        self.messages.notify(Kind::Warning, format!("{reason}: {}", RUNGS[rung].given_up()));
-        if let Some(scene) = self.current.as_ref().map(|current| current.scene.clone()) {
+        let scene = self.current.as_ref().map(|current| current.scene.clone());
+        let given_up = scene.as_ref().map_or_else(|| RUNGS[rung].name.to_owned(), |scene| RUNGS[rung].given_up(scene));
+        self.messages.notify(Kind::Warning, format!("{reason}: {given_up}"));
+        if let Some(scene) = scene {
             self.weigh(&scene);
         }
         self.take_rung(rung);

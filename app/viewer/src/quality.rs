@@ -10,6 +10,9 @@ use crate::messages::Kind;
 use crate::viewer::Viewer;
 use crate::viewer_scene::{Start, needs_reset};
 
+/// How what is said of a rung begins.
+const QUALITY: &str = "to hold";
+
 impl Viewer {
     /// Loads another scene from its start, on the rung that what is known of the device lets it have.
     pub(crate) fn begin(&mut self, scene: Scene) {
@@ -76,9 +79,11 @@ impl Viewer {
             return;
         }
         self.told_rung = told;
-        if told.is_some() {
-            let (budget_ms, given_up) = (self.governor.budget_ms, RUNGS[self.rung].given_up());
-            self.messages.notify(Kind::Done, format!("for {budget_ms:.0} ms a frame: {given_up}"));
+        // What was said of another rung no longer holds.
+        self.messages.withdraw(QUALITY);
+        if let (Some(rung), Some(current)) = (told, &self.current) {
+            let (budget_ms, given_up) = (self.governor.budget_ms, RUNGS[rung].given_up(&current.scene));
+            self.messages.notify(Kind::Done, format!("{QUALITY} {budget_ms:.0} ms a frame: {given_up}"));
         }
     }
 }

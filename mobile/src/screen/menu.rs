@@ -101,7 +101,8 @@ pub(super) fn menu(
 }
 
 fn quality(ui: &mut Ui, shown: &PanelInput<'_>, actions: &mut Vec<Action>) {
-    let given_up = match RUNGS[shown.rung].given_up() {
+    let given_up = shown.current.map(|current| RUNGS[shown.rung].given_up(&current.scene)).unwrap_or_default();
+    let given_up = match given_up {
         all if all.is_empty() => "nothing is given up".to_owned(),
         given_up => format!("given up: {given_up}"),
     };
@@ -113,7 +114,7 @@ fn quality(ui: &mut Ui, shown: &PanelInput<'_>, actions: &mut Vec<Action>) {
         let half = 0.5 * (ui.available_width() - 8.0);
         let (better, plainer) = (shown.rung.checked_sub(1), shown.rung + 1);
         let mut step = |name: &str, word: &str, rung: Option<usize>| {
-            ui.allocate_ui(vec2(half, look::FINGER), |ui| {
+            ui.allocate_ui(vec2(half, look::FINGER + 4.0), |ui| {
                 if look::key(ui, name, (word, ""), false).clicked()
                     && let Some(rung) = rung
                 {

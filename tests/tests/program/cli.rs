@@ -10,7 +10,7 @@ use serde_json::Value;
 const RUN: [&str; 10] = ["run", "scene.toml", "--steps", "8", "--images", "2", "--particles", "ply", "--out", "result"];
 
 /// Every key of `summary.json`, as scripts rely on it.
-const SUMMARY_KEYS: [&str; 31] = [
+const SUMMARY_KEYS: [&str; 32] = [
     "scene",
     "particles",
     "steps",
@@ -34,6 +34,7 @@ const SUMMARY_KEYS: [&str; 31] = [
     "measured",
     "drawn_meshes",
     "start_relaxation",
+    "stepped_down",
     "mesh",
     "buffers",
     "bytes_per_particle",

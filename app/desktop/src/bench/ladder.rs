@@ -127,7 +127,7 @@ fn open(
         particles: current.map_or(0, |current| current.session.slot_count()),
         picture_px: window.picture_px(),
         rung,
-        given_up: RUNGS[rung].given_up(),
+        given_up: RUNGS[rung].given_up(scene),
     })
 }
 
