@@ -9,11 +9,6 @@ use crate::messages::Kind;
 use crate::viewer::Viewer;
 use crate::viewer_scene::{SceneDesc, Start};
 
-/// What captures are told of the program that writes them.
-pub(crate) fn build(program: &str) -> Vec<(String, String)> {
-    vec![("program".into(), program.into()), ("version".into(), env!("CARGO_PKG_VERSION").into())]
-}
-
 impl Viewer {
     /// Goes on with what another viewer showed: the same scene, particles and rung, and who chooses that.
     pub fn resume(&mut self, state: State, rung: usize, auto: bool) {

@@ -17,6 +17,11 @@ use crate::messages::Kind;
 use crate::thumbnail::{Picture, Thumbnails};
 use crate::viewer_scene::ViewerScene;
 
+/// What captures are told of the program that writes them.
+pub(crate) fn build(program: &str) -> Vec<(String, String)> {
+    vec![("program".into(), program.into()), ("version".into(), env!("CARGO_PKG_VERSION").into())]
+}
+
 /// Pictures, points and heat are recorded so often.
 const SLOWLY: Duration = Duration::from_secs(1);
 

@@ -22,7 +22,7 @@ use crate::panels::settings::Draft;
 use crate::panels::{Face, PanelInput, PanelOutput, Panels};
 use crate::playback::Playback;
 use crate::presenter::{Presenter, Target};
-use crate::recorder::Recorder;
+use crate::recorder::{self, Recorder};
 use crate::reload::{NewModule, NewModules};
 use crate::style;
 use crate::viewer_scene::{SceneDesc, Start, ViewerScene};
@@ -138,7 +138,7 @@ impl Viewer {
             mesh_room_ends: false,
             gravity_m_s2: None,
             least_rung: 0,
-            about: vec![("build".into(), crate::outside::build("brooklet view"))],
+            about: vec![("build".into(), recorder::build("brooklet view"))],
             settings,
         }
     }
