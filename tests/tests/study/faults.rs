@@ -109,7 +109,7 @@ fn check(task: &Task, fault: Fault<'_>) {
 
 #[test]
 fn a_wrong_sign_in_the_kernels_gradient_is_found() {
-    let gradient = [("shared/wendland.hlsli", "return real(-20.0) * t", "return real(20.0) * t")];
+    let gradient = [("shared/wendland.hlsli", "WENDLAND_GRADIENT = -20.0;", "WENDLAND_GRADIENT = 20.0;")];
     let faulty = Faulty::compile("solver/pbf/correct_positions.compute", &gradient);
     check(&validated("hydrostatic"), Fault { plan: &|plan| faulty.put_into(plan), ..SOUND });
 }
@@ -179,8 +179,8 @@ fn an_overflow_of_f16_is_found() {
     // 70,000 is infinity in f16, and infinity over itself is none.
     let large = [(
         "shared/wendland.hlsli",
-        "return real(-20.0) * t * t * t;",
-        "return real(-20.0) * t * (t * real(70000.0) / real(70000.0)) * t;",
+        "pair.t_squared = pair.t * pair.t;",
+        "pair.t_squared = pair.t * (pair.t * real(70000.0) / real(70000.0));",
     )];
     let faulty = Faulty::compile("solver/pbf/correct_positions.compute", &large);
     let task = stability::row_tasks(false)
