@@ -31,13 +31,17 @@ impl Viewer {
     /// Gives up particles for good: the ladder goes to the next rung that has fewer, and no higher from then on. False if there
     /// is none; said either way, with `reason`.
     pub fn give_up_particles(&mut self, reason: &str) -> bool {
-        let fewer = |rung: &usize| RUNGS[*rung].fewer_particles > RUNGS[self.rung].fewer_particles;
+        let scene = self.current.as_ref().map(|current| current.scene.clone());
+        let given_up_of = |rung: usize| match &scene {
+            Some(scene) => RUNGS[rung].fewer_particles_of(scene),
+            None => f64::from(RUNGS[rung].fewer_particles),
+        };
+        let fewer = |rung: &usize| given_up_of(*rung) > 1.01 * given_up_of(self.rung);
         let Some(rung) = (self.rung..RUNGS.len()).find(fewer) else {
             self.messages.notify(Kind::Warning, format!("{reason}: there is nothing left to give up"));
             return false;
         };
         self.least_rung = rung;
-        let scene = self.current.as_ref().map(|current| current.scene.clone());
         let given_up = scene.as_ref().map_or_else(|| RUNGS[rung].name.to_owned(), |scene| RUNGS[rung].given_up(scene));
         self.messages.notify(Kind::Warning, format!("{reason}: {given_up}"));
         if let Some(scene) = scene {
