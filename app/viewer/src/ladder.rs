@@ -65,6 +65,9 @@ const LEAST_PARTICLES: f64 = 600.0;
 impl Rung {
     /// One of how many particles of `scene` is left: none are given up that a small scene needs.
     pub(crate) fn fewer_particles_of(&self, scene: &Scene) -> f64 {
+        if self.fewer_particles == 1 {
+            return 1.0;
+        }
         let most = scene.particle_count() as f64 / LEAST_PARTICLES;
         f64::from(self.fewer_particles).min(most).max(1.0)
     }

@@ -39,11 +39,9 @@ fn filled_m(block: &Block, scene: &Scene) -> [Option<f64>; 3] {
     std::array::from_fn(|axis| (is_closed(axis) && low[axis] && high[axis]).then(|| side_m(axis)))
 }
 
-/// How many particles the scene has, without making them.
+/// How many particles the scene has, without making them: of blocks that meet no other fluid by their sides alone.
 pub(crate) fn count(scene: &Scene) -> u64 {
-    let mut count = 0;
-    for_each_point(scene, |_, _, _| count += 1);
-    count
+    filled(scene).map(|part| part.count()).sum()
 }
 
 /// Whether the fluid alone has a particle.
@@ -59,19 +57,52 @@ pub(crate) fn fits(fluid: &Fluid, scene: &Scene) -> bool {
 
 /// Calls `visit` with the number of each fluid, the fluid, and each point of it, m: in the order of ids.
 pub(crate) fn for_each_point(scene: &Scene, mut visit: impl FnMut(usize, &Fluid, [f64; 3])) {
-    for (index, fluid) in scene.fluids.iter().enumerate() {
-        let Some(lattice) = Lattice::of(fluid, scene) else { continue };
+    for part in filled(scene) {
+        part.for_each(|place_m| visit(part.index, part.fluid, place_m));
+    }
+}
+
+/// What one fluid fills: points of its lattice in it that no earlier fluid has.
+struct Filled<'a> {
+    index: usize,
+    fluid: &'a Fluid,
+    lattice: Lattice,
+    /// Those that may have some.
+    earlier: Vec<&'a Fluid>,
+}
+
+fn filled(scene: &Scene) -> impl Iterator<Item = Filled<'_>> {
+    scene.fluids.iter().enumerate().filter_map(|(index, fluid)| {
+        let lattice = Lattice::of(fluid, scene)?;
         let (min_m, max_m) = fluid.bounds_m();
         let meets = |earlier: &&Fluid| {
             let (low_m, high_m) = earlier.bounds_m();
             (0..3).all(|axis| low_m[axis] <= max_m[axis] && high_m[axis] >= min_m[axis])
         };
-        let earlier: Vec<&Fluid> = scene.fluids[..index].iter().filter(meets).collect();
-        lattice.for_each(|place_m| {
-            if fluid.contains(place_m) && !earlier.iter().any(|earlier| earlier.contains(place_m)) {
-                visit(index, fluid, place_m);
+        let earlier = scene.fluids[..index].iter().filter(meets).collect();
+        Some(Filled { index, fluid, lattice, earlier })
+    })
+}
+
+impl Filled<'_> {
+    fn for_each(&self, mut visit: impl FnMut([f64; 3])) {
+        self.lattice.for_each(|place_m| {
+            if self.fluid.contains(place_m) && !self.earlier.iter().any(|earlier| earlier.contains(place_m)) {
+                visit(place_m);
             }
         });
+    }
+
+    fn count(&self) -> u64 {
+        let Lattice { counts, .. } = &self.lattice;
+        // A block has all points of a lattice whose first and last it has.
+        let ends = [[0; 3], counts.map(|count| count.saturating_sub(1))].map(|steps| self.lattice.place_m(steps));
+        if self.fluid.block.is_some() && self.earlier.is_empty() && ends.iter().all(|end| self.fluid.contains(*end)) {
+            return counts.iter().map(|count| *count as u64).product();
+        }
+        let mut count = 0;
+        self.for_each(|_| count += 1);
+        count
     }
 }
 
@@ -121,12 +152,15 @@ impl Lattice {
         Self { first_m, steps_m, counts }
     }
 
+    fn place_m(&self, steps: [usize; 3]) -> [f64; 3] {
+        std::array::from_fn(|axis| self.first_m[axis] + steps[axis] as f64 * self.steps_m[axis])
+    }
+
     fn for_each(&self, mut visit: impl FnMut([f64; 3])) {
         for z in 0..self.counts[2] {
             for y in 0..self.counts[1] {
                 for x in 0..self.counts[0] {
-                    let steps = [x, y, z];
-                    visit(std::array::from_fn(|axis| self.first_m[axis] + steps[axis] as f64 * self.steps_m[axis]));
+                    visit(self.place_m([x, y, z]));
                 }
             }
         }

@@ -79,7 +79,7 @@ fn task(name: &str, most: f64, end_s: f64) -> Task {
             // By default the desktop tier alone has them: a choice of look, and no error.
             settings.extend(["caustics", "self_shadow"].map(|light| format!("surface.{light}=false")));
         }
-        let wider = (sample_lattice(&scene).positions.len() as f64 / most).cbrt();
+        let wider = (scene.particle_count() as f64 / most).cbrt();
         if wider > 1.0 {
             settings.push(format!("spacing_m={:.4}", wider * scene.spacing_m));
         }
@@ -92,7 +92,7 @@ pub fn cost(task: &Task) -> Option<f64> {
     let scene = Scene::load(&task.case, &task.settings).ok()?;
     let each = f64::from(scene.solver.substeps) * (f64::from(scene.solver.pbf.iterations) + 2.0);
     let steps = course::looks_of(&scene).steps() as f64;
-    Some(RUNS as f64 * sample_lattice(&scene).positions.len() as f64 * steps * each)
+    Some(RUNS as f64 * scene.particle_count() as f64 * steps * each)
 }
 
 /// Runs a scene in every way.
@@ -192,7 +192,7 @@ mod tests {
         assert_eq!(all.len(), shipped_scenes().count());
         for task in &all {
             let scene = Scene::load(&task.case, &task.settings).unwrap_or_else(|error| panic!("{error}"));
-            let count = sample_lattice(&scene).positions.len();
+            let count = scene.particle_count();
             assert!((1000..=7000).contains(&count), "{}: {count}", task.case);
             assert!(scene.outputs.seconds <= END_S && cost(task).unwrap() > 0.0);
         }
