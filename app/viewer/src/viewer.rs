@@ -366,12 +366,10 @@ impl Viewer {
     }
 
     fn take_loaded(&mut self) {
-        let Some(loading) = &mut self.loading else { return };
-        let Some(result) = loading.poll() else { return };
-        let carries = matches!(loading.desc.start, Start::Carry(_));
-        let why = std::mem::take(&mut loading.desc.why);
-        let desc = loading.desc.clone();
-        self.loading = None;
+        let Some(result) = self.loading.as_mut().and_then(Loading::poll) else { return };
+        let Some(Loading { mut desc, .. }) = self.loading.take() else { return };
+        let carries = matches!(desc.start, Start::Carry(_));
+        let why = std::mem::take(&mut desc.why);
         match result {
             Ok(mut current) => {
                 if carries

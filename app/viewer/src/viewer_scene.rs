@@ -114,8 +114,7 @@ impl ViewerScene {
             let planned = plan(&simulated, ParticleSource::Count(count), View::of_scene(&simulated), looks).ok()?;
             Some(planned.session.plan)
         };
-        let start =
-            |scene: &Scene| Self::build_as_it_is(gpu, SceneDesc { scene: scene.clone(), ..desc.clone() }, progress);
+        let start = |scene: &Scene| Self::build_as_it_is(gpu, scene, &desc, progress);
         let cause = |error: &ViewerError| match error {
             ViewerError::Gpu(error) => Some(error.clone()),
             _ => None,
@@ -127,20 +126,21 @@ impl ViewerScene {
 
     fn build_as_it_is(
         gpu: &Gpu,
-        desc: SceneDesc,
+        scene: &Scene,
+        desc: &SceneDesc,
         progress: &mut dyn FnMut(usize, usize, &str),
     ) -> Result<ViewerScene, ViewerError> {
-        let simulated = desc.rung.scene(&desc.scene);
+        let simulated = desc.rung.scene(scene);
         progress(0, 0, "filling the scene with particles");
         let resampled = matches!(desc.start, Start::Resampled { .. });
-        let (source, steps, simulated_s) = match desc.start {
+        let (source, steps, simulated_s) = match &desc.start {
             Start::Scene => (ParticleSource::Scene, 0, 0.0),
-            Start::Carry(count) => (ParticleSource::Count(count), 0, 0.0),
+            Start::Carry(count) => (ParticleSource::Count(*count), 0, 0.0),
             Start::Resampled { from, particles, steps, simulated_s } => {
-                (ParticleSource::Given(resample(&from, &particles, &simulated)), steps, simulated_s)
+                (ParticleSource::Given(resample(from, particles, &simulated)), *steps, *simulated_s)
             }
             Start::Particles { particles, steps, simulated_s } => {
-                (ParticleSource::Given(particles), steps, simulated_s)
+                (ParticleSource::Given(particles.clone()), *steps, *simulated_s)
             }
         };
         let view =
@@ -158,7 +158,7 @@ impl ViewerScene {
             session.relax_start()?;
         }
         let concessions = Vec::new();
-        Ok(ViewerScene { scene: desc.scene, session, left_out, concessions, view, options, passes })
+        Ok(ViewerScene { scene: scene.clone(), session, left_out, concessions, view, options, passes })
     }
 
     /// Takes over the state of `old`, the same particles in another plan, without a way over the host.
