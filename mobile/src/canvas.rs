@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use brooklet_gpu::Gpu;
+use brooklet_viewer::surface::{Status, configuration, format_of};
 use wgpu::rwh::{DisplayHandle, HandleError, HasDisplayHandle, HasWindowHandle, WindowHandle};
 use wgpu::{CurrentSurfaceTexture as Got, SurfaceTexture, Texture, TextureFormat, TextureView};
 
@@ -66,23 +67,9 @@ impl Canvas {
     /// If the device cannot show anything there: in words.
     pub fn on_surface(surface: wgpu::Surface<'static>, gpu: &Gpu, size_px: [u32; 2]) -> Result<Self, String> {
         let capabilities = surface.get_capabilities(gpu.adapter());
-        // Pictures are encoded already: a format that does not do so again comes first.
-        let plain = |format: &&TextureFormat| matches!(**format, TextureFormat::Bgra8Unorm | OFFSCREEN);
-        let format = capabilities.formats.iter().find(plain).or_else(|| capabilities.formats.first());
-        let format = *format.ok_or_else(|| format!("{} has no format for this window", gpu.info().name))?;
-        let [width, height] = within(gpu, size_px);
-        let configuration = wgpu::SurfaceConfiguration {
-            usage: wgpu::TextureUsages::RENDER_ATTACHMENT,
-            format,
-            width,
-            height,
-            present_mode: wgpu::PresentMode::AutoVsync,
-            // One frame waits for the display: more would only make the picture older.
-            desired_maximum_frame_latency: 1,
-            alpha_mode: capabilities.alpha_modes.first().copied().unwrap_or_default(),
-            view_formats: Vec::new(),
-            color_space: Default::default(),
-        };
+        let format = format_of(&capabilities.formats);
+        let format = format.ok_or_else(|| format!("{} has no format for this window", gpu.info().name))?;
+        let configuration = configuration(&capabilities, format, within(gpu, size_px));
         surface.configure(gpu.device(), &configuration);
         Ok(Self::Window { surface, configuration })
     }
@@ -122,15 +109,17 @@ impl Canvas {
     pub fn next(&self, gpu: &Gpu) -> Result<Option<Sheet>, SurfaceLost> {
         let Self::Window { surface, .. } = self else { return Ok(Some(Sheet::Texture)) };
         let mut got = surface.get_current_texture();
-        if matches!(got, Got::Outdated | Got::Validation) {
+        if Status::of(&got) == Status::Outdated {
             drop(got);
             self.configure(gpu);
             got = surface.get_current_texture();
         }
+        let status = Status::of(&got);
         match got {
-            Got::Success(texture) => Ok(Some(Sheet::Window(texture, false))),
-            Got::Suboptimal(texture) => Ok(Some(Sheet::Window(texture, true))),
-            Got::Lost => Err(SurfaceLost),
+            Got::Success(texture) | Got::Suboptimal(texture) => {
+                Ok(Some(Sheet::Window(texture, status == Status::Suboptimal)))
+            }
+            _ if status == Status::Lost => Err(SurfaceLost),
             _ => Ok(None),
         }
     }

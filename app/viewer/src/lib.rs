@@ -41,6 +41,7 @@ mod quality;
 mod recorder;
 mod reload;
 pub mod style;
+pub mod surface;
 mod thumbnail;
 mod times;
 mod viewer;

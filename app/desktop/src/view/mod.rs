@@ -2,7 +2,6 @@
 
 mod open;
 mod reload;
-mod surface;
 mod ui_trace;
 mod window;
 

@@ -5,11 +5,11 @@ use std::sync::Arc;
 use brooklet_fluid::Scene;
 use brooklet_gpu::{Gpu, GpuOptions, Tier, vulkan_instance};
 use brooklet_viewer::action::Action;
+use brooklet_viewer::surface::{Status, configuration, format_of};
 use brooklet_viewer::{Painted, Settings, Target, Viewer, ViewerError};
 use egui_winit::State;
 use winit::window::Window;
 
-use super::surface::{Status, configuration, format_of};
 use crate::{failure::Failure, view_options::ViewOptions};
 
 /// All that goes when the device goes.
