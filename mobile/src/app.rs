@@ -41,7 +41,7 @@ pub enum Wake {
 /// The scene that the app begins with, and whose kernels are checked.
 const FIRST_SCENE: &str = "phone-1k";
 /// A busy GPU is asked so often whether it is done.
-const BUSY: Duration = Duration::from_millis(2);
+pub(crate) const BUSY: Duration = Duration::from_millis(2);
 /// A window that gives no frame, and a check under way, are asked so often.
 const HIDDEN: Duration = Duration::from_millis(100);
 /// A device that is lost again within this time is not opened a third time.
@@ -147,7 +147,7 @@ impl App {
         self.heat.take_headroom(headroom);
     }
 
-    /// The system is short of memory: what is kept for later goes, and half of the particles.
+    /// The system is short of memory: what is kept for later goes, and some of the particles.
     pub fn low_memory(&mut self) {
         let Some(open) = &mut self.open else { return };
         open.gpu.trim();
@@ -413,8 +413,7 @@ fn viewer(gpu: &Gpu, canvas: &Canvas, paths: &AppPaths) -> Viewer {
     let settings = Settings { folder: paths.files.clone(), budget_ms: None, rung: None };
     let mut viewer = Viewer::without_scene(gpu, canvas.format(), settings, canvas.size_px());
     screen::apply(viewer.context());
-    let build = [("program", "brooklet mobile"), ("version", env!("CARGO_PKG_VERSION"))];
-    viewer.set_about("build", build.map(|(name, value)| (name.to_owned(), value.to_owned())).to_vec());
+    viewer.set_program("brooklet mobile");
     viewer
 }
 

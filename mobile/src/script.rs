@@ -6,6 +6,7 @@ use std::time::{Duration, Instant};
 
 use brooklet_viewer::marks::{self, Marks};
 
+use crate::app::BUSY;
 use crate::{Acceleration, App, TouchEvent, TouchPhase, Wake};
 
 /// An app without a window, and the hand that holds it.
@@ -64,7 +65,7 @@ impl Hand {
     pub fn settle(&mut self) {
         for _ in 0..3 {
             self.app.viewer_mut();
-            while self.frame() == Wake::After(Duration::from_millis(2)) {
+            while self.frame() == Wake::After(BUSY) {
                 std::thread::sleep(Duration::from_millis(1));
             }
         }

@@ -6,6 +6,7 @@ use brooklet_gpu::GpuError;
 use crate::ViewerError;
 use crate::ladder::RUNGS;
 use crate::messages::Kind;
+use crate::recorder;
 use crate::viewer::Viewer;
 use crate::viewer_scene::{SceneDesc, Start};
 
@@ -57,6 +58,11 @@ impl Viewer {
         if no_room && self.auto && matches!(desc.start, Start::Scene) && self.give_up_particles("there is no room") {
             self.load(desc.scene, Start::Scene, "fewer particles");
         }
+    }
+
+    /// The program's name, for captures from the next one on.
+    pub fn set_program(&mut self, program: &str) {
+        self.set_about("build", recorder::build(program));
     }
 
     /// Facts that captures have as metadata `name` from the next one on.

@@ -2,6 +2,8 @@
 
 use egui::{Color32, Context, CornerRadius, FontId, Frame, Margin, Stroke, TextStyle, Theme};
 
+use crate::messages::Kind;
+
 /// What is chosen, what moves, what is good.
 pub const ACCENT: Color32 = Color32::from_rgb(86, 176, 232);
 /// What asks for a look.
@@ -59,6 +61,15 @@ pub fn apply(context: &Context) {
         visuals.widgets.hovered.weak_bg_fill = Color32::from_rgb(56, 67, 80);
         visuals.widgets.noninteractive.bg_stroke = Stroke::new(1.0, Color32::from_rgb(40, 46, 55));
     });
+}
+
+/// The sign and the colour of what is said.
+pub fn sign_of(kind: Kind) -> (&'static str, Color32) {
+    match kind {
+        Kind::Done => ("✔", ACCENT),
+        Kind::Warning => ("⚠", WARNING),
+        Kind::Error => ("✖", ERROR),
+    }
 }
 
 /// A side panel's frame.

@@ -132,11 +132,7 @@ pub(super) fn messages(context: &Context, screen: Rect, said: &[Message]) {
     let area = Area::new(Id::unique("messages")).fade_in(false).order(Order::Foreground).interactable(false);
     area.anchor(Align2::CENTER_BOTTOM, vec2(0.0, -90.0)).show(context, |ui| {
         for message in said {
-            let (sign, color) = match message.kind {
-                Kind::Done => ("✔", style::ACCENT),
-                Kind::Warning => ("⚠", style::WARNING),
-                Kind::Error => ("✖", style::ERROR),
-            };
+            let (sign, color) = style::sign_of(message.kind);
             let frame = egui::Frame::new().fill(Color32::from_black_alpha(220)).corner_radius(10).inner_margin(10);
             let shown = frame.show(ui, |ui| {
                 ui.set_max_width(width);

@@ -80,8 +80,7 @@ impl Copies<'_> {
             return false;
         }
         // Values of another precision are other values.
-        if self.decorated.contains(&other) != self.decorated.contains(&original) && !self.decorated.contains(&original)
-        {
+        if self.decorated.contains(&other) && !self.decorated.contains(&original) {
             return false;
         }
         if matches!(one.class.opcode, Op::Variable | Op::Phi) {

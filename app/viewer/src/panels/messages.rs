@@ -16,11 +16,7 @@ pub(super) fn show(context: &Context, shown: &PanelInput<'_>) {
         |ui| {
             ui.set_max_width(560.0);
             for message in shown.messages.latest() {
-                let (sign, color) = match message.kind {
-                    Kind::Done => ("✔", style::ACCENT),
-                    Kind::Warning => ("⚠", style::WARNING),
-                    Kind::Error => ("✖", style::ERROR),
-                };
+                let (sign, color) = style::sign_of(message.kind);
                 let frame = Frame::new().fill(Color32::from_black_alpha(215)).corner_radius(5).inner_margin(8);
                 let shown = frame.show(ui, |ui| {
                     ui.horizontal_top(|ui| {
