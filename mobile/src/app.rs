@@ -334,7 +334,8 @@ impl App {
         let gpu = match &self.open {
             Some(open) => open.gpu.clone(),
             None => {
-                let options = GpuOptions { pipeline_cache: Some(self.paths.cache.clone()), ..self.options.clone() };
+                let cache = Some(self.paths.cache.clone());
+                let options = GpuOptions { pipeline_cache: cache, watch_builds: true, ..self.options.clone() };
                 Gpu::open_on(instance, surface.as_ref(), &options).map_err(|error| error.to_string())?
             }
         };

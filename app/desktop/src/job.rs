@@ -69,6 +69,7 @@ pub fn open(options: &DeviceOptions, timing: bool) -> Result<Gpu, Failure> {
         tier: options.tier.map(Into::into),
         pipeline_cache: dirs::cache_dir().map(|folder| folder.join("brooklet")),
         timing,
+        watch_builds: options.careful,
         ..GpuOptions::default()
     })
     .map_err(Failure::input)

@@ -23,6 +23,9 @@ pub struct DeviceOptions {
     /// Use the device as one of this tier, asking only for that tier's limits
     #[arg(long, value_enum, env = "BROOKLET_TIER")]
     pub tier: Option<TierName>,
+    /// Note which kernel the driver is about to build, and do without one that ended an earlier run with this option
+    #[arg(long)]
+    pub careful: bool,
 }
 
 /// A device tier on the command line.

@@ -167,6 +167,7 @@ fn open(device: &DeviceOptions, tier: Tier, timing: bool) -> Result<Gpu, String>
         tier: Some(tier),
         pipeline_cache: dirs::cache_dir().map(|folder| folder.join("brooklet")),
         timing,
+        watch_builds: device.careful,
         ..GpuOptions::default()
     })
     .map_err(|error| error.to_string())

@@ -22,6 +22,10 @@ pub struct GpuOptions {
     pub pipeline_cache: Option<PathBuf>,
     /// Whether GPU times are taken.
     pub timing: bool,
+    /// Whether the name of each kernel that the driver is about to build is noted in that folder, so that one which ends
+    /// the program is done without at the next start (`canary.rs`). A program that is killed looks the same: so it is for
+    /// programs that nobody kills while they start.
+    pub watch_builds: bool,
     /// Formats to use the device without, though it has them: to see what is then done instead.
     pub without_formats: Vec<Format>,
 }
@@ -156,7 +160,7 @@ impl Gpu {
             TimingStatus::Unsupported
         };
         let info = device_info(&adapter_info, &device.limits(), f64::from(queue.get_timestamp_period()));
-        let pipelines = Pipelines::new(device, &adapter_info, options.pipeline_cache.as_deref());
+        let pipelines = Pipelines::new(device, &adapter_info, options.pipeline_cache.as_deref(), options.watch_builds);
         let pool = Pool::new(device.limits().max_buffer_size);
         Gpu {
             inner: Arc::new(Inner {
@@ -232,6 +236,11 @@ impl Gpu {
     /// keep it.
     pub fn refuse(&self, module: &str, reason: &str) {
         lock(&self.inner.pipelines).refuse(module, reason);
+    }
+
+    /// Builds `module` after all, if it is only suspected of having ended an earlier program; whether it was.
+    pub fn trust(&self, module: &str) -> bool {
+        lock(&self.inner.pipelines).trust(module)
     }
 
     /// Modules that are not built on this device, and why: refused, or they ended the program at an earlier start.

@@ -9,7 +9,7 @@ use crate::guard::Guard;
 use crate::layout;
 use brooklet_kernels::{Module, Tier};
 use std::borrow::Cow;
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 use std::path::Path;
 
 /// Set 0's layout with its entries, which are also its identity.
@@ -40,6 +40,8 @@ pub(crate) struct Pipelines {
     canary: Option<Canary>,
     /// Modules that are not built, and why.
     refused: Skipped,
+    /// Those of them that ended an earlier program, or were built when it was killed.
+    suspected: BTreeSet<String>,
     layouts: HashMap<Entries, Layout>,
     compute: HashMap<(usize, Entries), wgpu::ComputePipeline>,
     draws: HashMap<DrawKey, wgpu::RenderPipeline>,
@@ -52,7 +54,7 @@ pub(crate) fn identity(module: &'static Module) -> usize {
 }
 
 impl Pipelines {
-    pub fn new(device: &wgpu::Device, adapter: &wgpu::AdapterInfo, folder: Option<&Path>) -> Self {
+    pub fn new(device: &wgpu::Device, adapter: &wgpu::AdapterInfo, folder: Option<&Path>, watches: bool) -> Self {
         let supported = device.features().contains(wgpu::Features::PIPELINE_CACHE);
         let file = folder.filter(|_| supported).and_then(|folder| CacheFile::new(folder, adapter));
         let (data, status) = match (&file, folder) {
@@ -71,11 +73,13 @@ impl Pipelines {
                 })
             }
         });
-        let watched = file.as_ref().zip(folder);
+        let watched = file.as_ref().zip(folder).filter(|_| watches);
         let (canary, refused) = watched.and_then(|(file, folder)| file.canary(folder)).unzip();
+        let refused = refused.unwrap_or_default();
         Self {
             canary,
-            refused: refused.unwrap_or_default(),
+            suspected: refused.keys().cloned().collect(),
+            refused,
             cache,
             file,
             status,
@@ -94,6 +98,16 @@ impl Pipelines {
     /// Builds `module` no more, and says why.
     pub fn refuse(&mut self, module: &str, reason: &str) {
         self.refused.insert(module.to_owned(), reason.to_owned());
+        self.suspected.remove(module);
+    }
+
+    /// Builds `module` after all, if it is only suspected; whether it was.
+    pub fn trust(&mut self, module: &str) -> bool {
+        let was_suspected = self.suspected.remove(module);
+        if was_suspected {
+            self.refused.remove(module);
+        }
+        was_suspected
     }
 
     /// Modules that are not built, and why.

@@ -114,12 +114,15 @@ pub fn start_stepping_down<T, E>(
         if gpu.is_lost().is_some() {
             return Err(error);
         }
-        match cause(&error).and_then(|cause| step_down(gpu, &scene, &cause, plan)) {
-            Some((other, concessions)) => {
+        let Some(cause) = cause(&error) else { return Err(error) };
+        match (step_down(gpu, &scene, &cause, plan), cause) {
+            (Some((other, concessions)), _) => {
                 scene = other;
                 made.extend(concessions);
             }
-            None => return Err(error),
+            // What cannot be done without is tried again: it may have been killed with the program.
+            (None, GpuError::ModuleRefused { module, .. }) if gpu.trust(module) => {}
+            (None, _) => return Err(error),
         }
     }
 }

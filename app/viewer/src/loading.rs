@@ -29,6 +29,17 @@ pub struct Loading {
     /// Since when.
     pub begun: Instant,
     news: Receiver<News>,
+    _builder: Builder,
+}
+
+/// The thread that builds. Nobody leaves before it is done: drivers crash where a program ends while they build.
+struct Builder(Option<thread::JoinHandle<()>>);
+
+impl Drop for Builder {
+    fn drop(&mut self) {
+        // One that panicked has said so by its silence.
+        let _ = self.0.take().map(thread::JoinHandle::join);
+    }
 }
 
 enum News {
@@ -44,11 +55,12 @@ impl Loading {
     pub fn begin(gpu: &Gpu, desc: SceneDesc) -> Result<Self, ViewerError> {
         let (sender, news) = channel();
         let (gpu, wanted) = (gpu.clone(), desc.clone());
-        thread::Builder::new()
+        let thread = thread::Builder::new()
             .name("loading".into())
             .spawn(move || build(&gpu, wanted, &sender))
             .map_err(|error| ViewerError::NoThread { reason: error.to_string() })?;
-        Ok(Self { desc, progress: Progress::default(), begun: Instant::now(), news })
+        let (progress, begun) = (Progress::default(), Instant::now());
+        Ok(Self { desc, progress, begun, news, _builder: Builder(Some(thread)) })
     }
 
     /// The scene, or why there is none, once it is ready.

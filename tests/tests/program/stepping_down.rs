@@ -5,7 +5,7 @@ use std::path::Path;
 use brooklet_tests::program::{Ended, Workshop};
 
 fn run(shop: &Workshop, cache: &Path, out: &str) -> Ended {
-    let arguments = ["run", "scene.toml", "--steps", "2", "--images", "1", "--out", out];
+    let arguments = ["run", "scene.toml", "--steps", "2", "--images", "1", "--careful", "--out", out];
     Ended::new(shop.command(arguments).env("XDG_CACHE_HOME", cache).output().expect("the program starts"))
 }
 

@@ -121,3 +121,31 @@ fn a_format_that_is_missing_is_drawn_without() {
     let error = start(&device(&[Format::Rgba8Unorm]), &wanted).expect_err("pictures are of it");
     assert!(error.to_string().contains("Rgba8Unorm"), "{error}");
 }
+
+#[test]
+fn what_ended_a_program_and_cannot_be_done_without_is_tried_again() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let careful = || {
+        let options = GpuOptions {
+            tier: Some(gpu().tier()),
+            device_name: Some(gpu().info().name.clone()),
+            pipeline_cache: Some(folder.path().to_owned()),
+            watch_builds: true,
+            ..GpuOptions::default()
+        };
+        Gpu::open(&options).expect("a device")
+    };
+    let scene = scene("dam-break", &["spacing_m=0.1", "outputs.images=0"]);
+    start(&careful(), &scene).expect("it starts");
+    let Some(kept) = std::fs::read_dir(folder.path()).expect("a folder").flatten().next() else { return };
+    let stem = kept.file_name().into_string().expect("a name");
+    // As programs leave it that are gone: no process has this number.
+    std::fs::write(folder.path().join(format!("{stem}.{}.0.building", u32::MAX)), "CountCells").expect("written");
+    let gpu = careful();
+    assert_eq!(gpu.refused().iter().map(|(module, _)| module.as_str()).collect::<Vec<_>>(), ["CountCells"]);
+    let (same, concessions) = start(&gpu, &scene).expect("it is tried again");
+    assert!(same == scene && concessions.is_empty() && gpu.refused().is_empty());
+    // What is known to be wrong is not.
+    gpu.refuse("CountCells", "its worst element is off");
+    assert!(!gpu.trust("CountCells") && start(&gpu, &scene).is_err());
+}

@@ -51,6 +51,7 @@ impl Open {
                 tier,
                 pipeline_cache: dirs::cache_dir().map(|folder| folder.join("brooklet")),
                 timing: true,
+                watch_builds: options.device.careful,
                 ..GpuOptions::default()
             },
         )
