@@ -1,7 +1,7 @@
 //! `brooklet plan`: what a run would do, without doing it; needs no GPU.
 
 use brooklet_fluid::Scene;
-use brooklet_gpu::{Plan, Tier};
+use brooklet_gpu::{KeptBuffer, Plan, Tier};
 use brooklet_render::ScenePlan;
 use brooklet_render::left_out::{self, Absent};
 use serde::Serialize;
@@ -58,15 +58,27 @@ fn passes(plan: &Plan) -> Vec<Pass> {
         .collect()
 }
 
+/// The buffer whose memory another has, if it is not its own.
+fn shared_memory(plan: &Plan, buffer: &KeptBuffer) -> Option<String> {
+    (buffer.memory != buffer.id).then(|| plan.resources().label(buffer.memory).to_owned())
+}
+
 fn print_json(scene: &Scene, planned: &ScenePlan, absent: &[Absent], no_timing: bool) -> Result<(), Failure> {
     let buffers: serde_json::Map<_, _> =
         planned.plan().buffers().into_iter().map(|buffer| (buffer.label, buffer.bytes.into())).collect();
+    let shared: serde_json::Map<_, _> = planned
+        .plan()
+        .buffers()
+        .into_iter()
+        .filter_map(|buffer| Some((buffer.label.clone(), shared_memory(planned.plan(), &buffer)?.into())))
+        .collect();
     let all = json!({
         "scene": scene.name,
         "particles": scene.particle_count(),
         "slots": planned.session.slot_count(),
         "passes": passes(planned.plan()),
         "buffers": buffers,
+        "shared_memory": shared,
         "bytes": planned.plan().bytes(),
         "timestamps": timestamps(planned.plan(), no_timing).into_iter().collect::<serde_json::Map<_, _>>(),
         "timestamp_bytes": if no_timing { 0 } else { planned.timestamp_memory() },
@@ -105,12 +117,13 @@ fn print_tables(scene: &Scene, planned: &ScenePlan, absent: &[Absent], no_timing
     }
     say!("{}\n", list.trim_fmt());
 
-    let mut list = table(&["buffer", "bytes", ""], &[1, 2]);
+    let mut list = table(&["buffer", "bytes", "", "in the memory of"], &[1, 2]);
     for buffer in planned.plan().buffers() {
-        list.add_row([buffer.label, buffer.bytes.to_string(), bytes(buffer.bytes)]);
+        let memory = shared_memory(planned.plan(), &buffer).unwrap_or_default();
+        list.add_row([buffer.label, buffer.bytes.to_string(), bytes(buffer.bytes), memory]);
     }
     let total = planned.plan().bytes();
-    list.add_row(["in all".to_string(), total.to_string(), bytes(total)]);
+    list.add_row(["in all, each memory once".to_string(), total.to_string(), bytes(total), String::new()]);
     say!("{}", list.trim_fmt());
     if let Some(per_particle) = planned.session.recorded.bytes_per_particle(planned.plan()) {
         say!("{per_particle:.0} bytes a particle, without what is drawn");

@@ -31,7 +31,7 @@ pub use session::{
     relax_particles,
 };
 pub use slot_changes::{DrainBox, ParticleBlock, SlotChanges, activate_params, deactivate_params, record_slot_changes};
-pub use slots::{Slots, step_state, visit_slots};
+pub use slots::{Slots, visit_slots};
 pub use smoothing_kernel_params::smoothing_kernel_params;
 pub use stat_fields::{STAT_FIELDS, StatField, captured_fields, captured_values};
 pub use step::{Recorded, RecordedMeasure, RecordedRelaxation, record, record_count, record_particles};

@@ -78,8 +78,15 @@ pub fn visit_slots(slot_count: u32) -> StepState {
     }
 }
 
-/// The state in which `particles` begin at `time_s`: all of them are visited, whatever stands between them.
-pub fn step_state(particles: &ParticleSet, time_s: f64) -> StepState {
-    let last = particles.positions.iter().rposition(|position| !is_inactive(position.tag));
-    StepState { time_s: time_s as f32, ..visit_slots(last.map_or(0, |last| last as u32 + 1)) }
+impl Slots {
+    /// The state in which `particles` begin at `time_s`: all of them are visited, whatever stands between them; every slot
+    /// where their number is the same from step to step.
+    pub fn state_of(&self, particles: &ParticleSet, time_s: f64) -> StepState {
+        let last = particles.positions.iter().rposition(|position| !is_inactive(position.tag));
+        let visited = match self.counts_vary {
+            true => last.map_or(0, |last| last as u32 + 1),
+            false => self.capacity,
+        };
+        StepState { time_s: time_s as f32, ..visit_slots(visited) }
+    }
 }

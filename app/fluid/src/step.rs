@@ -7,7 +7,7 @@ use crate::grid::Neighbours;
 use crate::measure::{Densities, Measuring};
 use crate::particles::{ParticleSet, sample_lattice};
 use crate::scene::Scene;
-use crate::slots::{Slots, step_state};
+use crate::slots::Slots;
 use crate::solver::Solver;
 use crate::step_context::{Particles, StepContext};
 use crate::step_params::step_params;
@@ -104,14 +104,15 @@ pub fn record(resources: &mut Resources, scene: &Scene) -> Recorded {
 pub fn record_particles(resources: &mut Resources, scene: &Scene, mut particles: ParticleSet) -> Recorded {
     particles.fill_slots(scene.capacity.unwrap_or_default());
     let mut recorded = record_count(resources, scene, particles.positions.len() as u32);
-    recorded.init.upload(&mut recorded.slots.state, &[step_state(&particles, 0.0)]);
+    let state = recorded.slots.state_of(&particles, 0.0);
+    recorded.init.upload(&mut recorded.slots.state, &[state]);
     recorded.init.upload(&mut recorded.positions, &particles.positions);
     recorded.init.upload(&mut recorded.velocities, &particles.velocities);
     recorded
 }
 
 /// As [`record`], for so many slots that nobody uploads: what a plan is like, at a cost that does not grow with
-/// them. None is visited until `Engine::write` has given particles and a [`step_state`].
+/// them. None is visited until `Engine::write` has given particles and a [`Slots::state_of`].
 pub fn record_count(resources: &mut Resources, scene: &Scene, capacity: u32) -> Recorded {
     let mut context = StepContext::declare(resources, scene, capacity);
     let mut particles = Particles::declare(resources, capacity);
@@ -126,6 +127,8 @@ pub fn record_count(resources: &mut Resources, scene: &Scene, capacity: u32) -> 
     for _ in 0..scene.solver.substeps {
         context.slots.begin_substep(&mut step, &context.step);
         solver.record_substep(&mut step, &mut context, &mut particles);
+        // Nothing but particles and their slots lasts from one to the next.
+        step.forget_transients();
     }
 
     let mut relaxation = RecordedRelaxation { list: resources.recording("list"), relax: resources.recording("relax") };

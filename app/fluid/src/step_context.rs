@@ -1,6 +1,6 @@
 //! What every stage of a substep is given, whichever solver records it.
 
-use brooklet_gpu::Resources;
+use brooklet_gpu::{Recording, Resources};
 use brooklet_kernels::{Buffer, Counters, Position, StepParams, Velocity};
 
 use crate::scene::Scene;
@@ -47,6 +47,15 @@ impl Particles {
         Self {
             positions: resources.persistent("positions", count),
             velocities: resources.persistent("velocities", count),
+        }
+    }
+
+    /// After a sort: what stands here is not read until all of it is written, from the sorted particles. Where the
+    /// number of slots that are visited varies, those beyond it keep their ids.
+    pub fn forget_until_moved(&self, recording: &mut Recording, slots: &Slots) {
+        if !slots.counts_vary {
+            recording.forget(&self.positions);
+            recording.forget(&self.velocities);
         }
     }
 }

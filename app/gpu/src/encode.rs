@@ -49,7 +49,7 @@ impl<'a> Encoder<'a> {
         let mut steps = ready.steps.as_slice();
         while let Some((first, rest)) = steps.split_first() {
             match first {
-                Step::Clear { buffer } => self.commands.clear_buffer(buffer, 0, None),
+                Step::Clear { buffer, bytes } => self.commands.clear_buffer(buffer, 0, Some(*bytes)),
                 Step::Copy { from, to, bytes } => {
                     self.commands.copy_buffer_to_buffer(from, 0, to, 0, *bytes);
                 }

@@ -210,7 +210,7 @@ impl Engine {
     }
 
     /// Writes `data` to the start of `to` before the next run. A buffer that the plan left out is
-    /// not written: nothing reads it. Too much data is an error of the next run.
+    /// not written, nor one whose memory others use too: nothing reads it. Too much data is an error of the next run.
     pub fn write<T: Pod>(&mut self, to: &Buffer<T>, data: &[T]) {
         if data.len() > to.len as usize {
             self.pending_error.get_or_insert(GpuError::WriteTooLong {
@@ -218,7 +218,7 @@ impl Engine {
                 elements: data.len(),
                 room: to.len,
             });
-        } else if let Some(buffer) = self.arena.buffer_of(to.id).filter(|_| !data.is_empty()) {
+        } else if let Some(buffer) = self.arena.buffer_of(to.id).filter(|_| !data.is_empty() && self.keeps(to.id)) {
             let queue = self.gpu.queue();
             let written = self.gpu.guarded(|| queue.write_buffer(buffer, 0, bytemuck::cast_slice(data)));
             if let Err(error) = written {
@@ -289,9 +289,15 @@ impl Engine {
     }
 
     /// A buffer's own wgpu buffer, for a host program that draws from it; `None` if the plan left
-    /// it out. It may be longer than its content, which starts at its start.
+    /// it out, or if others use its memory between two runs. It may be longer than its content, which starts at its start.
     pub fn wgpu_buffer(&self, id: ResourceId) -> Option<&wgpu::Buffer> {
-        self.arena.buffer_of(id)
+        self.arena.buffer_of(id).filter(|_| self.keeps(id))
+    }
+
+    /// Whether a resource's content is there between two runs: state's is, and of all that shares no memory.
+    fn keeps(&self, id: ResourceId) -> bool {
+        let is_state = self.plan.resources().get(id).is_some_and(|entry| entry.state);
+        is_state || !self.plan.sharing.is_shared(id)
     }
 
     /// A texture's own wgpu view, for a host program that shows it; `None` if the plan left it

@@ -99,7 +99,7 @@ pub fn check_formats(device: &str, plan: &Plan, support: &impl FormatSupport) ->
                     needs(*id, TextureUsages::RENDER_ATTACHMENT, Can::empty(), "a depth buffer")?;
                 }
             }
-            Command::Upload { .. } | Command::Clear { .. } | Command::Copy { .. } => {}
+            Command::Upload { .. } | Command::Clear { .. } | Command::Copy { .. } | Command::Forget { .. } => {}
         }
     }
     Ok(())

@@ -8,6 +8,7 @@ use crate::plan::Plan;
 use crate::pool::{BufferKind, TextureKind};
 use crate::recording::{Command, Groups, Instances};
 use crate::resources::Shape;
+use crate::sharing::Sharing;
 use brooklet_kernels::{BindingKind, Bound, Format, ResourceId};
 use std::collections::BTreeMap;
 use wgpu::{BufferUsages, TextureUsages};
@@ -43,6 +44,7 @@ impl Memory {
 pub(crate) struct Arena {
     gpu: Gpu,
     items: BTreeMap<ResourceId, Memory>,
+    sharing: Sharing,
 }
 
 /// What a resource is used as.
@@ -62,9 +64,9 @@ impl Arena {
     /// Allocates what `plan` keeps, all zero; tells `progress` each one's name before.
     pub fn new(gpu: &Gpu, plan: &Plan, progress: &mut dyn FnMut(&str)) -> Result<Arena, GpuError> {
         let uses = check_sizes(gpu, plan)?;
-        let mut arena = Arena { gpu: gpu.clone(), items: BTreeMap::new() };
+        let mut arena = Arena { gpu: gpu.clone(), items: BTreeMap::new(), sharing: plan.sharing.clone() };
         let mut dirty = Vec::new();
-        for kept in plan.buffers() {
+        for kept in plan.buffers().into_iter().filter(|kept| kept.memory == kept.id) {
             progress(&kept.label);
             let mut uses = uses.get(&kept.id).copied().unwrap_or_default();
             if plan.wanted().contains(&kept.id) {
@@ -153,9 +155,12 @@ impl Arena {
 
     /// Whether another plan, made over the same resources, finds all that it keeps.
     pub fn serves(&self, plan: &Plan) -> Result<(), GpuError> {
-        let uses = collect_uses(plan);
+        let uses = memory_uses(plan, &collect_uses(plan));
         for kept in plan.buffers() {
-            let uses = uses.get(&kept.id).copied().unwrap_or_default();
+            if kept.memory != self.sharing.memory(kept.id) {
+                return Err(GpuError::OtherMemory { label: kept.label, reason: "it shares other memory" });
+            }
+            let uses = uses.get(&kept.memory).copied().unwrap_or_default();
             let reason = match self.get(kept.id) {
                 None => "the plan before left it out",
                 Some(Memory::Buffer { kind, .. }) if kind.usage.contains(uses.buffer) => continue,
@@ -168,7 +173,7 @@ impl Arena {
     }
 
     pub fn get(&self, id: ResourceId) -> Option<&Memory> {
-        self.items.get(&id)
+        self.items.get(&self.sharing.memory(id))
     }
 
     pub fn buffer_of(&self, id: ResourceId) -> Option<&wgpu::Buffer> {
@@ -199,7 +204,7 @@ impl Drop for Arena {
     }
 }
 
-/// Checks that the device's limits and formats allow each resource that `plan` keeps; returns how each is used.
+/// Checks that the device's limits and formats allow each resource that `plan` keeps; returns how each memory is used.
 pub(crate) fn check_sizes(gpu: &Gpu, plan: &Plan) -> Result<BTreeMap<ResourceId, Uses>, GpuError> {
     check_formats(&gpu.info().name, plan, gpu.formats())?;
     let uses = collect_uses(plan);
@@ -207,7 +212,7 @@ pub(crate) fn check_sizes(gpu: &Gpu, plan: &Plan) -> Result<BTreeMap<ResourceId,
     for kept in plan.buffers() {
         check_size(plan, kept.id, uses.get(&kept.id).copied(), &limits)?;
     }
-    Ok(uses)
+    Ok(memory_uses(plan, &uses))
 }
 
 fn collect_uses(plan: &Plan) -> BTreeMap<ResourceId, Uses> {
@@ -230,10 +235,21 @@ fn collect_uses(plan: &Plan) -> BTreeMap<ResourceId, Uses> {
                     uses.entry(id).or_default().texture |= TextureUsages::RENDER_ATTACHMENT;
                 }
             }
-            Command::Upload { .. } | Command::Clear { .. } | Command::Copy { .. } => {}
+            Command::Upload { .. } | Command::Clear { .. } | Command::Copy { .. } | Command::Forget { .. } => {}
         }
     }
     uses
+}
+
+/// How each memory is used: as all that have it are.
+fn memory_uses(plan: &Plan, uses: &BTreeMap<ResourceId, Uses>) -> BTreeMap<ResourceId, Uses> {
+    let mut of_memory: BTreeMap<ResourceId, Uses> = BTreeMap::new();
+    for (id, uses) in uses {
+        let all = of_memory.entry(plan.sharing.memory(*id)).or_default();
+        all.buffer |= uses.buffer;
+        all.texture |= uses.texture;
+    }
+    of_memory
 }
 
 fn add_bindings(uses: &mut BTreeMap<ResourceId, Uses>, bindings: &[Bound]) {

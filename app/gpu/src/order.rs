@@ -18,7 +18,12 @@ pub(crate) fn encoding_order(commands: &[Command]) -> Vec<&Command> {
                 touched.extend(ids);
                 order.push(command);
             }
-            Command::Draw(_) => {
+            // What is written after it is not moved before it.
+            Command::Forget { of: Some(of) } => {
+                touched.insert(*of);
+                order.push(command);
+            }
+            Command::Draw(_) | Command::Forget { of: None } => {
                 order.push(command);
                 run_start = order.len();
                 touched.clear();
@@ -92,6 +97,17 @@ mod tests {
         let commands = [dispatch(&[0, 1]), clear(1), dispatch(&[1]), clear(0), dispatch(&[0])];
         // The second clear may join the first, between the dispatches.
         assert_eq!(places(&commands), [0, 1, 3, 2, 4]);
+    }
+
+    #[test]
+    fn nothing_moves_before_what_it_was_recorded_after_is_forgotten() {
+        let forget = |of: Option<u32>| Command::Forget { of: of.map(ResourceId) };
+        let one = [dispatch(&[0]), forget(Some(1)), dispatch(&[0]), clear(1), clear(2)];
+        assert_eq!(places(&one), [0, 1, 2, 3, 4]);
+        let other = [dispatch(&[0]), forget(Some(2)), dispatch(&[0]), clear(1)];
+        assert_eq!(places(&other), [3, 0, 1, 2]);
+        let all = [dispatch(&[0]), forget(None), dispatch(&[0]), clear(1)];
+        assert_eq!(places(&all), [0, 1, 3, 2]);
     }
 
     #[test]

@@ -1,7 +1,9 @@
 //! The backward sweep: which commands feed what is wanted, and which are left out.
 
+use crate::plan_left_out::list_left_out;
 use crate::recording::{Command, Groups, Instances, RecordError, Recording, RecordingId, Touch};
 use crate::resources::{ResourceInfo, Resources, Shape};
+use crate::sharing::Sharing;
 use brooklet_kernels::{BindingKind, Bound, Module, ResourceId};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -11,6 +13,8 @@ pub struct Plan {
     pub(crate) resources: Resources,
     pub(crate) recordings: Vec<PlannedRecording>,
     pub(crate) wanted: Vec<ResourceId>,
+    /// Which of them have one memory.
+    pub(crate) sharing: Sharing,
     used: BTreeSet<ResourceId>,
     left_out: Vec<LeftOut>,
 }
@@ -46,6 +50,8 @@ pub struct KeptBuffer {
     pub label: String,
     /// Size of its content in bytes.
     pub bytes: u64,
+    /// The resource whose memory it has: itself, or a buffer at least as large that is not needed while it is.
+    pub memory: ResourceId,
 }
 
 /// What kind of thing was left out.
@@ -161,7 +167,7 @@ impl Plan {
         let mut planned = Vec::new();
         let mut dropped: Vec<Command> = Vec::new();
         for recording in recordings {
-            let keep = sweep_one(&resources, recording.commands(), lasting.clone());
+            let keep = sweep_one(&resources, recording.commands(), lasting.clone(), wanted);
             let id = recording.id();
             let mut commands = Vec::new();
             for (command, keep) in recording.into_commands().into_iter().zip(keep) {
@@ -170,6 +176,9 @@ impl Plan {
                 } else {
                     dropped.push(command);
                 }
+            }
+            if commands.iter().all(|command| matches!(command, Command::Forget { .. })) {
+                commands.clear();
             }
             planned.push(PlannedRecording { id, commands });
         }
@@ -182,7 +191,14 @@ impl Plan {
             .chain(wanted.iter().copied())
             .collect();
         let left_out = list_left_out(&resources, &planned, &dropped, &used);
-        Ok(Plan { resources, recordings: planned, wanted: wanted.to_vec(), used, left_out })
+        let sharing = Sharing::of(&resources, &planned, &used, wanted);
+        Ok(Plan { resources, recordings: planned, wanted: wanted.to_vec(), sharing, used, left_out })
+    }
+
+    /// The same with memory of its own for each buffer: what tests hold sharing against.
+    pub fn without_sharing(mut self) -> Plan {
+        self.sharing = Sharing::default();
+        self
     }
 
     /// The table it was made from.
@@ -238,6 +254,7 @@ impl Plan {
                 id: *id,
                 label: self.resources.label(*id).to_owned(),
                 bytes: self.resources.bytes(*id),
+                memory: self.sharing.memory(*id),
             })
             .collect()
     }
@@ -247,12 +264,12 @@ impl Plan {
         self.used.contains(&id)
     }
 
-    /// Bytes of all resources that get memory.
+    /// Bytes of memory that all resources take.
     pub fn bytes(&self) -> u64 {
-        self.used.iter().map(|id| self.resources.bytes(*id)).sum()
+        self.bytes_where(|_| true)
     }
 
-    /// Bytes of the resources that some of the recordings use.
+    /// Bytes of memory that some of the recordings need: of buffers that share it, the largest of theirs.
     pub fn bytes_of(&self, recordings: &[RecordingId]) -> u64 {
         let used: BTreeSet<ResourceId> = recordings
             .iter()
@@ -260,7 +277,16 @@ impl Plan {
             .flat_map(|command| command.touches())
             .map(|(id, _)| id)
             .collect();
-        self.buffers().iter().filter(|buffer| used.contains(&buffer.id)).map(|buffer| buffer.bytes).sum()
+        self.bytes_where(|id| used.contains(&id))
+    }
+
+    fn bytes_where(&self, counts: impl Fn(ResourceId) -> bool) -> u64 {
+        let mut largest: BTreeMap<ResourceId, u64> = BTreeMap::new();
+        for buffer in self.buffers().iter().filter(|buffer| counts(buffer.id)) {
+            let bytes = largest.entry(buffer.memory).or_default();
+            *bytes = buffer.bytes.max(*bytes);
+        }
+        largest.values().sum()
     }
 
     /// At most so many timestamps are taken while a recording runs: what a device takes depends on
@@ -270,7 +296,7 @@ impl Plan {
             Command::Dispatch(_) => 2,
             // Its own two, and where its pass begins.
             Command::Draw(_) => 3,
-            Command::Upload { .. } | Command::Clear { .. } | Command::Copy { .. } => 0,
+            Command::Upload { .. } | Command::Clear { .. } | Command::Copy { .. } | Command::Forget { .. } => 0,
         };
         self.commands(recording).iter().map(bound).sum()
     }
@@ -282,9 +308,19 @@ impl Plan {
 }
 
 /// Which of a recording's commands stay. `live` starts as what is wanted at its end.
-fn sweep_one(resources: &Resources, commands: &[Command], mut live: BTreeSet<ResourceId>) -> Vec<bool> {
+fn sweep_one(
+    resources: &Resources,
+    commands: &[Command],
+    mut live: BTreeSet<ResourceId>,
+    wanted: &[ResourceId],
+) -> Vec<bool> {
     let mut keep = vec![false; commands.len()];
     for (index, command) in commands.iter().enumerate().rev() {
+        if let Command::Forget { of } = command {
+            keep[index] = true;
+            live.retain(|id| wanted.contains(id) || !is_forgotten(resources, *of, *id));
+            continue;
+        }
         let touches = command.touches();
         keep[index] = touches.iter().any(|(id, touch)| *touch != Touch::Read && live.contains(id));
         if !keep[index] {
@@ -308,6 +344,14 @@ fn sweep_one(resources: &Resources, commands: &[Command], mut live: BTreeSet<Res
     keep
 }
 
+/// Whether a [`Command::Forget`] of `of` is one of `id`.
+pub(crate) fn is_forgotten(resources: &Resources, of: Option<ResourceId>, id: ResourceId) -> bool {
+    match of {
+        Some(of) => of == id,
+        None => resources.get(id).is_some_and(|entry| !entry.state),
+    }
+}
+
 fn check_known(
     resources: &Resources,
     ids: impl Iterator<Item = ResourceId>,
@@ -328,14 +372,18 @@ fn check_recording(resources: &Resources, recording: &Recording) -> Result<(), P
     if let Some(error) = recording.errors().first() {
         return Err(PlanError::Record { recording: name, error: error.clone() });
     }
-    let mut written = BTreeSet::new();
+    let mut written: BTreeSet<ResourceId> =
+        resources.iter().filter(|(_, entry)| entry.state).map(|(id, _)| id).collect();
     for command in recording.commands() {
+        if let Command::Forget { of } = command {
+            check_known(resources, of.iter().copied(), || describe(resources, command))?;
+            written.retain(|id| !is_forgotten(resources, *of, *id));
+        }
         let user = || describe(resources, command);
         let touches = command.touches();
         check_known(resources, touches.iter().map(|(id, _)| *id), user)?;
         for (id, touch) in &touches {
-            let state = resources.get(*id).is_some_and(|entry| entry.state);
-            if *touch == Touch::Read && !state && !written.contains(id) {
+            if *touch == Touch::Read && !written.contains(id) {
                 return Err(PlanError::ReadBeforeWrite {
                     recording: name,
                     user: user(),
@@ -422,70 +470,11 @@ pub(crate) fn describe(resources: &Resources, command: &Command) -> String {
         Command::Copy { from, to, .. } => {
             format!("copy {} to {}", resources.label(*from), resources.label(*to))
         }
+        Command::Forget { of: Some(of) } => format!("forget {}", resources.label(*of)),
+        Command::Forget { of: None } => "forget transients".to_owned(),
         Command::Dispatch(dispatch) => dispatch.stage.to_owned(),
         Command::Draw(draw) => draw.stage.to_owned(),
     }
-}
-
-fn list_left_out(
-    resources: &Resources,
-    planned: &[PlannedRecording],
-    dropped: &[Command],
-    used: &BTreeSet<ResourceId>,
-) -> Vec<LeftOut> {
-    let label = |id: &ResourceId| resources.label(*id).to_owned();
-    // By name: a stage dropped forty times is one thing left out.
-    let mut commands: BTreeMap<(LeftOutKind, String), BTreeSet<ResourceId>> = BTreeMap::new();
-    let mut order = Vec::new();
-    let mut users: BTreeMap<ResourceId, BTreeSet<String>> = BTreeMap::new();
-    for command in dropped {
-        let name = describe(resources, command);
-        let kind = match command.stage() {
-            Some(_) => LeftOutKind::Stage,
-            None => LeftOutKind::Command,
-        };
-        let key = (kind, name.clone());
-        if !commands.contains_key(&key) {
-            order.push(key.clone());
-        }
-        let outputs = commands.entry(key).or_default();
-        for (id, touch) in command.touches() {
-            users.entry(id).or_default().insert(name.clone());
-            if touch != Touch::Read {
-                outputs.insert(id);
-            }
-        }
-    }
-    let kept: BTreeSet<&str> =
-        planned.iter().flat_map(|recording| &recording.commands).filter_map(Command::stage).collect();
-    order.sort_by_key(|(kind, _)| *kind);
-    let mut left_out = Vec::new();
-    for key in order {
-        let outputs = &commands[&key];
-        let names: Vec<String> = outputs.iter().map(label).collect();
-        let reason = match (names.as_slice(), kept.contains(key.1.as_str())) {
-            ([], _) => "it writes nothing".to_owned(),
-            (names, false) => format!("nothing wanted reads {}", names.join(" or ")),
-            (names, true) => format!("some of its runs: nothing wanted reads {} then", names.join(" or ")),
-        };
-        left_out.push(LeftOut { name: key.1, kind: key.0, bytes: 0, reason });
-    }
-    let mut memory: Vec<LeftOut> = resources
-        .iter()
-        .filter(|(id, _)| !used.contains(id))
-        .map(|(id, entry)| LeftOut {
-            name: entry.label.clone(),
-            kind: if entry.is_texture() { LeftOutKind::Texture } else { LeftOutKind::Buffer },
-            bytes: entry.bytes(),
-            reason: match users.get(&id) {
-                Some(users) => format!("only left out: {}", users.iter().cloned().collect::<Vec<_>>().join(", ")),
-                None => "nothing recorded uses it".to_owned(),
-            },
-        })
-        .collect();
-    memory.sort_by_key(|entry| entry.kind);
-    left_out.extend(memory);
-    left_out
 }
 
 #[cfg(test)]

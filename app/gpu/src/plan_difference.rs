@@ -28,6 +28,7 @@ impl Plan {
     pub fn changed_uploads(&self, other: &Plan) -> Option<Vec<ChangedUpload>> {
         if self.recordings.len() != other.recordings.len()
             || self.wanted != other.wanted
+            || self.sharing != other.sharing
             || !self.memory().eq(other.memory())
         {
             return None;
@@ -87,6 +88,7 @@ impl Plan {
 fn is_same(one: &Command, other: &Command) -> bool {
     match (one, other) {
         (Command::Clear { to }, Command::Clear { to: other_to }) => to == other_to,
+        (Command::Forget { of }, Command::Forget { of: other_of }) => of == other_of,
         (Command::Copy { from, to, bytes }, Command::Copy { from: other_from, to: other_to, bytes: other_bytes }) => {
             (from, to, bytes) == (other_from, other_to, other_bytes)
         }

@@ -96,6 +96,12 @@ pub enum Command {
         /// Size in bytes.
         bytes: u64,
     },
+    /// Says that what a buffer holds is read by nobody any more, or what all transients hold (`None`): until it is
+    /// written again, others may have its memory. Does nothing else.
+    Forget {
+        /// The buffer.
+        of: Option<ResourceId>,
+    },
     /// Runs a kernel.
     Dispatch(Dispatch),
     /// Draws.
@@ -114,7 +120,7 @@ pub enum Touch {
 }
 
 impl Command {
-    /// Name of its stage: the kernel's or the draw's; `None` for uploads, clears and copies.
+    /// Name of its stage: the kernel's or the draw's; `None` for all others.
     pub fn stage(&self) -> Option<&'static str> {
         match self {
             Self::Dispatch(dispatch) => Some(dispatch.stage),
@@ -131,6 +137,7 @@ impl Command {
             Self::Copy { from, to, bytes } => {
                 vec![(*from, Touch::Read), (*to, Touch::Overwrite(*bytes))]
             }
+            Self::Forget { .. } => Vec::new(),
             Self::Dispatch(dispatch) => {
                 let mut touches = bound_touches(&dispatch.bindings);
                 if let Groups::Indirect(args) = dispatch.groups {
@@ -317,6 +324,17 @@ impl Recording {
     /// Sets all of `to` to zero.
     pub fn clear<T>(&mut self, to: &mut Buffer<T>) {
         self.commands.push(Command::Clear { to: to.id });
+    }
+
+    /// Nobody reads what `of` holds any more: the next command that touches it writes all that is read after that. Of
+    /// state, which is written again before the recording ends; else it keeps its memory.
+    pub fn forget<T>(&mut self, of: &Buffer<T>) {
+        self.commands.push(Command::Forget { of: Some(of.id) });
+    }
+
+    /// Nobody reads what transients hold any more: as at the recording's end.
+    pub fn forget_transients(&mut self) {
+        self.commands.push(Command::Forget { of: None });
     }
 
     /// Copies all of `from` to the start of `to`.

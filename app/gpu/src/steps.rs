@@ -22,7 +22,7 @@ pub(crate) struct Ready {
 }
 
 pub(crate) enum Step {
-    Clear { buffer: wgpu::Buffer },
+    Clear { buffer: wgpu::Buffer, bytes: u64 },
     Copy { from: wgpu::Buffer, to: wgpu::Buffer, bytes: u64 },
     Dispatch(DispatchStep),
     Draws(DrawsStep),
@@ -74,7 +74,7 @@ fn modules(command: &Command) -> Option<Modules> {
     match command {
         Command::Dispatch(dispatch) => Some((identity(dispatch.module), None)),
         Command::Draw(draw) => Some((identity(draw.vertex), draw.fragment.map(identity))),
-        Command::Upload { .. } | Command::Clear { .. } | Command::Copy { .. } => None,
+        Command::Upload { .. } | Command::Clear { .. } | Command::Copy { .. } | Command::Forget { .. } => None,
     }
 }
 
@@ -129,6 +129,9 @@ impl Preparer<'_> {
         let mut steps: Vec<Step> = Vec::new();
         let mut open: Option<&DrawCall> = None;
         for command in encoding_order(&recording.commands) {
+            if matches!(command, Command::Forget { .. }) {
+                continue;
+            }
             let Command::Draw(draw) = command else {
                 open = None;
                 let step = self.step(command)?;
@@ -194,12 +197,18 @@ impl Preparer<'_> {
                 self.staging.count += 1;
                 Ok(Step::Copy { from, to, bytes })
             }
-            Command::Clear { to } => Ok(Step::Clear { buffer: self.buffer(*to)? }),
+            // No more than its content: its memory may be much larger.
+            Command::Clear { to } => Ok(Step::Clear {
+                buffer: self.buffer(*to)?,
+                bytes: self.resources.bytes(*to).next_multiple_of(wgpu::COPY_BUFFER_ALIGNMENT),
+            }),
             Command::Copy { from, to, bytes } => {
                 Ok(Step::Copy { from: self.buffer(*from)?, to: self.buffer(*to)?, bytes: *bytes })
             }
             Command::Dispatch(dispatch) => self.dispatch(dispatch).map(Step::Dispatch),
-            Command::Draw(_) => Err(GpuError::Refused { reason: "a draw outside of a render pass".into() }),
+            Command::Draw(_) | Command::Forget { .. } => {
+                Err(GpuError::Refused { reason: "what is no step of its own was to be one".into() })
+            }
         }
     }
 

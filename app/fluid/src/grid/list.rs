@@ -10,6 +10,7 @@ use brooklet_kernels::{
 
 use super::{Grid, Sorted};
 use crate::scene::Scene;
+use crate::slots::Slots;
 use crate::step_context::StepContext;
 
 /// Room for neighbours a particle, in runs of `LIST_CHUNK`.
@@ -56,6 +57,14 @@ impl Neighbours {
     /// The same lists, for another owner.
     pub fn alias(&self) -> Self {
         Self { deltas: self.deltas.alias(), heads: self.heads.alias() }
+    }
+
+    /// Nobody reads the lists until they are made anew, for every slot.
+    pub(super) fn forget(&self, recording: &mut Recording, slots: &Slots) {
+        if !slots.counts_vary {
+            recording.forget(&self.deltas);
+            recording.forget(&self.heads);
+        }
     }
 
     /// Lists the neighbours of the sorted particles.

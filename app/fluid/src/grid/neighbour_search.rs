@@ -39,8 +39,9 @@ impl NeighbourSearch {
         init.clear(&mut self.neighbours.heads);
     }
 
-    /// Sorts the particles by cell.
+    /// Sorts the particles by cell. Lists of their order before have no reader then.
     pub fn sort(&mut self, recording: &mut Recording, context: &mut StepContext, particles: &Particles) {
+        self.neighbours.forget(recording, &context.slots);
         self.grid.record_sort(recording, &mut context.slots, particles, &mut self.sorted);
     }
 

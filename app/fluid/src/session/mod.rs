@@ -18,7 +18,6 @@ use crate::measure::{Sample, Stats};
 use crate::particles::ParticleSet;
 use crate::scene::{Scene, Update};
 use crate::slot_changes::{DrainBox, ParticleBlock, SlotChanges};
-use crate::slots::step_state;
 use crate::solver::pbf::{self, IterationWeights};
 use crate::step::Recorded;
 use crate::step_params::step_params;
@@ -285,7 +284,7 @@ impl Session {
     /// Replaces the particles by as many others, before the next frame. More are an error of the next frame.
     pub fn write_particles(&mut self, particles: &ParticleSet) {
         let slots = &self.recorded.slots;
-        self.engine.write(&slots.state, &[step_state(particles, self.simulated_s())]);
+        self.engine.write(&slots.state, &[slots.state_of(particles, self.simulated_s())]);
         self.engine.write(&self.recorded.positions, &particles.positions);
         self.engine.write(&self.recorded.velocities, &particles.velocities);
         // Whose pressure it was is another's now.

@@ -7,7 +7,7 @@ use brooklet_kernels::ResourceId;
 use std::collections::BTreeSet;
 
 impl Engine {
-    /// Copies every buffer that both engines have by name and size from `old`, but those that a recording of
+    /// Copies every buffer that both engines have by name and size, and that outlives a run in both, from `old`, but those that a recording of
     /// `but_of` uploads: this engine's own parameters. Both engines are of one device.
     ///
     /// # Errors
@@ -22,10 +22,13 @@ impl Engine {
             })
             .collect();
         let others = old.plan.buffers();
-        let kept = self.plan.buffers().into_iter().filter(|buffer| !own.contains(&buffer.id));
+        let kept = self.plan.buffers().into_iter().filter(|buffer| !own.contains(&buffer.id) && self.keeps(buffer.id));
         let copies: Vec<_> = kept
             .filter_map(|buffer| {
                 let same = others.iter().find(|other| other.label == buffer.label && other.bytes == buffer.bytes)?;
+                if !old.keeps(same.id) {
+                    return None;
+                }
                 Some((old.arena.buffer_of(same.id)?, self.arena.buffer_of(buffer.id)?, buffer.bytes))
             })
             .collect();

@@ -29,6 +29,9 @@ impl Engine {
     pub(super) fn copy_out(&self, id: ResourceId) -> Result<CopyOut, GpuError> {
         let resources = self.plan.resources();
         let refuse = |reason| Err(GpuError::NotReadable { label: resources.label(id).to_owned(), reason });
+        if !self.keeps(id) {
+            return refuse("its memory is another's by then; name it among the wanted outputs");
+        }
         match (self.arena.get(id), resources.get(id).map(|entry| entry.shape)) {
             (Some(Memory::Texture { .. }), Some(Shape::Texture { format: Format::Depth24Plus, .. })) => {
                 refuse("drivers choose the layout of Depth24Plus; use Depth32Float")

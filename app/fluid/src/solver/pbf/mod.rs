@@ -172,6 +172,7 @@ impl Pbf {
         self.search.sort(recording, context, particles);
         self.search.list(recording, context);
         self.start_warm(recording, context, particles);
+        particles.forget_until_moved(recording, &context.slots);
         self.iterate(recording, context, self.s_corr);
         self.keep_pressure(recording, context);
         let updated = self.forces.input(&mut particles.velocities);
@@ -190,6 +191,7 @@ impl Pbf {
         self.search.sort(recording, context, particles);
         self.search.list(recording, context);
         self.begin_cold(recording);
+        particles.forget_until_moved(recording, &context.slots);
         self.move_particles(recording, context, particles);
     }
 
@@ -204,6 +206,7 @@ impl Pbf {
         self.search.sort(recording, context, particles);
         self.search.list(recording, context);
         self.begin_cold(recording);
+        particles.forget_until_moved(recording, &context.slots);
         self.iterate(recording, context, false);
         self.move_particles(recording, context, particles);
     }
