@@ -22,6 +22,7 @@ mod plan;
 mod plan_difference;
 mod plan_left_out;
 mod plan_modules;
+mod plan_trials;
 mod pool;
 mod readback;
 pub mod recording;

@@ -195,12 +195,6 @@ impl Plan {
         Ok(Plan { resources, recordings: planned, wanted: wanted.to_vec(), sharing, used, left_out })
     }
 
-    /// The same with memory of its own for each buffer: what tests hold sharing against.
-    pub fn without_sharing(mut self) -> Plan {
-        self.sharing = Sharing::default();
-        self
-    }
-
     /// The table it was made from.
     pub fn resources(&self) -> &Resources {
         &self.resources
