@@ -30,7 +30,8 @@ impl Plan {
         for recording in &mut plan.recordings {
             let touched = |commands: &[Command]| -> BTreeSet<ResourceId> {
                 let ids = commands.iter().flat_map(Command::touches).map(|(id, _)| id);
-                ids.filter(|id| resources.get(*id).is_some_and(|entry| !entry.is_texture() && entry.bytes() > 0)).collect()
+                ids.filter(|id| resources.get(*id).is_some_and(|entry| !entry.is_texture() && entry.bytes() > 0))
+                    .collect()
             };
             let commands = std::mem::take(&mut recording.commands);
             let transients = touched(&commands).into_iter().filter(|id| is_forgotten(resources, None, *id));
@@ -83,7 +84,10 @@ impl Plan {
                     let is_lost = begun.contains(&id) && !is_new && holder.get(&memory).is_some_and(|has| *has != id);
                     if is_lost || *bound.entry(memory).or_insert(id) != id {
                         let label = self.resources.label(id);
-                        return Some(format!("{name}: {} finds another's in {label}", describe(&self.resources, command)));
+                        return Some(format!(
+                            "{name}: {} finds another's in {label}",
+                            describe(&self.resources, command)
+                        ));
                     }
                     holder.insert(memory, id);
                     begun.insert(id);

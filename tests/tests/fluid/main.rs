@@ -32,6 +32,7 @@ mod resample;
 mod scene_schema;
 mod session;
 mod settings;
+mod sharing;
 mod slots;
 mod state;
 mod warm_start;

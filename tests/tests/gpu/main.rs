@@ -4,5 +4,6 @@ mod cache;
 mod draw;
 mod engine;
 mod running;
+mod sharing;
 mod support;
 mod validation;
