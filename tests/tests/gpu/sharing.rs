@@ -10,9 +10,12 @@ fn counted(forgets: bool, change: fn(Plan) -> Plan) -> ([u32; 2], bool) {
     let mut first = resources.buffer::<u32>("first", 100);
     let mut second = resources.buffer::<u32>("second", 100);
     let mut outputs = ["first_output", "second_output"].map(|label| resources.persistent::<u32>(label, 100));
+    let mut early = resources.persistent::<u32>("early_output", 100);
     let mut run = resources.recording("run");
     run.clear(&mut first);
     run.dispatch(&Increment { values: first.write() }, 100);
+    // Else what comes before it is forgotten feeds nothing, and is left out.
+    run.copy(&first, &mut early);
     if forgets {
         run.forget(&first);
     }
