@@ -124,7 +124,8 @@ fn draw(device: &Device, positions: &[Position], photons: u32) -> Drawn {
     let water = passes.water.or_raise();
     let caustics = water.caustics.or_raise();
     // The picture itself is not wanted here.
-    let wanted = [caustics.raw.id, caustics.sun_depth.id, caustics.light.id, water.thickness.sun.id];
+    let maps = [caustics.raw.id, caustics.sun_depth.id, caustics.light.id, water.thickness.sun.id];
+    let wanted = [&maps[..], &[caustics.bent.id, caustics.photons.id]].concat();
     let ids = [passes.init.id(), passes.draw.id()];
     let plan = Plan::sweep(resources, vec![passes.init, passes.draw], &wanted).or_raise();
     let mut engine = device.engine(plan);
