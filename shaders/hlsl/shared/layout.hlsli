@@ -155,6 +155,16 @@ struct WarmStart
     float multiplier_per_s2;    // all of its lambdas, over dt^2 as the acceleration is
 };
 
+// How an integrator splits the acceleration of a substep around its move (particles/advect.compute): the share of dt
+// that velocities take of it before the move, after it, and when it is computed. They add up to 1.
+struct KickParams
+{
+    float before;
+    float after;
+    float end;
+    float reserved;
+};
+
 // One of the iterations of a substep whose lambdas have momentum (solver/pbf/momentum.hlsli).
 struct PbfIteration
 {

@@ -93,5 +93,5 @@ static CONSTRAIN_DENSITY_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/constrain_density_by_index.compute",
-    hash: "618052697988aa4326b42dce63df5b17e641437c1b024409167e24927d692154",
+    hash: "44781638a8a3946ab20611c5c7d0eeb7acc846d1ded407c5bf51c80feb6c18b2",
 };

@@ -57,5 +57,5 @@ static COPY_ELEMENTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/copy.compute",
-    hash: "64ccfa72208562c502658c9903d806512399257a455e5cfc1ca333fc36f811e4",
+    hash: "448cf33a323ba5b743265cb1cdb08b43787ae348478018ff1d17e34d3711a7b8",
 };

@@ -74,5 +74,5 @@ static COUNT_CELLS_AGGREGATED: Module = Module {
     shared_bytes: 512,
     tier: Tier::Floor,
     source: "bench/count_cells_aggregated.compute",
-    hash: "24fb6ed90ce1d6906609fc1f912ac60e0a70b14d84deff878f3686cec76304b2",
+    hash: "562de4e7c583a5468d4b36560719b01653ba537b00d01c77c76304f3105f15cd",
 };

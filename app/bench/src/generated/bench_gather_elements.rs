@@ -55,5 +55,5 @@ static GATHER_ELEMENTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/gather_elements.compute",
-    hash: "075213d8b88f848c18ca516e302dded30f60e0a189e0a5255392e3e41bea47ec",
+    hash: "d278117743e5ab5eda40904924ac2ecc6655b884236451cf9e4d5ddc893b6694",
 };

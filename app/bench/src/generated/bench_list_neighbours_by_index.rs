@@ -94,5 +94,5 @@ static LIST_NEIGHBOURS_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/list_neighbours_by_index.compute",
-    hash: "b987992b34acf1a99d56f218782587fbe5f0efe495164b40bf16c759fa63541a",
+    hash: "c84e4b1e1bc09397f3ecce748559fb0b13a0e45ef491d2eed635756078950f2f",
 };

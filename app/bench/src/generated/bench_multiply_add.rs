@@ -45,5 +45,5 @@ static MULTIPLY_ADD: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/multiply_add.compute",
-    hash: "45a03b04f01620080b200fd16b3e2720c40877c3284936723683812642430be3",
+    hash: "d690806dfec2ca9e884c99e78cd18e61578491fc3d927f9ecd5cb3f18c63db86",
 };

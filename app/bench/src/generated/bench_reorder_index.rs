@@ -82,5 +82,5 @@ static REORDER_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/reorder_index.compute",
-    hash: "fd467484e570d4db62642efd39f74242a90744c9087aa11eb9c66597fe7976e6",
+    hash: "5db3715715285c640f7efc755c2b48fe21f0841570e8cb7f47ce141a831cf54f",
 };

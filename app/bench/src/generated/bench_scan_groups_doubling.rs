@@ -74,7 +74,7 @@ static SCAN_GROUPS_DOUBLING: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "bench/scan_groups_doubling.compute",
-    hash: "bc83295f475acadc8fc9a10fcc294ca2664e759b78369166afc51ed962f723ac",
+    hash: "25278d2b66d78d90ff2503fe29aff80a93a6624f9aa57d4ada501c91d8b0eba7",
 };
 
 static SCAN_GROUPS_DOUBLING_WITH_GROUP_OFFSETS: Module = Module {
@@ -87,5 +87,5 @@ static SCAN_GROUPS_DOUBLING_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "bench/scan_groups_doubling.compute",
-    hash: "331c62dbf6099992c2b541d6a0942e3ed882c77593909cbf3efd327d2f0733c7",
+    hash: "ac10ec32556374ebdc309f4148808e2c8f591e64e2fdfd9b8933b9b2227c52e7",
 };

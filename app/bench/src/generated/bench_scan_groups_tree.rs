@@ -87,7 +87,7 @@ static SCAN_GROUPS_TREE: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "64a437c9bcac5b0f0be693d728867e4f083d7c72d225b62f37d5d110557b96c6",
+    hash: "df354a0a4e64813c9637d35b1ec5d685b6a491836d61cdf606e0f7d313221d65",
 };
 
 static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
@@ -100,7 +100,7 @@ static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "fd516ae8542d514875776d08a3e88f97beb19e5de9112e3c9534fd08cdba987f",
+    hash: "caf1df939e8cc6385f8cb35e8f1ed5f13be56e2cca2cf06b3ac7b3817891991c",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
@@ -113,7 +113,7 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "fb2e646c19a8e4eb957454aabcd55479b6f90901e59a368a41cabdaaa3a2b255",
+    hash: "a75acb8588730c5400c01230fdb9a835e7ec9938c0a47c3ebbc705d9f82b214b",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
@@ -126,5 +126,5 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "246e117f05117ca20af1122a4970afde97aad9b135a45eb7cbaa5ed912a97c82",
+    hash: "92edb4ca4b7378e0de57acd04994d4fb8e9f88d1acc490fb99e4d1d0bbd53dae",
 };

@@ -54,5 +54,5 @@ static SCAN_STEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/scan_step.compute",
-    hash: "e4ff180843138eb4621cf124f5e0da956275eaf240c20aea0a769da9eac535f8",
+    hash: "be907d1348c53eac9c5e616e396117dc5dded5b64b0802a0c969ddd39fcd8977",
 };

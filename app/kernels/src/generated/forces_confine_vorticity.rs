@@ -99,7 +99,7 @@ static CONFINE_VORTICITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/confine_vorticity.compute",
-    hash: "0d9e7e9571d6adfaadd612d278932a15a92670cc71cc5106fb6eddc58f03568b",
+    hash: "d6b5a5d74f98558acf1d6d7fe5588175175268c5b7677860ee2ace063e09ca85",
 };
 
 static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -112,7 +112,7 @@ static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/confine_vorticity.compute",
-    hash: "746046afdcc32dca232a6492757cff9bfc9b747f2b3c7a31fb6ec3a930f69ff7",
+    hash: "1726bc3f1743a3487c05b948d30619fe41fc0ac1a530c3641765829974738b9d",
 };
 
 static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
@@ -125,5 +125,5 @@ static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/confine_vorticity.compute",
-    hash: "0fe545cf78a3397c1427e1e6e42483f4063687ff25462ca6bc5956fc0b86aeac",
+    hash: "97d735b63cb58d25593befd0ab8d3dc1dc43921c0563973dc305e10357e7c229",
 };

@@ -97,7 +97,7 @@ static CURL: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/curl.compute",
-    hash: "3bb6a1313d6938d2e5e6c8232702a5bf0d6e651bd3c943ff5e8ad39f72d1d066",
+    hash: "760e9d0c4f342757ad06ad596588ae1173396f5e33cc469fa10b549717788078",
 };
 
 static CURL_WITH_RELAXED_PRECISION: Module = Module {
@@ -110,7 +110,7 @@ static CURL_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/curl.compute",
-    hash: "dfc5ffc9f29ca9ab55f442a6c3d9f3f989978be17a392725613e9526b2d0af22",
+    hash: "13bbb2eac542cfe90b571a3687f5312201ab9dcced89a998a82331eb49d58943",
 };
 
 static CURL_WITH_HALF_PRECISION: Module = Module {
@@ -123,5 +123,5 @@ static CURL_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/curl.compute",
-    hash: "a35c39db54c8c44d4a57df2a19682eeeee7d75d66f1fac45d156b5d609b9e46d",
+    hash: "54c7b2454ab5428d049a92dd81a33e9a52eb2610b92f2af30a0b79bba74cb427",
 };

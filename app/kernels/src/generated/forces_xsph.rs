@@ -102,7 +102,7 @@ static XSPH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/xsph.compute",
-    hash: "88eb8d185798d24ba7a0f4bae8b0ef70fb5b794b0d572f54910a6c1d262dbc3d",
+    hash: "8ec79da4611a4d0fedfc109b4c6b7fa1cea44a3878dbe32635d0c68706dc9aa7",
 };
 
 static XSPH_WITH_RELAXED_PRECISION: Module = Module {
@@ -115,7 +115,7 @@ static XSPH_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/xsph.compute",
-    hash: "f392f3fdee143b212ea4b4161e54a96b07ba4246025299d5a62485bc568e270a",
+    hash: "fa4ad856f94682d47fdee1370fcb1c67f336200e368dd3d525a3d0fb085f0862",
 };
 
 static XSPH_WITH_HALF_PRECISION: Module = Module {
@@ -128,5 +128,5 @@ static XSPH_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/xsph.compute",
-    hash: "0c155575d924031c60ad82ca99c424c2983557c881f60689811beecea444ab85",
+    hash: "b969c8c8e306b9e00f2576eafe5a388d1220f31488d686a218c90b16c93c6b84",
 };

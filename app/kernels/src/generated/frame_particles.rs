@@ -62,7 +62,7 @@ static DRAW_PARTICLES_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "25bb3bf9feb0b393ea7c82e5dbbf0a72a47fe9c77f2502c2f12c412e359b8638",
+    hash: "10d655fc1d1bef16b834059a4f7fa19abb2fed4f5312e25f7bb2ad9fd2e1fbd6",
 };
 
 static DRAW_PARTICLES_FRAGMENT: Module = Module {
@@ -75,5 +75,5 @@ static DRAW_PARTICLES_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "a2973a63fc950d28c5858acfe0c7bf1dc22b0f5c8e20bc84bb0132f11f2b5784",
+    hash: "75b70f5087d615c775743a0566fde2a2043d5cd5c09d74a3283a63ba0cc8fe01",
 };

@@ -130,7 +130,7 @@ static DRAW_SHADE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "577b2990a62957bfc4e3bbe729059f54a922e34bf1cefb5cf39ecf2925252727",
+    hash: "267d885f13419330795781431355700a680b02489401e18d4abdf91d8f375342",
 };
 
 static DRAW_SHADE_FRAGMENT: Module = Module {
@@ -143,7 +143,7 @@ static DRAW_SHADE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "945f8d33268218066737efec19534d77ae442e44391a0fa0967839b83ffa98d1",
+    hash: "5eed8b5228e79dc365d83256ac760afff1218d7f95e7b17583ed31030bfede73",
 };
 
 static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
@@ -156,7 +156,7 @@ static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "da0faf8725b082c2399b6a7dcbe38a1c77d3a7da7284b03dea40f3eebc3605c3",
+    hash: "0fd70e8d5856f784e07e63918f3e9c3f0acdf52963c5f3da6fb9117392921ba0",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
@@ -169,7 +169,7 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "2698b73241bd87ed658cfdfceea231102c17f42ba4231afd70ddabe4c9172125",
+    hash: "78232a1e4c48b25847fd7bf52fda8760d4a25f21c45c647dee323e713b5b482a",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
@@ -182,5 +182,5 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "3c9ad82a14ada92cd83977e2cb60698d13992fdf52e4151da43706ba49be91ae",
+    hash: "4d6eb25b14e2573ce6986f02f78b7929d9cf7847cc5246a3079af62b1b199ede",
 };

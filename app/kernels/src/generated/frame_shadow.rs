@@ -55,7 +55,7 @@ static DRAW_SHADOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "e27b2332d6f26e0f3a5d3511406d50d4fcfd177d22d50197e05c1ba9bbea0f4c",
+    hash: "3153e69d2f13db6ebe1b3084c7e78894c632a4b1c60723bfce361789d00bb11a",
 };
 
 static DRAW_SHADOW_FRAGMENT: Module = Module {
@@ -68,5 +68,5 @@ static DRAW_SHADOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "79953dbf11896384876d703bc25850d509ed559e565ae731f8059e62018a96a7",
+    hash: "e23c971cdc69f401f88bf4fb971b8ee102055117a2c066c0401f6cf80621b4f2",
 };

@@ -60,5 +60,5 @@ static COUNT_ACTIVE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_active.compute",
-    hash: "2cef0a08ec063bb6a9edd0f13cb173571d35e36e64eafdf71a65b1ac7e62c6fd",
+    hash: "e7bda3292240afffe65cf97b721131851f87dc817cac4c9b03f388fffa11b72c",
 };

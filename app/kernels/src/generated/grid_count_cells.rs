@@ -90,7 +90,7 @@ static COUNT_CELLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "d02c625b9a370f615bc4319dcd8f6747a3b560cc38745caa4dbf35c1aa0c7b56",
+    hash: "4c1ad7f8b8f8363ae1d48f2d2dad08cc2e3be806919c703851faa2c6b823988e",
 };
 
 static COUNT_CELLS_WITH_PERIODIC: Module = Module {
@@ -103,7 +103,7 @@ static COUNT_CELLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "299c5090a3b92c8f42e445940dc6e4a454770842c8f0e7ddbb777ab127a5b185",
+    hash: "e5ee18a08391518953e10c6aa066845756f8d402eb5d9b3d916136ad9f95e5cd",
 };
 
 static COUNT_CELLS_WITH_WRAPPED: Module = Module {
@@ -116,7 +116,7 @@ static COUNT_CELLS_WITH_WRAPPED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "61b34c22a6bf6d69868de4033fa5dfac15de8980aab8c2a2992976cbc8b024d4",
+    hash: "d5cc9239d6652819404163b3f23d322bad135fd43b29a78736539a32579ae4ce",
 };
 
 static COUNT_CELLS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
@@ -129,5 +129,5 @@ static COUNT_CELLS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "b53ce9c33b44c55f43f70ec591f3f020121f16a9b34ccdce91d0aa8dcfca0fc0",
+    hash: "e5d01929c314d3842e4aa5d2c6ad27271413c7acafd609099281851b08b6cb7a",
 };

@@ -135,7 +135,7 @@ static LIST_NEIGHBOURS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "16e9a3d257541d6451469d0c868b9c915940d279626c3af70783e5f3e5da06b9",
+    hash: "1d93c0963d09ab2d6a4d50cab31649f4f12e2cb72417d659df18fc531f9cd5b2",
 };
 
 static LIST_NEIGHBOURS_WITH_RELAXED_PRECISION: Module = Module {
@@ -148,7 +148,7 @@ static LIST_NEIGHBOURS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "bc3521a976e2ff8ff030ab66b9dda03c43de25f1cccef1de2999439bb08b5d7b",
+    hash: "454463656c7b2155a672779d8d6053afdac77819abe5cf9a815be7e86b3a37a8",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
@@ -161,7 +161,7 @@ static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "11a492f6ddf49e5223678b38df639d1ed5f5c2e06730be3e73b6140841987127",
+    hash: "48d449af90d4cbd4079215305a1510ffc9c4d098e96aa99a077d049a5b7fff75",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
@@ -174,7 +174,7 @@ static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "5e2931376c9820466069b47eaf59e12d05dac3852edd85dd9a1e998568d687c7",
+    hash: "0ae3601eae75952e1cb481bc7ab8bf5ba9477af6a5b1cef1e630ece129199b0b",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
@@ -187,7 +187,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "387c216eb7b903103dd1fd898cd40ea06d2245bba41f510a4571a42205960edb",
+    hash: "e5e1f2561caf032a00c5fdbd928a62b3277a412d5261839b87be7994692e7dd2",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_RELAXED_PRECISION: Module = Module {
@@ -200,7 +200,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "141ca505026bab3d19b23dc9bc466913832d9eb83098588e93989774e6a41fab",
+    hash: "3c32a26f58e74724270f0a4c0e503dd4455edc68f73d26bde6a1d7357af03da3",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
@@ -213,7 +213,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "a5ab84b7855ecd262e0ad6692352a1d9ff827b5e919f0e5707566ec7a55b88aa",
+    hash: "02507bbe7495f39a8ebb5ddd967f32b4c183c3ff788b246fed16e7de72a08cdf",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
@@ -226,5 +226,5 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "84bf410ac01e27541dc8776c00144af2df97960f3231145704bc5b5f710c776b",
+    hash: "94f2669087d349fd7ff4d0c6039f638140ddb392249dbaaa4e36baf11fdfd872",
 };

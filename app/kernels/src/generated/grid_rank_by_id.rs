@@ -77,5 +77,5 @@ static RANK_BY_ID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/rank_by_id.compute",
-    hash: "67c190d71e8a4b1a7e5e93e427c212df993bec696d0857618eeb57c65c0b2412",
+    hash: "44c2193f7bd435198d29da2f81247584fbad0233db0bf9cd37783e9d9065744d",
 };

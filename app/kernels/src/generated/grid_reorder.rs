@@ -106,7 +106,7 @@ static REORDER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "dd3fd71c2aa13f2c4934fd3e07d8ef15f064f93c243670e8f6042ba8ca25df3c",
+    hash: "7f1771e174c6bc586d1c00d9c10ec1ed911b2d6a940d4631027d4e98818beeba",
 };
 
 static REORDER_WITH_RELAXED_PRECISION: Module = Module {
@@ -119,5 +119,5 @@ static REORDER_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "ee0bada8f44c23dc3cbdd99c7a80f7705e9edd3146f25021f946160abe6c8644",
+    hash: "edc551982c4c36501cafd49af1f8d3acf29d77aa596398a28e140ed5b66acf86",
 };

@@ -109,7 +109,7 @@ static REDUCE_GROUPS: Module = Module {
     shared_bytes: 576,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "db829703e1b54699740e002215120bf257d1bd473fe82753d0b6376c54f9c241",
+    hash: "0a01d007781bfddf9ff01d53b9e33233c5e58cded81c4558a061766fb35126de",
 };
 
 static SCAN_GROUPS: Module = Module {
@@ -122,7 +122,7 @@ static SCAN_GROUPS: Module = Module {
     shared_bytes: 576,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "138010f197bfb8d7fee2fdbac961c8bf9f6c02c17742a47887e8f9ba179ae871",
+    hash: "7ce0b453d0df3e8ddd68612faa52916ec13a25c9b9b0933c940b8a2e5051a549",
 };
 
 static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
@@ -135,5 +135,5 @@ static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 576,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "cc8876fa5e7b353c515a0c1dd9ef441be9e19fe9308d80529ea6493ae41eb9ad",
+    hash: "3bdadc253b3186941525da171ed91e155e98ac0c3cb8a559bd76c740634b4d35",
 };

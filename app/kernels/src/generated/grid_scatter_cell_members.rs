@@ -65,5 +65,5 @@ static SCATTER_CELL_MEMBERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/scatter_cell_members.compute",
-    hash: "01107f8b432b5aee7fbb2b5c2ba28851b74f190bff2612ac7763349fac8193ae",
+    hash: "981b8fa91c141218b757ca9b9f4241a5e0961db6fbc84f1d939b0e5fd10b7e50",
 };

@@ -97,7 +97,7 @@ static DENSITY_RATIOS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "8952a63e86f0629e832413c2cafa4c71e59ad961d75a1cf14457f48f57b06fda",
+    hash: "4e7512dbb150dfd307bc9a6aff237c4ca62c4082edadc11ffa43732b6c36233f",
 };
 
 static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
@@ -110,7 +110,7 @@ static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "1e56b801e19c8405dbc7fed4fce64ead5c23c3fe3d0c75ac23a06ff40283fe1d",
+    hash: "6e046c865f831587331992627a1cb5a38959cf6e9b3335362d523d65e7fa69b7",
 };
 
 static DENSITY_RATIOS_WITH_WALLS: Module = Module {
@@ -123,7 +123,7 @@ static DENSITY_RATIOS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "25634f417a4c0406206e586ce484188dc510aa5ec90bfb549f1c1b2c7e6c544c",
+    hash: "bef0bdb5905bef3efbe25f5827b277a0513f1e000f2956dc4f8edbd89184c2a2",
 };
 
 static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -136,5 +136,5 @@ static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "fc808c7ddaa32b742ed9c461c320fcd80f9d1ad2b6c4ed853466588f1a0cfd45",
+    hash: "b68b6005142f80f2a7fdc7316446913b7fe9a29dc5b223ad7b7f81d446ed03de",
 };

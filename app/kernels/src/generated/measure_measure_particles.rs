@@ -132,7 +132,7 @@ static MEASURE_PARTICLES: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "d3dc0fe29d5e2f185112afcf41682b33bbf1b9999d08a54c4a4f2951b23cb1eb",
+    hash: "9b497319e31e1a8e84b5c5ae1bc2ab858832879b82a6ca545340a52c5b00aa17",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
@@ -145,7 +145,7 @@ static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "3614ec27d7a167b0f474301475a701457b7472f1ba0bdd5ed576fd23432c3074",
+    hash: "a3fa2bdfa536900d90c0425a3859bbf1010f676ca1f74afe060e0f0caef31ad9",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
@@ -158,7 +158,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "316334d2c703dc3cebdf773f6a5ca5429e50ad0ef4003a86339bbb839b6e3890",
+    hash: "c17f01fe46fdb4d75c555276f8d1cd92c680083824fb4219e91cf76887d0e9ad",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
@@ -171,7 +171,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "8f512521156441c4a62e29f850617b851e03d7b9fe3cd2637e60d9889260d8a9",
+    hash: "90cfec11d90cdb76c223cd3c5dbcd9ae3d24f16ed37254dc7140a5cca7811bca",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -184,5 +184,5 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module 
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "574cc68d69102eaafad85b9668fa83736b8db39552feeaf253a24dbb93f480ba",
+    hash: "f963dc8170fa05cedea7753ea835d3ea933738dfe7480f93730329fdc562d70e",
 };

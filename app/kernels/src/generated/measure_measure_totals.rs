@@ -73,5 +73,5 @@ static MEASURE_TOTALS: Module = Module {
     shared_bytes: 4616,
     tier: Tier::Floor,
     source: "measure/measure_totals.compute",
-    hash: "44bfb78cf249611777da0056f9ce2862fb2498223913bb77820a6d0afb8c8129",
+    hash: "fbec5d21ecd0dd8957df270bbfe0320864020bbaf763745aedb560d43e0e4a92",
 };

@@ -67,5 +67,5 @@ static SAMPLE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/sample_particles.compute",
-    hash: "ddf8e6c14987b11456647bd911a6084eae2c21dea9ef01737b335eabb503f3dc",
+    hash: "f7ac0de32ee56cee369e248f772755b48dd82c8657ae27122164f40fc0fac99a",
 };

@@ -27,6 +27,7 @@ mod measure_measure_particles;
 mod measure_measure_totals;
 mod measure_sample_particles;
 mod particles_activate;
+mod particles_advect;
 mod particles_begin_substep;
 mod particles_deactivate;
 mod particles_drag;
@@ -112,6 +113,7 @@ pub use measure_measure_particles::*;
 pub use measure_measure_totals::*;
 pub use measure_sample_particles::*;
 pub use particles_activate::*;
+pub use particles_advect::*;
 pub use particles_begin_substep::*;
 pub use particles_deactivate::*;
 pub use particles_drag::*;
@@ -198,6 +200,7 @@ pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
         measure_measure_totals::MODULES,
         measure_sample_particles::MODULES,
         particles_activate::MODULES,
+        particles_advect::MODULES,
         particles_begin_substep::MODULES,
         particles_deactivate::MODULES,
         particles_drag::MODULES,

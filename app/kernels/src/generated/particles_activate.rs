@@ -114,7 +114,7 @@ static ACTIVATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/activate.compute",
-    hash: "2b0d2cbaefbe8796f1349e2611e056141317440d351dec2e39c48517fb41aa84",
+    hash: "5deeec014c7477ac5d4bd36f1fcf26f6ef7756a27106b986b16cc3733a59a7b1",
 };
 
 static CLAIM_SLOTS: Module = Module {
@@ -127,5 +127,5 @@ static CLAIM_SLOTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/activate.compute",
-    hash: "d1364eb7878f0af4af60e4edda2a135239af9e8d2cab47f9295ab165a6c7f1ee",
+    hash: "1392a33f98159fb614337777ef34b5a094bc5d93c0e14acd4c26fe909f824960",
 };

@@ -50,5 +50,5 @@ static BEGIN_SUBSTEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/begin_substep.compute",
-    hash: "3795a8ffee6de33f39c1ccf0d5a5b751d5209bfd4e444464a363c1d54af5f8f4",
+    hash: "824ee120ec0721d0ce15175145b72c3538bbeba1f94f0de8d6bd43ae0e378280",
 };

@@ -68,5 +68,5 @@ static DEACTIVATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/deactivate.compute",
-    hash: "8e7318e63584149f07df8ebd160be4655954d68d7d1a3011f37e2e785dd9a168",
+    hash: "c3a720aa9dc81b928b38c83e7fc0de35e58001bf28d620fa60e5332e099b434a",
 };

@@ -66,5 +66,5 @@ static DRAG: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/drag.compute",
-    hash: "82fbd45ccdc64ba664e8e4e13edad8eebae0a5594dfea38d430df237b579050a",
+    hash: "57a349180d019faa828a195445c340f10faa443b86cffff9aa11dd821c6c1bd0",
 };

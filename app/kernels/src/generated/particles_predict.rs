@@ -94,7 +94,7 @@ static PREDICT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "7d6610e590e8ef95485526b74d0eecf04a8049fdfae9b91bda64cf0b22e6bc8d",
+    hash: "1f62955a3c89cb037f292b83cfa1b757bd8d8f8b5daed5c6848e4499130f71dd",
 };
 
 static PREDICT_WITH_PERIODIC: Module = Module {
@@ -107,7 +107,7 @@ static PREDICT_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "5648f054ed4c69b7c40466fada885a5bbd4689dfc1732513d715fa84b9f7a0e6",
+    hash: "687b9bf0780cbea6229dc7a3c164bda68eb74f07300e8000ffcb84133daaabd6",
 };
 
 static PREDICT_WITH_WALLS: Module = Module {
@@ -120,7 +120,7 @@ static PREDICT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "ec662baebf2c79768ae32667a924c216428c696b53890a83b43ee7bb2480ee1a",
+    hash: "9a58877fa6929b4f4cc001c08c8607c98d567f3314d82afa72b80c2fbaba3ee7",
 };
 
 static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -133,5 +133,5 @@ static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "8165bc47afdf8b91722f653b712a7bbb9e31d3a199a6151dfdba7224ec2405ba",
+    hash: "b02fa023ce1f8afa94dc5d4c9e9fd43d95f8763baf54687da178c48751f2cf05",
 };

@@ -345,6 +345,28 @@ const _: () = {
     assert!(size_of::<WarmStart>() == 16);
 };
 
+/// How an integrator splits the acceleration of a substep around its move (particles/advect.compute): the share of dt
+/// that velocities take of it before the move, after it, and when it is computed. They add up to 1.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+pub struct KickParams {
+    /// `float`.
+    pub before: f32,
+    /// `float`.
+    pub after: f32,
+    /// `float`.
+    pub end: f32,
+    /// `float`.
+    pub reserved: f32,
+}
+const _: () = {
+    assert!(offset_of!(KickParams, before) == 0);
+    assert!(offset_of!(KickParams, after) == 4);
+    assert!(offset_of!(KickParams, end) == 8);
+    assert!(offset_of!(KickParams, reserved) == 12);
+    assert!(size_of::<KickParams>() == 16);
+};
+
 /// One of the iterations of a substep whose lambdas have momentum (solver/pbf/momentum.hlsli).
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]

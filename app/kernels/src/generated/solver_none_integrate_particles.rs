@@ -102,7 +102,7 @@ static INTEGRATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "888b266b9b4af250aba222bda45ae3ff92d06148173fbacb392a127c2be36178",
+    hash: "2b9f17cb85b0ec368805e418a605954ef3e3abea10d9ecb6da4460db8676788c",
 };
 
 static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
@@ -115,7 +115,7 @@ static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "60546f6460ace41774c9b7c8cd1c273bed7a736c2418bbb69888989160dac172",
+    hash: "641c5884befa4f2da76ebfb4cec6360d8e9de4eaba0dffb646b26896b316917b",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
@@ -128,7 +128,7 @@ static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "a53b82d0698c1648600da689549e44ad2293a26dcd5b838cbbfdc4b7b238aff4",
+    hash: "047934811a64d5cdd63611095eb164ada5aeecc888221e1dd8bacb594b655917",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -141,5 +141,5 @@ static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "e43c0540f9bff44f80048de673eb9e43becc5e0f8979216be070ce58e8b399b0",
+    hash: "b7fdb88cd7ef53bd97cb1de01f9a66887ad56ea9c6926fd8f642d7cb60c69ed4",
 };

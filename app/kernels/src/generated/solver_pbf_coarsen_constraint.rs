@@ -60,5 +60,5 @@ static COARSEN_CONSTRAINT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/coarsen_constraint.compute",
-    hash: "550ec8d122a87c01896498162cabd293c88ad3e531de96b316bed33d59130f4c",
+    hash: "8b1381ee7906a367a5177ccc87a36311b8c61439fedb2e3c228d28604190fe90",
 };

@@ -485,7 +485,7 @@ static CONSTRAIN_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "11aa383e30d26a579e0cba0a3621b782b0cb46bf4dacb712b306fc4a78b201bb",
+    hash: "5277c5d9cda06460b8f976e72783508823e80a946f4fcc9439e9aabd5e1317a9",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -498,7 +498,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "d94b434ca4b20e9cba346ae41e25b191cb4d7261585e8e2a006275e7a621ecf8",
+    hash: "ff30f4d4ac8064b155372a0396bcbbe807905796e20e65a048baf153b4818f20",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -511,7 +511,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "992652be5db91ded2daa8675e00fec851bf3aa004ef1ce54f731a6fb0472d5b8",
+    hash: "849aa4e8b8b18a5517067a198fdca7ee04477330965853180e4437fa67228314",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
@@ -524,7 +524,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "5d3cb16661296199dfb3bc71b36f231ac2ae09397f08e4051eeeac4e985d1a4c",
+    hash: "98fc811ab572a7bf0085904c4775fa69cbacc571f3f099cb9c5be6601daa471f",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -537,7 +537,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "e52be0fe4dd4bdd3a32c3b6dab88368eb20431d59b14c44c76dbb013b1c184a3",
+    hash: "2651064becb61ade1047fa1592c410d985e7d83c9ffc37967768c6e79588141d",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -550,7 +550,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "5bd57209f29d3062af09a848d259bfb5bf0a70802644769830bb8b9084e8616a",
+    hash: "66e0f76506e140e0c1a991fbf3f2beeda27db46d89bc8a29dd6862fcb10c93ea",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -563,7 +563,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "3e517ef4d92b022dac513c730a99c243367e2344e0a3f7df6ada2aab4463f18a",
+    hash: "56983b91c705b47de45c1343f3a4e726b573564924f2cc9498db243ec8f1b438",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -576,7 +576,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "642cb496dbc6d701adc7371c2416ad8b2a324dfefcb7ebbf26756909ff1036f8",
+    hash: "658483c3ef9f91c9a13890674f23f586517ada19a1f5157f7a9712e6b47e3d77",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -589,7 +589,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "5294f1a45128c7921471922aae6678bc67fcc8d57665ba715275ea95a8da218c",
+    hash: "2362b9bebf60ea7044bc98d984b4fbeacf02d0b4b8bcdec492ea91ce53d1babd",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -602,7 +602,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "8efce68cdb193965292baa7d2ab01ec3863a93e86e9d5b4585c736afa04dbf6d",
+    hash: "fb59455c079895d55ef7f8992a11427bf737fa2d1e41cfd184dfbbbd37738685",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -615,7 +615,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "e9d6d80cad79c16017b83487b54aa58c88ec8cfeaf1038491282cca57811feb8",
+    hash: "763b9e3730c89a3a98aad8f937145230a9e32cd87ae3af84fc8794bca9c9a484",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -628,7 +628,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "c5bf093d5818cd520da468ec4bc67436f52105ed0a1d6644dc0ca1233376aa1c",
+    hash: "70d1e66db08fab1b5eb78fe9f593787bb7512d0ea195587da172ec8b044d3bf7",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
@@ -641,7 +641,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "b164ae3f2ca06b3c3c3994e34ec41c4eb93006ac397bedd3143323b592418b52",
+    hash: "2825d89cfc3ff7c98759de14bd24488b43521304564768e31a6c2fbea27abf5b",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -654,7 +654,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "60c37f20beca61f15e85394fd30419a4fa5f3a768a9e05161395dd1d19c61afe",
+    hash: "f4bbb03dc87dfec63ee0fb84a42836af375c0662d29f40ff0e2a507422b9eb18",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -667,7 +667,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "1b802b02a7c21b6446aae98b372f9353878fa2d4a56f5c05f0e7c6a7bb0aa293",
+    hash: "34d8060cd00e78990566248c63c70aa97047aaa93731d63afa259edd8442823e",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
@@ -680,7 +680,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "6d9230a01ed0ad544c5f440bffdaf5a0b16362ca7297e479b0e650860c318345",
+    hash: "4336afad9c02fb19b284718f3255fc98169e5785d3c19a134137827004c64b90",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -693,7 +693,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "a260d0c7f4753b25a7523e2b1a71fb64244d766d0948b045e2bc8dc752e43cfa",
+    hash: "6c9b5e1758154718e8d6a57b2a52bc71cf1da9d38ea00037f7a8c4ea59a93f9a",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -706,7 +706,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "c8d6990951d5bce85890c48019f42e328ab937b88254ab6b8a55a02210b5ca86",
+    hash: "5c143e6ab138c2827ad824b20e859367e23759d5fe4825636547a396ebf3df90",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -719,7 +719,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "a1f14c9d2a170f72587c1f05a35d13dec402e7fd7862f695df5a8177b094c861",
+    hash: "42cc29b4b38391df16f9c009b09a1573d53f6d2ef6a96985603c6b245c090a79",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -732,7 +732,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECI
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "663568d58b2f424ba56bc2fbc23930fff2cf1885e7e038df8afd3dcebf9fd9c1",
+    hash: "7514bdb46f2ad34bd0fbfd812ce14b4723f30fea3b309a860fa77cf3f35cef2a",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -745,7 +745,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISIO
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "676363f09e33eadd455702d68f351f214fec36512fefd662372ec0ed7bda5c24",
+    hash: "c99bcaaccdae54b8d7df993eadb8a926ae9d859d25fb47e47590875bc2002061",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -758,7 +758,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "f9f5c925d67e8b4e1f35d18f1aa08b5cc41b070484f23fb7ab57855b1f7339b5",
+    hash: "ca074efe8ffe5e447f19bdec33c1fcd526186e071e1c511a8f501f78262226ce",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -771,7 +771,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECIS
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "064e46eb60c898704e0ee124e6f315b2eda1b9f2e6d01e07ec9bff1f5c47d466",
+    hash: "94ab55282edb8d1c7e1615c0e208ae1d66eafe360a307ca65a2f6350e014152f",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -784,5 +784,5 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "bb65857ceacb81c853cd94fa9b25d33f2f3d18562658d89e810a0f4a6f810d62",
+    hash: "961b95b639b109ccc67c36ea2c00ba8f71bef178a8af0ec05798a81819762c8d",
 };

@@ -180,7 +180,7 @@ static CORRECT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "016420ecd12fa58ec6bb9e777cf8b6bf8ca5616f1603cc5e8ff11743b1473804",
+    hash: "d3b6fe4f9eeee05bb2148408644404319e6e990aa10dcdb9a4a38b2f5f7751a8",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
@@ -193,7 +193,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "a43776a34586468f21c4bfe64f36a10ae3ef78b71180b445427f3c5d278f89cb",
+    hash: "5a38f1f36c8c6789b5990c602e36d8a5962bb2521cd39e9b6d10c4fd80b0167e",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
@@ -206,7 +206,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "b705270284f1cc3e4445da27c56f4e02f28b0341cb014fc4b54ebd1c02e847db",
+    hash: "6d73949170874e2006c71254f9118e134a101b7713c98b58894f271fd462e09e",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
@@ -219,7 +219,7 @@ static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "e5121d51e832c204ea21e0e22fa4537a0243047dd81a6b926ee4a931d9d01a17",
+    hash: "d788ed3147faaf9040378149285e807959cda969ea20b5b61501671491197a7f",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -232,7 +232,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "56d255f04c8f05c42d0ca1633ed7c4f561b85c331f51a8218c1f541ebacbb03b",
+    hash: "b753ec92c5f1b505b6c29a9d786257b2dadf878f145ca0c1c48b86b88b372ac0",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -245,7 +245,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "7344e843e7d76e1948e9f950a252b7a99842829986ae8cb3a3a9c62914dfa6ed",
+    hash: "d619fa7ca2c651bf2cbd82a1f925c99f21094c6d70a6b11f6b30f62205ffea32",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
@@ -258,7 +258,7 @@ static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "9e32b3f63702858619f6fb0f790fb69c3f68f545d34e1de890f103541cfe99b0",
+    hash: "323fabbd153b601c4f3005ca6ab602fb592d0f97d488e09643424f24ac09e3b2",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -271,7 +271,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "a0e423e4e645fd25bfb4ee907d433a532253ed454cfe18529854923b968bcc90",
+    hash: "c4794de68b1846693f758314f568118597283510b1df477512bdbdf5b631ff9e",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -284,7 +284,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "87a65ea0d07daa6931fbfc3ca098b9e95e1c2c462ae001e3848d971d18103331",
+    hash: "ce97bfe3cdc2cb6fc011af1884fbe9f08e94c719c4df383a801959b79c8b08ae",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
@@ -297,7 +297,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "056abb36e58930a177bd9e24e5fb9daf8e350a3132af6b473b9d49a55dd32025",
+    hash: "d5ddad528d88aed8e9490269c1be72eeae8e93bd114d5c95e58abcbb06cd358c",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -310,7 +310,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "2e7701152149f67db166f2e306f4a0b6851f843fdc9c4fac2ce94adb5dfbabd9",
+    hash: "6c2358496a5bf7d3d49057ac80cff6123be50d1d2ff06734c3d15484fda41844",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -323,5 +323,5 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "3d1d62472febbb703b655b90ebcd408cc889ddd32ff631a11179e78a860fedeb",
+    hash: "d20deccadf5adea0067373ad414e802777f1270ca320b5d2209af66756aa52a3",
 };

@@ -133,7 +133,7 @@ static KEEP_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/keep_pressure.compute",
-    hash: "6c28d3a0a79de310277f082ec080c9590d48d19d0a6eee11b2f4db2901fc295f",
+    hash: "389ef22bb9f774d6733c16ea4a1458e713ca498b16d50ae6a2be187fe88551f3",
 };
 
 static KEEP_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
@@ -146,5 +146,5 @@ static KEEP_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/keep_pressure.compute",
-    hash: "6d2ae8164b793a64a271e872b6e188b0e2f08b41f0a866a92ea7a6cac46cc97a",
+    hash: "6bd11708abe8b22e5cd6219b1f880ed2bc5f1ea0e4ad38d415f656672286dba0",
 };

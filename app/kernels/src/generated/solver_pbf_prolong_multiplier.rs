@@ -114,7 +114,7 @@ static PROLONG_MULTIPLIER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/prolong_multiplier.compute",
-    hash: "0d0b8de2f508d22347644f36c2a0125e0d5be0e33ae24dca39e89578f30cb533",
+    hash: "89f54ebe370116299ab7c97b9030c7659b3b8f67cbc015914cbc796e57fb6e73",
 };
 
 static PROLONG_MULTIPLIER_WITH_RELAXED_PRECISION: Module = Module {
@@ -127,5 +127,5 @@ static PROLONG_MULTIPLIER_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/prolong_multiplier.compute",
-    hash: "68bf260b7ba043c668a1418eddecf66ef5516f6f5a9d8c35c3dd2b302cd9c412",
+    hash: "478c7a77eb9736ed0ddef9aade6fcd36a620fa1329da6a3c2fd89cf599dd3f8c",
 };

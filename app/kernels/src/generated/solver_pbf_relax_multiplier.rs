@@ -89,7 +89,7 @@ static RELAX_MULTIPLIER: Module = Module {
     shared_bytes: 4000,
     tier: Tier::Floor,
     source: "solver/pbf/relax_multiplier.compute",
-    hash: "89b51528ac9baed17f87bc404ea97a67cbfe0786145aa477c87a3dbc3e442a42",
+    hash: "a1fec4d89c5f180706f492bf0142de9308dfb2ce489df00b80ca9fd2bf29179d",
 };
 
 static RELAX_MULTIPLIER_WITH_PROLONGED: Module = Module {
@@ -102,5 +102,5 @@ static RELAX_MULTIPLIER_WITH_PROLONGED: Module = Module {
     shared_bytes: 4000,
     tier: Tier::Floor,
     source: "solver/pbf/relax_multiplier.compute",
-    hash: "d654ff331911ce8b4ff8ed881338ff3dc099a585c6fccdb60c9fb4c6814198d4",
+    hash: "11a6d98ccef179991dd258e828d2a476e1a8a59bafa7b6916372c93f1d8fc867",
 };

@@ -201,7 +201,7 @@ static START_WARM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "6f6a2bf92d27b0abc1905bd87435a4933bd92a551f108705616cb1f1e40a021d",
+    hash: "3892a3c29209e0b5b53033614ff97ea5e207043139a3ad0c9a60ba1ebc1f3def",
 };
 
 static START_WARM_WITH_RELAXED_PRECISION: Module = Module {
@@ -214,7 +214,7 @@ static START_WARM_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "fd73532731ad0be543a616e7111fafb6dd742e98c245ad63b267ee0852b7e3d6",
+    hash: "7dddaeade5134250e27059163144190305b21ed253876a40ac6d6fd2a6482e49",
 };
 
 static START_WARM_WITH_WALLS: Module = Module {
@@ -227,7 +227,7 @@ static START_WARM_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "7a20df395090ff1439017eddfed2ba1061694b7abb8f186926ec20d7aa223c04",
+    hash: "1f318cbca9940043df04905ff8d9a90be3758ec08a64bfac752857f634d857cc",
 };
 
 static START_WARM_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -240,5 +240,5 @@ static START_WARM_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "e739778598b99cdf7a93608274721b33ff8c83831c29fd1ee313038c10755080",
+    hash: "3ef6e6e053015b58a51f8182dc3aecd2301f008ac9b6808d3379e67441ce3c5d",
 };

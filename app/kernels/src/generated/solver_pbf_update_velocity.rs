@@ -211,7 +211,7 @@ static UPDATE_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "7eba51a72c34384f571a2a7aa2c8a2490ae38bf4b914941b2d78ee705dee118d",
+    hash: "65f9b354c73eaaa2c731c4711058078a466fcbbbbdf21c89fb9dd6e70082f1a3",
 };
 
 static UPDATE_VELOCITY_WITH_KEEP_VELOCITY: Module = Module {
@@ -224,7 +224,7 @@ static UPDATE_VELOCITY_WITH_KEEP_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "2039e4b525ec92951aa486373b41fd6bed50f9155fd726a382c9dba6d7865c5c",
+    hash: "eb64320933221504f64ca6c93cca480f8b0f66b98cb3746894be19dc364b68d9",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
@@ -237,7 +237,7 @@ static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "0daf6c1d89d6003560db7224d1e603a82609d9e438b9281bd5205bef6e1b11a7",
+    hash: "3badddaaea25710a1badf038c990ea335a1605c7d2540c4d550b423447492bca",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC_WITH_KEEP_VELOCITY: Module = Module {
@@ -250,7 +250,7 @@ static UPDATE_VELOCITY_WITH_PERIODIC_WITH_KEEP_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "0ca327ce06a3946bded393eb27de6ff4c595beed73564e9fd3a53048202dee89",
+    hash: "77c0d28882b9070982d80577f197bb59c698cbfcb09d6de6aa18807252b9a631",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -263,7 +263,7 @@ static UPDATE_VELOCITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "7b7a4f728f87393afc01cc4f4ce7ba417738393db0804185516ce41dd42f924b",
+    hash: "14032af8dfb41c5ff61698ba8b8f29bd99324bbec3f245bb216b2898c6c6737e",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_KEEP_VELOCITY: Module = Module {
@@ -276,7 +276,7 @@ static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_KEEP_VELOCITY: Module = Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "76612eef353f4922ff23f60ec65631d0840c3f16fd08aac916c401041764c292",
+    hash: "6d8621fad504d8f4b4e0bdb1afd16690a83c62555f064b21517cfc954a7e9aae",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC: Module = Module {
@@ -289,7 +289,7 @@ static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "1e504b3ab9f01bc4826e32ed681d2eb4323c501e1c7cde8ce566d436c4a93a79",
+    hash: "30ef4ad9d4d7e520165b832db7f47380c9ceb24559674777ad6fe45ed6f98374",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC_WITH_KEEP_VELOCITY: Module = Module {
@@ -302,5 +302,5 @@ static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC_WITH_KEEP_VELOCITY: 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "a39c90129e84ff5938b20738ef9191adec0206637498b6b1caf6c7b7d5dc1282",
+    hash: "76b85a10a0d934e7b2b51bd22e4c425c2d0be18d90a69acbc1952ef72173324e",
 };

@@ -77,5 +77,5 @@ static ANISOTROPY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/anisotropy.compute",
-    hash: "ee6e0c6d070709327d37bf3d3f9764f7659d0a002a8bf470761c293354caf9b6",
+    hash: "ca56fb444f3af35c6241df62179a86a69a1337011b96cdc4423470e1a90bcd52",
 };

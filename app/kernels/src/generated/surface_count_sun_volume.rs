@@ -69,5 +69,5 @@ static COUNT_SUN_VOLUME: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/count_sun_volume.compute",
-    hash: "b54a2cac3e5c126e4764c76d2798c8a3e275c4f035b537fafda5e845fa3c2439",
+    hash: "e3304b4226c9a65b29a6374186df2f3a5529683f12eecbf575506d7e8d415955",
 };

@@ -112,7 +112,7 @@ static DRAW_FLUID_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "03d53864d0f62df7091c3b55dda65d045130419978b048d07910d0379aceb77a",
+    hash: "ea43cabe0fd0d58f8b722526dd32ee5f017516f9361376488e79333e9a27aa1e",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
@@ -125,7 +125,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "06e8cf177efc5304b33855f8c6b134ed9806cbd4df17931d393e124ecd08defa",
+    hash: "f7768bad002b6e56c24e03be124b70e25150dd042a67d79c28865b38b3695e54",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -138,7 +138,7 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "ea9efd88b3b31beb300df0aa37d30eb9affe82b711120c7acb79963545685de7",
+    hash: "fa12e77e5960a8ec4f9df05c2773b3c667875fe077d725087917444197d48417",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -151,7 +151,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "1f5e487d2e4c63b69ce81cd6c7bfdc1cc4842a5d9c80f65a3011bd257f3158b0",
+    hash: "c0df0dc06fa6cee13b82ee2f947ef204a8d1026cd221a82cca9e1a34457a59fb",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -164,5 +164,5 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "3ec5e87d9430a53ccd4fb48dfb7835adfab10a95906ad4db17eea104717d3123",
+    hash: "7cb2f5d1b5056938bea19e9c5bd9e56fd698829fdd78d07120b66a4b842a7299",
 };

@@ -103,7 +103,7 @@ static COUNT_BINS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/count_bins.compute",
-    hash: "799d2c606b5012ce116fc144c67e06b2d52b85f05b4559b883b25046aa5cabc9",
+    hash: "935eb338ee0d1edceac6c07256db1b069eefa893b5754795da0ac506f9cee039",
 };
 
 static COUNT_BINS_WITH_ANISOTROPIC: Module = Module {
@@ -116,5 +116,5 @@ static COUNT_BINS_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/count_bins.compute",
-    hash: "eede484b346e4b0e31af38ae6d39d4c03157e117333282262938405012cf53b9",
+    hash: "7e51c582ba1f1a8eef170dd263d32388d83f9e6d208cc348b30b915e122ecd6e",
 };

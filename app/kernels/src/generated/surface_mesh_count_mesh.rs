@@ -88,5 +88,5 @@ static COUNT_MESH: Module = Module {
     shared_bytes: 112,
     tier: Tier::Floor,
     source: "surface/mesh/count_mesh.compute",
-    hash: "176e44b2f11d41899fe2542645645e3272570f16fb8bd132b45079116d8df4e1",
+    hash: "70f67bdd2d9b2d857f6111542c3721faf4c81cbb2730e783510c539e983b2146",
 };

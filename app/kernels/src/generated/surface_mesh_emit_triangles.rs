@@ -109,5 +109,5 @@ static EMIT_TRIANGLES: Module = Module {
     shared_bytes: 112,
     tier: Tier::Floor,
     source: "surface/mesh/emit_triangles.compute",
-    hash: "3573cdedf719707932a4890fba7969b41d67a258b5ff2ba6892505aed8329ea7",
+    hash: "1c794876d3f97163dddbf5df409f7a9959fd122ef95abfac48d0cad3c2af2e7f",
 };

@@ -103,5 +103,5 @@ static EMIT_VERTICES: Module = Module {
     shared_bytes: 112,
     tier: Tier::Floor,
     source: "surface/mesh/emit_vertices.compute",
-    hash: "59150b4cc95e1bbc523082b1fa038b7b8d124c1aca23eae2a9a5841cc3da328b",
+    hash: "e37618660fe54d8b92515eb346f7f9aa0f4934e8404d1f7783e283839ba83566",
 };

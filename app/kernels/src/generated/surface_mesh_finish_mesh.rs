@@ -74,5 +74,5 @@ static FINISH_MESH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/finish_mesh.compute",
-    hash: "a0cab7f790a0f18a84abfc9aa59ed0dfe8b0ced50aef70316037669c51b73112",
+    hash: "b980358720fdcffa23d19c0b080a9a2525c4b71820bacb526a5a65a33d45b727",
 };

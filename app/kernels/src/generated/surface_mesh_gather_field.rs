@@ -115,7 +115,7 @@ static GATHER_FIELD: Module = Module {
     shared_bytes: 64,
     tier: Tier::Floor,
     source: "surface/mesh/gather_field.compute",
-    hash: "39854b7821bec2d7ab1190f770d8f2a3848b3f610e527bdf1a9a155156e6c1f6",
+    hash: "a5ff2d1bdf2a718fbcde2a855cca915542a55cdeb6e1aec31e62e80bcc3480a1",
 };
 
 static GATHER_FIELD_WITH_ANISOTROPIC: Module = Module {
@@ -128,5 +128,5 @@ static GATHER_FIELD_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 64,
     tier: Tier::Floor,
     source: "surface/mesh/gather_field.compute",
-    hash: "9229eff5bc76e9cba3d2b824cf06db171f1856819f24879531d5fd415b679b15",
+    hash: "acaf8dc200efcc609bbf84380e18bc390bb477edcdff7a59c37a053537ed6fe3",
 };

@@ -82,5 +82,5 @@ static LIST_BLOCKS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/list_blocks.compute",
-    hash: "f480658cf4a713a4122ee153eeadb3c001bf38fe96b9c68e9cabaf301da2b498",
+    hash: "845f08f8e622521d84a3c85eae12cf8dd972d45bfde381d431e210e7d96a3558",
 };

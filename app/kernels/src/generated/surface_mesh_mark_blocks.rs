@@ -84,5 +84,5 @@ static MARK_BLOCKS: Module = Module {
     shared_bytes: 500,
     tier: Tier::Floor,
     source: "surface/mesh/mark_blocks.compute",
-    hash: "b8c89c211b379ea7c27f6bae4b4cbfdbff6f6e7b5352b4dd7635ef3fecc1d0aa",
+    hash: "2bfc91adf5cdc21bd628810521fd58d76646ec7a1de01c1739b0f3400730d6dc",
 };

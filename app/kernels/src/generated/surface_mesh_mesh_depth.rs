@@ -72,7 +72,7 @@ static DRAW_MESH_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_depth.hlsl",
-    hash: "d7d4956b783e0fe11d6d7b483412230f10f47f774fc4dbf5084ec31915e00763",
+    hash: "06b9a35dc74c6c82ad4a4a7d2f1f5f3fea75d5ed3abfce3c4171b66911f52b8d",
 };
 
 static DRAW_MESH_DEPTH_FRAGMENT: Module = Module {
@@ -85,5 +85,5 @@ static DRAW_MESH_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_depth.hlsl",
-    hash: "927769b9e9312bc73baa0ecd2e453fc54bc5b004da43e878b964135544813df6",
+    hash: "1e0e361de6ead4ffaf664d4813fa122f4eb9e77a800cf432ec75086585ad8770",
 };

@@ -97,7 +97,7 @@ static MESH_NORMALS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_normals.compute",
-    hash: "de0dc4382bdf1a1e4b743b810b5b5eae464f8e302afe203d99118fdd33dc402b",
+    hash: "57aad24cc9aacb48256764088f16d3b0bc3ad7919544d46503e67bc42fa200a5",
 };
 
 static MESH_NORMALS_WITH_ANISOTROPIC: Module = Module {
@@ -110,5 +110,5 @@ static MESH_NORMALS_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_normals.compute",
-    hash: "8d47ff8b1af612ff6094ea28711668d0a02dc0b8ccdf68fea960179e2e650541",
+    hash: "3f904b11f8bc96db010f4178b823d04de37814f994cf8e7d91fb8a970cd3de5b",
 };

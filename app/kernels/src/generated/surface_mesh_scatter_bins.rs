@@ -100,7 +100,7 @@ static SCATTER_BINS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/scatter_bins.compute",
-    hash: "68be7d423989daa9575dbc1f61652c0f9be397f9fe629b6f1ffeed23474fa9b0",
+    hash: "c12f6756fa10af8c5d909d1906a4a96303a6bbc045dd8bf7eb51d37cfcd21f4c",
 };
 
 static SCATTER_BINS_WITH_ANISOTROPIC: Module = Module {
@@ -113,5 +113,5 @@ static SCATTER_BINS_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/scatter_bins.compute",
-    hash: "e3ae0b7cabbe9950f1d59420e5cace2f02f70cc437295fe69228a84f452f51b5",
+    hash: "aa6448e8a9754980a5992ff64b76fc60bb003eaea26fa79b1a9fe5c509d12396",
 };

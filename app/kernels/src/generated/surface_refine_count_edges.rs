@@ -64,5 +64,5 @@ static COUNT_EDGES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/count_edges.compute",
-    hash: "15199c637bf19bf2694ca5df1cf1458b031e1317c4c34ec5e281697d19093c03",
+    hash: "e69940fd26dca42ea56425e9d0e7ffcc92241af3d6675d26b6219a80414feab4",
 };

@@ -71,5 +71,5 @@ static COUNT_RINGS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/count_rings.compute",
-    hash: "6c0b0dacf25bc5dcf2892b64fe93be1d5a8bae7ff776eca25006d15dbe6c0faf",
+    hash: "0ccbc166606cfbdc1701697adc67c40a7d433448d1fad84f3d3cc52055cc0e0a",
 };

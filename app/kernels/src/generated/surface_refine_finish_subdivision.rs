@@ -66,5 +66,5 @@ static FINISH_SUBDIVISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/finish_subdivision.compute",
-    hash: "81c6811150bf2f72259879140e0724a3bc74f424bce2ea18ba925130ed1e9789",
+    hash: "f3ea9847f4c50ef02b5fff926541a7a9f4327ad7ee9701d8d3a254b67fdefe4d",
 };

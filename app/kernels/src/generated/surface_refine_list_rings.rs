@@ -64,5 +64,5 @@ static LIST_RINGS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/list_rings.compute",
-    hash: "263187b8237682635f4ebe0b8a4b2d6debc91f52366eb5b8b8c85899348cf6da",
+    hash: "b6d11369d4d4e1dff8b7b41c13baee0e67855acdcc3c06dce2079c5419ed2c44",
 };

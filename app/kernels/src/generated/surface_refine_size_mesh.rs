@@ -50,5 +50,5 @@ static SIZE_MESH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/size_mesh.compute",
-    hash: "95b8785beee69ba3ff4d0c2d9a23c34bd6d3c17c69f2631aa95699100251cdf2",
+    hash: "2cc378d3c3babfc365b1377b97eb759bb5152038934c70d475d1f9199f45edf5",
 };

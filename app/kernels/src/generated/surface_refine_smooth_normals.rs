@@ -77,5 +77,5 @@ static SMOOTH_NORMALS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/smooth_normals.compute",
-    hash: "19047003054842c98d67867e73df95f669474754c22bb185028e9d042cb70a90",
+    hash: "f5c9201f7c41a6da3b782b45849e7002b50d8de60fad4b119a1ec05bd847b92b",
 };

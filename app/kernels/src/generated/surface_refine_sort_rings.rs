@@ -57,5 +57,5 @@ static SORT_RINGS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/sort_rings.compute",
-    hash: "d472160aa84336f616a8da2cf5c3217a3119378fb1f72ff985217f0f0122b6bf",
+    hash: "8f9ad9aae7c330e79ea0a32294c65edb1df801c30fecf205291090e3a59821cb",
 };

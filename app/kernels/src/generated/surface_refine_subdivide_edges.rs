@@ -81,5 +81,5 @@ static SUBDIVIDE_EDGES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/subdivide_edges.compute",
-    hash: "42ceba5c115f9747912b7a77dc81e1b12cb060c6fac3601950987ae53a40a886",
+    hash: "206f504c60a69b6a03eb5aa4fe69a35ad8519a3ac0ab9c4c8a6c81d676509e9a",
 };

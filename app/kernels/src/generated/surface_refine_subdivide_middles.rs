@@ -76,5 +76,5 @@ static SUBDIVIDE_MIDDLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/subdivide_middles.compute",
-    hash: "b33705c9dced9094bcdbed302d0f860c045f70166fd59601a4902f337438a9b1",
+    hash: "ef5176cff16a655c10fab0f15ff5c29801cb104f408f655aed01311dd06d0e3b",
 };

@@ -85,5 +85,5 @@ static SUBDIVIDE_TRIANGLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/subdivide_triangles.compute",
-    hash: "2a5ca9f9509210295f474636c1a54b8cecd3e3911dacba6bc0f5d0757c22cf9a",
+    hash: "1b31afabd9256062bb41d91d5abc75caa5b2691ddb9ef07523e994102ca57290",
 };

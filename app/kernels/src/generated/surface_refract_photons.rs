@@ -70,5 +70,5 @@ static REFRACT_PHOTONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refract_photons.compute",
-    hash: "0ef3cd62aa5ee2511c722381607fb6946875955b748ce183e69478ddcbf275fb",
+    hash: "7fd886f0e9ec55a1ff9dce3299e7706edd7b9a6dbe0c16173fc46a68534ebc5c",
 };

@@ -85,7 +85,7 @@ static SMOOTH_PHOTONS_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_photons.compute",
-    hash: "82a28b0c9bddd62546f576bbf10fb0af118ab880d73c3419e2b31e5ddb25b1fa",
+    hash: "d9635e517dbe8531a096798e082b91cdeb601f9871e25134ce97741c3f1d6ece",
 };
 
 static SMOOTH_PHOTONS_WITH_ALONG_Y: Module = Module {
@@ -98,5 +98,5 @@ static SMOOTH_PHOTONS_WITH_ALONG_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_photons.compute",
-    hash: "5f63e491750d6103c1112f370f46e989fb20061f184edbdbdcd0b2b26362b67f",
+    hash: "cf3c43689e6d10774bdb9aa4af24bd6e121789cb3a43f764a0fa51aa1310a3a3",
 };

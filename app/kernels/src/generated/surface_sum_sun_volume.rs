@@ -64,5 +64,5 @@ static SUM_SUN_VOLUME: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sum_sun_volume.compute",
-    hash: "d7f5caf7cd391b955a2b5d48bab49df72f53faf82c1c3971dfe1fa65a876b404",
+    hash: "6551294240b6757551a6b9116fe4182684fe40614865a35b910eb32757f9fddd",
 };

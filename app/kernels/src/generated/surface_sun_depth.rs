@@ -114,7 +114,7 @@ static DRAW_SUN_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "a13ec91f16ce80ce154d9e3002ec4368892b9750c321d7c85a6957c11964205d",
+    hash: "079e495ed3e0a7be2b0fd15a075c166726fb0aed7279b486a00ab9d5712946c8",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
@@ -127,7 +127,7 @@ static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "672d4131bd1ed2cdb3a8428fe5a8f619dd7a74da2377cff06186f638d542fa0d",
+    hash: "42e1f09b54047bcdf5686b1891943c1391407198f73c6b0fa6e8cf5d8322bfa5",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -140,7 +140,7 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "8843587806f400e8bf8feb611cdf3eb1e3feaec21ca49b1ab0ced3062687d207",
+    hash: "0e39dc567abd249a6f72f9eb0aee3e95ac56c211c7c548068493c1bd2b6802f6",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -153,7 +153,7 @@ static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "96522ca25e0082e5c28f94fd84879cd8ff2a55d233937579412d31422844ddcf",
+    hash: "9934b8cfde6afa5fba109a91b9df3785f084820eec1017d7bb4835499cbc38d2",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -166,5 +166,5 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "49450590cdb8ab77e6a678255083874ec64190f5df4a59b993875468413e28c7",
+    hash: "b18b6f9b1bfc1c31bbef3ec0c566990f2fbddd000c9e4efe70d2a98e593b8dc3",
 };

@@ -85,7 +85,7 @@ static DRAW_SUN_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "e2b0aa255175f45618b87312d02c00f5e55728128071c4ea28d91155f2ce6f48",
+    hash: "4ec83c12232f51d6191bfa7b625a2f9b75cc74e84f16666dbae998648be33fed",
 };
 
 static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
@@ -98,7 +98,7 @@ static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "531edc735086cfea8e9cbae4dbd7a1e3fc85cf23f826e11d5ae5c72df87cfbf2",
+    hash: "c50593abbf2aeacd651571f992de7d8a95e85477c011bd3ae4d7bbdac379b2f0",
 };
 
 static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -111,5 +111,5 @@ static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "a5f2d3cbd8ac5eb91aee20e2bb374ff31c80f63becb06e085be9e00d0d494a25",
+    hash: "310ac5b1ab9cb6a0c500fb32abd3b9a79b066afb21e87d338d0c034caeadb68e",
 };

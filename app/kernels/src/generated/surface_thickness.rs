@@ -91,7 +91,7 @@ static DRAW_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "ba1cdeb570b408bf45ac0957fad8511290398abef432aee3f5b89f15995f70ed",
+    hash: "44960a7e1811810bc082348e48861b9858a1f5530c1b8943826f9c049a70087c",
 };
 
 static DRAW_THICKNESS_FRAGMENT: Module = Module {
@@ -104,7 +104,7 @@ static DRAW_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "2267c01a8ad7742593caf9239fbcace8849fb64e1131788453540d543ea107cc",
+    hash: "de439f9db57af8f7c3d2b74c437384c48242360079a15663cccfa362d7decadc",
 };
 
 static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -117,5 +117,5 @@ static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "a0425f65470ad4a10d455a94e99b2853da938952f00b262d9f53f0403528c89c",
+    hash: "0e021333e164a97d4d8e27d3c3b3559c308f9d6e96d2e4353e2e6388f05ce2b8",
 };
