@@ -32,6 +32,12 @@ BoundarySample SampleBoundary(float3 position_m, StepParams step, SmoothingKerne
     return boundary;
 }
 
+// What the boundary bears of the fluid's weight along each axis, where its pressure goes on beyond as in fluid at rest.
+float3 HydrostaticShare(float3 position_m, StepParams step, SmoothingKernelParams kernel)
+{
+    return HydrostaticShareOf(position_m, step, kernel);
+}
+
 // The position, moved to where the boundary lets a particle be.
 float3 ConfinePosition(float3 position_m, StepParams step)
 {
@@ -65,6 +71,11 @@ BoundarySample SampleBoundary(float3 position_m, StepParams step, SmoothingKerne
     boundary.gradient = 0.0;
     boundary.correction_scale = 1.0;
     return boundary;
+}
+
+float3 HydrostaticShare(float3 position_m, StepParams step, SmoothingKernelParams kernel)
+{
+    return 0.0;
 }
 
 float3 ConfinePosition(float3 position_m, StepParams step)

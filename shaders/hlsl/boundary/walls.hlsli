@@ -72,4 +72,19 @@ float3 AlongWalls(WallKernelFractions walls, SmoothingKernelParams kernel)
     return 1.0 / (left.yzx * left.zxy);
 }
 
+// What walls bear of the fluid's weight along each axis: the integral of u dW/du beyond them, u from the particle, with
+// which a pressure that grows by rho g u pushes back. Along a wall that is the density beyond it, by parts; across one the
+// wall's distance times its slope besides.
+float3 HydrostaticShareOf(float3 position_m, StepParams step, SmoothingKernelParams kernel)
+{
+    float3 low = saturate(1.0 - (position_m - step.wall_min_m) * kernel.inverse_support_per_m);
+    float3 high = saturate(1.0 - (step.wall_max_m - position_m) * kernel.inverse_support_per_m);
+    float4 by = kernel.wall_kernel_fraction * float4(5.0, 6.0, 7.0, 8.0);
+    float3 low4 = low * low * (low * low);
+    float3 high4 = high * high * (high * high);
+    float3 across = (1.0 - low) * low4 * (by.x + low * (by.y + low * (by.z + low * by.w)))
+                  + (1.0 - high) * high4 * (by.x + high * (by.y + high * (by.z + high * by.w)));
+    return WallDensity(WallKernelFractionsAt(position_m, step, kernel), kernel) + kernel.wall_plane * across;
+}
+
 #endif

@@ -192,7 +192,7 @@ struct Counters
     uint displacement_clamps;   // that iterations would have moved by a support radius or more
     uint crowded;               // particles around which not all candidates were looked at
     uint capacity_overflow;     // particles that were to be activated when no slot was left
-    uint reserved0;
+    uint long_substeps;         // that were longer than an explicit solver's limit
     uint reserved1;
 };
 

@@ -4,6 +4,18 @@
 
 #include "dispatch.hlsli"
 
+// A substep of so long begins. Compensated (Kahan 1965): of 10^6 equal steps a plain f32 sum loses more than a hundredth.
+void AdvanceTime(inout StepState state, float dt_s)
+{
+    state.dt_s = dt_s;
+    precise float step_s = dt_s - state.time_lost_s;
+    precise float time_s = state.time_s + step_s;
+    precise float gained_s = time_s - state.time_s;
+    precise float lost_s = gained_s - step_s;
+    state.time_lost_s = lost_s;
+    state.time_s = time_s;
+}
+
 void VisitSlots(inout StepState state, uint slot_count)
 {
     state.slot_count = slot_count;

@@ -93,5 +93,5 @@ static CONSTRAIN_DENSITY_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/constrain_density_by_index.compute",
-    hash: "44781638a8a3946ab20611c5c7d0eeb7acc846d1ded407c5bf51c80feb6c18b2",
+    hash: "cba6303c576ef9ffc4d9e6dfb75a0284171ffd49e5c814948d7433bd79d21fb0",
 };

@@ -57,5 +57,5 @@ static COPY_ELEMENTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/copy.compute",
-    hash: "448cf33a323ba5b743265cb1cdb08b43787ae348478018ff1d17e34d3711a7b8",
+    hash: "7927492f78ac23083fa8bb3f9e0be2b92d9082b1d6d43d3d7658b9bab6232809",
 };

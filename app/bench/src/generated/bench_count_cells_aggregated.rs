@@ -74,5 +74,5 @@ static COUNT_CELLS_AGGREGATED: Module = Module {
     shared_bytes: 512,
     tier: Tier::Floor,
     source: "bench/count_cells_aggregated.compute",
-    hash: "562de4e7c583a5468d4b36560719b01653ba537b00d01c77c76304f3105f15cd",
+    hash: "f53d202beea0997a78eb37e28c01ac02690a4f7563a240e2e4f76d17b24f9cd0",
 };

@@ -55,5 +55,5 @@ static GATHER_ELEMENTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/gather_elements.compute",
-    hash: "d278117743e5ab5eda40904924ac2ecc6655b884236451cf9e4d5ddc893b6694",
+    hash: "9f7b259bb4b99e168eb9a8182b23718a0e0d55d9fead56ae217e3b30c388fc14",
 };

@@ -94,5 +94,5 @@ static LIST_NEIGHBOURS_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/list_neighbours_by_index.compute",
-    hash: "c84e4b1e1bc09397f3ecce748559fb0b13a0e45ef491d2eed635756078950f2f",
+    hash: "9a67c2d3a5813b83f7461a84db193ae0bb90ccb9263a7cb54d4aeb3538a1b6d8",
 };

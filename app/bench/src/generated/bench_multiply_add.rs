@@ -45,5 +45,5 @@ static MULTIPLY_ADD: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/multiply_add.compute",
-    hash: "d690806dfec2ca9e884c99e78cd18e61578491fc3d927f9ecd5cb3f18c63db86",
+    hash: "853e13b2794475383165aeaff2c65743ef38df0e9670d99595ece931aacebf18",
 };

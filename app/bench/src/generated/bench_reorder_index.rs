@@ -82,5 +82,5 @@ static REORDER_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/reorder_index.compute",
-    hash: "5db3715715285c640f7efc755c2b48fe21f0841570e8cb7f47ce141a831cf54f",
+    hash: "75591120900c2c09c6e45b21020d75e2a7553eeae32b779e7cbb3fd08e86de2a",
 };

@@ -74,7 +74,7 @@ static SCAN_GROUPS_DOUBLING: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "bench/scan_groups_doubling.compute",
-    hash: "25278d2b66d78d90ff2503fe29aff80a93a6624f9aa57d4ada501c91d8b0eba7",
+    hash: "74b213add9cbd4f56104d597edfb0b910ba9f39d2a2127680cad14bd0fc5859b",
 };
 
 static SCAN_GROUPS_DOUBLING_WITH_GROUP_OFFSETS: Module = Module {
@@ -87,5 +87,5 @@ static SCAN_GROUPS_DOUBLING_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "bench/scan_groups_doubling.compute",
-    hash: "ac10ec32556374ebdc309f4148808e2c8f591e64e2fdfd9b8933b9b2227c52e7",
+    hash: "3a9cc32aa9ba1341e82b10a27741d8eae35ded160989f82a42306baed5a2bb9e",
 };

@@ -87,7 +87,7 @@ static SCAN_GROUPS_TREE: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "df354a0a4e64813c9637d35b1ec5d685b6a491836d61cdf606e0f7d313221d65",
+    hash: "11720ac5dc4ef526f0a50621b97c9d856095b34fba86914044796f1800da26ab",
 };
 
 static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
@@ -100,7 +100,7 @@ static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "caf1df939e8cc6385f8cb35e8f1ed5f13be56e2cca2cf06b3ac7b3817891991c",
+    hash: "0309ec1f574284d519c868487daaf7c11b1a905e3f122c6030a971a6c736235c",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
@@ -113,7 +113,7 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "a75acb8588730c5400c01230fdb9a835e7ec9938c0a47c3ebbc705d9f82b214b",
+    hash: "77d4681962a0189cf0500bf647038486c77ac51b9996b6479d4f242174a6c485",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
@@ -126,5 +126,5 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "92edb4ca4b7378e0de57acd04994d4fb8e9f88d1acc490fb99e4d1d0bbd53dae",
+    hash: "e81148653d8b102e589a2e7dd3369a89287528ee39e5973db2024b90e23f1df1",
 };

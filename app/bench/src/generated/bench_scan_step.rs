@@ -54,5 +54,5 @@ static SCAN_STEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/scan_step.compute",
-    hash: "be907d1348c53eac9c5e616e396117dc5dded5b64b0802a0c969ddd39fcd8977",
+    hash: "ba724fb4e896f623ea4549c6557abf3b198d2ff0de38a8b986483f4dc0793ff6",
 };

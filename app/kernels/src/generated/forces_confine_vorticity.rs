@@ -99,7 +99,7 @@ static CONFINE_VORTICITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/confine_vorticity.compute",
-    hash: "d6b5a5d74f98558acf1d6d7fe5588175175268c5b7677860ee2ace063e09ca85",
+    hash: "b04721c8f687cf5ab5ea5ae9c90e1053deb32d2293daaaa477a56379f586c9d3",
 };
 
 static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -112,7 +112,7 @@ static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/confine_vorticity.compute",
-    hash: "1726bc3f1743a3487c05b948d30619fe41fc0ac1a530c3641765829974738b9d",
+    hash: "f0aab1c7a54ed295efaa50ea5a3a6086c57db21dab0c5f72b3d33a1fdc355402",
 };
 
 static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
@@ -125,5 +125,5 @@ static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/confine_vorticity.compute",
-    hash: "97d735b63cb58d25593befd0ab8d3dc1dc43921c0563973dc305e10357e7c229",
+    hash: "e04f74efb7a54b1bde5f69671edc4b7e9280ddd9c7a31b68325d5f5c2f7e1478",
 };

@@ -97,7 +97,7 @@ static CURL: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/curl.compute",
-    hash: "760e9d0c4f342757ad06ad596588ae1173396f5e33cc469fa10b549717788078",
+    hash: "961bb64de25babff29bc81dbaa84960ceb052128d84e75aeda15294309ab1cec",
 };
 
 static CURL_WITH_RELAXED_PRECISION: Module = Module {
@@ -110,7 +110,7 @@ static CURL_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/curl.compute",
-    hash: "13bbb2eac542cfe90b571a3687f5312201ab9dcced89a998a82331eb49d58943",
+    hash: "f8f7fd82799b368ac6183138e1d9c43444718ca1ee5c2fa4d2859ee9ad5759be",
 };
 
 static CURL_WITH_HALF_PRECISION: Module = Module {
@@ -123,5 +123,5 @@ static CURL_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/curl.compute",
-    hash: "54c7b2454ab5428d049a92dd81a33e9a52eb2610b92f2af30a0b79bba74cb427",
+    hash: "dc5bcd136fd4d6e0027af8f8c3bff58eed03356dc35e26645bc0b310f0cf0b32",
 };

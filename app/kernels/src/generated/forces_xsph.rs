@@ -102,7 +102,7 @@ static XSPH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/xsph.compute",
-    hash: "8ec79da4611a4d0fedfc109b4c6b7fa1cea44a3878dbe32635d0c68706dc9aa7",
+    hash: "127aaadd1fb05d0080169f31e318e9b5b01d26dcfd4358336bc90f0ae7105cff",
 };
 
 static XSPH_WITH_RELAXED_PRECISION: Module = Module {
@@ -115,7 +115,7 @@ static XSPH_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/xsph.compute",
-    hash: "fa4ad856f94682d47fdee1370fcb1c67f336200e368dd3d525a3d0fb085f0862",
+    hash: "c0dd72cc5c8684df9ae34c2d9033b9eb3ee3781001c7d59955aec4ccf1d88c0d",
 };
 
 static XSPH_WITH_HALF_PRECISION: Module = Module {
@@ -128,5 +128,5 @@ static XSPH_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/xsph.compute",
-    hash: "b969c8c8e306b9e00f2576eafe5a388d1220f31488d686a218c90b16c93c6b84",
+    hash: "039f7053d92a077ab89c8ba6a066a186a32f5852e8fda767948f0d4965f88956",
 };

@@ -62,7 +62,7 @@ static DRAW_PARTICLES_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "10d655fc1d1bef16b834059a4f7fa19abb2fed4f5312e25f7bb2ad9fd2e1fbd6",
+    hash: "ff89b02cc7c2e13bdbb09c0e7d71c4570808b14fcf531ed730f77e3025193901",
 };
 
 static DRAW_PARTICLES_FRAGMENT: Module = Module {
@@ -75,5 +75,5 @@ static DRAW_PARTICLES_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "75b70f5087d615c775743a0566fde2a2043d5cd5c09d74a3283a63ba0cc8fe01",
+    hash: "d9ccc3694e674f7a0b16548b2b765b04c4c1a2968add604174b5c7b5490a8611",
 };

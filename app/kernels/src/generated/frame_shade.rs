@@ -130,7 +130,7 @@ static DRAW_SHADE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "267d885f13419330795781431355700a680b02489401e18d4abdf91d8f375342",
+    hash: "59645085f085ad63533153f32fb6bbdcfc88d7bf0dc0b89b609a9cf87aba1cd8",
 };
 
 static DRAW_SHADE_FRAGMENT: Module = Module {
@@ -143,7 +143,7 @@ static DRAW_SHADE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "5eed8b5228e79dc365d83256ac760afff1218d7f95e7b17583ed31030bfede73",
+    hash: "987d8462e8de5c9c26034d1154f3cdc41860b0f73c343532a4279f6628522007",
 };
 
 static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
@@ -156,7 +156,7 @@ static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "0fd70e8d5856f784e07e63918f3e9c3f0acdf52963c5f3da6fb9117392921ba0",
+    hash: "149fa342db6626ffad80157ea39a4e6e06225525502ca0aa681e49324982bcee",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
@@ -169,7 +169,7 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "78232a1e4c48b25847fd7bf52fda8760d4a25f21c45c647dee323e713b5b482a",
+    hash: "c97e67c81f74d1e04d4e37baddc367a4354c0dcedd59c7b2e4b0db11dad7ec57",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
@@ -182,5 +182,5 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "4d6eb25b14e2573ce6986f02f78b7929d9cf7847cc5246a3079af62b1b199ede",
+    hash: "beaeacf5ca4f6605a8780c5a797e40d6eb711c12ca9bc1008d0cc972f4a9a430",
 };

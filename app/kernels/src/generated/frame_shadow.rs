@@ -55,7 +55,7 @@ static DRAW_SHADOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "3153e69d2f13db6ebe1b3084c7e78894c632a4b1c60723bfce361789d00bb11a",
+    hash: "840d324f9b58e9000b716840c7b2027a480659c89fba3979f443221b336cfe3a",
 };
 
 static DRAW_SHADOW_FRAGMENT: Module = Module {
@@ -68,5 +68,5 @@ static DRAW_SHADOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "e23c971cdc69f401f88bf4fb971b8ee102055117a2c066c0401f6cf80621b4f2",
+    hash: "ef85b3e4f91feae4a17eb6c1230fd5c6219b4eb2d536f8c43da5c2133f7b60d3",
 };

@@ -60,5 +60,5 @@ static COUNT_ACTIVE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_active.compute",
-    hash: "e7bda3292240afffe65cf97b721131851f87dc817cac4c9b03f388fffa11b72c",
+    hash: "4accac1a95f0e02e04116fe740c8d2d096a0608d29c73133fe7c8d6b70ac8572",
 };

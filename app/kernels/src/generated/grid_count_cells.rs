@@ -90,7 +90,7 @@ static COUNT_CELLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "4c1ad7f8b8f8363ae1d48f2d2dad08cc2e3be806919c703851faa2c6b823988e",
+    hash: "62896b3f8dbfff40b8dcfcf830d2d9ec8b9b87d0c047ebe880468c1110e39fa2",
 };
 
 static COUNT_CELLS_WITH_PERIODIC: Module = Module {
@@ -103,7 +103,7 @@ static COUNT_CELLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "e5ee18a08391518953e10c6aa066845756f8d402eb5d9b3d916136ad9f95e5cd",
+    hash: "65e635a7120edd3630e689d0bec5a42f6d29bc4a2ebbacbfbd32676fa544648d",
 };
 
 static COUNT_CELLS_WITH_WRAPPED: Module = Module {
@@ -116,7 +116,7 @@ static COUNT_CELLS_WITH_WRAPPED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "d5cc9239d6652819404163b3f23d322bad135fd43b29a78736539a32579ae4ce",
+    hash: "532f2bec436e8c5ab033cebb0a3d3976c0e499e87a1d526ba329ddff6896b29b",
 };
 
 static COUNT_CELLS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
@@ -129,5 +129,5 @@ static COUNT_CELLS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "e5d01929c314d3842e4aa5d2c6ad27271413c7acafd609099281851b08b6cb7a",
+    hash: "6ec8e7ba0b804504757c0b06de0f4fd85dc8bfa2d389710cea4f7eeb8d4dc653",
 };

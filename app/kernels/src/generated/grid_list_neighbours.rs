@@ -135,7 +135,7 @@ static LIST_NEIGHBOURS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "1d93c0963d09ab2d6a4d50cab31649f4f12e2cb72417d659df18fc531f9cd5b2",
+    hash: "e02e5f827278bef846153e0f84661e54770a8c36a05577d4583e61227e65778e",
 };
 
 static LIST_NEIGHBOURS_WITH_RELAXED_PRECISION: Module = Module {
@@ -148,7 +148,7 @@ static LIST_NEIGHBOURS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "454463656c7b2155a672779d8d6053afdac77819abe5cf9a815be7e86b3a37a8",
+    hash: "5aeabfe9c02599f0fa683bbb3fd994cbd8c1e7dce767e59f5ab9ac431813fede",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
@@ -161,7 +161,7 @@ static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "48d449af90d4cbd4079215305a1510ffc9c4d098e96aa99a077d049a5b7fff75",
+    hash: "b11ba4a7ee514b5956b61d09a8974848b7ff13a0bdc4e9af0bb0b8f637f3cdab",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
@@ -174,7 +174,7 @@ static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "0ae3601eae75952e1cb481bc7ab8bf5ba9477af6a5b1cef1e630ece129199b0b",
+    hash: "aa3a4f338a097cfb9162f5c5dd391d3db871c98d62aea9d5776bda89178aa95b",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
@@ -187,7 +187,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "e5e1f2561caf032a00c5fdbd928a62b3277a412d5261839b87be7994692e7dd2",
+    hash: "260f5a61dcc43a2f2ff32666e238e19833e963e7e0a96f47d1ba1d81f8ae267c",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_RELAXED_PRECISION: Module = Module {
@@ -200,7 +200,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "3c32a26f58e74724270f0a4c0e503dd4455edc68f73d26bde6a1d7357af03da3",
+    hash: "5986f059af378a7536df50a1117ace8ecea4edc489b0420f93d1766f6b04a4d8",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
@@ -213,7 +213,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "02507bbe7495f39a8ebb5ddd967f32b4c183c3ff788b246fed16e7de72a08cdf",
+    hash: "8a7c39664a40dc65479fa60a4bfff9008eac53f66f7cf70f2572454bc00c9b0c",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
@@ -226,5 +226,5 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "94f2669087d349fd7ff4d0c6039f638140ddb392249dbaaa4e36baf11fdfd872",
+    hash: "815cf878ba10a992e3d26c9c7d58fe5c8cbe12888e51fe73c52a066a1a9cc8d6",
 };

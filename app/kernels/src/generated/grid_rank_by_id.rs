@@ -77,5 +77,5 @@ static RANK_BY_ID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/rank_by_id.compute",
-    hash: "44c2193f7bd435198d29da2f81247584fbad0233db0bf9cd37783e9d9065744d",
+    hash: "8fe7506d9c05e2020f538d928b4e9aa85646b0aaacb61e63ff146c82fd23787a",
 };

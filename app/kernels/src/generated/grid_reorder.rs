@@ -106,7 +106,7 @@ static REORDER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "7f1771e174c6bc586d1c00d9c10ec1ed911b2d6a940d4631027d4e98818beeba",
+    hash: "203742ff51749e3f040cc4dca7a6f8155254266c5fd613605df864a84444f4d0",
 };
 
 static REORDER_WITH_RELAXED_PRECISION: Module = Module {
@@ -119,5 +119,5 @@ static REORDER_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "edc551982c4c36501cafd49af1f8d3acf29d77aa596398a28e140ed5b66acf86",
+    hash: "02c98d57cf62e3fa079cc73ff75e5851212eb9c09cd947f93c03cf2e0fe382d6",
 };

@@ -109,7 +109,7 @@ static REDUCE_GROUPS: Module = Module {
     shared_bytes: 576,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "0a01d007781bfddf9ff01d53b9e33233c5e58cded81c4558a061766fb35126de",
+    hash: "6fb1bf19614251756276c193febd1bb942cc0b98f19e89b7e4a249a33849738e",
 };
 
 static SCAN_GROUPS: Module = Module {
@@ -122,7 +122,7 @@ static SCAN_GROUPS: Module = Module {
     shared_bytes: 576,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "7ce0b453d0df3e8ddd68612faa52916ec13a25c9b9b0933c940b8a2e5051a549",
+    hash: "59c8c81f56232fc430748d362a9bafbf0718a7afbf13bc70a27e8816a28aef39",
 };
 
 static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
@@ -135,5 +135,5 @@ static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 576,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "3bdadc253b3186941525da171ed91e155e98ac0c3cb8a559bd76c740634b4d35",
+    hash: "c27a8e20a78c2a203dd5d44328bd500f7de661e87c2126fe480645695532462d",
 };

@@ -65,5 +65,5 @@ static SCATTER_CELL_MEMBERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/scatter_cell_members.compute",
-    hash: "981b8fa91c141218b757ca9b9f4241a5e0961db6fbc84f1d939b0e5fd10b7e50",
+    hash: "12aeb13009c378190fbe5f605852ce3bcbc08aef7bb09c9c3107856f2ea4d59d",
 };

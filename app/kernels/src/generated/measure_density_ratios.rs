@@ -97,7 +97,7 @@ static DENSITY_RATIOS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "4e7512dbb150dfd307bc9a6aff237c4ca62c4082edadc11ffa43732b6c36233f",
+    hash: "bd9e4faea57eac202f8cd6c6f15c63a246420ffbec6da02204584b64bb22377c",
 };
 
 static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
@@ -110,7 +110,7 @@ static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "6e046c865f831587331992627a1cb5a38959cf6e9b3335362d523d65e7fa69b7",
+    hash: "71b1286cb60cd6bacf3823d8a7524613f4df611d8d6cda99bbec9c8347cae9e6",
 };
 
 static DENSITY_RATIOS_WITH_WALLS: Module = Module {
@@ -123,7 +123,7 @@ static DENSITY_RATIOS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "bef0bdb5905bef3efbe25f5827b277a0513f1e000f2956dc4f8edbd89184c2a2",
+    hash: "dc17b57277fdc4493ebe27e3bda3988aee6c649cdf13e2cc8e7b9ecfe082cd98",
 };
 
 static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -136,5 +136,5 @@ static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "b68b6005142f80f2a7fdc7316446913b7fe9a29dc5b223ad7b7f81d446ed03de",
+    hash: "19ebded7ba4ca636c9a6575079d0c747e7672f4a41393b8d663d5c9e90bdb938",
 };

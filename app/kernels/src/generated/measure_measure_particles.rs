@@ -132,7 +132,7 @@ static MEASURE_PARTICLES: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "9b497319e31e1a8e84b5c5ae1bc2ab858832879b82a6ca545340a52c5b00aa17",
+    hash: "319155ca3a1ea8e9961f12241d3c82ba924f781766a12cf367175f85c1823bab",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
@@ -145,7 +145,7 @@ static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "a3fa2bdfa536900d90c0425a3859bbf1010f676ca1f74afe060e0f0caef31ad9",
+    hash: "6c075b88f8c6295c5fffe22a420b7e77c57e80f27c090896f2d40037a3963141",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
@@ -158,7 +158,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "c17f01fe46fdb4d75c555276f8d1cd92c680083824fb4219e91cf76887d0e9ad",
+    hash: "e458b3ff870da3fd859eb4e45ff7da3931dc2851ec99c05cb568282054becfb2",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
@@ -171,7 +171,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "90cfec11d90cdb76c223cd3c5dbcd9ae3d24f16ed37254dc7140a5cca7811bca",
+    hash: "0755b0a542c9d4e73009013877d2f25167c1176304b86afb57e6c8d6d62472bc",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -184,5 +184,5 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module 
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "f963dc8170fa05cedea7753ea835d3ea933738dfe7480f93730329fdc562d70e",
+    hash: "bf092970ed692494bd0b7f12913179d86a5c0ec0fecf8646f829a71f12c9d619",
 };

@@ -73,5 +73,5 @@ static MEASURE_TOTALS: Module = Module {
     shared_bytes: 4616,
     tier: Tier::Floor,
     source: "measure/measure_totals.compute",
-    hash: "fbec5d21ecd0dd8957df270bbfe0320864020bbaf763745aedb560d43e0e4a92",
+    hash: "4a8247cf97597e228d761de63792dca00481d69d24cdfa1fbdd000bbe958d95e",
 };

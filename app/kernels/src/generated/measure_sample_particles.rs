@@ -67,5 +67,5 @@ static SAMPLE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/sample_particles.compute",
-    hash: "f7ac0de32ee56cee369e248f772755b48dd82c8657ae27122164f40fc0fac99a",
+    hash: "c37c7d7a0ee8b70e60801b780ccde2fc7d786b645f1b1a69813ae9541eb118d9",
 };

@@ -44,6 +44,10 @@ mod solver_pbf_prolong_multiplier;
 mod solver_pbf_relax_multiplier;
 mod solver_pbf_start_warm;
 mod solver_pbf_update_velocity;
+mod solver_sph_accelerate;
+mod solver_sph_choose_time_step;
+mod solver_sph_compute_density;
+mod solver_sph_layout;
 mod surface_anisotropy;
 mod surface_caustics;
 mod surface_count_covered;
@@ -130,6 +134,10 @@ pub use solver_pbf_prolong_multiplier::*;
 pub use solver_pbf_relax_multiplier::*;
 pub use solver_pbf_start_warm::*;
 pub use solver_pbf_update_velocity::*;
+pub use solver_sph_accelerate::*;
+pub use solver_sph_choose_time_step::*;
+pub use solver_sph_compute_density::*;
+pub use solver_sph_layout::*;
 pub use surface_anisotropy::*;
 pub use surface_caustics::*;
 pub use surface_count_covered::*;
@@ -214,6 +222,9 @@ pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
         solver_pbf_relax_multiplier::MODULES,
         solver_pbf_start_warm::MODULES,
         solver_pbf_update_velocity::MODULES,
+        solver_sph_accelerate::MODULES,
+        solver_sph_choose_time_step::MODULES,
+        solver_sph_compute_density::MODULES,
         surface_anisotropy::MODULES,
         surface_caustics::MODULES,
         surface_count_covered::MODULES,

@@ -114,7 +114,7 @@ static ACTIVATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/activate.compute",
-    hash: "5deeec014c7477ac5d4bd36f1fcf26f6ef7756a27106b986b16cc3733a59a7b1",
+    hash: "de60f1045b66d5a6a2b65bacc31a125311c865ce453cb64e4926754ab1e94f6d",
 };
 
 static CLAIM_SLOTS: Module = Module {
@@ -127,5 +127,5 @@ static CLAIM_SLOTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/activate.compute",
-    hash: "1392a33f98159fb614337777ef34b5a094bc5d93c0e14acd4c26fe909f824960",
+    hash: "8d95e0a0ffc5da789295de4d4cba748b876499ff3ecd791aca0b0526af2d09fb",
 };

@@ -140,7 +140,7 @@ static ADVECT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "65bae3b43f3df2c351549b8af20f1a8e7212ce9c8d5b52ebb2dab7a2022fef73",
+    hash: "3109db41de2131af26b8f31a74531eaeeed8e007af81edd40187f94897882817",
 };
 
 static ADVECT_WITH_PERIODIC: Module = Module {
@@ -153,7 +153,7 @@ static ADVECT_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "2202540f1f9124bf388512e7fb9c054f2e30818dc2aecf41147438c0bda25524",
+    hash: "dbd25a942ee82a3b5914e0ad2ca4c7f8d13a5840dc8d4330af03c7b09eb8f461",
 };
 
 static ADVECT_WITH_WALLS: Module = Module {
@@ -166,7 +166,7 @@ static ADVECT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "2d53b41cdc8c510b37de24ffb0f6b15e401db7becb06c4ab3a957165502235c5",
+    hash: "d486289c7e1bb15dec2a176f8c2c96b5bc4c2e7d324a7fc8fa0fdf2ef76d8c05",
 };
 
 static ADVECT_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -179,7 +179,7 @@ static ADVECT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "2c2203dbfa3b72367400e0d48ffe7ef57efb1b787f1695a5ce928ca2816ff555",
+    hash: "e465c85e06d285b9c626cb21275664af39e794312566c172f47f03a2f1f84e8f",
 };
 
 static ADVECT_WITH_ACCELERATED: Module = Module {
@@ -192,7 +192,7 @@ static ADVECT_WITH_ACCELERATED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "545cca876a3c138a602049ec3bcb15e848f8ae7a2af97dc930e975d2b8dcd5f4",
+    hash: "e120f20c8bdb751a128d7d6471a7f782195efc44f7ae7b3a98706fb03da98960",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_PERIODIC: Module = Module {
@@ -205,7 +205,7 @@ static ADVECT_WITH_ACCELERATED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "7806d1087631e90a5a5566339389764f0278ea70562ec34cd6a1c8239d8c4603",
+    hash: "df8a33851de2aac122456dd7eafb79a29602017d6d5709951b2cb83f1806c674",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_WALLS: Module = Module {
@@ -218,7 +218,7 @@ static ADVECT_WITH_ACCELERATED_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "f604b037ed1d483bde62ea2f17332ad750cc951004c752e220981f4fb56f6305",
+    hash: "a57ec5529c73123ccb6111f2f19e4702aa7c054d06d41729035ebdd042059471",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -231,5 +231,5 @@ static ADVECT_WITH_ACCELERATED_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "d2df4d4aae5a02da31a2a2c569cf9865e8ae4532402345738c966276aca0312e",
+    hash: "63c68465e6ec3d7f12ef0034f0f1294bc6cbc9b9430ef907fdaf42b12665b8e8",
 };

@@ -50,5 +50,5 @@ static BEGIN_SUBSTEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/begin_substep.compute",
-    hash: "824ee120ec0721d0ce15175145b72c3538bbeba1f94f0de8d6bd43ae0e378280",
+    hash: "6ef3a36faa305067b5bfb59610384532c836826c58ceceaa69c0fd625db626df",
 };

@@ -68,5 +68,5 @@ static DEACTIVATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/deactivate.compute",
-    hash: "c3a720aa9dc81b928b38c83e7fc0de35e58001bf28d620fa60e5332e099b434a",
+    hash: "12001e6b72897ecdca9bd5ece151596dde49e8d562acd0adc831586286e01cc5",
 };

@@ -66,5 +66,5 @@ static DRAG: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/drag.compute",
-    hash: "57a349180d019faa828a195445c340f10faa443b86cffff9aa11dd821c6c1bd0",
+    hash: "0aa1bbf2592df772b80eb3efdfadf88e382cf238a1b0d0ee56282d0ae4a0376a",
 };

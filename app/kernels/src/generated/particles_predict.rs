@@ -94,7 +94,7 @@ static PREDICT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "1f62955a3c89cb037f292b83cfa1b757bd8d8f8b5daed5c6848e4499130f71dd",
+    hash: "630324b829f5fe022dae19c830e92b111d61d64bbf9936fbfa541ba504930757",
 };
 
 static PREDICT_WITH_PERIODIC: Module = Module {
@@ -107,7 +107,7 @@ static PREDICT_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "687b9bf0780cbea6229dc7a3c164bda68eb74f07300e8000ffcb84133daaabd6",
+    hash: "8aa50eb912e3db32f4e64c980509b4ace3fcada007f998ac3354b62789fc5f2c",
 };
 
 static PREDICT_WITH_WALLS: Module = Module {
@@ -120,7 +120,7 @@ static PREDICT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "9a58877fa6929b4f4cc001c08c8607c98d567f3314d82afa72b80c2fbaba3ee7",
+    hash: "74743506365ed293a4e85349b2df79188af2bfa23ef1014d1a239984736a508f",
 };
 
 static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -133,5 +133,5 @@ static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "b02fa023ce1f8afa94dc5d4c9e9fd43d95f8763baf54687da178c48751f2cf05",
+    hash: "2f38f991dc2290c81edb8d9b3f1f490c20a625a530cc92728b22834d9b2425ab",
 };

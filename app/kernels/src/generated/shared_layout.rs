@@ -425,8 +425,8 @@ pub struct Counters {
     pub crowded: u32,
     /// particles that were to be activated when no slot was left
     pub capacity_overflow: u32,
-    /// `uint`.
-    pub reserved0: u32,
+    /// that were longer than an explicit solver's limit
+    pub long_substeps: u32,
     /// `uint`.
     pub reserved1: u32,
 }
@@ -437,7 +437,7 @@ const _: () = {
     assert!(offset_of!(Counters, displacement_clamps) == 12);
     assert!(offset_of!(Counters, crowded) == 16);
     assert!(offset_of!(Counters, capacity_overflow) == 20);
-    assert!(offset_of!(Counters, reserved0) == 24);
+    assert!(offset_of!(Counters, long_substeps) == 24);
     assert!(offset_of!(Counters, reserved1) == 28);
     assert!(size_of::<Counters>() == 32);
 };

@@ -102,7 +102,7 @@ static INTEGRATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "2b9f17cb85b0ec368805e418a605954ef3e3abea10d9ecb6da4460db8676788c",
+    hash: "8330207ac282067c3d2303de0e4a0480cac609421daee3f7846f9fc57aef1073",
 };
 
 static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
@@ -115,7 +115,7 @@ static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "641c5884befa4f2da76ebfb4cec6360d8e9de4eaba0dffb646b26896b316917b",
+    hash: "987747b0d82be90d9775ce816976d03b66086f30739b0cdd3ea57aef081909a2",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
@@ -128,7 +128,7 @@ static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "047934811a64d5cdd63611095eb164ada5aeecc888221e1dd8bacb594b655917",
+    hash: "24bf0c33326a717ae59c180da66049454fdb38163942b5924926cb907da8b61d",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -141,5 +141,5 @@ static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "b7fdb88cd7ef53bd97cb1de01f9a66887ad56ea9c6926fd8f642d7cb60c69ed4",
+    hash: "39dc5538af865119faf828b538714f4f0e988ad83ea7e79f3d53650a6970ed1a",
 };

@@ -60,5 +60,5 @@ static COARSEN_CONSTRAINT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/coarsen_constraint.compute",
-    hash: "8b1381ee7906a367a5177ccc87a36311b8c61439fedb2e3c228d28604190fe90",
+    hash: "9ef142bb1b0ff13898252f6683fabcafb956fe7723facfb098da28ce7649de69",
 };

@@ -485,7 +485,7 @@ static CONSTRAIN_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "5277c5d9cda06460b8f976e72783508823e80a946f4fcc9439e9aabd5e1317a9",
+    hash: "02f774f5742cd93b3de9184823b3da431c682eb8a9ea1db14f5d946b01b56d8b",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -498,7 +498,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "ff30f4d4ac8064b155372a0396bcbbe807905796e20e65a048baf153b4818f20",
+    hash: "fb43d964ec821630a919c39e6db1d8bb4e7f0a0004b87e6c156632c58a80fe86",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -511,7 +511,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "849aa4e8b8b18a5517067a198fdca7ee04477330965853180e4437fa67228314",
+    hash: "3e31c3834ca810d9844d0728b23d551b01908da4f855b2b559fa20ce65401f8a",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
@@ -524,7 +524,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "98fc811ab572a7bf0085904c4775fa69cbacc571f3f099cb9c5be6601daa471f",
+    hash: "d84303e8910a4e8617359efe4dee2c0758d48b3ffcd3fec3438776a184b22412",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -537,7 +537,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "2651064becb61ade1047fa1592c410d985e7d83c9ffc37967768c6e79588141d",
+    hash: "331216dc912df665a08a01e220e49819b091d46b16b2d73c8180ecf236ca5046",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -550,7 +550,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "66e0f76506e140e0c1a991fbf3f2beeda27db46d89bc8a29dd6862fcb10c93ea",
+    hash: "cc87615c4657fa1459db76850f14d4f65d8faa3356dff8cf9be564b9dddca363",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -563,7 +563,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "56983b91c705b47de45c1343f3a4e726b573564924f2cc9498db243ec8f1b438",
+    hash: "d711ce526fc6d8b58454fb3ef628a39897a1453815e5fac799438819383579e5",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -576,7 +576,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "658483c3ef9f91c9a13890674f23f586517ada19a1f5157f7a9712e6b47e3d77",
+    hash: "b3acc8315137506d2f49c30f22bbba0a10f7cb9b27060c752c3cba8dd0460a95",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -589,7 +589,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "2362b9bebf60ea7044bc98d984b4fbeacf02d0b4b8bcdec492ea91ce53d1babd",
+    hash: "78cff6f24f9e0c1a6e9147a1eab42d2cb871e192010e8b4b92f1d306c10242c8",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -602,7 +602,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "fb59455c079895d55ef7f8992a11427bf737fa2d1e41cfd184dfbbbd37738685",
+    hash: "e56fd2d04ebd2c92e4f8080385a9371c91480f4fab0f68f0f55be13cce4fa38b",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -615,7 +615,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "763b9e3730c89a3a98aad8f937145230a9e32cd87ae3af84fc8794bca9c9a484",
+    hash: "4109e8bf62477229855163273134cd70d725a677bd50843df1668d4dc07757ad",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -628,7 +628,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "70d1e66db08fab1b5eb78fe9f593787bb7512d0ea195587da172ec8b044d3bf7",
+    hash: "7315cc9f744ee532927dcd6e278b91095dd7082ff1c209370b0beb06ead9bc2d",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
@@ -641,7 +641,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "2825d89cfc3ff7c98759de14bd24488b43521304564768e31a6c2fbea27abf5b",
+    hash: "f2d285251dc29cc92e6406b62ba42a6c499187957bc7f8d01ef6e9f22bf606bf",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -654,7 +654,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "f4bbb03dc87dfec63ee0fb84a42836af375c0662d29f40ff0e2a507422b9eb18",
+    hash: "db8191496068f223c6ed8c15a26a27ff3a1bedc6c36d331f4ca7abc9d01df883",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -667,7 +667,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "34d8060cd00e78990566248c63c70aa97047aaa93731d63afa259edd8442823e",
+    hash: "e04b275363a85ff196af6a0f2294e6d95fe2553d0ec6a8e210a9e140b8a7fedf",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
@@ -680,7 +680,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "4336afad9c02fb19b284718f3255fc98169e5785d3c19a134137827004c64b90",
+    hash: "2eb936080f69d28eb3d32f1648e7275d3eba6e9326026aacd13337ad5086f8b7",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -693,7 +693,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "6c9b5e1758154718e8d6a57b2a52bc71cf1da9d38ea00037f7a8c4ea59a93f9a",
+    hash: "04d55747bfe740d122591e8a8217ca5dba517801a26604709c71aea62e41d714",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -706,7 +706,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "5c143e6ab138c2827ad824b20e859367e23759d5fe4825636547a396ebf3df90",
+    hash: "9ce99ae0f68f93d8856584477fde01b09ab399621c8a5c9f8b38998571efc93e",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -719,7 +719,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "42cc29b4b38391df16f9c009b09a1573d53f6d2ef6a96985603c6b245c090a79",
+    hash: "699f49cbd2309edb4e15799b68c7020f3c1aa3f06908809fa91e54d8bd042bf0",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -732,7 +732,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECI
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "7514bdb46f2ad34bd0fbfd812ce14b4723f30fea3b309a860fa77cf3f35cef2a",
+    hash: "d0f7cd5e31646cb6d1a690447fccd4ebd848990c65bd7185e0dc80f9a4acdc0e",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -745,7 +745,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISIO
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "c99bcaaccdae54b8d7df993eadb8a926ae9d859d25fb47e47590875bc2002061",
+    hash: "fcd6ad3fbae2d908c1dcb96e4d2f0746a3289a6c4ab518ab277ba15aac955d36",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -758,7 +758,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "ca074efe8ffe5e447f19bdec33c1fcd526186e071e1c511a8f501f78262226ce",
+    hash: "7f670c1a55acbc1f905f90990e9862b2d092029ada97a822ff4db135a5253631",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -771,7 +771,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECIS
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "94ab55282edb8d1c7e1615c0e208ae1d66eafe360a307ca65a2f6350e014152f",
+    hash: "ba6ba3f657a9dafc2af92fe237e86b4f48c5fcbb4c5382e695319f1f5cfc7f61",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -784,5 +784,5 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "961b95b639b109ccc67c36ea2c00ba8f71bef178a8af0ec05798a81819762c8d",
+    hash: "000517ebde24c3ae680eed2ac189392954eebd81fa80c5594ac8a12ef9788bc5",
 };

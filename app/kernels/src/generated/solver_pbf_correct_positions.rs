@@ -180,7 +180,7 @@ static CORRECT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "d3b6fe4f9eeee05bb2148408644404319e6e990aa10dcdb9a4a38b2f5f7751a8",
+    hash: "359981730b8cc06cc400c2557597b9933c3c6dc2a7033421a0e643c31c4d794d",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
@@ -193,7 +193,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "5a38f1f36c8c6789b5990c602e36d8a5962bb2521cd39e9b6d10c4fd80b0167e",
+    hash: "cd2f7228158041bd766d64f0a21822dc3043ec3530c12749c75762c154876d93",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
@@ -206,7 +206,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "6d73949170874e2006c71254f9118e134a101b7713c98b58894f271fd462e09e",
+    hash: "6c04f4c0bad1852f4e22e4642b2ecdb4954e5ff9bfc14a4a53ad83ed9c5240bf",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
@@ -219,7 +219,7 @@ static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "d788ed3147faaf9040378149285e807959cda969ea20b5b61501671491197a7f",
+    hash: "f533838dcd64dc44351ae3fd5c0038789a0b9e04596c702408c517d1fe086d1f",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -232,7 +232,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "b753ec92c5f1b505b6c29a9d786257b2dadf878f145ca0c1c48b86b88b372ac0",
+    hash: "8dcaa9121ac95f9a219b5a0498bf7f05eff3f82a36b24487303cc01563cc4436",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -245,7 +245,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "d619fa7ca2c651bf2cbd82a1f925c99f21094c6d70a6b11f6b30f62205ffea32",
+    hash: "5d29664825aabcd82cb10ad1b3ac06196171c25e3f0071a90b5b600440ac0b4f",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
@@ -258,7 +258,7 @@ static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "323fabbd153b601c4f3005ca6ab602fb592d0f97d488e09643424f24ac09e3b2",
+    hash: "873b7d774a4074dc7ea617c36fd7284351f85cf5e04caa763067f7f6a0369792",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -271,7 +271,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "c4794de68b1846693f758314f568118597283510b1df477512bdbdf5b631ff9e",
+    hash: "3d61030832964c76605cebf0991cb06be775c0b042b07e8e63b9a8caa83174cc",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -284,7 +284,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "ce97bfe3cdc2cb6fc011af1884fbe9f08e94c719c4df383a801959b79c8b08ae",
+    hash: "8513426ab749fdfcf56ae69a2f0fd8543c9b6cbff2101306b5e2f4742a1c4269",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
@@ -297,7 +297,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "d5ddad528d88aed8e9490269c1be72eeae8e93bd114d5c95e58abcbb06cd358c",
+    hash: "554eb00c99b86be41ad92eb088793c373b9571217bbe9331c337a11ad4380717",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -310,7 +310,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "6c2358496a5bf7d3d49057ac80cff6123be50d1d2ff06734c3d15484fda41844",
+    hash: "d99bcf7c1b8e141cf1582a70a43b0b03087634044a42665c205087a5e185b8c2",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -323,5 +323,5 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "d20deccadf5adea0067373ad414e802777f1270ca320b5d2209af66756aa52a3",
+    hash: "5ab5f987d5fa6b33a4ebbd2441ff59f265c7b3a2c7b5df56588f846dce0504fd",
 };

@@ -133,7 +133,7 @@ static KEEP_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/keep_pressure.compute",
-    hash: "389ef22bb9f774d6733c16ea4a1458e713ca498b16d50ae6a2be187fe88551f3",
+    hash: "c9993c01d7411bc2820c7a21e62b62cd78d2cc61e10efa87877e89139a762315",
 };
 
 static KEEP_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
@@ -146,5 +146,5 @@ static KEEP_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/keep_pressure.compute",
-    hash: "6bd11708abe8b22e5cd6219b1f880ed2bc5f1ea0e4ad38d415f656672286dba0",
+    hash: "19328e413aaaee18939d0b5c6f6d09a696dc4ddae330cf63da83f52b364f93b4",
 };

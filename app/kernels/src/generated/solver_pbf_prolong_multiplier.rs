@@ -114,7 +114,7 @@ static PROLONG_MULTIPLIER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/prolong_multiplier.compute",
-    hash: "89f54ebe370116299ab7c97b9030c7659b3b8f67cbc015914cbc796e57fb6e73",
+    hash: "447a161ffe99eedf63402f2f8be4745d3d1e83c6a849f9a00570ad5e050aa6ae",
 };
 
 static PROLONG_MULTIPLIER_WITH_RELAXED_PRECISION: Module = Module {
@@ -127,5 +127,5 @@ static PROLONG_MULTIPLIER_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/prolong_multiplier.compute",
-    hash: "478c7a77eb9736ed0ddef9aade6fcd36a620fa1329da6a3c2fd89cf599dd3f8c",
+    hash: "fdba1c20da5484de2db6149f6b2ebd6f7cd7c821d0e96530e9c5ad98b6d3758f",
 };

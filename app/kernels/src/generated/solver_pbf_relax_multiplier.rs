@@ -89,7 +89,7 @@ static RELAX_MULTIPLIER: Module = Module {
     shared_bytes: 4000,
     tier: Tier::Floor,
     source: "solver/pbf/relax_multiplier.compute",
-    hash: "a1fec4d89c5f180706f492bf0142de9308dfb2ce489df00b80ca9fd2bf29179d",
+    hash: "88739723e002d2ffdc384a6b42f840717a93a24ce9ce840c55bfac0a01b1de74",
 };
 
 static RELAX_MULTIPLIER_WITH_PROLONGED: Module = Module {
@@ -102,5 +102,5 @@ static RELAX_MULTIPLIER_WITH_PROLONGED: Module = Module {
     shared_bytes: 4000,
     tier: Tier::Floor,
     source: "solver/pbf/relax_multiplier.compute",
-    hash: "11a6d98ccef179991dd258e828d2a476e1a8a59bafa7b6916372c93f1d8fc867",
+    hash: "413cbbd08b77278c8fe750c914365602513a54f9ea715378377a068f6f8a5746",
 };

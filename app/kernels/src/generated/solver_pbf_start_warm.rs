@@ -201,7 +201,7 @@ static START_WARM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "3892a3c29209e0b5b53033614ff97ea5e207043139a3ad0c9a60ba1ebc1f3def",
+    hash: "712ceb7ba794d2f5f507c9fd4cfe71727912b7c061031886475a673becaf4e16",
 };
 
 static START_WARM_WITH_RELAXED_PRECISION: Module = Module {
@@ -214,7 +214,7 @@ static START_WARM_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "7dddaeade5134250e27059163144190305b21ed253876a40ac6d6fd2a6482e49",
+    hash: "e4c85917e8d63c8b995e418b8287f142b8b0f9a4404f32701a19f81b11bd6cc2",
 };
 
 static START_WARM_WITH_WALLS: Module = Module {
@@ -227,7 +227,7 @@ static START_WARM_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "1f318cbca9940043df04905ff8d9a90be3758ec08a64bfac752857f634d857cc",
+    hash: "91a1f18da6734c5937f5e4d4f10ee3119ad64f4514fe022dcfdb263f270d250f",
 };
 
 static START_WARM_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -240,5 +240,5 @@ static START_WARM_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "3ef6e6e053015b58a51f8182dc3aecd2301f008ac9b6808d3379e67441ce3c5d",
+    hash: "76c16aa2219cc42a6fffefba4721027fa03db3cc7e0608c30d86f0d3d562aa58",
 };

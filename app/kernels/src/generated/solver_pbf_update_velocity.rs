@@ -211,7 +211,7 @@ static UPDATE_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "65f9b354c73eaaa2c731c4711058078a466fcbbbbdf21c89fb9dd6e70082f1a3",
+    hash: "8c774ffe8124f14e3d1d9424b1dda541a80e68748ccef60175328f1a52bdc315",
 };
 
 static UPDATE_VELOCITY_WITH_KEEP_VELOCITY: Module = Module {
@@ -224,7 +224,7 @@ static UPDATE_VELOCITY_WITH_KEEP_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "eb64320933221504f64ca6c93cca480f8b0f66b98cb3746894be19dc364b68d9",
+    hash: "93f49bde24d33613740be69e6904727615635e34c1415e210a20e50c19780d3e",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
@@ -237,7 +237,7 @@ static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "3badddaaea25710a1badf038c990ea335a1605c7d2540c4d550b423447492bca",
+    hash: "a9c1226b5d408fdb84fd280b5e1aaddf29dc723462794bb277074780924c683c",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC_WITH_KEEP_VELOCITY: Module = Module {
@@ -250,7 +250,7 @@ static UPDATE_VELOCITY_WITH_PERIODIC_WITH_KEEP_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "77c0d28882b9070982d80577f197bb59c698cbfcb09d6de6aa18807252b9a631",
+    hash: "440e012f1fc7fdce9b54b80cb67ff684aacd893e686d39cf91a8d70b8227e0c0",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -263,7 +263,7 @@ static UPDATE_VELOCITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "14032af8dfb41c5ff61698ba8b8f29bd99324bbec3f245bb216b2898c6c6737e",
+    hash: "40245a0ed4d32f1977ccbc12c1bd71977f8df46329399eb7c905af55522f224e",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_KEEP_VELOCITY: Module = Module {
@@ -276,7 +276,7 @@ static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_KEEP_VELOCITY: Module = Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "6d8621fad504d8f4b4e0bdb1afd16690a83c62555f064b21517cfc954a7e9aae",
+    hash: "d2ee3763abcea4609f920e4e02db77a2079b0c9b2ed2163e6524269b8482d5c1",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC: Module = Module {
@@ -289,7 +289,7 @@ static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "30ef4ad9d4d7e520165b832db7f47380c9ceb24559674777ad6fe45ed6f98374",
+    hash: "5bc2caa71991c01bda045dc42d57716dfe49b3ddfd9d4f1fdc230148e1fe4852",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC_WITH_KEEP_VELOCITY: Module = Module {
@@ -302,5 +302,5 @@ static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC_WITH_KEEP_VELOCITY: 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "76b85a10a0d934e7b2b51bd22e4c425c2d0be18d90a69acbc1952ef72173324e",
+    hash: "f5c1f4ddd79737cce37f2b933ea9d7ce3785642bdbf7e345da84781343be44b5",
 };

@@ -77,5 +77,5 @@ static ANISOTROPY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/anisotropy.compute",
-    hash: "ca56fb444f3af35c6241df62179a86a69a1337011b96cdc4423470e1a90bcd52",
+    hash: "209a9d0fe1d28d1487e5393a0bff872ab446c75170d016366c562ba9f4532e87",
 };

@@ -69,5 +69,5 @@ static COUNT_SUN_VOLUME: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/count_sun_volume.compute",
-    hash: "e3304b4226c9a65b29a6374186df2f3a5529683f12eecbf575506d7e8d415955",
+    hash: "1e6f928c178dd34fe0946b025f89c3d293e1b669ab5dbd2f3ff008d0975c3b0a",
 };

@@ -112,7 +112,7 @@ static DRAW_FLUID_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "ea43cabe0fd0d58f8b722526dd32ee5f017516f9361376488e79333e9a27aa1e",
+    hash: "837c15467ab713919297d01b27554e6667d93a519e05a2da2c00fcc9b7a4729c",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
@@ -125,7 +125,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "f7768bad002b6e56c24e03be124b70e25150dd042a67d79c28865b38b3695e54",
+    hash: "971bb64822061c6653772351a57727db9c5a5a699a8427e9004a568897ba8c20",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -138,7 +138,7 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "fa12e77e5960a8ec4f9df05c2773b3c667875fe077d725087917444197d48417",
+    hash: "ec80f2cbc31dfde6de0f4c4911b6752930b1802f3fd076ba252ab88245b5125b",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -151,7 +151,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "c0df0dc06fa6cee13b82ee2f947ef204a8d1026cd221a82cca9e1a34457a59fb",
+    hash: "41c96052953d1ca70fb9eeb9f8047a238e0aca892a898f9a91684525bc739d6a",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -164,5 +164,5 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "7cb2f5d1b5056938bea19e9c5bd9e56fd698829fdd78d07120b66a4b842a7299",
+    hash: "0ecc46223cc6c17ddf58be1ee31b6581eafa6358b795d5ba21ce75a24b341aca",
 };

@@ -103,7 +103,7 @@ static COUNT_BINS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/count_bins.compute",
-    hash: "935eb338ee0d1edceac6c07256db1b069eefa893b5754795da0ac506f9cee039",
+    hash: "468aab692d440abd976750270a34334c98fa3f81f98f76c7c37c759e84718b6b",
 };
 
 static COUNT_BINS_WITH_ANISOTROPIC: Module = Module {
@@ -116,5 +116,5 @@ static COUNT_BINS_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/count_bins.compute",
-    hash: "7e51c582ba1f1a8eef170dd263d32388d83f9e6d208cc348b30b915e122ecd6e",
+    hash: "558df0b83ef497fc841c8bf96a1ab0b32ffdb0e85e57ba6d687e772847a8d0c3",
 };

@@ -88,5 +88,5 @@ static COUNT_MESH: Module = Module {
     shared_bytes: 112,
     tier: Tier::Floor,
     source: "surface/mesh/count_mesh.compute",
-    hash: "70f67bdd2d9b2d857f6111542c3721faf4c81cbb2730e783510c539e983b2146",
+    hash: "fd3efc665adc2322ea467cdb871e288eb2d5b559bbbad62c1664aed5b86bc561",
 };

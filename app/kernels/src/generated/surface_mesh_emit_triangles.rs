@@ -109,5 +109,5 @@ static EMIT_TRIANGLES: Module = Module {
     shared_bytes: 112,
     tier: Tier::Floor,
     source: "surface/mesh/emit_triangles.compute",
-    hash: "1c794876d3f97163dddbf5df409f7a9959fd122ef95abfac48d0cad3c2af2e7f",
+    hash: "93f649944afeebf988d4806f3b9ad1b1a01f044f743f860ccea6906b6564d698",
 };

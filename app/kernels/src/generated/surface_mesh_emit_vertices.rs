@@ -103,5 +103,5 @@ static EMIT_VERTICES: Module = Module {
     shared_bytes: 112,
     tier: Tier::Floor,
     source: "surface/mesh/emit_vertices.compute",
-    hash: "e37618660fe54d8b92515eb346f7f9aa0f4934e8404d1f7783e283839ba83566",
+    hash: "71682e5e18aaff0ce9f43905dfdb296d6a71b87d66209a46233e75f3bfc04f7f",
 };

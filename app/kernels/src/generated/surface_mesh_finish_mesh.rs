@@ -74,5 +74,5 @@ static FINISH_MESH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/finish_mesh.compute",
-    hash: "b980358720fdcffa23d19c0b080a9a2525c4b71820bacb526a5a65a33d45b727",
+    hash: "d77bc7c415171c4f53933828ad7c8e4e84af886fd6f6f61a3d23d7eec75287e3",
 };

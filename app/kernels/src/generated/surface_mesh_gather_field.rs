@@ -115,7 +115,7 @@ static GATHER_FIELD: Module = Module {
     shared_bytes: 64,
     tier: Tier::Floor,
     source: "surface/mesh/gather_field.compute",
-    hash: "a5ff2d1bdf2a718fbcde2a855cca915542a55cdeb6e1aec31e62e80bcc3480a1",
+    hash: "424fbc946eaef79fef30f014bfbac408aa4768417eb8576545b988bfe392b0a8",
 };
 
 static GATHER_FIELD_WITH_ANISOTROPIC: Module = Module {
@@ -128,5 +128,5 @@ static GATHER_FIELD_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 64,
     tier: Tier::Floor,
     source: "surface/mesh/gather_field.compute",
-    hash: "acaf8dc200efcc609bbf84380e18bc390bb477edcdff7a59c37a053537ed6fe3",
+    hash: "2ce62e0f2f93a1c59e4129e93fced4ec8e42d7adcc84bfeca86d455c02e1f8d6",
 };

@@ -82,5 +82,5 @@ static LIST_BLOCKS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/list_blocks.compute",
-    hash: "845f08f8e622521d84a3c85eae12cf8dd972d45bfde381d431e210e7d96a3558",
+    hash: "a60a3ef2f93801fb32ae3d88a0ec7e51f927080cc3f779780e9b37df41a53769",
 };

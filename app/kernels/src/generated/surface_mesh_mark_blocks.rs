@@ -84,5 +84,5 @@ static MARK_BLOCKS: Module = Module {
     shared_bytes: 500,
     tier: Tier::Floor,
     source: "surface/mesh/mark_blocks.compute",
-    hash: "2bfc91adf5cdc21bd628810521fd58d76646ec7a1de01c1739b0f3400730d6dc",
+    hash: "bad7db9b91699a2ffcdfcbf5c36ac2dc48ab266c113b4d2835ffdb70c9d627d5",
 };

@@ -72,7 +72,7 @@ static DRAW_MESH_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_depth.hlsl",
-    hash: "06b9a35dc74c6c82ad4a4a7d2f1f5f3fea75d5ed3abfce3c4171b66911f52b8d",
+    hash: "7b254e4159939518f69ae716d87153ea88bbf70e09cf38bd523b5ef55499e328",
 };
 
 static DRAW_MESH_DEPTH_FRAGMENT: Module = Module {
@@ -85,5 +85,5 @@ static DRAW_MESH_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_depth.hlsl",
-    hash: "1e0e361de6ead4ffaf664d4813fa122f4eb9e77a800cf432ec75086585ad8770",
+    hash: "98042baca4ef07ef7d21d070e22713188124809a80ba72a2a1b98757bf7a213d",
 };

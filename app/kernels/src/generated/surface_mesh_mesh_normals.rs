@@ -97,7 +97,7 @@ static MESH_NORMALS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_normals.compute",
-    hash: "57aad24cc9aacb48256764088f16d3b0bc3ad7919544d46503e67bc42fa200a5",
+    hash: "03ea1759ddf9e1c483729e87714d98a9a7961ad740d224671922d79fb4cd6408",
 };
 
 static MESH_NORMALS_WITH_ANISOTROPIC: Module = Module {
@@ -110,5 +110,5 @@ static MESH_NORMALS_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_normals.compute",
-    hash: "3f904b11f8bc96db010f4178b823d04de37814f994cf8e7d91fb8a970cd3de5b",
+    hash: "f3ef686a4179357a6a799364adcecfdd6d5dae641364a6862274bc11f531ee81",
 };

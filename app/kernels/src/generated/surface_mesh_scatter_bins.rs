@@ -100,7 +100,7 @@ static SCATTER_BINS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/scatter_bins.compute",
-    hash: "c12f6756fa10af8c5d909d1906a4a96303a6bbc045dd8bf7eb51d37cfcd21f4c",
+    hash: "b395955e5fe7e900447c0c4904924904fe0a7611434e336c3f89f4815a83fe62",
 };
 
 static SCATTER_BINS_WITH_ANISOTROPIC: Module = Module {
@@ -113,5 +113,5 @@ static SCATTER_BINS_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/scatter_bins.compute",
-    hash: "aa6448e8a9754980a5992ff64b76fc60bb003eaea26fa79b1a9fe5c509d12396",
+    hash: "cf546a35e159eacbd2d1b8d4cbef890c66242d038c1201dc0def47e17c7bdd1d",
 };

@@ -64,5 +64,5 @@ static COUNT_EDGES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/count_edges.compute",
-    hash: "e69940fd26dca42ea56425e9d0e7ffcc92241af3d6675d26b6219a80414feab4",
+    hash: "7179fa20815ed69a0046fc0110df883d5fe94e89e01ca2ca3b27c85a9cb27108",
 };

@@ -71,5 +71,5 @@ static COUNT_RINGS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/count_rings.compute",
-    hash: "0ccbc166606cfbdc1701697adc67c40a7d433448d1fad84f3d3cc52055cc0e0a",
+    hash: "a109cec462e20d4cf9a969f67965f3519bfb84f75c42216dc5362d3b3fee8bc8",
 };

@@ -66,5 +66,5 @@ static FINISH_SUBDIVISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/finish_subdivision.compute",
-    hash: "f3ea9847f4c50ef02b5fff926541a7a9f4327ad7ee9701d8d3a254b67fdefe4d",
+    hash: "f018753493f303d09be572cab0166e9ef30134745b8833770cff0cce0a3d825a",
 };

@@ -64,5 +64,5 @@ static LIST_RINGS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/list_rings.compute",
-    hash: "b6d11369d4d4e1dff8b7b41c13baee0e67855acdcc3c06dce2079c5419ed2c44",
+    hash: "d637121d48d0b13ff4225b6f56e8b69704e37ec259e5c73e4ebdc9e9ca0a67b0",
 };

@@ -50,5 +50,5 @@ static SIZE_MESH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/size_mesh.compute",
-    hash: "2cc378d3c3babfc365b1377b97eb759bb5152038934c70d475d1f9199f45edf5",
+    hash: "25577f260427442289381aa6e5fc00e8f4e237ce2d8a30ec4544fe985c89f2f7",
 };

@@ -77,5 +77,5 @@ static SMOOTH_NORMALS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/smooth_normals.compute",
-    hash: "f5c9201f7c41a6da3b782b45849e7002b50d8de60fad4b119a1ec05bd847b92b",
+    hash: "785bdda4a98ff6699c6926f1dd4c12d01815bb8c49b4a1e8ec926997d1908496",
 };

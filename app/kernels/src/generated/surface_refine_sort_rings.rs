@@ -57,5 +57,5 @@ static SORT_RINGS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/sort_rings.compute",
-    hash: "8f9ad9aae7c330e79ea0a32294c65edb1df801c30fecf205291090e3a59821cb",
+    hash: "9a315969717284d6bc76338670806e3cbe5c53d041e77d983fd4b3dc7a969099",
 };

@@ -81,5 +81,5 @@ static SUBDIVIDE_EDGES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/subdivide_edges.compute",
-    hash: "206f504c60a69b6a03eb5aa4fe69a35ad8519a3ac0ab9c4c8a6c81d676509e9a",
+    hash: "c132bf6d3839f2390840f65dc40bbd4326a9e876857239111a41fad10399d361",
 };

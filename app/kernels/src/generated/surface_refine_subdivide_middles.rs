@@ -76,5 +76,5 @@ static SUBDIVIDE_MIDDLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/subdivide_middles.compute",
-    hash: "ef5176cff16a655c10fab0f15ff5c29801cb104f408f655aed01311dd06d0e3b",
+    hash: "f0ffe802e5ea0a6149a442aebbbb75b9356791a960818721a7fe539fb6092e57",
 };

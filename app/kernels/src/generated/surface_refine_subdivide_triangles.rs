@@ -85,5 +85,5 @@ static SUBDIVIDE_TRIANGLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/subdivide_triangles.compute",
-    hash: "1b31afabd9256062bb41d91d5abc75caa5b2691ddb9ef07523e994102ca57290",
+    hash: "4621932e0f1b9395fa613e3530bbdcb1b9c7b18127b567c17fc6ed7e72195800",
 };

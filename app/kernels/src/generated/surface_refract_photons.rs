@@ -70,5 +70,5 @@ static REFRACT_PHOTONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refract_photons.compute",
-    hash: "7fd886f0e9ec55a1ff9dce3299e7706edd7b9a6dbe0c16173fc46a68534ebc5c",
+    hash: "4856d24c800e0d85a054696766d8d91c3963d7c9792b6052338f44814272301e",
 };

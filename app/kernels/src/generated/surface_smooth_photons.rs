@@ -85,7 +85,7 @@ static SMOOTH_PHOTONS_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_photons.compute",
-    hash: "d9635e517dbe8531a096798e082b91cdeb601f9871e25134ce97741c3f1d6ece",
+    hash: "cd58a936aa566e7f56c29ffac6167055f9d5be372394eabc27db41eb4dba8c06",
 };
 
 static SMOOTH_PHOTONS_WITH_ALONG_Y: Module = Module {
@@ -98,5 +98,5 @@ static SMOOTH_PHOTONS_WITH_ALONG_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_photons.compute",
-    hash: "cf3c43689e6d10774bdb9aa4af24bd6e121789cb3a43f764a0fa51aa1310a3a3",
+    hash: "5d19f20239cb9f13e4a5d0f4e2ec4c32179386641911c5ecf08d50b5ca07102f",
 };

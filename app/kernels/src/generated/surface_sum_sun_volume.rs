@@ -64,5 +64,5 @@ static SUM_SUN_VOLUME: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sum_sun_volume.compute",
-    hash: "6551294240b6757551a6b9116fe4182684fe40614865a35b910eb32757f9fddd",
+    hash: "c90d5827452ae5c8b75a710b5890be572913e7595230c2ebec7449fadfc65f5c",
 };

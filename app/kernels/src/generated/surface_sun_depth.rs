@@ -114,7 +114,7 @@ static DRAW_SUN_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "079e495ed3e0a7be2b0fd15a075c166726fb0aed7279b486a00ab9d5712946c8",
+    hash: "2faff5e4bab1b176a13396f74ad7cffc641d72fa0a89bf44563ce7c9ffc7ca1b",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
@@ -127,7 +127,7 @@ static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "42e1f09b54047bcdf5686b1891943c1391407198f73c6b0fa6e8cf5d8322bfa5",
+    hash: "c9ed52cb91a14ec1b9740ffbfa785b4defafc481fe2620f434421240735427a0",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -140,7 +140,7 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "0e39dc567abd249a6f72f9eb0aee3e95ac56c211c7c548068493c1bd2b6802f6",
+    hash: "d3a960616f0c8af8aa00062947a9d1f58928b351720ceb6d6247b711703be8f2",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -153,7 +153,7 @@ static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "9934b8cfde6afa5fba109a91b9df3785f084820eec1017d7bb4835499cbc38d2",
+    hash: "75a24cf38b8423e45df1b4e2154a5e64d80f64eb0088e531f6dc55b1f3aceef4",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -166,5 +166,5 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "b18b6f9b1bfc1c31bbef3ec0c566990f2fbddd000c9e4efe70d2a98e593b8dc3",
+    hash: "2149243533f10311563ac4ecfe605d23bf196a473e5477f309e356ff28482124",
 };

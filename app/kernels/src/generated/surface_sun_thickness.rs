@@ -85,7 +85,7 @@ static DRAW_SUN_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "4ec83c12232f51d6191bfa7b625a2f9b75cc74e84f16666dbae998648be33fed",
+    hash: "b8c0f455c67a477f4351076a4a74cc61ec6f4da2b1f07fde9db438bbc1f7b813",
 };
 
 static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
@@ -98,7 +98,7 @@ static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "c50593abbf2aeacd651571f992de7d8a95e85477c011bd3ae4d7bbdac379b2f0",
+    hash: "6bc1f1c16209b6737ce36541d4497158dc49fe5458648022bf345219f2901d36",
 };
 
 static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -111,5 +111,5 @@ static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "310ac5b1ab9cb6a0c500fb32abd3b9a79b066afb21e87d338d0c034caeadb68e",
+    hash: "e99f08aa510b30ef76c819d2e7a6f6f8c725f96cf08591e211a209ac34491519",
 };

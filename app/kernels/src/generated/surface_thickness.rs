@@ -91,7 +91,7 @@ static DRAW_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "44960a7e1811810bc082348e48861b9858a1f5530c1b8943826f9c049a70087c",
+    hash: "79032459a1ad9801e0b9b78b9e363adbb44ab4ffe4e51f76280941437712a70f",
 };
 
 static DRAW_THICKNESS_FRAGMENT: Module = Module {
@@ -104,7 +104,7 @@ static DRAW_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "de439f9db57af8f7c3d2b74c437384c48242360079a15663cccfa362d7decadc",
+    hash: "cf02cde454f63b86ece854e229033f69e3f7f92d44e060bdcaab6a2be2d7a4de",
 };
 
 static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -117,5 +117,5 @@ static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "0e021333e164a97d4d8e27d3c3b3559c308f9d6e96d2e4353e2e6388f05ce2b8",
+    hash: "5510a1449172bf8ab21a8a6ac24b9faa4f893f4cafe738b0a91ca81d6bf0b013",
 };
