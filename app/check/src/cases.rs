@@ -284,6 +284,7 @@ pub fn walls_of(kernel: &SmoothingKernelParams, domain_size_m: DVec3) -> DomainW
             plane: f64::from(kernel.wall_plane),
             edge: f64::from(kernel.wall_edge),
             corner: f64::from(kernel.wall_corner),
+            fraction: kernel.wall_kernel_fraction.map(f64::from),
         },
         domain_size_m,
         support_m: f64::from(kernel.support_m),

@@ -4,7 +4,7 @@
 use std::mem::offset_of;
 
 use brooklet_gpu::{DrawState, Recording, Resources, Targets};
-use brooklet_kernels::{BeginSubstep, Buffer, Draw, GROUPS_PER_ROW, Kernel, Predict, StepParams, StepState};
+use brooklet_kernels::{BeginSubstep, Buffer, Draw, EndStep, GROUPS_PER_ROW, Kernel, Predict, StepParams, StepState};
 
 use crate::particles::{ParticleSet, is_inactive};
 
@@ -17,15 +17,22 @@ pub struct Slots {
     pub state: Buffer<StepState>,
     /// How many there are.
     pub capacity: u32,
-    /// Whether the GPU changes how many are visited: its number is then asked by each dispatch and draw. Where it is
-    /// the same from step to step, a dispatch of a fixed size spares the driver a look.
+    /// Whether particles come and go, so that each sort counts them.
     pub counts_vary: bool,
+    /// Whether the GPU chooses the substeps, of which some then visit nothing.
+    pub substeps_vary: bool,
 }
 
 impl Slots {
     /// Declares the state of `capacity` slots.
-    pub fn declare(resources: &mut Resources, capacity: u32, counts_vary: bool) -> Self {
-        Self { state: resources.persistent("step_state", 1), capacity, counts_vary }
+    pub fn declare(resources: &mut Resources, capacity: u32, counts_vary: bool, substeps_vary: bool) -> Self {
+        Self { state: resources.persistent("step_state", 1), capacity, counts_vary, substeps_vary }
+    }
+
+    /// Whether the GPU changes how many are visited: its number is then asked by each dispatch and draw. Where it is
+    /// the same from step to step, a dispatch of a fixed size spares the driver a look.
+    fn are_counted_by_gpu(&self) -> bool {
+        self.counts_vary || self.substeps_vary
     }
 
     /// The same slots, for another owner.
@@ -39,10 +46,17 @@ impl Slots {
         recording.dispatch_groups(&kernel, [1; 3]);
     }
 
+    /// Ends a step of substeps that vary. (Shader: `particles/end_step.compute`.)
+    pub fn end_step(&mut self, recording: &mut Recording) {
+        if self.substeps_vary {
+            recording.dispatch_groups(&EndStep { step_state: self.state.write() }, [1; 3]);
+        }
+    }
+
     /// Runs `kernel` with a thread for each slot that the substep visits.
     pub fn dispatch<K: Kernel>(&self, recording: &mut Recording, kernel: &K) {
         const { assert!(K::GROUP_SIZE[0] * K::GROUP_SIZE[1] * K::GROUP_SIZE[2] == SLOTS_PER_GROUP) };
-        match self.counts_vary {
+        match self.are_counted_by_gpu() {
             true => recording.dispatch_indirect(
                 kernel,
                 &self.state,
@@ -55,7 +69,7 @@ impl Slots {
 
     /// Draws a triangle for each slot that the substep visits.
     pub fn draw<D: Draw>(&self, recording: &mut Recording, draw: &D, targets: &Targets<'_>, state: DrawState) {
-        match self.counts_vary {
+        match self.are_counted_by_gpu() {
             true => {
                 let offset = offset_of!(StepState, vertex_count) as u32;
                 recording.draw_indirect(draw, targets, state, &self.state, offset, self.capacity);

@@ -71,6 +71,9 @@ pub const STAT_FIELDS: &[StatField] = &[
     field("crowded", "1", "Searches among too many candidates to look at all since the last measurement", |s| {
         f64::from(s.counters.crowded)
     }),
+    field("long_substeps", "1", "Substeps longer than an explicit solver's limit since the last measurement", |s| {
+        f64::from(s.counters.long_substeps)
+    }),
     field("capacity_overflow", "1", "Particles for which no slot was free since the last measurement", |s| {
         f64::from(s.counters.capacity_overflow)
     }),

@@ -34,6 +34,8 @@ pub struct Recorded {
     pub neighbours: Option<Neighbours>,
     /// What a substep begins with of the last one's pressure; none of scenes that begin cold.
     pub warm_starts: Option<Buffer<WarmStart>>,
+    /// What a substep takes of the last one's acceleration; none of solvers that keep none.
+    pub accelerations: Option<Buffer<[f32; 4]>>,
     /// What the shaders are told of a step, gravity among it.
     pub step_params: Buffer<StepParams>,
     /// What the density constraint's are told, if that is the solver.
@@ -124,12 +126,13 @@ pub fn record_count(resources: &mut Resources, scene: &Scene, capacity: u32) -> 
     solver.record_init(&mut init, scene);
 
     let mut step = resources.recording("step");
-    for _ in 0..scene.solver.substeps {
-        context.slots.begin_substep(&mut step, &context.step);
+    for _ in 0..scene.substeps() {
+        solver.begin_substep(&mut step, &mut context);
         solver.record_substep(&mut step, &mut context, &mut particles);
         // Nothing but particles and their slots lasts from one to the next.
         step.forget_transients();
     }
+    context.slots.end_step(&mut step);
 
     let mut relaxation = RecordedRelaxation { list: resources.recording("list"), relax: resources.recording("relax") };
     let RecordedRelaxation { list, relax } = &mut relaxation;
@@ -148,6 +151,7 @@ pub fn record_count(resources: &mut Resources, scene: &Scene, capacity: u32) -> 
         relaxation,
         neighbours: solver.search().map(|search| search.neighbours.alias()),
         warm_starts: solver.warm_starts().map(Buffer::alias),
+        accelerations: solver.accelerations().map(Buffer::alias),
         densities: solver.search().map(|search| Densities::of(&context, search)),
         step_params: context.step.alias(),
         pbf_params: solver.pbf_params().map(Buffer::alias),

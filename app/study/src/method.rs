@@ -8,7 +8,7 @@ pub struct Method {
 }
 
 /// Every solver.
-pub const METHODS: &[Method] = &[Method { name: "pbf" }];
+pub const METHODS: &[Method] = &[Method { name: "pbf" }, Method { name: "sph" }];
 
 /// The method of a name.
 pub fn method(name: &str) -> Option<&'static Method> {

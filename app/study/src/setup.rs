@@ -101,7 +101,7 @@ impl Setup {
     pub fn particle_iterations_of(&self, particles: u64) -> f64 {
         let solver = &self.scene.solver;
         // A substep's sort and list cost about as much as two iterations.
-        let each = f64::from(solver.substeps) * (f64::from(solver.pbf.iterations) + 2.0);
+        let each = f64::from(self.scene.substeps()) * (f64::from(solver.iterations().unwrap_or(1)) + 2.0);
         particles as f64 * self.steps() as f64 * each
     }
 }

@@ -15,4 +15,5 @@
 
 mod walls;
 
+pub(crate) use walls::fitted_wall_kernel_fraction;
 pub use walls::{WallScales, beyond_wall, wall_kernel_fraction};

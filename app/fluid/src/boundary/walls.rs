@@ -9,7 +9,7 @@
 
 use std::f64::consts::PI;
 
-use crate::smoothing_kernel::{for_lattice, lattice, wendland};
+use crate::smoothing_kernel::{for_lattice, wendland};
 
 /// Coefficients c of the share of Wendland's kernel beyond a wall that it reaches by t (in h):
 /// t⁵ (c₀ + c₁ t + c₂ t² + c₃ t³). In three dimensions that is the integral itself. In two it has
@@ -24,9 +24,73 @@ pub fn wall_kernel_fraction(dimensions: u32) -> [f64; 4] {
 
 /// The share of Wendland's kernel beyond a wall, at a distance in h.
 pub fn beyond_wall(dimensions: u32, distance: f64) -> f64 {
+    share(wall_kernel_fraction(dimensions), distance)
+}
+
+fn share([c0, c1, c2, c3]: [f64; 4], distance: f64) -> f64 {
     let t = (1.0 - distance).clamp(0.0, 1.0);
-    let [c0, c1, c2, c3] = wall_kernel_fraction(dimensions);
     t.powi(5) * (c0 + t * (c1 + t * (c2 + t * c3)))
+}
+
+/// Nodes of a midpoint rule over 0 to 1: within 1e-6 of kernels' integrals.
+const NODES: u32 = 1000;
+
+fn integral(of: impl Fn(f64) -> f64) -> f64 {
+    (0..NODES).map(|i| of((f64::from(i) + 0.5) / f64::from(NODES))).sum::<f64>() / f64::from(NODES)
+}
+
+/// A kernel's integral over space or the plane, h = 1.
+fn volume(dimensions: u32, kernel: impl Fn(f64) -> f64) -> f64 {
+    match dimensions {
+        2 => integral(|q| 2.0 * PI * q * kernel(q)),
+        _ => integral(|q| 4.0 * PI * q * q * kernel(q)),
+    }
+}
+
+/// Coefficients as those of [`wall_kernel_fraction`] of another kernel, of q: the least squares' fit to its share beyond a
+/// wall over 0 to h, which is a half where the wall is touched.
+pub fn fitted_wall_kernel_fraction(dimensions: u32, kernel: impl Fn(f64) -> f64) -> [f64; 4] {
+    const POINTS: usize = 64;
+    // What of the kernel lies in the plane, or on the line, at a distance.
+    let layer = |x: f64| match dimensions {
+        2 => 2.0 * (1.0 - x * x).sqrt() * integral(|y| kernel((x * x + y * y * (1.0 - x * x)).sqrt())),
+        _ => 2.0 * PI * (1.0 - x) * integral(|y| (x + y * (1.0 - x)) * kernel(x + y * (1.0 - x))),
+    };
+    let whole = volume(dimensions, &kernel);
+    let step = 1.0 / POINTS as f64;
+    let mut rows = [[0.0; 4]; 3];
+    let mut beyond = 0.0;
+    // From h inwards. The last coefficient follows from the others: the share at 0 is a half.
+    for i in (0..POINTS).rev() {
+        let middle = (i as f64 + 0.5) * step;
+        let t = 1.0 - middle;
+        let at_middle = beyond + 0.5 * step * layer(middle + 0.25 * step) / whole;
+        beyond += step * layer(middle) / whole;
+        let terms: [f64; 3] = std::array::from_fn(|k| t.powi(5 + k as i32) - t.powi(8));
+        let wanted = at_middle - 0.5 * t.powi(8);
+        for (row, term) in rows.iter_mut().zip(terms) {
+            for (column, other) in terms.iter().enumerate() {
+                row[column] += term * other;
+            }
+            row[3] += term * wanted;
+        }
+    }
+    let [c0, c1, c2] = solved(rows);
+    [c0, c1, c2, 0.5 - c0 - c1 - c2]
+}
+
+/// Three unknowns of three equations, by elimination; their matrix is that of a least squares' fit.
+fn solved(mut rows: [[f64; 4]; 3]) -> [f64; 3] {
+    for pivot in 0..3 {
+        let first = rows[pivot];
+        for other in (0..3).filter(|&other| other != pivot) {
+            let factor = rows[other][pivot] / first[pivot];
+            for column in 0..4 {
+                rows[other][column] -= factor * first[column];
+            }
+        }
+    }
+    std::array::from_fn(|k| rows[k][3] / rows[k][k])
 }
 
 /// The density ratio of all space, as one, two or three walls' shares of it count.
@@ -41,22 +105,26 @@ pub struct WallScales {
 }
 
 impl WallScales {
-    /// The scales in 2 or 3 `dimensions` at a support of `support_ratio` spacings.
+    /// The scales of Wendland's kernel in 2 or 3 `dimensions` at a support of `support_ratio` spacings.
     pub fn new(dimensions: u32, support_ratio: f64) -> Self {
-        let mut missing = [0.0; 3];
+        Self::of(dimensions, support_ratio, wendland, wall_kernel_fraction(dimensions))
+    }
+
+    /// Those of another kernel, of q, whose share beyond a wall has these coefficients.
+    pub fn of(dimensions: u32, support_ratio: f64, kernel: impl Fn(f64) -> f64, fraction: [f64; 4]) -> Self {
+        let (mut missing, mut all) = ([0.0; 3], 0.0);
         for_lattice(dimensions, support_ratio, |step, q| {
+            all += kernel(q);
             for (axes, sum) in missing.iter_mut().enumerate() {
                 if step[..=axes].iter().all(|&k| k > 0) {
-                    *sum += wendland(q);
+                    *sum += kernel(q);
                 }
             }
         });
-        let weight = lattice(dimensions, support_ratio).weight;
-        let share = beyond_wall(dimensions, 0.5 / support_ratio);
-        // Where the lattice has no point beyond an edge or a corner, the continuum stands in: the
-        // kernel's integral is 2 pi / 21 h^3, or pi / 7 h^2.
-        let integral = if dimensions == 2 { PI / 7.0 } else { 2.0 * PI / 21.0 };
-        let continuum = weight * support_ratio.powi(dimensions as i32) * integral;
+        let weight = 1.0 / all;
+        let share = share(fraction, 0.5 / support_ratio);
+        // Where the lattice has no point beyond an edge or a corner, the continuum stands in.
+        let continuum = weight * support_ratio.powi(dimensions as i32) * volume(dimensions, &kernel);
         let scale = |sum: f64, share: f64| if sum > 0.0 { weight * sum / share } else { continuum };
         Self {
             plane: scale(missing[0], share),
@@ -69,6 +137,7 @@ impl WallScales {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::smoothing_kernel::lattice;
 
     #[test]
     fn lattice_against_walls_has_density_ratio_one() {
@@ -90,6 +159,25 @@ mod tests {
                 let ratio = inside + beyond;
                 assert!((ratio - 1.0).abs() < 1.0e-12, "{dimensions}-D, h = {support_ratio} d, {walls} walls: {ratio}");
             }
+        }
+    }
+
+    #[test]
+    fn the_fit_of_a_kernel_is_close_to_its_share() {
+        // Wendland's is known; that of (1 - q)^3 is t^5/20 - t^6/30 over pi/30 times 2 pi: no more than two terms.
+        for dimensions in [2, 3] {
+            let fit = fitted_wall_kernel_fraction(dimensions, wendland);
+            for i in 0..=20 {
+                let distance = f64::from(i) / 20.0;
+                let off = share(fit, distance) - beyond_wall(dimensions, distance);
+                assert!(off.abs() < 3e-4, "{dimensions}-D at {distance}: {off}");
+            }
+        }
+        let spiky = fitted_wall_kernel_fraction(3, |q| (1.0 - q).max(0.0).powi(3));
+        let exact = |distance: f64| (1.0 - distance).powi(5) * (1.5 - (1.0 - distance));
+        for i in 0..=20 {
+            let distance = f64::from(i) / 20.0;
+            assert!((share(spiky, distance) - exact(distance)).abs() < 3e-4, "{distance}");
         }
     }
 

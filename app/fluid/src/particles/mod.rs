@@ -1,10 +1,12 @@
 //! Particles: where they start, the same fluid at another spacing, and the prediction that begins each substep.
 
+mod advect;
 mod predict;
 mod resample;
 mod sample_lattice;
 mod tag;
 
+pub use advect::advect;
 pub use predict::predict;
 pub use resample::resample;
 pub use sample_lattice::{ParticleSet, sample_lattice};

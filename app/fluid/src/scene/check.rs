@@ -9,11 +9,15 @@ use super::field::{Kind, Short};
 use super::fields::kind_of;
 use super::fill::{self, MAX_FLUIDS, MAX_PARTICLES};
 use super::paths::as_number;
-use super::{Acceleration, Fluid, Method, PointColor, Scene, SceneError};
+use super::{Acceleration, Fluid, Method, PointColor, Scene, SceneError, SmoothingKernel};
 use crate::solver::pbf::{IterationWeights, MAX_CELLS, MOST_WARM_START, are_few_cells, finest_cells, narrow_axis};
 
 /// Spacings a side of the domain may have: f32 positions then still tell 1/256 of a spacing apart.
 const MAX_SPACINGS_A_SIDE: f64 = 65_536.0;
+/// Least support over spacing with which surface tension holds a drop together.
+const LEAST_TENSION_RATIO: f64 = 3.0;
+/// Substeps a step may have.
+const MAX_SUBSTEPS: f64 = 1000.0;
 /// Solver iterations a step may have. Each is two dispatches of the step's recording, which is
 /// kept whole.
 const MAX_ITERATIONS_A_STEP: u32 = 10_000;
@@ -101,6 +105,7 @@ impl Scene {
                 self.check_coarse_correction(&check)?;
                 self.check_warm_start(&check)?;
             }
+            Method::Sph => self.check_sph(&check)?,
             Method::None => check.require(
                 self.surface.color_by != PointColor::Density,
                 "surface.color_by",
@@ -235,6 +240,44 @@ impl Scene {
             format_args!(
                 "the domain has {x} x {y} x {z} cells of 2 h = {cell_m} m, and {MAX_CELLS} fit: make it smaller, or \
                  spacing_m more"
+            ),
+        )
+    }
+
+    /// Kernels with an end where they meet their own particle, and no more substeps than a recording holds.
+    fn check_sph(&self, check: &Checker) -> Result<(), SceneError> {
+        let sph = &self.solver.sph;
+        for (field, kernel) in
+            [("solver.sph.density_kernel", sph.density_kernel), ("solver.sph.pressure_kernel", sph.pressure_kernel)]
+        {
+            check.require(
+                kernel != SmoothingKernel::Viscosity,
+                field,
+                "\"viscosity\"",
+                format_args!("must be \"{}\": that kernel has no end where particles meet", SmoothingKernel::FINITE_NAMES.join("\" or \"")),
+            )?;
+        }
+        check.require(
+            sph.surface_tension_n_m == 0.0 || self.solver.support_ratio >= LEAST_TENSION_RATIO,
+            "solver.sph.surface_tension_n_m",
+            Short(sph.surface_tension_n_m),
+            format_args!(
+                "needs a solver.support_ratio of {LEAST_TENSION_RATIO} or more: at 2 a surface has one layer that knows \
+                 its normal, and a drop was measured to boil off"
+            ),
+        )?;
+        if !sph.adaptive_substeps {
+            return Ok(());
+        }
+        let (most, limit_s) = (self.most_substeps(), self.sound_limit_s().min(self.steady_limit_s()));
+        check.require(
+            most <= MAX_SUBSTEPS,
+            "solver.dt_s",
+            Short(self.solver.dt_s),
+            format_args!(
+                "takes up to {most} substeps, whose limit is {:.3e} s by the speed of sound and viscosity; at most \
+                 {MAX_SUBSTEPS}: a shorter solver.dt_s, or less of solver.sph.stiffness_m2_s2 or of the viscosities",
+                limit_s
             ),
         )
     }

@@ -6,6 +6,7 @@
 use super::field::{Field, Kind, Limits};
 use super::pbf::Acceleration;
 use super::solver::{Method, Precision};
+use super::sph::{Integrator, SmoothingKernel};
 use super::update::{Update, UpdateRule};
 
 const fn within(least: f64, most: f64, unit: &'static str) -> Limits {
@@ -30,9 +31,12 @@ const REBUILD: UpdateRule = UpdateRule::Always(Update::Rebuild);
 const RESET: UpdateRule = UpdateRule::Always(Update::Reset);
 
 const PBF: &[&str] = &["pbf"];
+const SPH: &[&str] = &["sph"];
 const NONE: &[&str] = &["none"];
 /// Methods whose particles know their neighbours.
-const WITH_NEIGHBOURS: &[&str] = &["pbf"];
+const WITH_NEIGHBOURS: &[&str] = &["pbf", "sph"];
+/// Those whose velocities get forces of their own at a substep's end.
+const WITH_FORCES: &[&str] = &["pbf"];
 
 /// What terms of water as a surface need, those of one that is smoothed, and those of one that is meshed.
 const WATER: (&str, &[&str]) = ("surface.method", &["screen-space", "marching-cubes", "auto"]);
@@ -129,19 +133,46 @@ pub const FIELDS: &[Field] = &[
         &[0],
     ),
     Field::new("solver.pbf.s_corr_distance_ratio", number(0.0, 0.9, ""), LIVE).of(PBF).slider(0.0, 0.9),
+    Field::new("solver.sph", Kind::Table, REBUILD).of(SPH),
+    Field::new("solver.sph.stiffness_m2_s2", number(1.0e-9, 1.0e12, "m²/s²"), REBUILD).of(SPH).logarithmic(1.0, 1.0e4).knob(
+        "stiffness",
+        &["30", "100", "300", "1000", "3000"],
+        &[1, 3],
+    ),
+    Field::new("solver.sph.exponent", number(1.0, 20.0, ""), LIVE).of(SPH).slider(1.0, 10.0),
+    Field::new("solver.sph.clamp_pressure", Kind::Switch, LIVE).of(SPH),
+    Field::new("solver.sph.viscosity_m2_s", number(0.0, 1.0e6, "m²/s"), REBUILD).of(SPH).logarithmic(1e-6, 1.0),
+    Field::new("solver.sph.artificial_viscosity", number(0.0, 10.0, ""), REBUILD).of(SPH).slider(0.0, 1.0).knob(
+        "artificial viscosity",
+        &["0.02", "0.05", "0.1", "0.3"],
+        &[0, 2],
+    ),
+    Field::new("solver.sph.surface_tension_n_m", number(0.0, 1.0e6, "N/m"), REBUILD)
+        .of(SPH)
+        .slider(0.0, 1.0)
+        .term("0", "0.073"),
+    Field::new("solver.sph.density_kernel", Kind::Choice(SmoothingKernel::FINITE_NAMES), REBUILD).of(SPH),
+    Field::new("solver.sph.pressure_kernel", Kind::Choice(SmoothingKernel::FINITE_NAMES), REBUILD).of(SPH),
+    Field::new("solver.sph.viscosity_kernel", Kind::Choice(SmoothingKernel::NAMES), REBUILD).of(SPH),
+    Field::new("solver.sph.integrator", Kind::Choice(Integrator::NAMES), LIVE).of(SPH).knob(
+        "integrator",
+        Integrator::NAMES,
+        &[0, 1],
+    ),
+    Field::new("solver.sph.adaptive_substeps", Kind::Switch, REBUILD).of(SPH),
     Field::new("solver.none", Kind::Table, REBUILD).of(NONE),
     Field::new("solver.none.lifetime_s", number(0.0, 1.0e6, "s"), LIVE).of(NONE).slider(0.0, 10.0),
     Field::new("solver.none.lifetime_variation", number(0.0, 1.0, ""), LIVE).of(NONE).slider(0.0, 1.0),
     Field::new("solver.none.drag_per_s", number(0.0, 1.0e3, "1/s"), LIVE).of(NONE).slider(0.0, 5.0),
     Field::new("solver.none.restitution", number(0.0, 1.0, ""), LIVE).of(NONE).slider(0.0, 1.0),
     Field::new("forces", Kind::Table, REBUILD),
-    Field::new("forces.xsph", number(0.0, 1.0, ""), TERM).of(WITH_NEIGHBOURS).slider(0.0, 0.5).term("0", "0.01").knob(
+    Field::new("forces.xsph", number(0.0, 1.0, ""), TERM).of(WITH_FORCES).slider(0.0, 0.5).term("0", "0.01").knob(
         "XSPH",
         &["0", "0.01", "0.05", "0.2"],
         &[0, 1],
     ),
     Field::new("forces.vorticity_m_s", number(0.0, 1.0e3, "m/s"), TERM)
-        .of(WITH_NEIGHBOURS)
+        .of(WITH_FORCES)
         .slider(0.0, 1.0)
         .term("0", "0.1"),
     Field::new("surface", Kind::Table, REBUILD),

@@ -168,7 +168,7 @@ impl Lattice {
 }
 
 impl Fluid {
-    fn bounds_m(&self) -> ([f64; 3], [f64; 3]) {
+    pub(super) fn bounds_m(&self) -> ([f64; 3], [f64; 3]) {
         if let Some(block) = &self.block {
             (block.min_m, block.max_m)
         } else if let Some(sphere) = &self.sphere {

@@ -24,6 +24,7 @@ mod schema;
 mod settings;
 mod shipped;
 mod solver;
+mod sph;
 mod surface;
 mod terms;
 #[cfg(test)]
@@ -47,6 +48,7 @@ pub use pbf::{Acceleration, PbfSettings};
 pub use schema::schema;
 pub use shipped::shipped_scenes;
 pub use solver::{Method, Precision, Solver};
+pub use sph::{Integrator, SmoothingKernel, SphSettings};
 pub use surface::{AutoSettings, MeshSettings, PointColor, Smoothing, Surface, SurfaceMethod};
 pub use update::Update;
 
@@ -198,7 +200,20 @@ impl Scene {
 
     /// Time a substep advances, s.
     pub fn substep_s(&self) -> f64 {
-        self.solver.dt_s / f64::from(self.solver.substeps)
+        self.solver.dt_s / f64::from(self.substeps())
+    }
+
+    /// Substeps of a step: where the GPU chooses them, as many as it may take.
+    pub fn substeps(&self) -> u32 {
+        match self.adapts_substeps() {
+            true => self.most_substeps() as u32,
+            false => self.solver.substeps,
+        }
+    }
+
+    /// Whether the GPU chooses how many substeps a step takes.
+    pub fn adapts_substeps(&self) -> bool {
+        self.solver.method == Method::Sph && self.solver.sph.adaptive_substeps
     }
 
     /// Speed no particle exceeds, m/s: what the scene says, else 0.6 h a substep; particles that meet nobody have

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{NoneSettings, PbfSettings};
+use super::{NoneSettings, PbfSettings, SphSettings};
 
 /// Which solver.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -12,18 +12,21 @@ pub enum Method {
     /// Position Based Fluids (Macklin & Müller 2013).
     #[default]
     Pbf,
+    /// Smoothed particle hydrodynamics with an equation of state (Müller, Charypar & Gross 2003).
+    Sph,
     /// None: particles that do not interact, as sparks or dust.
     None,
 }
 
 impl Method {
     /// Every method by its name.
-    pub const NAMES: &[&str] = &["pbf", "none"];
+    pub const NAMES: &[&str] = &["pbf", "sph", "none"];
 
     /// Its name in scenes and summaries.
     pub fn name(self) -> &'static str {
         match self {
             Method::Pbf => "pbf",
+            Method::Sph => "sph",
             Method::None => "none",
         }
     }
@@ -31,8 +34,17 @@ impl Method {
     /// Whether particles know their neighbours: what has lists, densities and a surface that they shape.
     pub fn interacts(self) -> bool {
         match self {
-            Method::Pbf => true,
+            Method::Pbf | Method::Sph => true,
             Method::None => false,
+        }
+    }
+
+    /// Whether compression that a start or a change of settings leaves over is taken out while time stands: where
+    /// corrections would make it velocity. An equation of state makes pressure of it.
+    pub fn relaxes(self) -> bool {
+        match self {
+            Method::Pbf => true,
+            Method::Sph | Method::None => false,
         }
     }
 }
@@ -103,6 +115,8 @@ pub struct Solver {
     pub precision: Precision,
     /// What Position Based Fluids takes.
     pub pbf: PbfSettings,
+    /// What SPH takes.
+    pub sph: SphSettings,
     /// What `method = "none"` takes.
     pub none: NoneSettings,
 }
@@ -112,7 +126,7 @@ impl Solver {
     pub fn iterations(&self) -> Option<u32> {
         match self.method {
             Method::Pbf => Some(self.pbf.iterations),
-            Method::None => None,
+            Method::Sph | Method::None => None,
         }
     }
 }
@@ -129,6 +143,7 @@ impl Default for Solver {
             deterministic: false,
             precision: Precision::Full,
             pbf: PbfSettings::default(),
+            sph: SphSettings::default(),
             none: NoneSettings::default(),
         }
     }

@@ -300,10 +300,13 @@ impl Session {
         self.relax_after(before)
     }
 
-    /// The next substep begins with nothing of the last one's pressure.
+    /// The next substep begins with nothing of the last one's pressure and forces.
     fn begin_cold(&mut self) {
         if let Some(warm_starts) = &self.recorded.warm_starts {
             self.engine.write(warm_starts, &vec![WarmStart::default(); warm_starts.len as usize]);
+        }
+        if let Some(accelerations) = &self.recorded.accelerations {
+            self.engine.write(accelerations, &vec![[0.0; 4]; accelerations.len as usize]);
         }
     }
 

@@ -70,7 +70,7 @@ pub fn relax_particles(
 
 /// What takes out the compression of so many particles; none where they do not interact or are none.
 pub(super) fn plan_relaxation(scene: &Scene, count: u32) -> Result<Option<SessionPlan>, PlanError> {
-    if !scene.solver.method.interacts() || count == 0 {
+    if !scene.solver.method.relaxes() || count == 0 {
         return Ok(None);
     }
     let mut scene = scene.clone();
@@ -109,7 +109,7 @@ impl Session {
 
     /// As [`Session::relax`], to a limit that follows from the compression before.
     fn relax_to(&mut self, limit: impl FnOnce(&Summary) -> Summary) -> Result<Option<Relaxation>, GpuError> {
-        if !self.relaxes || self.recorded.measure.is_none() || !self.scene.solver.method.interacts() {
+        if !self.relaxes || self.recorded.measure.is_none() || !self.scene.solver.method.relaxes() {
             return Ok(None);
         }
         let list = self.recorded.relaxation.list.id();

@@ -3,6 +3,7 @@
 
 pub mod none;
 pub mod pbf;
+pub mod sph;
 
 use brooklet_gpu::{Recording, Resources};
 use brooklet_kernels::{Buffer, PbfParams, WarmStart};
@@ -12,11 +13,14 @@ use crate::scene::{Method, Scene};
 use crate::step_context::{Particles, StepContext};
 use none::NonInteracting;
 use pbf::Pbf;
+use sph::Sph;
 
 /// The solver of a scene.
 pub enum Solver {
     /// Position Based Fluids.
     Pbf(Box<Pbf>),
+    /// Smoothed particle hydrodynamics with an equation of state.
+    Sph(Box<Sph>),
     /// None: particles that do not interact.
     None(NonInteracting),
 }
@@ -26,6 +30,7 @@ impl Solver {
     pub fn declare(resources: &mut Resources, scene: &Scene, capacity: u32) -> Self {
         match scene.solver.method {
             Method::Pbf => Self::Pbf(Box::new(Pbf::declare(resources, scene, capacity))),
+            Method::Sph => Self::Sph(Box::new(Sph::declare(resources, scene, capacity))),
             Method::None => Self::None(NonInteracting::declare(resources)),
         }
     }
@@ -34,7 +39,16 @@ impl Solver {
     pub fn record_init(&mut self, init: &mut Recording, scene: &Scene) {
         match self {
             Self::Pbf(pbf) => pbf.record_init(init, scene),
+            Self::Sph(sph) => sph.record_init(init, scene),
             Self::None(none) => none.record_init(init, scene),
+        }
+    }
+
+    /// Records what opens a substep.
+    pub fn begin_substep(&mut self, recording: &mut Recording, context: &mut StepContext) {
+        match self {
+            Self::Sph(sph) => sph.begin_substep(recording, context),
+            Self::Pbf(_) | Self::None(_) => context.slots.begin_substep(recording, &context.step),
         }
     }
 
@@ -42,6 +56,7 @@ impl Solver {
     pub fn record_substep(&mut self, recording: &mut Recording, context: &mut StepContext, particles: &mut Particles) {
         match self {
             Self::Pbf(pbf) => pbf.record_substep(recording, context, particles),
+            Self::Sph(sph) => sph.record_substep(recording, context, particles),
             Self::None(none) => none.record_substep(recording, context, particles),
         }
     }
@@ -64,7 +79,15 @@ impl Solver {
     pub fn warm_starts(&self) -> Option<&Buffer<WarmStart>> {
         match self {
             Self::Pbf(pbf) => pbf.warm_starts(),
-            Self::None(_) => None,
+            Self::Sph(_) | Self::None(_) => None,
+        }
+    }
+
+    /// What the next substep takes of the last one's acceleration, by slot; none of solvers that keep none.
+    pub fn accelerations(&self) -> Option<&Buffer<[f32; 4]>> {
+        match self {
+            Self::Sph(sph) => Some(sph.accelerations()),
+            Self::Pbf(_) | Self::None(_) => None,
         }
     }
 
@@ -72,7 +95,7 @@ impl Solver {
     pub fn pbf_params(&self) -> Option<&Buffer<PbfParams>> {
         match self {
             Self::Pbf(pbf) => Some(pbf.params()),
-            Self::None(_) => None,
+            Self::Sph(_) | Self::None(_) => None,
         }
     }
 
@@ -80,6 +103,7 @@ impl Solver {
     pub fn search(&self) -> Option<&NeighbourSearch> {
         match self {
             Self::Pbf(pbf) => Some(&pbf.search),
+            Self::Sph(sph) => Some(&sph.search),
             Self::None(_) => None,
         }
     }

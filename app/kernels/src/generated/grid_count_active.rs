@@ -60,5 +60,5 @@ static COUNT_ACTIVE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_active.compute",
-    hash: "4accac1a95f0e02e04116fe740c8d2d096a0608d29c73133fe7c8d6b70ac8572",
+    hash: "f3670a183b8dafcff09378a52d8c608464559c81765f472524f6c4285f7b8f28",
 };

@@ -31,6 +31,7 @@ mod particles_advect;
 mod particles_begin_substep;
 mod particles_deactivate;
 mod particles_drag;
+mod particles_end_step;
 mod particles_predict;
 mod shared_layout;
 mod solver_none_integrate_particles;
@@ -121,6 +122,7 @@ pub use particles_advect::*;
 pub use particles_begin_substep::*;
 pub use particles_deactivate::*;
 pub use particles_drag::*;
+pub use particles_end_step::*;
 pub use particles_predict::*;
 pub use shared_layout::*;
 pub use solver_none_integrate_particles::*;
@@ -212,6 +214,7 @@ pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
         particles_begin_substep::MODULES,
         particles_deactivate::MODULES,
         particles_drag::MODULES,
+        particles_end_step::MODULES,
         particles_predict::MODULES,
         solver_none_integrate_particles::MODULES,
         solver_pbf_coarsen_constraint::MODULES,

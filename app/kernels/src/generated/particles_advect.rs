@@ -140,7 +140,7 @@ static ADVECT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "3109db41de2131af26b8f31a74531eaeeed8e007af81edd40187f94897882817",
+    hash: "3626f002c400b6b623089ab9cac8d874b44c254ae69469f5543a6ec9fc18b86a",
 };
 
 static ADVECT_WITH_PERIODIC: Module = Module {
@@ -153,7 +153,7 @@ static ADVECT_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "dbd25a942ee82a3b5914e0ad2ca4c7f8d13a5840dc8d4330af03c7b09eb8f461",
+    hash: "bec09861b82c01bc37592cc6e4cc0981334e65777c456b8722f39aa2863d88e4",
 };
 
 static ADVECT_WITH_WALLS: Module = Module {
@@ -166,7 +166,7 @@ static ADVECT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "d486289c7e1bb15dec2a176f8c2c96b5bc4c2e7d324a7fc8fa0fdf2ef76d8c05",
+    hash: "ab131e873b852fdefc297ae823421e5a6e4af03836a2d221c2faf602951104a7",
 };
 
 static ADVECT_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -179,7 +179,7 @@ static ADVECT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "e465c85e06d285b9c626cb21275664af39e794312566c172f47f03a2f1f84e8f",
+    hash: "4771a397e3eb032f1fcf9b642647a734954a7c8794258e8494a299760ab1d3ff",
 };
 
 static ADVECT_WITH_ACCELERATED: Module = Module {
@@ -192,7 +192,7 @@ static ADVECT_WITH_ACCELERATED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "e120f20c8bdb751a128d7d6471a7f782195efc44f7ae7b3a98706fb03da98960",
+    hash: "66bc9b667b73bbe1167d69a4c7704cb0981c121c157b0b7b1bcce6267fd9e178",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_PERIODIC: Module = Module {
@@ -205,7 +205,7 @@ static ADVECT_WITH_ACCELERATED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "df8a33851de2aac122456dd7eafb79a29602017d6d5709951b2cb83f1806c674",
+    hash: "f5e93cc8b81586f72f46aec9523f7001cf26ec252dabdab2671a86d7f35bdd03",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_WALLS: Module = Module {
@@ -218,7 +218,7 @@ static ADVECT_WITH_ACCELERATED_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "a57ec5529c73123ccb6111f2f19e4702aa7c054d06d41729035ebdd042059471",
+    hash: "d2f2fcd24db97e05cd572afec8151e28717b777944e05370ca225adfdfc7127d",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -231,5 +231,5 @@ static ADVECT_WITH_ACCELERATED_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "63c68465e6ec3d7f12ef0034f0f1294bc6cbc9b9430ef907fdaf42b12665b8e8",
+    hash: "ad32ca5314a41304021c73ce44bc192376ae57d6e2f78528092b06e9834d230e",
 };

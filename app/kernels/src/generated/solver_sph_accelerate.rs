@@ -3,8 +3,8 @@
 //! Kernels of `solver/sph/accelerate.compute`.
 
 use super::{
-    ListHead, Position, SmoothingKernelParams, SphKernels, SphParams, SphTimeStep, StepParams, StepState, Velocity,
-    VelocityPressure, VelocityPressureNormal,
+    ListHead, Position, PrecisionKeyword, SmoothingKernelParams, SphKernels, SphParams, SphTimeStep, StepParams,
+    StepState, Velocity, VelocityPressure, VelocityPressureNormal,
 };
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
@@ -19,14 +19,14 @@ pub struct AccelerateVariant {
     pub chosen_kernels: bool,
     /// Keyword `SURFACE_TENSION`.
     pub surface_tension: bool,
-    /// Keyword `RELAXED_PRECISION`.
-    pub relaxed_precision: bool,
+    /// Keyword `RELAXED_PRECISION` or `HALF_PRECISION`.
+    pub precision: PrecisionKeyword,
 }
 
 /// The acceleration of each particle and what its velocity takes of it at once: pressure in the form that keeps momentum
 /// (Monaghan 1992), viscosity of differences of velocities (Muller, Charypar & Gross 2003, eq. 14; Morris, Fox & Zhu 1997),
-/// gravity, walls, and with SURFACE\_TENSION the divergence of the colour field's stress (Lafaurie et al. 1994; Hu & Adams
-/// 2006), which needs no curvature and keeps momentum too. A wall answers with its particle's own pressure, and with what
+/// gravity, walls, and with SURFACE\_TENSION that of the colour field (Muller et al., eq. 19), whose curvature is the
+/// divergence of the normals that there are (Morris 2000). A wall answers with its particle's own pressure, and with what
 /// that would grow by under gravity beyond it (Adami, Hu & Adams 2012), in closed form.
 #[derive(Debug)]
 pub struct Accelerate<'a> {
@@ -67,29 +67,56 @@ impl Kernel for Accelerate<'_> {
     const GROUP_SIZE: [u32; 3] = [64, 1, 1];
 
     fn module(&self) -> &'static Module {
-        match (
-            self.variant.walls,
-            self.variant.chosen_kernels,
-            self.variant.surface_tension,
-            self.variant.relaxed_precision,
-        ) {
-            (false, false, false, false) => &ACCELERATE,
-            (false, false, false, true) => &ACCELERATE_WITH_RELAXED_PRECISION,
-            (false, false, true, false) => &ACCELERATE_WITH_SURFACE_TENSION,
-            (false, false, true, true) => &ACCELERATE_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION,
-            (false, true, false, false) => &ACCELERATE_WITH_CHOSEN_KERNELS,
-            (false, true, false, true) => &ACCELERATE_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION,
-            (false, true, true, false) => &ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION,
-            (false, true, true, true) => &ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION,
-            (true, false, false, false) => &ACCELERATE_WITH_WALLS,
-            (true, false, false, true) => &ACCELERATE_WITH_WALLS_WITH_RELAXED_PRECISION,
-            (true, false, true, false) => &ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION,
-            (true, false, true, true) => &ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION,
-            (true, true, false, false) => &ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS,
-            (true, true, false, true) => &ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION,
-            (true, true, true, false) => &ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION,
-            (true, true, true, true) => {
+        match (self.variant.walls, self.variant.chosen_kernels, self.variant.surface_tension, self.variant.precision) {
+            (false, false, false, PrecisionKeyword::Off) => &ACCELERATE,
+            (false, false, false, PrecisionKeyword::RelaxedPrecision) => &ACCELERATE_WITH_RELAXED_PRECISION,
+            (false, false, false, PrecisionKeyword::HalfPrecision) => &ACCELERATE_WITH_HALF_PRECISION,
+            (false, false, true, PrecisionKeyword::Off) => &ACCELERATE_WITH_SURFACE_TENSION,
+            (false, false, true, PrecisionKeyword::RelaxedPrecision) => {
+                &ACCELERATE_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION
+            }
+            (false, false, true, PrecisionKeyword::HalfPrecision) => {
+                &ACCELERATE_WITH_SURFACE_TENSION_WITH_HALF_PRECISION
+            }
+            (false, true, false, PrecisionKeyword::Off) => &ACCELERATE_WITH_CHOSEN_KERNELS,
+            (false, true, false, PrecisionKeyword::RelaxedPrecision) => {
+                &ACCELERATE_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION
+            }
+            (false, true, false, PrecisionKeyword::HalfPrecision) => {
+                &ACCELERATE_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION
+            }
+            (false, true, true, PrecisionKeyword::Off) => &ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION,
+            (false, true, true, PrecisionKeyword::RelaxedPrecision) => {
+                &ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION
+            }
+            (false, true, true, PrecisionKeyword::HalfPrecision) => {
+                &ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION
+            }
+            (true, false, false, PrecisionKeyword::Off) => &ACCELERATE_WITH_WALLS,
+            (true, false, false, PrecisionKeyword::RelaxedPrecision) => &ACCELERATE_WITH_WALLS_WITH_RELAXED_PRECISION,
+            (true, false, false, PrecisionKeyword::HalfPrecision) => &ACCELERATE_WITH_WALLS_WITH_HALF_PRECISION,
+            (true, false, true, PrecisionKeyword::Off) => &ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION,
+            (true, false, true, PrecisionKeyword::RelaxedPrecision) => {
+                &ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION
+            }
+            (true, false, true, PrecisionKeyword::HalfPrecision) => {
+                &ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION
+            }
+            (true, true, false, PrecisionKeyword::Off) => &ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS,
+            (true, true, false, PrecisionKeyword::RelaxedPrecision) => {
+                &ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION
+            }
+            (true, true, false, PrecisionKeyword::HalfPrecision) => {
+                &ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION
+            }
+            (true, true, true, PrecisionKeyword::Off) => {
+                &ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION
+            }
+            (true, true, true, PrecisionKeyword::RelaxedPrecision) => {
                 &ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION
+            }
+            (true, true, true, PrecisionKeyword::HalfPrecision) => {
+                &ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION
             }
         }
     }
@@ -120,20 +147,28 @@ impl Kernel for Accelerate<'_> {
 pub(super) static MODULES: &[&Module] = &[
     &ACCELERATE,
     &ACCELERATE_WITH_RELAXED_PRECISION,
+    &ACCELERATE_WITH_HALF_PRECISION,
     &ACCELERATE_WITH_SURFACE_TENSION,
     &ACCELERATE_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION,
+    &ACCELERATE_WITH_SURFACE_TENSION_WITH_HALF_PRECISION,
     &ACCELERATE_WITH_CHOSEN_KERNELS,
     &ACCELERATE_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION,
+    &ACCELERATE_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION,
     &ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION,
     &ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION,
+    &ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION,
     &ACCELERATE_WITH_WALLS,
     &ACCELERATE_WITH_WALLS_WITH_RELAXED_PRECISION,
+    &ACCELERATE_WITH_WALLS_WITH_HALF_PRECISION,
     &ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION,
     &ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION,
+    &ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION,
     &ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS,
     &ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION,
+    &ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION,
     &ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION,
     &ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION,
+    &ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION,
 ];
 
 static BINDINGS_0: &[BindingInfo] = &[
@@ -226,7 +261,7 @@ static ACCELERATE: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "b6af5de6a417d8a7a59bae8ed7121b61c8ea4eaa5cdb08b50db8824ac5062ee4",
+    hash: "8515aedb8b4cb8a2d332f41757b6e7fa92bfe3c1083b2fe42709976ba5d899d7",
 };
 
 static ACCELERATE_WITH_RELAXED_PRECISION: Module = Module {
@@ -239,7 +274,20 @@ static ACCELERATE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "df18ff1ecb31aceafc037d903b2c856c4958e77c5a7c51616771d17db91f2bba",
+    hash: "37034cf63690e66b0bb3d7c2afa933d0915fd4b802cee0955674e839332641fd",
+};
+
+static ACCELERATE_WITH_HALF_PRECISION: Module = Module {
+    name: "Accelerate+HALF_PRECISION",
+    entry: "Accelerate",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/accelerate+half_precision.spv"),
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 8,
+    tier: Tier::Desktop,
+    source: "solver/sph/accelerate.compute",
+    hash: "631943855e11acda4463804fb7011fe69dd8438bcbdd2841946efe21828e5f66",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION: Module = Module {
@@ -252,7 +300,7 @@ static ACCELERATE_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "a3caf589a5ef2a220680eeebe579a34daaac2facabc8b1ce1a4a37558f7dec0b",
+    hash: "4c806c58ebccfc0f57618114121169ab2ad56a8ac0d962123d736d762421e081",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -265,7 +313,20 @@ static ACCELERATE_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "9c29ef4bf8fc3a947a256e8c3daeb477f75498ddffdcb9d614fb64e6e023acb2",
+    hash: "93a996edc00f160adc924e59894dc6d53026c32055e774bc9aafda33f6e8c82d",
+};
+
+static ACCELERATE_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
+    name: "Accelerate+SURFACE_TENSION+HALF_PRECISION",
+    entry: "Accelerate",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/accelerate+surface_tension+half_precision.spv"),
+    bindings: BINDINGS_1,
+    group_size: [64, 1, 1],
+    shared_bytes: 8,
+    tier: Tier::Desktop,
+    source: "solver/sph/accelerate.compute",
+    hash: "b77a4515c4b98f729e5e5b4a167e0d6b690f427b8c9bb71e9962badf82ace275",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS: Module = Module {
@@ -278,7 +339,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "f7a5cd918a57c10a5ed8229bf78b76933c53c7adf7ae4d162ddc239b000c033c",
+    hash: "0069aa3e6b3cea083a9de72730fe57238d052831e7db4e527a9b5cc2002b74a6",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -291,7 +352,20 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "6edbf496b1da81303bbb6703e25ba081514e9ca08660f9ea1c49e37d1aa29b63",
+    hash: "0f8a74b70b94383475883aa0bc01145bdef6a78bdec3feeeafdcb94781ef1bcc",
+};
+
+static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
+    name: "Accelerate+CHOSEN_KERNELS+HALF_PRECISION",
+    entry: "Accelerate",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/accelerate+chosen_kernels+half_precision.spv"),
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 8,
+    tier: Tier::Floor,
+    source: "solver/sph/accelerate.compute",
+    hash: "7f48c0a07a883240d2e1c943195e6791258874525e4f77dfa3ba9a8335c9fcbf",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -304,7 +378,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "7264369039f1dcf6385a4c401e3be1d4ccde5d63f421fb7b5ff48bd07b59e7aa",
+    hash: "e4aaa0670c0b1cf46d7d08b82a68fbeca6f9d8f72751d2c03e7c65eb89f6b41e",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -317,7 +391,20 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISIO
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "2175a3f1913ec85a5b781d2163c2475ecd61d45c3b8bff87e2851f5781eb1758",
+    hash: "99e6e7d19670f7ac6495627d65cfe60f2945ecae0b69ced8fe942379fe8a29ca",
+};
+
+static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
+    name: "Accelerate+CHOSEN_KERNELS+SURFACE_TENSION+HALF_PRECISION",
+    entry: "Accelerate",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/accelerate+chosen_kernels+surface_tension+half_precision.spv"),
+    bindings: BINDINGS_1,
+    group_size: [64, 1, 1],
+    shared_bytes: 8,
+    tier: Tier::Floor,
+    source: "solver/sph/accelerate.compute",
+    hash: "facc940361a5194c15f2ce7026b899c2b77fcea64a7e94ac05b3a2585b9091d8",
 };
 
 static ACCELERATE_WITH_WALLS: Module = Module {
@@ -330,7 +417,7 @@ static ACCELERATE_WITH_WALLS: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "90acc49098245d47e2e6f3b687a116ff586ee4756cab9613867f8e367ce3b0b8",
+    hash: "da66927985aa034a19e4c3c28a558761e08e3bb514de98fa6a1038fe7e06fce9",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -343,7 +430,20 @@ static ACCELERATE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "227f130335f611701f8e373543ac747aea3c07ca300bcd88162a53ae0f82dc57",
+    hash: "d56a544096ea34f5ee41bec4d80d302fa35f927732737d1f020c8d81bf566e20",
+};
+
+static ACCELERATE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
+    name: "Accelerate+WALLS+HALF_PRECISION",
+    entry: "Accelerate",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/accelerate+walls+half_precision.spv"),
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 8,
+    tier: Tier::Desktop,
+    source: "solver/sph/accelerate.compute",
+    hash: "7f63c4ea95c825a8be1340c735f72c1292e150232819a745b49e083d273b9995",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
@@ -356,7 +456,7 @@ static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "1c840668854ee6de4e3fa83feaac2aaf0bf22cf28818296d02e566b458fafd6a",
+    hash: "28e3eb71b9de232441b24be9b92a5abc7413ebf64a0d7f5d80015fcf457d91ef",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -369,7 +469,20 @@ static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "97ede8b3f94da0461bb95623735bf8b7c4eee4495f733ffe9964843416e20145",
+    hash: "c1a45acefc46f04f2ec87dd7754ea6680c5659bcffab7cd37b5f8c3e884c217f",
+};
+
+static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
+    name: "Accelerate+WALLS+SURFACE_TENSION+HALF_PRECISION",
+    entry: "Accelerate",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/accelerate+walls+surface_tension+half_precision.spv"),
+    bindings: BINDINGS_1,
+    group_size: [64, 1, 1],
+    shared_bytes: 8,
+    tier: Tier::Desktop,
+    source: "solver/sph/accelerate.compute",
+    hash: "43be865e15939ebc7bd10b7b887150723d731418c536490be60d91ef3e81e613",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
@@ -382,7 +495,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "fcbaab9c222077b3b8aeb598af44d6af72a393f8e4c638577c05cab5108e277c",
+    hash: "43ee88381e5b283547e7e812d4b0523acb1268f862002bc0a628b392f91f0d87",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -395,7 +508,20 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module 
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "238054d802551726d4d519ef555afa5ce8a26e9be01514dd9546e4f2d65224ce",
+    hash: "4464914c21c8863c9956d8f990ec16f730ee2566f7120233c2d8d81972d95b2b",
+};
+
+static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
+    name: "Accelerate+WALLS+CHOSEN_KERNELS+HALF_PRECISION",
+    entry: "Accelerate",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/accelerate+walls+chosen_kernels+half_precision.spv"),
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 8,
+    tier: Tier::Floor,
+    source: "solver/sph/accelerate.compute",
+    hash: "b53e47cf893be3f9d6a17f6c7740aecfd7818893a43644090cc2871aa7b5e65d",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -408,7 +534,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = 
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "9dc814d56cec9cdb08b920cb669c807471b036cb3ac10bcd81974ff84899a11f",
+    hash: "bc130ed1128a40ef041b4d47f57038f44f393340f79653489f35f938c9510fcb",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -421,5 +547,18 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAX
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "b2d8818d1b62adf0a3ee0305cb0427a25751462607e343a6c3c5cfe300dab5bd",
+    hash: "9d48f04158f920eb617342ade7927c58f25ce9cd93bb0ab7a2d9d0f3b6fbdd50",
+};
+
+static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
+    name: "Accelerate+WALLS+CHOSEN_KERNELS+SURFACE_TENSION+HALF_PRECISION",
+    entry: "Accelerate",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/accelerate+walls+chosen_kernels+surface_tension+half_precision.spv"),
+    bindings: BINDINGS_1,
+    group_size: [64, 1, 1],
+    shared_bytes: 8,
+    tier: Tier::Floor,
+    source: "solver/sph/accelerate.compute",
+    hash: "9800899086442952a24203f57d80433c37b3a280b147c358a69b30989d03964f",
 };

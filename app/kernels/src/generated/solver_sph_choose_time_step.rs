@@ -105,7 +105,7 @@ static CHOOSE_TIME_STEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/choose_time_step.compute",
-    hash: "08477a1a64dd23c68d78997aa7d7bd39ac850c2f3381c1876f7bfa6828881398",
+    hash: "fd382374806b5972964a3eb08a1582320064ff0840bf28b606d1dfa658a53383",
 };
 
 static CHOOSE_TIME_STEP_WITH_ADAPTIVE: Module = Module {
@@ -118,5 +118,5 @@ static CHOOSE_TIME_STEP_WITH_ADAPTIVE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/choose_time_step.compute",
-    hash: "258e181b69fe37314c07317fd969cb8d4fd799bbdef9e32683f9d5f7f330f3f2",
+    hash: "b7648976e7c19af6cc61985db6a4065d8fd9c28fecb79f6d5dfce5f5ce245781",
 };

@@ -3,8 +3,8 @@
 //! Kernels of `solver/sph/compute_density.compute`.
 
 use super::{
-    ListHead, Position, SmoothingKernelParams, SphKernels, SphParams, StepParams, StepState, Velocity,
-    VelocityPressure, VelocityPressureNormal,
+    ListHead, Position, PrecisionKeyword, SmoothingKernelParams, SphKernels, SphParams, StepParams, StepState,
+    Velocity, VelocityPressure, VelocityPressureNormal,
 };
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
@@ -19,8 +19,8 @@ pub struct ComputeDensityVariant {
     pub chosen_kernels: bool,
     /// Keyword `SURFACE_TENSION`.
     pub surface_tension: bool,
-    /// Keyword `RELAXED_PRECISION`.
-    pub relaxed_precision: bool,
+    /// Keyword `RELAXED_PRECISION` or `HALF_PRECISION`.
+    pub precision: PrecisionKeyword,
 }
 
 /// Density and pressure of each particle (Muller, Charypar & Gross 2003, eq. 3 and 12; Becker & Teschner 2007, eq. 7), and
@@ -39,6 +39,10 @@ pub struct ComputeDensity<'a> {
     pub neighbours: Buf<'a, [u32; 2]>,
     /// `StructuredBuffer<ListHead> list_heads`.
     pub list_heads: Buf<'a, ListHead>,
+    /// `RWStructuredBuffer<Position> positions`.
+    pub positions: BufMut<'a, Position>,
+    /// `RWStructuredBuffer<Velocity> velocities`.
+    pub velocities: BufMut<'a, Velocity>,
     /// `RWStructuredBuffer<VelocityPressure> velocity_pressures`.
     pub velocity_pressures: Option<BufMut<'a, VelocityPressure>>,
     /// `ConstantBuffer<StepState> step_state`.
@@ -60,31 +64,58 @@ impl Kernel for ComputeDensity<'_> {
     const GROUP_SIZE: [u32; 3] = [64, 1, 1];
 
     fn module(&self) -> &'static Module {
-        match (
-            self.variant.walls,
-            self.variant.chosen_kernels,
-            self.variant.surface_tension,
-            self.variant.relaxed_precision,
-        ) {
-            (false, false, false, false) => &COMPUTE_DENSITY,
-            (false, false, false, true) => &COMPUTE_DENSITY_WITH_RELAXED_PRECISION,
-            (false, false, true, false) => &COMPUTE_DENSITY_WITH_SURFACE_TENSION,
-            (false, false, true, true) => &COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION,
-            (false, true, false, false) => &COMPUTE_DENSITY_WITH_CHOSEN_KERNELS,
-            (false, true, false, true) => &COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION,
-            (false, true, true, false) => &COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION,
-            (false, true, true, true) => {
+        match (self.variant.walls, self.variant.chosen_kernels, self.variant.surface_tension, self.variant.precision) {
+            (false, false, false, PrecisionKeyword::Off) => &COMPUTE_DENSITY,
+            (false, false, false, PrecisionKeyword::RelaxedPrecision) => &COMPUTE_DENSITY_WITH_RELAXED_PRECISION,
+            (false, false, false, PrecisionKeyword::HalfPrecision) => &COMPUTE_DENSITY_WITH_HALF_PRECISION,
+            (false, false, true, PrecisionKeyword::Off) => &COMPUTE_DENSITY_WITH_SURFACE_TENSION,
+            (false, false, true, PrecisionKeyword::RelaxedPrecision) => {
+                &COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION
+            }
+            (false, false, true, PrecisionKeyword::HalfPrecision) => {
+                &COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_HALF_PRECISION
+            }
+            (false, true, false, PrecisionKeyword::Off) => &COMPUTE_DENSITY_WITH_CHOSEN_KERNELS,
+            (false, true, false, PrecisionKeyword::RelaxedPrecision) => {
+                &COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION
+            }
+            (false, true, false, PrecisionKeyword::HalfPrecision) => {
+                &COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION
+            }
+            (false, true, true, PrecisionKeyword::Off) => &COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION,
+            (false, true, true, PrecisionKeyword::RelaxedPrecision) => {
                 &COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION
             }
-            (true, false, false, false) => &COMPUTE_DENSITY_WITH_WALLS,
-            (true, false, false, true) => &COMPUTE_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION,
-            (true, false, true, false) => &COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION,
-            (true, false, true, true) => &COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION,
-            (true, true, false, false) => &COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS,
-            (true, true, false, true) => &COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION,
-            (true, true, true, false) => &COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION,
-            (true, true, true, true) => {
+            (false, true, true, PrecisionKeyword::HalfPrecision) => {
+                &COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION
+            }
+            (true, false, false, PrecisionKeyword::Off) => &COMPUTE_DENSITY_WITH_WALLS,
+            (true, false, false, PrecisionKeyword::RelaxedPrecision) => {
+                &COMPUTE_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION
+            }
+            (true, false, false, PrecisionKeyword::HalfPrecision) => &COMPUTE_DENSITY_WITH_WALLS_WITH_HALF_PRECISION,
+            (true, false, true, PrecisionKeyword::Off) => &COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION,
+            (true, false, true, PrecisionKeyword::RelaxedPrecision) => {
+                &COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION
+            }
+            (true, false, true, PrecisionKeyword::HalfPrecision) => {
+                &COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION
+            }
+            (true, true, false, PrecisionKeyword::Off) => &COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS,
+            (true, true, false, PrecisionKeyword::RelaxedPrecision) => {
+                &COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION
+            }
+            (true, true, false, PrecisionKeyword::HalfPrecision) => {
+                &COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION
+            }
+            (true, true, true, PrecisionKeyword::Off) => {
+                &COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION
+            }
+            (true, true, true, PrecisionKeyword::RelaxedPrecision) => {
                 &COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION
+            }
+            (true, true, true, PrecisionKeyword::HalfPrecision) => {
+                &COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION
             }
         }
     }
@@ -97,6 +128,8 @@ impl Kernel for ComputeDensity<'_> {
                 ("sorted_velocities", Some(self.sorted_velocities.id)),
                 ("neighbours", Some(self.neighbours.id)),
                 ("list_heads", Some(self.list_heads.id)),
+                ("positions", Some(self.positions.id)),
+                ("velocities", Some(self.velocities.id)),
                 ("velocity_pressures", self.velocity_pressures.as_ref().map(|bound| bound.id)),
                 ("step_state", Some(self.step_state.id)),
                 ("step_params", Some(self.step_params.id)),
@@ -113,20 +146,28 @@ impl Kernel for ComputeDensity<'_> {
 pub(super) static MODULES: &[&Module] = &[
     &COMPUTE_DENSITY,
     &COMPUTE_DENSITY_WITH_RELAXED_PRECISION,
+    &COMPUTE_DENSITY_WITH_HALF_PRECISION,
     &COMPUTE_DENSITY_WITH_SURFACE_TENSION,
     &COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION,
+    &COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_HALF_PRECISION,
     &COMPUTE_DENSITY_WITH_CHOSEN_KERNELS,
     &COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION,
+    &COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION,
     &COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION,
     &COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION,
+    &COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION,
     &COMPUTE_DENSITY_WITH_WALLS,
     &COMPUTE_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION,
+    &COMPUTE_DENSITY_WITH_WALLS_WITH_HALF_PRECISION,
     &COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION,
     &COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION,
+    &COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION,
     &COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS,
     &COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION,
+    &COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION,
     &COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION,
     &COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION,
+    &COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION,
 ];
 
 static BINDINGS_0: &[BindingInfo] = &[
@@ -148,14 +189,24 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "neighbours", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
     BindingInfo { name: "list_heads", slot: 4, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
     BindingInfo {
-        name: "velocity_pressures",
+        name: "positions",
         slot: 5,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
-    BindingInfo { name: "step_state", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "step_params", slot: 7, kind: BindingKind::Uniform { bytes: 96 } },
-    BindingInfo { name: "kernels", slot: 8, kind: BindingKind::Uniform { bytes: 80 } },
-    BindingInfo { name: "sph", slot: 9, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo {
+        name: "velocities",
+        slot: 6,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
+    },
+    BindingInfo {
+        name: "velocity_pressures",
+        slot: 7,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
+    },
+    BindingInfo { name: "step_state", slot: 8, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 9, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernels", slot: 10, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "sph", slot: 11, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
 static BINDINGS_1: &[BindingInfo] = &[
@@ -177,14 +228,24 @@ static BINDINGS_1: &[BindingInfo] = &[
     BindingInfo { name: "neighbours", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
     BindingInfo { name: "list_heads", slot: 4, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
     BindingInfo {
-        name: "velocity_pressure_normals",
+        name: "positions",
         slot: 5,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
+    },
+    BindingInfo {
+        name: "velocities",
+        slot: 6,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
+    },
+    BindingInfo {
+        name: "velocity_pressure_normals",
+        slot: 7,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 32 },
     },
-    BindingInfo { name: "step_state", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "step_params", slot: 7, kind: BindingKind::Uniform { bytes: 96 } },
-    BindingInfo { name: "kernels", slot: 8, kind: BindingKind::Uniform { bytes: 80 } },
-    BindingInfo { name: "sph", slot: 9, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_state", slot: 8, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 9, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernels", slot: 10, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "sph", slot: 11, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
 static BINDINGS_2: &[BindingInfo] = &[
@@ -206,15 +267,25 @@ static BINDINGS_2: &[BindingInfo] = &[
     BindingInfo { name: "neighbours", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
     BindingInfo { name: "list_heads", slot: 4, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
     BindingInfo {
-        name: "velocity_pressures",
+        name: "positions",
         slot: 5,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
-    BindingInfo { name: "step_state", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "step_params", slot: 7, kind: BindingKind::Uniform { bytes: 96 } },
-    BindingInfo { name: "density_walls", slot: 8, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "kernels", slot: 9, kind: BindingKind::Uniform { bytes: 80 } },
-    BindingInfo { name: "sph", slot: 10, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo {
+        name: "velocities",
+        slot: 6,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
+    },
+    BindingInfo {
+        name: "velocity_pressures",
+        slot: 7,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
+    },
+    BindingInfo { name: "step_state", slot: 8, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 9, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "density_walls", slot: 10, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "kernels", slot: 11, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "sph", slot: 12, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
 static BINDINGS_3: &[BindingInfo] = &[
@@ -236,15 +307,25 @@ static BINDINGS_3: &[BindingInfo] = &[
     BindingInfo { name: "neighbours", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
     BindingInfo { name: "list_heads", slot: 4, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
     BindingInfo {
-        name: "velocity_pressure_normals",
+        name: "positions",
         slot: 5,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
+    },
+    BindingInfo {
+        name: "velocities",
+        slot: 6,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
+    },
+    BindingInfo {
+        name: "velocity_pressure_normals",
+        slot: 7,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 32 },
     },
-    BindingInfo { name: "step_state", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "step_params", slot: 7, kind: BindingKind::Uniform { bytes: 96 } },
-    BindingInfo { name: "density_walls", slot: 8, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "kernels", slot: 9, kind: BindingKind::Uniform { bytes: 80 } },
-    BindingInfo { name: "sph", slot: 10, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_state", slot: 8, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 9, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "density_walls", slot: 10, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "kernels", slot: 11, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "sph", slot: 12, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
 static COMPUTE_DENSITY: Module = Module {
@@ -257,7 +338,7 @@ static COMPUTE_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "cb32ed3156efce5495970d4b5d7fe639ca15fa29b1459065a909d086e9f0032e",
+    hash: "e7a5f1c8d4898c02d0f19afd9e4eba6ac720fa6e5a4cc86e72d3ea759051a6ce",
 };
 
 static COMPUTE_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -270,7 +351,20 @@ static COMPUTE_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "48c22002fd87c79eabe45d1fb89227c67c85d4e00b1d066c1fdb4b210ff8759c",
+    hash: "bdda18a385bf0289e33cb96596160e5df3d2eb8ff03db65980d95832e5256f26",
+};
+
+static COMPUTE_DENSITY_WITH_HALF_PRECISION: Module = Module {
+    name: "ComputeDensity+HALF_PRECISION",
+    entry: "ComputeDensity",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/compute_density+half_precision.spv"),
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Desktop,
+    source: "solver/sph/compute_density.compute",
+    hash: "cd0ad3a4796efd28614c2034e18c7b33e90a0da98ce80388b6be9d98cb700108",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION: Module = Module {
@@ -283,7 +377,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "242d388fe99aa8b484a59fb1a246cfd6d72747f39e2167ff86a1323703ac1297",
+    hash: "dbd9839d10428a8ac03a63e0be7d24e2c7e1eece28f57ab5c4afbda101e0c4c3",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -296,7 +390,20 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Mod
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "1626503fa5a0edd402822c5ca66bd0af47e1dd83fa365d381d05ce3a91454b0a",
+    hash: "e3c1754f2f63af8f04294c6e01d125772c55b92df923a47114936c9809b58501",
+};
+
+static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
+    name: "ComputeDensity+SURFACE_TENSION+HALF_PRECISION",
+    entry: "ComputeDensity",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/compute_density+surface_tension+half_precision.spv"),
+    bindings: BINDINGS_1,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Desktop,
+    source: "solver/sph/compute_density.compute",
+    hash: "04b6f073b24aa13b9bb2cf04d2c75eff71575cd58b2437c943cdd44b64312dfd",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS: Module = Module {
@@ -309,7 +416,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "8cb561f8aa025daa9d230537169ec491c0c3b3eea2154d2537a9374b3dadbe26",
+    hash: "f0b43fa1a06c37a33fe325dc38da9f454adfdca968a372093081a66cf8d19fd6",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -322,7 +429,20 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Modu
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "826d24c884b74820e7acb13fa20bad11f1a997b98afde2fc3db2ff5cf1b65c2a",
+    hash: "a8d77809da98a0425549d5e00f97735470c97e901339f81e0d279edb973b35e9",
+};
+
+static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
+    name: "ComputeDensity+CHOSEN_KERNELS+HALF_PRECISION",
+    entry: "ComputeDensity",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/compute_density+chosen_kernels+half_precision.spv"),
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/sph/compute_density.compute",
+    hash: "ac30dce596b855a9b28bc5c604c1e8e117291a03a05bc381dc1a156f0fbc98c4",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -335,7 +455,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "e9f61e28584ac3f9ea94f234683bb14ce1eab165e31a8830e119f797786737cc",
+    hash: "73c6a59f9bbeda241fabf07f9667f6318a8d41ffc52e23f076a9eea647976535",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -348,7 +468,20 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRE
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "8f740ad7a4982dda9f145e142bdce3325419d2c5a825c7b5104db796f3991831",
+    hash: "0790379053da23a64507a346e32bf2e336c6632dde1991057b47a71c6ebe073e",
+};
+
+static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
+    name: "ComputeDensity+CHOSEN_KERNELS+SURFACE_TENSION+HALF_PRECISION",
+    entry: "ComputeDensity",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/compute_density+chosen_kernels+surface_tension+half_precision.spv"),
+    bindings: BINDINGS_1,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/sph/compute_density.compute",
+    hash: "8b4b7714e0e96b4a513cc7a294d36af3276039cb4b500b6fe4effd3c41561ea0",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS: Module = Module {
@@ -361,7 +494,7 @@ static COMPUTE_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "277e56d591b70a69afa69d990b46fb5f74ca099abcb31a9eec54b8b654504865",
+    hash: "970380276220eade8c03e99059da366510bddd709bd071a1b4b73280a8321ffc",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -374,7 +507,20 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "3bdcfc9b7ae00912dcf04fb496cfc4ed7fd961c0df1c7efc9d7d448ad7208c13",
+    hash: "24abfc60939c2b86c32812c1e8a95d5027c4dc890a934673580c0f251592cfe5",
+};
+
+static COMPUTE_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
+    name: "ComputeDensity+WALLS+HALF_PRECISION",
+    entry: "ComputeDensity",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/compute_density+walls+half_precision.spv"),
+    bindings: BINDINGS_2,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Desktop,
+    source: "solver/sph/compute_density.compute",
+    hash: "aa802fe427f6ac276cd99bef5fc16e921d393f4ec847a2883efc24910c3dc5ef",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
@@ -387,7 +533,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "db2ad1a9037ca4e0cfe707a9432226a3c11c33d7d922b953ea307824dd9875a3",
+    hash: "6cc0e07dbca0a5b3300e71e164d1fe994f8467df3f7a8348401c949d1e6ead18",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -400,7 +546,20 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: M
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "f3884f557cf43dcc9511c0cdb4a4ffd70665bd4a5fd3169a94771f2a5102d9fb",
+    hash: "e7736a8ee60c40c462c703541862c15161955e62861c9d10afcae42159b410ab",
+};
+
+static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
+    name: "ComputeDensity+WALLS+SURFACE_TENSION+HALF_PRECISION",
+    entry: "ComputeDensity",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/compute_density+walls+surface_tension+half_precision.spv"),
+    bindings: BINDINGS_3,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Desktop,
+    source: "solver/sph/compute_density.compute",
+    hash: "dfd7f4575cf65ac20044b615a851b23b0f2b18edb72cec642206abf6de5b4f46",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
@@ -413,7 +572,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "25b8335c43f2619c5340cf62f7133a4cd1946a49c3bcf21d6950f53fb837950b",
+    hash: "71b85919c92b2d3ae82c50f09c85ef85b9fecb83a7b1c7250c3bbd28932ec7e0",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -426,7 +585,20 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Mo
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "0fbbcdaf0404654dd69bcd6cadfecc6638ad014647b66aba79782ff257cc340f",
+    hash: "d3196c8c142d19c9d54734c6c01edcda528ef862100a3d238bca6f55a29caa07",
+};
+
+static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
+    name: "ComputeDensity+WALLS+CHOSEN_KERNELS+HALF_PRECISION",
+    entry: "ComputeDensity",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/compute_density+walls+chosen_kernels+half_precision.spv"),
+    bindings: BINDINGS_2,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/sph/compute_density.compute",
+    hash: "0bc17788c09617d39ede535c2a855dccd23e72ed4b77e8dbace4a02a580786b3",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -439,7 +611,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Modu
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "afb24584ad1a2c058f78dbaca49d0415c33db7cd8b6e9a88d0414376dc4f5da3",
+    hash: "7c3ed0da2040f146646bd7483a422053c33a9534aa67d5d5efbd677d2c2969ce",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -452,5 +624,18 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "9c07642d1fc0342d6fd615d0036eb56f48eec0ffa7f53bce6ccad9b92bcaa3cc",
+    hash: "43d463b27950fd9ff1198cb860c49ed8cc0560eca0029c2e60630cda9794a09b",
+};
+
+static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
+    name: "ComputeDensity+WALLS+CHOSEN_KERNELS+SURFACE_TENSION+HALF_PRECISION",
+    entry: "ComputeDensity",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/compute_density+walls+chosen_kernels+surface_tension+half_precision.spv"),
+    bindings: BINDINGS_3,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/sph/compute_density.compute",
+    hash: "5740630890b1fc981b45b0de8f90b4ff1ad33954198134af37af4734f9bfe44b",
 };

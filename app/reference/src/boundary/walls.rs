@@ -16,15 +16,17 @@ fn coefficients(dimensions: u32) -> [f64; 4] {
 
 /// The share of the kernel beyond one wall, at a distance in h.
 pub fn beyond_wall(dimensions: u32, distance: f64) -> f64 {
+    beyond_wall_of(coefficients(dimensions), distance)
+}
+
+fn beyond_wall_of([c0, c1, c2, c3]: [f64; 4], distance: f64) -> f64 {
     let reach = (1.0 - distance).clamp(0.0, 1.0);
-    let [c0, c1, c2, c3] = coefficients(dimensions);
     reach.powi(5) * (c0 + reach * (c1 + reach * (c2 + reach * c3)))
 }
 
 /// Its derivative over the distance, per h.
-fn beyond_wall_slope(dimensions: u32, distance: f64) -> f64 {
+fn beyond_wall_slope([c0, c1, c2, c3]: [f64; 4], distance: f64) -> f64 {
     let reach = (1.0 - distance).clamp(0.0, 1.0);
-    let [c0, c1, c2, c3] = coefficients(dimensions);
     -reach.powi(4) * (5.0 * c0 + reach * (6.0 * c1 + reach * (7.0 * c2 + reach * 8.0 * c3)))
 }
 
@@ -37,6 +39,8 @@ pub struct WallScales {
     pub edge: f64,
     /// Of three walls' product; zero in two dimensions, which have no third.
     pub corner: f64,
+    /// Coefficients of the share of the kernel beyond a wall that it reaches by t: t^5 times a polynomial of t.
+    pub fraction: [f64; 4],
 }
 
 impl WallScales {
@@ -48,6 +52,7 @@ impl WallScales {
             plane: lattice::deficit(dimensions, support_ratio, 1) / share,
             edge: lattice::deficit(dimensions, support_ratio, 2) / share.powi(2),
             corner: lattice::deficit(dimensions, support_ratio, 3) / share.powi(3),
+            fraction: coefficients(dimensions),
         }
     }
 }
@@ -79,7 +84,7 @@ impl DomainWalls {
         let (share, slope) = self.shares(position_m);
         let [others, product] =
             [DVec3::new(share.y + share.z, share.z + share.x, share.x + share.y), share.yzx() * share.zxy()];
-        let WallScales { plane, edge, corner } = self.scales;
+        let WallScales { plane, edge, corner, .. } = self.scales;
         let gain = 1.0 / (1.0 - (plane * share).min(DVec3::splat(0.5)));
         BoundarySample {
             density: plane * share.element_sum() - edge * product.element_sum() + corner * share.element_product(),
@@ -88,16 +93,30 @@ impl DomainWalls {
         }
     }
 
+    /// What the walls bear of the fluid's weight along each axis: the integral of u dW/du beyond them, negative, u from the
+    /// particle, with which a pressure that grows by ρ g u pushes back. By parts it is the density beyond along a wall, and
+    /// the wall's distance times its slope besides across one.
+    pub fn hydrostatic_share(&self, position_m: DVec3) -> DVec3 {
+        let density = self.sample(position_m).density;
+        let low = position_m / self.support_m;
+        let high = (self.domain_size_m - position_m) / self.support_m;
+        let across = |axis: usize| {
+            let moment = |s: f64| -s.clamp(0.0, 1.0) * beyond_wall_slope(self.scales.fraction, s);
+            if self.axes.test(axis) { self.scales.plane * (moment(low[axis]) + moment(high[axis])) } else { 0.0 }
+        };
+        DVec3::splat(density) + DVec3::new(across(0), across(1), across(2))
+    }
+
     /// Along each axis, the share of the kernel beyond its two walls, and the share's derivative by
     /// the position, per h.
     fn shares(&self, position_m: DVec3) -> (DVec3, DVec3) {
         let low = position_m / self.support_m;
         let high = (self.domain_size_m - position_m) / self.support_m;
         let each = |of: &dyn Fn(usize) -> f64| DVec3::select(self.axes, DVec3::new(of(0), of(1), of(2)), DVec3::ZERO);
-        let n = self.dimensions;
+        let of = self.scales.fraction;
         (
-            each(&|axis| beyond_wall(n, low[axis]) + beyond_wall(n, high[axis])),
-            each(&|axis| beyond_wall_slope(n, low[axis]) - beyond_wall_slope(n, high[axis])),
+            each(&|axis| beyond_wall_of(of, low[axis]) + beyond_wall_of(of, high[axis])),
+            each(&|axis| beyond_wall_slope(of, low[axis]) - beyond_wall_slope(of, high[axis])),
         )
     }
 }

@@ -19,6 +19,8 @@ pub struct Particle {
     pub inactive: bool,
     /// Time since the particle began, where the solver counts it, s.
     pub age_s: f64,
+    /// Of its last substep, where the solver's next one takes of it, m/s²; none of a particle that had none yet.
+    pub acceleration_m_s2: Option<DVec3>,
     /// Of its last substep, where the solver begins the next one with a share of it.
     pub pressure: Pressure,
 }

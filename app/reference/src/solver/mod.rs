@@ -2,27 +2,32 @@
 
 pub mod none;
 pub mod pbf;
+pub mod sph;
 
 use crate::boundary::walls::DomainWalls;
 use crate::params::{NonInteracting, Step};
 use crate::particles::predict::Particle;
 use none::integrate_particles::integrate_particles;
 use pbf::substep::Pbf;
+use sph::substep::Sph;
 
 /// What moves the particles of a substep.
 #[derive(Clone, Debug)]
 pub enum Solver {
     /// Position Based Fluids.
     Pbf(Pbf),
+    /// Smoothed particle hydrodynamics.
+    Sph(Box<Sph>),
     /// Particles that do not interact; their ids are their indices.
     None(NonInteracting),
 }
 
 impl Solver {
     /// Advances `particles` by one substep.
-    pub fn substep(&self, particles: &mut [Particle], step: &Step, walls: Option<&DomainWalls>) {
+    pub fn substep(&mut self, particles: &mut [Particle], step: &Step, walls: Option<&DomainWalls>) {
         match self {
             Self::Pbf(pbf) => pbf.substep(particles, step, walls),
+            Self::Sph(sph) => sph.substep(particles, step),
             Self::None(settings) => {
                 for (id, particle) in particles.iter_mut().enumerate() {
                     *particle = integrate_particles(id as u32, *particle, step, settings).particle;

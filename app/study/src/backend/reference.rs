@@ -4,17 +4,24 @@ use std::fs;
 use std::path::PathBuf;
 
 use brooklet_fluid::measure::Summary;
-use brooklet_fluid::scene::{Method, Scene};
+use brooklet_fluid::scene::{Method, Scene, SmoothingKernel};
 use brooklet_fluid::session::{MOST_ROUNDS, NO_COMPRESSION};
 use brooklet_fluid::smoothing_kernel_params;
 use brooklet_fluid::solver::pbf::{self, IterationWeights};
+use brooklet_fluid::solver::sph;
+use brooklet_kernels::SmoothingKernelParams;
 use brooklet_reference::boundary::walls::{DomainWalls, WallScales};
 use brooklet_reference::params::{self, Forces, NonInteracting, Smoothing, Step};
+use brooklet_reference::particles::advect::Kicks;
 use brooklet_reference::particles::predict::Particle;
 use brooklet_reference::solver::Solver;
 use brooklet_reference::solver::pbf::coarse_correction::CoarseGrid;
 use brooklet_reference::solver::pbf::momentum::Weights;
 use brooklet_reference::solver::pbf::substep::{Iterations, Pbf};
+use brooklet_reference::solver::sph::choose_time_step::{Left, Limits};
+use brooklet_reference::solver::sph::compute_density::{Kernels, Terms};
+use brooklet_reference::solver::sph::kernels::Kernel;
+use brooklet_reference::solver::sph::substep::Sph;
 use brooklet_reference::step::Fluid;
 use glam::{BVec3, DVec3};
 use serde::{Deserialize, Serialize};
@@ -29,22 +36,9 @@ const VERSION: u32 = 2;
 /// The f64 twin of a setup.
 pub fn reference_fluid(setup: &Setup) -> Fluid {
     let scene = &setup.scene;
-    let kernel = smoothing_kernel_params(scene);
     let domain = &scene.domain;
     let (size_m, period_m) = (DVec3::from_array(domain.size_m()), DVec3::from_array(scene.period_m()));
     let axes = BVec3::from_array(std::array::from_fn(|axis| domain.has_walls_along(axis)));
-    let scales = WallScales {
-        plane: f64::from(kernel.wall_plane),
-        edge: f64::from(kernel.wall_edge),
-        corner: f64::from(kernel.wall_corner),
-    };
-    let walls = DomainWalls {
-        dimensions: domain.dimensions,
-        axes,
-        scales,
-        domain_size_m: size_m,
-        support_m: scene.support_m(),
-    };
     let particles = setup.particles.positions.iter().zip(&setup.particles.velocities);
     Fluid {
         particles: particles.map(|(position, velocity)| Particle::of(position, velocity)).collect(),
@@ -58,7 +52,74 @@ pub fn reference_fluid(setup: &Setup) -> Fluid {
             max_speed_m_s: scene.max_speed_m_s(),
         },
         solver: solver_of(scene),
-        walls: domain.has_walls().then_some(walls),
+        walls: walls_of(scene, &smoothing_kernel_params(scene)),
+    }
+}
+
+/// The walls of a scene as a kernel counts them; none of an open domain.
+fn walls_of(scene: &Scene, kernel: &SmoothingKernelParams) -> Option<DomainWalls> {
+    let domain = &scene.domain;
+    domain.has_walls().then(|| DomainWalls {
+        dimensions: domain.dimensions,
+        axes: BVec3::from_array(std::array::from_fn(|axis| domain.has_walls_along(axis))),
+        scales: WallScales {
+            plane: f64::from(kernel.wall_plane),
+            edge: f64::from(kernel.wall_edge),
+            corner: f64::from(kernel.wall_corner),
+            fraction: kernel.wall_kernel_fraction.map(f64::from),
+        },
+        domain_size_m: DVec3::from_array(domain.size_m()),
+        support_m: scene.support_m(),
+    })
+}
+
+/// SPH with the settings of a scene.
+fn sph_of(scene: &Scene) -> Sph {
+    let (settings, params, limits) = (&scene.solver.sph, sph::params(scene), sph::limits(scene));
+    let kernel = |kernel: SmoothingKernel| match kernel {
+        SmoothingKernel::Poly6 => Kernel::Poly6,
+        SmoothingKernel::Spiky => Kernel::Spiky,
+        SmoothingKernel::Viscosity => Kernel::Viscosity,
+        SmoothingKernel::CubicSpline => Kernel::CubicSpline,
+        SmoothingKernel::Wendland => Kernel::Wendland,
+    };
+    let [before, after, end] = settings.integrator.kicks();
+    Sph {
+        smoothing: Smoothing {
+            period_m: DVec3::from_array(scene.period_m()),
+            ..Smoothing::new(scene.support_m(), f64::from(smoothing_kernel_params(scene).weight))
+        },
+        kernels: Kernels::new(
+            scene.domain.dimensions,
+            scene.solver.support_ratio,
+            kernel(settings.density_kernel),
+            kernel(settings.pressure_kernel),
+            kernel(settings.viscosity_kernel),
+        ),
+        terms: Terms {
+            stiffness_m2_s2: f64::from(params.stiffness_m2_s2),
+            exponent: f64::from(params.exponent),
+            least_pressure_m2_s2: f64::from(params.least_pressure_m2_s2),
+            viscosity_m2_s: f64::from(params.viscosity_m2_s),
+            tension_m3_s2: f64::from(params.tension_m3_s2),
+            separation: f64::from(params.separation),
+            separation_m2_s2: f64::from(params.separation_m2_s2),
+            supported_per_m2_s2: f64::from(params.supported_per_m2_s2),
+            borne_scale: f64::from(params.borne_scale),
+        },
+        kicks: Kicks { before, after, end },
+        density_walls: walls_of(scene, &sph::density_walls(scene)),
+        pressure_walls: walls_of(scene, &sph::pressure_walls(scene)),
+        adaptive: scene.adapts_substeps().then(|| Limits {
+            cfl_m: f64::from(limits.cfl_m),
+            sound_m_s: f64::from(limits.sound_m_s),
+            force_m: f64::from(limits.force_m),
+            steady_s: f64::from(limits.steady_s),
+            step_s: f64::from(limits.step_s),
+            substeps: limits.substeps,
+        }),
+        left: Left::default(),
+        maxima: [0.0; 2],
     }
 }
 
@@ -89,6 +150,7 @@ fn solver_of(scene: &Scene) -> Solver {
                 grid_ends_at_domain: true,
             })
         }
+        Method::Sph => Solver::Sph(Box::new(sph_of(scene))),
         Method::None => {
             let settings = &scene.solver.none;
             Solver::None(NonInteracting {
@@ -123,7 +185,7 @@ pub fn run_reference(setup: &Setup, stop: &dyn Fn() -> bool) -> Option<Vec<Sampl
     let mut done = 0;
     for due in setup.sample_steps() {
         while done < due {
-            for _ in 0..setup.scene.solver.substeps {
+            for _ in 0..setup.scene.substeps() {
                 if stop() {
                     return None;
                 }

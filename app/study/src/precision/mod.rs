@@ -90,7 +90,7 @@ fn task(name: &str, most: f64, end_s: f64) -> Task {
 /// Particle iterations of a scene in all ways.
 pub fn cost(task: &Task) -> Option<f64> {
     let scene = Scene::load(&task.case, &task.settings).ok()?;
-    let each = f64::from(scene.solver.substeps) * (f64::from(scene.solver.pbf.iterations) + 2.0);
+    let each = f64::from(scene.substeps()) * (f64::from(scene.solver.iterations().unwrap_or(1)) + 2.0);
     let steps = course::looks_of(&scene).steps() as f64;
     Some(RUNS as f64 * scene.particle_count() as f64 * steps * each)
 }

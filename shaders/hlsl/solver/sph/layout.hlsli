@@ -52,10 +52,10 @@ struct SphParams
     float separation;           // in h; closer pairs part even below rest density
     float separation_m2_s2;     // the pressure of a pair at one point
     float supported_per_m2_s2;  // 1 over the pressure from which on walls bear all of the fluid's weight
+    float borne_scale;          // of what walls bear, so that the lattice's first layer is at rest
     float end_kick;             // KickParams::end
-    float reserved0;
-    float reserved1;
-    float reserved2;
+    float least_normal;         // 1/h; a surface's normal is longer
+    float along_surface;        // directions that a surface has: 2, or 1 in two dimensions
 };
 
 // What limits the substeps (Monaghan 1992; Morris, Fox & Zhu 1997; Brackbill, Kothe & Zemach 1992).

@@ -1,0 +1,262 @@
+//! The kernels of SPH's terms as polynomials of 1 - q and 1 - 2 q, each scaled on the scene's lattice. (Shader:
+//! `solver/sph/kernels.hlsli`.)
+
+use brooklet_kernels::{SmoothingKernelParams, SphKernels};
+
+use crate::boundary::fitted_wall_kernel_fraction;
+use crate::scene::{Scene, SmoothingKernel};
+use crate::smoothing_kernel::for_lattice;
+use crate::smoothing_kernel_params::smoothing_kernel_params;
+
+/// W over a factor: coefficients of t³ to t⁶ and of s³, t = 1 - q and s = 1 - 2q where they are not negative.
+#[derive(Clone, Copy, Debug)]
+struct Shape {
+    powers: [f64; 4],
+    spline: f64,
+}
+
+/// A weight of pairs: coefficients of t to t⁴, of t²/q and of s²/q.
+#[derive(Clone, Copy, Debug)]
+struct PairShape {
+    powers: [f64; 4],
+    inverse: f64,
+    spline: f64,
+}
+
+impl Shape {
+    fn at(&self, q: f64) -> f64 {
+        let (t, s) = ((1.0 - q).max(0.0), (1.0 - 2.0 * q).max(0.0));
+        let [c3, c4, c5, c6] = self.powers;
+        t.powi(3) * (c3 + t * (c4 + t * (c5 + t * c6))) + self.spline * s.powi(3)
+    }
+}
+
+impl PairShape {
+    fn at(&self, q: f64) -> f64 {
+        let (t, s) = ((1.0 - q).max(0.0), (1.0 - 2.0 * q).max(0.0));
+        let [c1, c2, c3, c4] = self.powers;
+        t * (c1 + t * (c2 + t * (c3 + t * c4))) + (self.inverse * t * t + self.spline * s * s) / q
+    }
+
+    fn scaled(&self, by: f64) -> Self {
+        Self { powers: self.powers.map(|c| by * c), inverse: by * self.inverse, spline: by * self.spline }
+    }
+}
+
+/// W(q), but for a factor. The viscosity kernel is infinite at 0, and has no density: scenes refuse it.
+fn shape(kernel: SmoothingKernel) -> Shape {
+    let (powers, spline) = match kernel {
+        SmoothingKernel::Poly6 => ([8.0, -12.0, 6.0, -1.0], 0.0),
+        SmoothingKernel::Spiky | SmoothingKernel::Viscosity => ([1.0, 0.0, 0.0, 0.0], 0.0),
+        SmoothingKernel::CubicSpline => ([1.0, 0.0, 0.0, 0.0], -0.5),
+        SmoothingKernel::Wendland => ([0.0, 5.0, -4.0, 0.0], 0.0),
+    };
+    Shape { powers, spline }
+}
+
+/// -W'(q)/q of the same.
+fn slope(kernel: SmoothingKernel) -> PairShape {
+    let (powers, inverse, spline) = match kernel {
+        SmoothingKernel::Poly6 => ([0.0, 24.0, -24.0, 6.0], 0.0, 0.0),
+        SmoothingKernel::Spiky | SmoothingKernel::Viscosity => ([0.0; 4], 3.0, 0.0),
+        SmoothingKernel::CubicSpline => ([0.0; 4], 3.0, -3.0),
+        SmoothingKernel::Wendland => ([0.0, 0.0, 20.0, 0.0], 0.0, 0.0),
+    };
+    PairShape { powers, inverse, spline }
+}
+
+/// What a difference of velocities counts: the viscosity kernel's own Laplacian, 45/π (1 - q) (Müller, Charypar & Gross
+/// 2003), of others -2 W'/q (Brookshaw 1985), which is positive everywhere, as their Laplacians are not.
+fn laplacian(kernel: SmoothingKernel) -> PairShape {
+    match kernel {
+        SmoothingKernel::Viscosity => PairShape { powers: [1.0, 0.0, 0.0, 0.0], inverse: 0.0, spline: 0.0 },
+        kernel => slope(kernel),
+    }
+}
+
+/// Sums over a lattice's points, but for the middle one: as steps along the axes and q.
+fn sum(scene: &Scene, mut of: impl FnMut([i32; 3], f64) -> f64) -> f64 {
+    let mut sum = 0.0;
+    for_lattice(scene.domain.dimensions, scene.solver.support_ratio, |step, q| {
+        if q > 0.0 {
+            sum += of(step, q);
+        }
+    });
+    sum
+}
+
+/// A pressure's slope is its own on the lattice: Σ (-W'/q) q²/D = 1.
+fn pressure(scene: &Scene) -> PairShape {
+    let shape = slope(scene.solver.sph.pressure_kernel);
+    let d = f64::from(scene.domain.dimensions);
+    shape.scaled(1.0 / sum(scene, |_, q| shape.at(q) * q * q / d))
+}
+
+/// A parabola of velocities has its own Laplacian on the lattice: Σ w q²/(2D) = 1.
+fn viscosity(scene: &Scene) -> PairShape {
+    let shape = laplacian(scene.solver.sph.viscosity_kernel);
+    let d = f64::from(scene.domain.dimensions);
+    shape.scaled(1.0 / sum(scene, |_, q| shape.at(q) * q * q / (2.0 * d)))
+}
+
+/// Whether all terms have Wendland's kernel, which has a variant of its own.
+pub(super) fn are_chosen(scene: &Scene) -> bool {
+    let sph = &scene.solver.sph;
+    [sph.density_kernel, sph.pressure_kernel, sph.viscosity_kernel] != [SmoothingKernel::Wendland; 3]
+}
+
+/// What the shaders are given.
+pub fn sph_kernels(scene: &Scene) -> SphKernels {
+    let density = shape(scene.solver.sph.density_kernel);
+    let weight = 1.0 / (density.at(0.0) + sum(scene, |_, q| density.at(q)));
+    let (pressure, viscosity) = (pressure(scene), viscosity(scene));
+    SphKernels {
+        density: density.powers.map(|c| (weight * c) as f32),
+        pressure: pressure.powers.map(|c| c as f32),
+        viscosity: viscosity.powers.map(|c| c as f32),
+        density_spline: (weight * density.spline) as f32,
+        density_self: (weight * density.at(0.0)) as f32,
+        pressure_inverse: pressure.inverse as f32,
+        pressure_spline: pressure.spline as f32,
+        viscosity_inverse: viscosity.inverse as f32,
+        viscosity_spline: viscosity.spline as f32,
+        ..SphKernels::default()
+    }
+}
+
+/// What walls count in the density: as fluid beyond them would with its kernel.
+pub fn density_walls(scene: &Scene) -> SmoothingKernelParams {
+    walls_of(scene, scene.solver.sph.density_kernel)
+}
+
+/// What walls answer to pressure: likewise. Not scaled until even pressure leaves the lattice's first layer where it is,
+/// which would be 1.4 times as much at h = 2 d: fluid is no lattice for long, and such walls drove a pool about for ever.
+pub fn pressure_walls(scene: &Scene) -> SmoothingKernelParams {
+    walls_of(scene, scene.solver.sph.pressure_kernel)
+}
+
+/// Half a spacing in h: where the lattice's first layer is.
+fn wall_distance(scene: &Scene) -> f64 {
+    0.5 / scene.solver.support_ratio
+}
+
+/// The slope of the share beyond a wall at a distance in h, 1/h.
+fn slope_at(walls: &SmoothingKernelParams, distance: f64) -> f64 {
+    let t = 1.0 - distance;
+    let [c0, c1, c2, c3] = walls.wall_kernel_fraction.map(f64::from);
+    t.powi(4) * (5.0 * c0 + t * (6.0 * c1 + t * (7.0 * c2 + t * 8.0 * c3)))
+}
+
+fn share_at(walls: &SmoothingKernelParams, distance: f64) -> f64 {
+    let t = 1.0 - distance;
+    let [c0, c1, c2, c3] = walls.wall_kernel_fraction.map(f64::from);
+    t.powi(5) * (c0 + t * (c1 + t * (c2 + t * c3)))
+}
+
+/// What makes a wall bear the half of a first layer's weight that the fluid above leaves to it.
+pub(super) fn borne_scale(scene: &Scene) -> f64 {
+    let walls = pressure_walls(scene);
+    let s = wall_distance(scene);
+    0.5 / (f64::from(walls.wall_plane) * (share_at(&walls, s) + s * slope_at(&walls, s)))
+}
+
+fn walls_of(scene: &Scene, kernel: SmoothingKernel) -> SmoothingKernelParams {
+    let wendland = smoothing_kernel_params(scene);
+    if kernel == SmoothingKernel::Wendland {
+        return wendland;
+    }
+    let shape = shape(kernel);
+    let fraction = fitted_wall_kernel_fraction(scene.domain.dimensions, |q| shape.at(q));
+    let scales = crate::boundary::WallScales::of(
+        scene.domain.dimensions,
+        scene.solver.support_ratio,
+        |q| shape.at(q),
+        fraction,
+    );
+    SmoothingKernelParams {
+        wall_plane: scales.plane as f32,
+        wall_edge: scales.edge as f32,
+        wall_corner: scales.corner as f32,
+        wall_kernel_fraction: fraction.map(|c| c as f32),
+        ..wendland
+    }
+}
+
+/// The colour field's slope in each layer below a plane surface of the lattice, for want of neighbours above, 1/h.
+pub(super) fn surface_normals(scene: &Scene) -> Vec<f64> {
+    let (pressure, ratio) = (pressure(scene), scene.solver.support_ratio);
+    let missing = |layer: i32| {
+        sum(scene, |step, q| match step[1] > layer {
+            true => pressure.at(q) * f64::from(step[1]) / ratio,
+            false => 0.0,
+        })
+    };
+    (0..ratio.ceil() as i32).map(missing).collect()
+}
+
+/// What they sum up to over the depth: all of a surface's force is to be its tension times its curvature.
+pub(super) fn tension_sum(scene: &Scene) -> f64 {
+    surface_normals(scene).iter().sum::<f64>() / scene.solver.support_ratio
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn scene(settings: &[&str]) -> Scene {
+        let settings: Vec<String> = settings.iter().map(|&s| s.into()).collect();
+        Scene::load("dam-break", &settings).unwrap()
+    }
+
+    const FINITE: [SmoothingKernel; 4] = [
+        SmoothingKernel::Poly6,
+        SmoothingKernel::Spiky,
+        SmoothingKernel::CubicSpline,
+        SmoothingKernel::Wendland,
+    ];
+
+    #[test]
+    fn slopes_are_the_derivatives() {
+        for kernel in FINITE {
+            let (w, g) = (shape(kernel), slope(kernel));
+            for i in 1..40 {
+                let (q, e) = (f64::from(i) / 40.0 - 0.003, 1e-6);
+                let expected = (w.at(q - e) - w.at(q + e)) / (2.0 * e) / q;
+                assert!((g.at(q) - expected).abs() < 1e-6, "{kernel:?} at {q}: {} and {expected}", g.at(q));
+            }
+            assert!(w.at(1.0).abs() < 1e-15 && g.at(1.0).abs() < 1e-15, "{kernel:?}");
+        }
+    }
+
+    #[test]
+    fn kernels_integrate_to_what_their_papers_say() {
+        // Müller, Charypar & Gross 2003, eq. 20-22, W(0) being 1 here; Monaghan & Lattanzio's 8/pi h^3; Wendland's 21/2pi.
+        let pi = std::f64::consts::PI;
+        let factors = [315.0 / (64.0 * pi), 15.0 / pi, 16.0 / pi, 21.0 / (2.0 * pi)];
+        for (kernel, factor) in FINITE.into_iter().zip(factors) {
+            let n = 20_000;
+            let volume: f64 = (0..n)
+                .map(|i| {
+                    let q = (f64::from(i) + 0.5) / f64::from(n);
+                    4.0 * pi * q * q * shape(kernel).at(q) / f64::from(n)
+                })
+                .sum();
+            assert!((factor * volume - 1.0).abs() < 1e-6, "{kernel:?}: {}", factor * volume);
+        }
+    }
+
+    #[test]
+    fn the_lattice_at_rest_has_its_density_and_walls_make_up_for_what_is_beyond_them() {
+        for name in SmoothingKernel::FINITE_NAMES {
+            let setting = format!("solver.sph.density_kernel={name}");
+            let scene = scene(&["solver.method=sph", &setting]);
+            let walls = density_walls(&scene);
+            let shape = shape(scene.solver.sph.density_kernel);
+            let weight = f64::from(sph_kernels(&scene).density_self) / shape.at(0.0);
+            let inside =
+                weight * (shape.at(0.0) + sum(&scene, |step, q| if step[1] <= 0 { shape.at(q) } else { 0.0 }));
+            let beyond = f64::from(walls.wall_plane) * share_at(&walls, wall_distance(&scene));
+            assert!((inside + beyond - 1.0).abs() < 1e-5, "{name}: {inside} + {beyond}");
+        }
+    }
+}

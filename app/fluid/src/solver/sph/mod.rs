@@ -1,0 +1,141 @@
+//! Smoothed particle hydrodynamics after Müller, Charypar & Gross 2003: pressure follows from density by an equation of
+//! state, and time goes in steps that its sound cannot outrun.
+//!
+//! A substep moves particles first and computes forces of where they then are, so that lists, densities and positions of a
+//! measurement belong together. The acceleration is kept by slot: the next substep reads it before it sorts.
+
+mod accelerate;
+mod compute_density;
+mod kernels;
+mod time_step;
+
+use brooklet_gpu::{Recording, Resources};
+use brooklet_kernels::{
+    Buffer, KickParams, SmoothingKernelParams, SphKernels, SphParams, VelocityPressure, VelocityPressureNormal,
+};
+
+use crate::grid::NeighbourSearch;
+use crate::particles::advect;
+use crate::scene::Scene;
+use crate::step_context::{Particles, StepContext};
+use accelerate::accelerate;
+use compute_density::compute_density;
+pub use kernels::{density_walls, pressure_walls, sph_kernels};
+pub use time_step::limits;
+use time_step::TimeStep;
+
+/// The solver's settings and buffers.
+pub struct Sph {
+    pub(crate) params: Buffer<SphParams>,
+    pub(crate) search: NeighbourSearch,
+    kernels: Buffer<SphKernels>,
+    density_walls: Buffer<SmoothingKernelParams>,
+    pressure_walls: Buffer<SmoothingKernelParams>,
+    /// Whether a term has another kernel than Wendland's.
+    chosen_kernels: bool,
+    gathered: Gathered,
+    kicks: Buffer<KickParams>,
+    accelerations: Buffer<[f32; 4]>,
+    time_step: TimeStep,
+}
+
+/// What pairs gather.
+enum Gathered {
+    Flow(Buffer<VelocityPressure>),
+    /// With surface tension.
+    FlowAndSurface(Buffer<VelocityPressureNormal>),
+}
+
+/// Pressure that is clamped nowhere: no fluid pulls as much.
+const UNCLAMPED_M2_S2: f64 = -1.0e30;
+/// Two particles closer than half a spacing part: the pressure of fluid that is 5 % compressed, as they meet.
+const SEPARATION_COMPRESSION: f64 = 0.05;
+
+/// Share of a plane surface's normal that a normal has at least: those of disorder inside are shorter.
+const LEAST_NORMAL: f64 = 0.25;
+
+/// What the shaders are given.
+pub fn params(scene: &Scene) -> SphParams {
+    let (sph, support_m) = (&scene.solver.sph, scene.support_m());
+    let stiffness_m2_s2 = scene.stiffness_m2_s2();
+    let g_m_s2 = scene.gravity_m_s2.iter().map(|g| g * g).sum::<f64>().sqrt();
+    let tension_m3_s2 = sph.surface_tension_n_m / scene.rest_density_kg_m3() 
+        / kernels::tension_sum(scene);
+    let [_, _, end_kick] = sph.integrator.kicks();
+    SphParams {
+        stiffness_m2_s2: stiffness_m2_s2 as f32,
+        exponent: sph.exponent as f32,
+        least_pressure_m2_s2: if sph.clamp_pressure { 0.0 } else { UNCLAMPED_M2_S2 as f32 },
+        viscosity_m2_s: scene.sph_viscosity_m2_s() as f32,
+        tension_m3_s2: tension_m3_s2 as f32,
+        separation: (0.5 / scene.solver.support_ratio) as f32,
+        separation_m2_s2: (SEPARATION_COMPRESSION * stiffness_m2_s2) as f32,
+        // Of fluid as deep as a quarter of the support.
+        supported_per_m2_s2: if g_m_s2 > 0.0 { (4.0 / (g_m_s2 * support_m)) as f32 } else { 0.0 },
+        borne_scale: kernels::borne_scale(scene) as f32,
+        end_kick: end_kick as f32,
+        least_normal: (LEAST_NORMAL * kernels::surface_normals(scene)[0]) as f32,
+        along_surface: (scene.domain.dimensions - 1) as f32,
+    }
+}
+
+/// What the move is given.
+pub fn kick_params(scene: &Scene) -> KickParams {
+    let [before, after, end] = scene.solver.sph.integrator.kicks().map(|share| share as f32);
+    KickParams { before, after, end, reserved: 0.0 }
+}
+
+impl Sph {
+    /// Declares the buffers of the terms that `scene` has.
+    pub fn declare(resources: &mut Resources, scene: &Scene, capacity: u32) -> Self {
+        Self {
+            params: resources.persistent("sph_params", 1),
+            search: NeighbourSearch::declare(resources, scene, capacity),
+            kernels: resources.persistent("sph_kernels", 1),
+            density_walls: resources.persistent("density_walls", 1),
+            pressure_walls: resources.persistent("pressure_walls", 1),
+            chosen_kernels: kernels::are_chosen(scene),
+            gathered: match scene.solver.sph.surface_tension_n_m > 0.0 {
+                true => Gathered::FlowAndSurface(resources.buffer("velocity_pressure_normals", capacity)),
+                false => Gathered::Flow(resources.buffer("velocity_pressures", capacity)),
+            },
+            kicks: resources.persistent("kick_params", 1),
+            accelerations: resources.persistent("accelerations", capacity),
+            time_step: TimeStep::declare(resources, scene),
+        }
+    }
+
+    pub(super) fn record_init(&mut self, init: &mut Recording, scene: &Scene) {
+        init.upload(&mut self.params, &[params(scene)]);
+        init.upload(&mut self.kernels, &[sph_kernels(scene)]);
+        init.upload(&mut self.density_walls, &[density_walls(scene)]);
+        init.upload(&mut self.pressure_walls, &[pressure_walls(scene)]);
+        init.upload(&mut self.kicks, &[kick_params(scene)]);
+        init.clear(&mut self.accelerations);
+        self.time_step.record_init(init, scene);
+        self.search.record_init(init, scene);
+    }
+
+    /// Opens a substep.
+    pub(super) fn begin_substep(&mut self, recording: &mut Recording, context: &mut StepContext) {
+        self.time_step.choose(recording, context);
+    }
+
+    pub(super) fn record_substep(
+        &mut self,
+        recording: &mut Recording,
+        context: &mut StepContext,
+        particles: &mut Particles,
+    ) {
+        advect(recording, context, particles, Some((&self.accelerations, &self.kicks)));
+        self.search.sort(recording, context, particles);
+        self.search.list(recording, context);
+        compute_density(recording, self, context, particles);
+        accelerate(recording, self, context, particles);
+    }
+
+    /// What the next substep's move takes of the last one's acceleration, by slot.
+    pub(crate) fn accelerations(&self) -> &Buffer<[f32; 4]> {
+        &self.accelerations
+    }
+}

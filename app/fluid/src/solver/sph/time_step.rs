@@ -1,0 +1,56 @@
+//! How long a substep is, and how long it may be. (Shader: `solver/sph/choose_time_step.compute`.)
+
+use brooklet_gpu::{Recording, Resources};
+use brooklet_kernels::{Buffer, ChooseTimeStep, ChooseTimeStepVariant, SphLimits, SphTimeStep};
+
+use crate::scene::Scene;
+use crate::step_context::StepContext;
+
+/// The limits, and what the substeps came to.
+pub(super) struct TimeStep {
+    pub(super) state: Buffer<SphTimeStep>,
+    limits: Buffer<SphLimits>,
+    adaptive: bool,
+}
+
+/// What the shader is given. h/2 stands for the smoothing length, of which the limits are: .4 (h/2) / (c + v) and
+/// .25 √((h/2) / a), the square of which goes under the root.
+pub fn limits(scene: &Scene) -> SphLimits {
+    let half_m = 0.5 * scene.support_m();
+    SphLimits {
+        cfl_m: (0.4 * half_m) as f32,
+        sound_m_s: scene.stiffness_m2_s2().sqrt() as f32,
+        force_m: (0.0625 * half_m) as f32,
+        steady_s: scene.steady_limit_s() as f32,
+        step_s: scene.solver.dt_s as f32,
+        substeps: scene.substeps(),
+        ..SphLimits::default()
+    }
+}
+
+impl TimeStep {
+    pub(super) fn declare(resources: &mut Resources, scene: &Scene) -> Self {
+        Self {
+            state: resources.persistent("sph_time_step", 1),
+            limits: resources.persistent("sph_limits", 1),
+            adaptive: scene.adapts_substeps(),
+        }
+    }
+
+    pub(super) fn record_init(&mut self, init: &mut Recording, scene: &Scene) {
+        init.upload(&mut self.limits, &[limits(scene)]);
+        init.clear(&mut self.state);
+    }
+
+    pub(super) fn choose(&mut self, recording: &mut Recording, context: &mut StepContext) {
+        let kernel = ChooseTimeStep {
+            variant: ChooseTimeStepVariant { adaptive: self.adaptive },
+            step_state: context.slots.state.write(),
+            time_step: self.state.write(),
+            counters: context.counters.write(),
+            step_params: (!self.adaptive).then(|| context.step.uniform()),
+            limits: self.limits.uniform(),
+        };
+        recording.dispatch_groups(&kernel, [1; 3]);
+    }
+}

@@ -1,0 +1,48 @@
+// Written by the shader compiler; do not edit. `cargo run -p brooklet-compiler -- build`
+// makes it anew from particles/end_step.compute.
+//! Kernels of `particles/end_step.compute`.
+
+use super::StepState;
+use crate::{Access, BindingError, BindingInfo, BindingKind, Bound, BufMut, Kernel, Module, StageKind, Tier, bind};
+
+/// Ends a step whose substeps the GPU chose: what reads the particles now visits all of them, though the last substeps that
+/// were left over visited none.
+#[derive(Debug)]
+pub struct EndStep<'a> {
+    /// `RWStructuredBuffer<StepState> step_state`.
+    pub step_state: BufMut<'a, StepState>,
+}
+
+impl Kernel for EndStep<'_> {
+    const STAGE: &'static str = "end_step";
+    const GROUP_SIZE: [u32; 3] = [1, 1, 1];
+
+    fn module(&self) -> &'static Module {
+        &END_STEP
+    }
+    fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
+        bind(self.module(), &[("step_state", Some(self.step_state.id))])
+    }
+}
+
+/// The modules of this file.
+pub(super) static MODULES: &[&Module] = &[&END_STEP];
+
+static BINDINGS_0: &[BindingInfo] = &[BindingInfo {
+    name: "step_state",
+    slot: 0,
+    kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
+}];
+
+static END_STEP: Module = Module {
+    name: "EndStep",
+    entry: "EndStep",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/end_step.spv"),
+    bindings: BINDINGS_0,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "particles/end_step.compute",
+    hash: "97de934f7e4a0c6b2895ce49a54bba9e91dbadb975a77706b1c5ac4bcc5ab067",
+};

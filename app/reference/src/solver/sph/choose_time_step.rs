@@ -1,0 +1,112 @@
+//! How long a substep is. (Shader: `solver/sph/choose_time_step.compute`.)
+
+/// What limits it; see `SphLimits`.
+#[derive(Clone, Copy, Debug)]
+pub struct Limits {
+    /// Over the speed of sound and the fastest particle's, m.
+    pub cfl_m: f64,
+    /// m/s.
+    pub sound_m_s: f64,
+    /// Over the largest acceleration, under the root, m.
+    pub force_m: f64,
+    /// The least of those that stay, s.
+    pub steady_s: f64,
+    /// What a step advances, s.
+    pub step_s: f64,
+    /// Of a step, at most.
+    pub substeps: u32,
+}
+
+/// What is left of a step whose substeps the limits choose.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Left {
+    /// Time, s.
+    pub left_s: f64,
+    /// Substeps that there may still be.
+    pub substeps: u32,
+}
+
+/// A substep.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Chosen {
+    /// Its length; 0 of one that visits nothing.
+    pub dt_s: f64,
+    /// Whether that is above the limit.
+    pub is_long: bool,
+    /// What it leaves.
+    pub left: Left,
+}
+
+impl Limits {
+    /// The longest allowed substep after one with this fastest particle and largest acceleration, s.
+    pub fn limit_s(&self, max_speed_m_s: f64, max_acceleration_m_s2: f64) -> f64 {
+        let cfl_s = self.cfl_m / (self.sound_m_s + max_speed_m_s);
+        let force_s = if max_acceleration_m_s2 > 0.0 { (self.force_m / max_acceleration_m_s2).sqrt() } else { cfl_s };
+        cfl_s.min(force_s).min(self.steady_s)
+    }
+
+    /// As few substeps to the step's end as the limit allows.
+    pub fn choose(&self, limit_s: f64, before: Left) -> Chosen {
+        let before = match before.substeps {
+            0 => Left { left_s: self.step_s, substeps: self.substeps },
+            _ => before,
+        };
+        if before.left_s <= 0.0 {
+            let left = Left { left_s: 0.0, substeps: before.substeps - 1 };
+            return Chosen { dt_s: 0.0, is_long: false, left };
+        }
+        let substeps = (before.left_s / limit_s).ceil().clamp(1.0, f64::from(before.substeps));
+        let dt_s = before.left_s / substeps;
+        let left_s = if substeps == 1.0 { 0.0 } else { before.left_s - dt_s };
+        Chosen { dt_s, is_long: is_long(dt_s, limit_s), left: Left { left_s, substeps: before.substeps - 1 } }
+    }
+}
+
+/// Whether a substep is above its limit, by more than a rounding.
+pub fn is_long(dt_s: f64, limit_s: f64) -> bool {
+    dt_s > 1.0001 * limit_s
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const LIMITS: Limits =
+        Limits { cfl_m: 0.008, sound_m_s: 30.0, force_m: 0.00125, steady_s: 1.0, step_s: 1.0 / 240.0, substeps: 30 };
+
+    #[test]
+    fn substeps_add_up_to_the_step_and_keep_the_limit() {
+        let mut left = Left::default();
+        let (mut time_s, mut taken) = (0.0, 0);
+        for _ in 0..LIMITS.substeps {
+            let chosen = LIMITS.choose(LIMITS.limit_s(2.0, 100.0), left);
+            assert!(!chosen.is_long);
+            taken += u32::from(chosen.dt_s > 0.0);
+            time_s += chosen.dt_s;
+            left = chosen.left;
+        }
+        assert!((time_s - LIMITS.step_s).abs() < 1e-15 && left == Left::default());
+        // .008 / 32 = 250 us, and 4,167 us are 16.7 of them.
+        assert_eq!(taken, 17);
+    }
+
+    #[test]
+    fn what_has_no_room_for_its_substeps_says_so_and_still_ends_in_time() {
+        let limits = Limits { substeps: 4, ..LIMITS };
+        let mut left = Left::default();
+        let (mut time_s, mut long) = (0.0, 0);
+        for _ in 0..4 {
+            let chosen = limits.choose(2.5e-4, left);
+            (time_s, long, left) = (time_s + chosen.dt_s, long + u32::from(chosen.is_long), chosen.left);
+        }
+        assert_eq!(long, 4);
+        assert!((time_s - limits.step_s).abs() < 1e-15);
+    }
+
+    #[test]
+    fn each_limit_is_the_least_where_it_bites() {
+        assert!((LIMITS.limit_s(10.0, 0.0) - 0.008 / 40.0).abs() < 1e-18);
+        assert!((LIMITS.limit_s(0.0, 1e6) - (0.00125e-6_f64).sqrt()).abs() < 1e-18);
+        assert_eq!(Limits { steady_s: 1e-5, ..LIMITS }.limit_s(0.0, 1.0), 1e-5);
+    }
+}

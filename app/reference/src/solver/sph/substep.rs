@@ -1,0 +1,85 @@
+//! A whole substep of SPH, in the order of the GPU's.
+
+use super::accelerate::{Flow, accelerate};
+use super::choose_time_step::{Left, Limits};
+use super::compute_density::{Kernels, Terms, compute_density};
+use crate::boundary::walls::DomainWalls;
+use crate::grid::list_neighbours::list_by_cells;
+use crate::params::{Smoothing, Step};
+use crate::particles::advect::{Kicks, advect};
+use crate::particles::predict::Particle;
+use crate::shared::parallel;
+use glam::DVec3;
+
+/// The solver with everything that it is told.
+#[derive(Clone, Debug)]
+pub struct Sph {
+    /// The distances that neighbours are of.
+    pub smoothing: Smoothing,
+    /// The kernels.
+    pub kernels: Kernels,
+    /// The terms.
+    pub terms: Terms,
+    /// The integrator.
+    pub kicks: Kicks,
+    /// What the density's kernel counts beyond walls.
+    pub density_walls: Option<DomainWalls>,
+    /// And what they answer to pressure.
+    pub pressure_walls: Option<DomainWalls>,
+    /// What limits substeps, where they are chosen.
+    pub adaptive: Option<Limits>,
+    /// What is left of the step.
+    pub left: Left,
+    /// Fastest particle and largest acceleration of the last substep.
+    pub maxima: [f64; 2],
+}
+
+impl Sph {
+    /// Advances by one substep; one that is left over does nothing.
+    pub fn substep(&mut self, particles: &mut [Particle], step: &Step) {
+        let mut step = *step;
+        if let Some(limits) = &self.adaptive {
+            let [speed_m_s, acceleration_m_s2] = self.maxima;
+            let chosen = limits.choose(limits.limit_s(speed_m_s, acceleration_m_s2), self.left);
+            self.left = chosen.left;
+            self.maxima = [0.0; 2];
+            if chosen.dt_s == 0.0 {
+                return;
+            }
+            step.dt_s = chosen.dt_s;
+        }
+        for particle in particles.iter_mut() {
+            *particle = advect(*particle, &step, &self.kicks).particle;
+        }
+        let accelerations = self.accelerations(particles, &step);
+        for (particle, acceleration_m_s2) in particles.iter_mut().zip(accelerations) {
+            if !particle.is_simulated() {
+                continue;
+            }
+            let [speed_m_s, most_m_s2] = self.maxima;
+            self.maxima = [speed_m_s.max(particle.velocity_m_s.length()), most_m_s2.max(acceleration_m_s2.length())];
+            particle.acceleration_m_s2 = Some(acceleration_m_s2);
+            particle.velocity_m_s += acceleration_m_s2 * (self.kicks.end * step.dt_s);
+        }
+    }
+
+    fn accelerations(&self, particles: &[Particle], step: &Step) -> Vec<DVec3> {
+        let positions_m: Vec<DVec3> = particles.iter().map(|p| p.position_m).collect();
+        let velocities_m_s: Vec<DVec3> = particles.iter().map(|p| p.velocity_m_s).collect();
+        let alone = |i: usize| {
+            let inside_m = positions_m[i].clamp(DVec3::ZERO, step.domain_size_m);
+            !particles[i].is_simulated() || inside_m != positions_m[i]
+        };
+        let neighbours = list_by_cells(&positions_m, alone, self.smoothing.support_m, step.period_m);
+        let states = parallel::map(particles.len(), |i| {
+            let walls = self.density_walls.as_ref();
+            compute_density(i, &positions_m, &neighbours[i], &self.smoothing, &self.kernels, &self.terms, walls)
+        });
+        let flow = Flow { positions_m: &positions_m, velocities_m_s: &velocities_m_s, states: &states };
+        parallel::map(particles.len(), |i| {
+            let (list, walls) = (&neighbours[i], self.pressure_walls.as_ref());
+            let none = |_, _| DVec3::ZERO;
+            accelerate(i, &flow, list, step, &self.smoothing, &self.kernels, &self.terms, walls, none)
+        })
+    }
+}
