@@ -262,8 +262,8 @@ impl Scene {
             "solver.sph.surface_tension_n_m",
             Short(sph.surface_tension_n_m),
             format_args!(
-                "needs a solver.support_ratio of {LEAST_TENSION_RATIO} or more: at 2 a surface has one layer that knows \
-                 its normal, and a drop was measured to boil off"
+                "needs a solver.support_ratio of {LEAST_TENSION_RATIO} or more: with less a surface has \
+                 one layer that knows its normal, and a drop was measured to lose particles"
             ),
         )?;
         if !sph.adaptive_substeps {

@@ -25,8 +25,8 @@ pub struct AccelerateVariant {
 
 /// The acceleration of each particle and what its velocity takes of it at once: pressure in the form that keeps momentum
 /// (Monaghan 1992), viscosity of differences of velocities (Muller, Charypar & Gross 2003, eq. 14; Morris, Fox & Zhu 1997),
-/// gravity, walls, and with SURFACE\_TENSION that of the colour field (Muller et al., eq. 19), whose curvature is the
-/// divergence of the normals that there are (Morris 2000). A wall answers with its particle's own pressure, and with what
+/// gravity, walls, and with SURFACE\_TENSION the divergence of the colour field's stress (Lafaurie et al. 1994; Hu & Adams
+/// 2006), which needs no curvature and keeps momentum too. A wall answers with its particle's own pressure, and with what
 /// that would grow by under gravity beyond it (Adami, Hu & Adams 2012), in closed form.
 #[derive(Debug)]
 pub struct Accelerate<'a> {
@@ -261,7 +261,7 @@ static ACCELERATE: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "8515aedb8b4cb8a2d332f41757b6e7fa92bfe3c1083b2fe42709976ba5d899d7",
+    hash: "0e0f959f9c5a53aba59fca387af47d59098468a86ea29524950facbbfca9e919",
 };
 
 static ACCELERATE_WITH_RELAXED_PRECISION: Module = Module {
@@ -274,7 +274,7 @@ static ACCELERATE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "37034cf63690e66b0bb3d7c2afa933d0915fd4b802cee0955674e839332641fd",
+    hash: "476f60e1d8e21cd807560ffb95f495cbeef11d124586ab488a2032bf59264142",
 };
 
 static ACCELERATE_WITH_HALF_PRECISION: Module = Module {
@@ -287,7 +287,7 @@ static ACCELERATE_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "631943855e11acda4463804fb7011fe69dd8438bcbdd2841946efe21828e5f66",
+    hash: "1947ef397502a5dd8e0ee0db1a6a8913fb21699f7bd7616b96710d705800a3e7",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION: Module = Module {
@@ -300,7 +300,7 @@ static ACCELERATE_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "4c806c58ebccfc0f57618114121169ab2ad56a8ac0d962123d736d762421e081",
+    hash: "e12238ac1482c1829a3b9642f4e70c383dcc99c3ed22626bbcf70f439cd5f9e1",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -313,7 +313,7 @@ static ACCELERATE_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "93a996edc00f160adc924e59894dc6d53026c32055e774bc9aafda33f6e8c82d",
+    hash: "dcd85b2aaa62c6e230a9ec5b57f76e6b8b167e4f31f3e39d1add6a702dd5c72e",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -326,7 +326,7 @@ static ACCELERATE_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "b77a4515c4b98f729e5e5b4a167e0d6b690f427b8c9bb71e9962badf82ace275",
+    hash: "4ac72d76ca2ae9696b454a2a2b0f9cc1257c5c6ec69428bdab7c93666ae57139",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS: Module = Module {
@@ -339,7 +339,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "0069aa3e6b3cea083a9de72730fe57238d052831e7db4e527a9b5cc2002b74a6",
+    hash: "18c390009d2dbe9f850e7c979df6058e869dc571bcee6a16e90cf1d45d90ba6a",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -352,7 +352,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "0f8a74b70b94383475883aa0bc01145bdef6a78bdec3feeeafdcb94781ef1bcc",
+    hash: "3f9088bb5ec554f597bf685128c903d308abf4f6b279fa8cb9282cf65e39108a",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -365,7 +365,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "7f48c0a07a883240d2e1c943195e6791258874525e4f77dfa3ba9a8335c9fcbf",
+    hash: "d4f190d82f6db0a385a531012d4945dc52dde7aac24694c308a6c933e9436a3c",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -378,7 +378,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "e4aaa0670c0b1cf46d7d08b82a68fbeca6f9d8f72751d2c03e7c65eb89f6b41e",
+    hash: "af2701c515f35c7b24f1b4a0de9595dbc0babe71d4f19241a7d584affc809533",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -391,7 +391,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISIO
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "99e6e7d19670f7ac6495627d65cfe60f2945ecae0b69ced8fe942379fe8a29ca",
+    hash: "9c5167f96b16f2b4dbae41badaba94c61fc69e88b1bfa3820f5e0f9483966fe8",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -404,7 +404,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: 
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "facc940361a5194c15f2ce7026b899c2b77fcea64a7e94ac05b3a2585b9091d8",
+    hash: "c3b8f889b63216f39c8b72285bdbf5950aefd52f7489e7ad32bc288bf1d7237a",
 };
 
 static ACCELERATE_WITH_WALLS: Module = Module {
@@ -417,7 +417,7 @@ static ACCELERATE_WITH_WALLS: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "da66927985aa034a19e4c3c28a558761e08e3bb514de98fa6a1038fe7e06fce9",
+    hash: "fa6e9bcef7f5ae9d4f86baa16e7ed7a15effaf1f4e33005e548d5142a5aa451a",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -430,7 +430,7 @@ static ACCELERATE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "d56a544096ea34f5ee41bec4d80d302fa35f927732737d1f020c8d81bf566e20",
+    hash: "51fab920180fe045a32935fbb6df593d5634dd92881de941d10eaea69830d1c2",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -443,7 +443,7 @@ static ACCELERATE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "7f63c4ea95c825a8be1340c735f72c1292e150232819a745b49e083d273b9995",
+    hash: "55c65e4db3193557bccbd398819dbde1d018122c0218edcebb57369bddce284f",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
@@ -456,7 +456,7 @@ static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "28e3eb71b9de232441b24be9b92a5abc7413ebf64a0d7f5d80015fcf457d91ef",
+    hash: "67f96bae23196934509a692a126fc9b8fadafd9f7c5af9dd23f0701efa052622",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -469,7 +469,7 @@ static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "c1a45acefc46f04f2ec87dd7754ea6680c5659bcffab7cd37b5f8c3e884c217f",
+    hash: "e6632428c1985fa6d6d07578d60bd999b40477cd83cfe5a6087ab9fee79c1649",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -482,7 +482,7 @@ static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = 
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "43be865e15939ebc7bd10b7b887150723d731418c536490be60d91ef3e81e613",
+    hash: "1112577f8a4ba23fb56ed3274b79b66fdcddf8d1a161e56ca592f4393b22b5f0",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
@@ -495,7 +495,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "43ee88381e5b283547e7e812d4b0523acb1268f862002bc0a628b392f91f0d87",
+    hash: "a1bf4631eb1e7b8e7f653b7fb699fd5b2c9b754e4ae716129ae27b9cb8163bfb",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -508,7 +508,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module 
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "4464914c21c8863c9956d8f990ec16f730ee2566f7120233c2d8d81972d95b2b",
+    hash: "a322b024d73a794c92d33d6b7639be382d3a4bc85a7a1e9f8335e5093a294811",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -521,7 +521,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = M
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "b53e47cf893be3f9d6a17f6c7740aecfd7818893a43644090cc2871aa7b5e65d",
+    hash: "82251e5db2b0b2f153a15f575ed5c5caebf2b1275ec7cfb422d1d0639b58d48b",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -534,7 +534,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = 
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "bc130ed1128a40ef041b4d47f57038f44f393340f79653489f35f938c9510fcb",
+    hash: "a8e65bc87a80875d37db7e20d838dee6fbf8a1d6990fd38ae727cf3d94183354",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -547,7 +547,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAX
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "9d48f04158f920eb617342ade7927c58f25ce9cd93bb0ab7a2d9d0f3b6fbdd50",
+    hash: "7d9a57f60da92324a3107dd5e591c78542ecbcec892c104447e45b7a43deafe4",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -560,5 +560,5 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "9800899086442952a24203f57d80433c37b3a280b147c358a69b30989d03964f",
+    hash: "e187c114c01411ec06ba9b3f57caf55c8e1f19903da0840cb369aac932b0e65f",
 };

@@ -105,7 +105,7 @@ static CHOOSE_TIME_STEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/choose_time_step.compute",
-    hash: "fd382374806b5972964a3eb08a1582320064ff0840bf28b606d1dfa658a53383",
+    hash: "4d1eccaf5bf62d66fed98d2183c3e4666bfbd82fd1741ecfd79fc06c1481e2fc",
 };
 
 static CHOOSE_TIME_STEP_WITH_ADAPTIVE: Module = Module {
@@ -118,5 +118,5 @@ static CHOOSE_TIME_STEP_WITH_ADAPTIVE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/choose_time_step.compute",
-    hash: "b7648976e7c19af6cc61985db6a4065d8fd9c28fecb79f6d5dfce5f5ce245781",
+    hash: "56f611b2c6bb8d409aaddf376a381cd682c9e3947b95c732ae046b31b9e9d2d0",
 };

@@ -338,7 +338,7 @@ static COMPUTE_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "e7a5f1c8d4898c02d0f19afd9e4eba6ac720fa6e5a4cc86e72d3ea759051a6ce",
+    hash: "03071f0d5fc47fc2a8d8e728d384324c9eb40714c1fc330e5a4497a58d3845dc",
 };
 
 static COMPUTE_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -351,7 +351,7 @@ static COMPUTE_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "bdda18a385bf0289e33cb96596160e5df3d2eb8ff03db65980d95832e5256f26",
+    hash: "5005864b94e31fa56bfc5f8b8ed4cb23af192239dff99441cea0a54b28703845",
 };
 
 static COMPUTE_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -364,7 +364,7 @@ static COMPUTE_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "cd0ad3a4796efd28614c2034e18c7b33e90a0da98ce80388b6be9d98cb700108",
+    hash: "89860656fd8cbb91a44957152c8ab6d4d51db9415ac89cff5c8288e556adafb1",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION: Module = Module {
@@ -377,7 +377,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "dbd9839d10428a8ac03a63e0be7d24e2c7e1eece28f57ab5c4afbda101e0c4c3",
+    hash: "0f42069e693b4819a08261b02d72fbe08ee602bf21e8bd46f56315b1c999c91c",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -390,7 +390,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Mod
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "e3c1754f2f63af8f04294c6e01d125772c55b92df923a47114936c9809b58501",
+    hash: "89b8c9e6ba6a626d8e1ae274c659cfc3de77d805c067be5c5ac4f871fefc6164",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -403,7 +403,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "04b6f073b24aa13b9bb2cf04d2c75eff71575cd58b2437c943cdd44b64312dfd",
+    hash: "2af5384e49d17c244143d27b37703d5bb899863defb467028c44f5a12a63f787",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS: Module = Module {
@@ -416,7 +416,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "f0b43fa1a06c37a33fe325dc38da9f454adfdca968a372093081a66cf8d19fd6",
+    hash: "404f524b3f2879075eccbea9f8e3281637181cc333f06a453b14f971d866ced2",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -429,7 +429,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Modu
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "a8d77809da98a0425549d5e00f97735470c97e901339f81e0d279edb973b35e9",
+    hash: "ff30a2d3ced6ee44f716afb32cc7228ba04cf069b17e5e6fe33530e784935b85",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -442,7 +442,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "ac30dce596b855a9b28bc5c604c1e8e117291a03a05bc381dc1a156f0fbc98c4",
+    hash: "383754f39491351dbbec8e4338a6672e705d35d081d5c691f6ed1961faacfc16",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -455,7 +455,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "73c6a59f9bbeda241fabf07f9667f6318a8d41ffc52e23f076a9eea647976535",
+    hash: "14546e4aa0d08c620843303352b47216cb047c4b3a98536bf5e67fe39171a64e",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -468,7 +468,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRE
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "0790379053da23a64507a346e32bf2e336c6632dde1991057b47a71c6ebe073e",
+    hash: "23cceb3a8203f4213cbf66e3cbaa089fdec7dab34eb9208cbef0c08b0e3b60fc",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -481,7 +481,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECIS
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "8b4b7714e0e96b4a513cc7a294d36af3276039cb4b500b6fe4effd3c41561ea0",
+    hash: "7ba6988d5a2d1ffe54d71061f81e8c8ef0e7e38adfd16002976f5e64ddc8c8a3",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS: Module = Module {
@@ -494,7 +494,7 @@ static COMPUTE_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "970380276220eade8c03e99059da366510bddd709bd071a1b4b73280a8321ffc",
+    hash: "f4efcffe28a8a77ec09eeac04190e0ab222f30d6dd8cc7c723e0dbeae9ec9d61",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -507,7 +507,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "24abfc60939c2b86c32812c1e8a95d5027c4dc890a934673580c0f251592cfe5",
+    hash: "404aa7f6e705c9d9c58c825870809301a04630022acfc7a91b1e587273ad22a3",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -520,7 +520,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "aa802fe427f6ac276cd99bef5fc16e921d393f4ec847a2883efc24910c3dc5ef",
+    hash: "8b7e0e9c333cb51566466b3916ba61c035c4c6e939733043b9c2e2f41045302b",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
@@ -533,7 +533,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "6cc0e07dbca0a5b3300e71e164d1fe994f8467df3f7a8348401c949d1e6ead18",
+    hash: "2cd30cab244f83991c978af20cb792b8c648bc75613e5547b41f2b9fd0f0be43",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -546,7 +546,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: M
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "e7736a8ee60c40c462c703541862c15161955e62861c9d10afcae42159b410ab",
+    hash: "09267ebaa4a0721e34b9d8535f68bc5072c3d55ca688a91d3915ff0e3d83f4a7",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -559,7 +559,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Modu
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "dfd7f4575cf65ac20044b615a851b23b0f2b18edb72cec642206abf6de5b4f46",
+    hash: "dc4d813a6ea7afc0c143473f659ca3fb6db4036dea41c6fe4e96d4fff51b1334",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
@@ -572,7 +572,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "71b85919c92b2d3ae82c50f09c85ef85b9fecb83a7b1c7250c3bbd28932ec7e0",
+    hash: "5f9881cd7d795a6a39b90bf564026ae96dbb08b4628a03961c8f272b920cf115",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -585,7 +585,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Mo
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "d3196c8c142d19c9d54734c6c01edcda528ef862100a3d238bca6f55a29caa07",
+    hash: "7ebd0deffce06b104324ceb65e20d3084450f06523a948b9bee0069b8d657bfe",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -598,7 +598,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "0bc17788c09617d39ede535c2a855dccd23e72ed4b77e8dbace4a02a580786b3",
+    hash: "a9a5f5049837550f257160bfe03b9db9befc22808dffd67892674730923039a6",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -611,7 +611,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Modu
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "7c3ed0da2040f146646bd7483a422053c33a9534aa67d5d5efbd677d2c2969ce",
+    hash: "ce672049d3872c36b07716257fd5c1ab4c08c793a1f7c3615b335018d01c5aa8",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -624,7 +624,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "43d463b27950fd9ff1198cb860c49ed8cc0560eca0029c2e60630cda9794a09b",
+    hash: "5a514f531998ad14159c9a8e833181348e45865e9aaca62c816deea76dc2cfc0",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -637,5 +637,5 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "5740630890b1fc981b45b0de8f90b4ff1ad33954198134af37af4734f9bfe44b",
+    hash: "c6d0cf06d6e24dd5242615e529ceb1e14fc696035cea35f353557e4a082aea87",
 };

@@ -119,10 +119,10 @@ pub struct SphParams {
     pub borne_scale: f32,
     /// KickParams::end
     pub end_kick: f32,
-    /// 1/h; a surface's normal is longer
-    pub least_normal: f32,
-    /// directions that a surface has: 2, or 1 in two dimensions
-    pub along_surface: f32,
+    /// `float`.
+    pub reserved0: f32,
+    /// `float`.
+    pub reserved1: f32,
 }
 const _: () = {
     assert!(offset_of!(SphParams, stiffness_m2_s2) == 0);
@@ -135,8 +135,8 @@ const _: () = {
     assert!(offset_of!(SphParams, supported_per_m2_s2) == 28);
     assert!(offset_of!(SphParams, borne_scale) == 32);
     assert!(offset_of!(SphParams, end_kick) == 36);
-    assert!(offset_of!(SphParams, least_normal) == 40);
-    assert!(offset_of!(SphParams, along_surface) == 44);
+    assert!(offset_of!(SphParams, reserved0) == 40);
+    assert!(offset_of!(SphParams, reserved1) == 44);
     assert!(size_of::<SphParams>() == 48);
 };
 

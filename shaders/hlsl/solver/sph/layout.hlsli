@@ -54,8 +54,8 @@ struct SphParams
     float supported_per_m2_s2;  // 1 over the pressure from which on walls bear all of the fluid's weight
     float borne_scale;          // of what walls bear, so that the lattice's first layer is at rest
     float end_kick;             // KickParams::end
-    float least_normal;         // 1/h; a surface's normal is longer
-    float along_surface;        // directions that a surface has: 2, or 1 in two dimensions
+    float reserved0;
+    float reserved1;
 };
 
 // What limits the substeps (Monaghan 1992; Morris, Fox & Zhu 1997; Brackbill, Kothe & Zemach 1992).

@@ -182,21 +182,24 @@ fn walls_of(scene: &Scene, kernel: SmoothingKernel) -> SmoothingKernelParams {
     }
 }
 
-/// The colour field's slope in each layer below a plane surface of the lattice, for want of neighbours above, 1/h.
-pub(super) fn surface_normals(scene: &Scene) -> Vec<f64> {
+/// What the stress of a plane surface's layers sums up to on the lattice, h: the tension that its parameter is scaled by.
+/// Layer k feels a slope n of the colour field for want of neighbours, and passes its stress on to those it has.
+pub(super) fn tension_sum(scene: &Scene) -> f64 {
     let (pressure, ratio) = (pressure(scene), scene.solver.support_ratio);
-    let missing = |layer: i32| {
-        sum(scene, |step, q| match step[1] > layer {
+    let layers = 0..ratio.ceil() as i32;
+    let of_layer = |layer: i32| {
+        let there = |step: [i32; 3]| step[1] <= layer;
+        let normal = -sum(scene, |step, q| match there(step) {
             true => pressure.at(q) * f64::from(step[1]) / ratio,
             false => 0.0,
-        })
+        });
+        let passed_on = sum(scene, |step, q| match there(step) {
+            true => pressure.at(q) * (f64::from(step[0]) / ratio).powi(2),
+            false => 0.0,
+        });
+        normal.abs() * passed_on
     };
-    (0..ratio.ceil() as i32).map(missing).collect()
-}
-
-/// What they sum up to over the depth: all of a surface's force is to be its tension times its curvature.
-pub(super) fn tension_sum(scene: &Scene) -> f64 {
-    surface_normals(scene).iter().sum::<f64>() / scene.solver.support_ratio
+    layers.map(of_layer).sum::<f64>() / ratio
 }
 
 #[cfg(test)]
