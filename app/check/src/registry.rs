@@ -197,6 +197,16 @@ macro_rules! for_each_known_answer {
                 particles_at_one_point_part_oppositely: ["correct_positions"],
                 update_velocity_matches_its_twin: ["update_velocity"],
             }
+            sph {
+                compute_density_matches_its_twin: ["compute_density"],
+                accelerate_matches_its_twin: ["accelerate"],
+                a_wrong_kernel_or_term_of_sph_is_told_apart: ["compute_density", "accelerate"],
+            }
+            sph_step {
+                advect_matches_its_twin: ["advect"],
+                choose_time_step_matches_its_twin: ["choose_time_step"],
+                end_step_visits_all_again: ["end_step"],
+            }
             surface {
                 every_filter_is_its_twin: [
                     "draw_smooth_narrow_range", "draw_smooth_curvature_flow", "draw_smooth_bilateral",

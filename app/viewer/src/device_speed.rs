@@ -63,10 +63,7 @@ impl Work {
             }
         };
         let window_px: f64 = window_px.into_iter().map(f64::from).product();
-        Self {
-            step: f64::from(run.substeps()) * (DISPATCHES + particles * rounds),
-            draw: draw + PANELS_PX * window_px,
-        }
+        Self { step: f64::from(run.substeps()) * (DISPATCHES + particles * rounds), draw: draw + PANELS_PX * window_px }
     }
 }
 

@@ -26,6 +26,8 @@ pub(crate) mod sample;
 pub(crate) mod scan;
 pub(crate) mod slots;
 pub(crate) mod solver;
+pub(crate) mod sph;
+pub(crate) mod sph_step;
 pub(crate) mod surface;
 pub(crate) mod velocity;
 pub(crate) mod warm_start;

@@ -254,7 +254,10 @@ impl Scene {
                 kernel != SmoothingKernel::Viscosity,
                 field,
                 "\"viscosity\"",
-                format_args!("must be \"{}\": that kernel has no end where particles meet", SmoothingKernel::FINITE_NAMES.join("\" or \"")),
+                format_args!(
+                    "must be \"{}\": that kernel has no end where particles meet",
+                    SmoothingKernel::FINITE_NAMES.join("\" or \"")
+                ),
             )?;
         }
         check.require(

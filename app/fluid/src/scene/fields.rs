@@ -134,11 +134,10 @@ pub const FIELDS: &[Field] = &[
     ),
     Field::new("solver.pbf.s_corr_distance_ratio", number(0.0, 0.9, ""), LIVE).of(PBF).slider(0.0, 0.9),
     Field::new("solver.sph", Kind::Table, REBUILD).of(SPH),
-    Field::new("solver.sph.stiffness_m2_s2", number(1.0e-9, 1.0e12, "m²/s²"), REBUILD).of(SPH).logarithmic(1.0, 1.0e4).knob(
-        "stiffness",
-        &["30", "100", "300", "1000", "3000"],
-        &[1, 3],
-    ),
+    Field::new("solver.sph.stiffness_m2_s2", number(1.0e-9, 1.0e12, "m²/s²"), REBUILD)
+        .of(SPH)
+        .logarithmic(1.0, 1.0e4)
+        .knob("stiffness", &["30", "100", "300", "1000", "3000"], &[1, 3]),
     Field::new("solver.sph.exponent", number(1.0, 20.0, ""), LIVE).of(SPH).slider(1.0, 10.0),
     Field::new("solver.sph.clamp_pressure", Kind::Switch, LIVE).of(SPH),
     Field::new("solver.sph.viscosity_m2_s", number(0.0, 1.0e6, "m²/s"), REBUILD).of(SPH).logarithmic(1e-6, 1.0),

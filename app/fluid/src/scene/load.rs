@@ -51,8 +51,19 @@ impl Scene {
             return Err(SceneError::Unreadable { source_name: source_name.into(), reason: too_long() });
         }
         let mut table: Table = toml::from_str(text).map_err(|error| explain::syntax(&error, text, source_name))?;
+        let own = table.clone();
         for setting in settings {
             settings::set(&mut table, setting)?;
+        }
+        if methods::chosen(&own) != methods::chosen(&table) {
+            // The same scene by another method: what only its own has goes, what is asked for besides stays.
+            methods::refuse_foreign(&own, text, source_name, FIELDS)?;
+            let method = methods::chosen(&table).to_owned();
+            table = own;
+            methods::prune(&mut table, &method, FIELDS);
+            for setting in settings {
+                settings::set(&mut table, setting)?;
+            }
         }
         let mut scene = Self::from_table(&table, text, source_name, settings.is_empty())?;
         scene.name =

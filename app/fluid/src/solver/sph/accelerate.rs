@@ -6,12 +6,7 @@ use brooklet_kernels::{Accelerate, AccelerateVariant};
 use super::{Gathered, Sph};
 use crate::step_context::{Particles, StepContext};
 
-pub(super) fn accelerate(
-    recording: &mut Recording,
-    sph: &mut Sph,
-    context: &StepContext,
-    particles: &mut Particles,
-) {
+pub(super) fn accelerate(recording: &mut Recording, sph: &mut Sph, context: &StepContext, particles: &mut Particles) {
     let (velocity_pressures, velocity_pressure_normals) = match &sph.gathered {
         Gathered::Flow(flow) => (Some(flow.read()), None),
         Gathered::FlowAndSurface(both) => (None, Some(both.read())),

@@ -167,12 +167,8 @@ fn walls_of(scene: &Scene, kernel: SmoothingKernel) -> SmoothingKernelParams {
     }
     let shape = shape(kernel);
     let fraction = fitted_wall_kernel_fraction(scene.domain.dimensions, |q| shape.at(q));
-    let scales = crate::boundary::WallScales::of(
-        scene.domain.dimensions,
-        scene.solver.support_ratio,
-        |q| shape.at(q),
-        fraction,
-    );
+    let scales =
+        crate::boundary::WallScales::of(scene.domain.dimensions, scene.solver.support_ratio, |q| shape.at(q), fraction);
     SmoothingKernelParams {
         wall_plane: scales.plane as f32,
         wall_edge: scales.edge as f32,
@@ -211,12 +207,8 @@ mod tests {
         Scene::load("dam-break", &settings).unwrap()
     }
 
-    const FINITE: [SmoothingKernel; 4] = [
-        SmoothingKernel::Poly6,
-        SmoothingKernel::Spiky,
-        SmoothingKernel::CubicSpline,
-        SmoothingKernel::Wendland,
-    ];
+    const FINITE: [SmoothingKernel; 4] =
+        [SmoothingKernel::Poly6, SmoothingKernel::Spiky, SmoothingKernel::CubicSpline, SmoothingKernel::Wendland];
 
     #[test]
     fn slopes_are_the_derivatives() {
@@ -256,8 +248,7 @@ mod tests {
             let walls = density_walls(&scene);
             let shape = shape(scene.solver.sph.density_kernel);
             let weight = f64::from(sph_kernels(&scene).density_self) / shape.at(0.0);
-            let inside =
-                weight * (shape.at(0.0) + sum(&scene, |step, q| if step[1] <= 0 { shape.at(q) } else { 0.0 }));
+            let inside = weight * (shape.at(0.0) + sum(&scene, |step, q| if step[1] <= 0 { shape.at(q) } else { 0.0 }));
             let beyond = f64::from(walls.wall_plane) * share_at(&walls, wall_distance(&scene));
             assert!((inside + beyond - 1.0).abs() < 1e-5, "{name}: {inside} + {beyond}");
         }

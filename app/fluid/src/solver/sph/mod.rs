@@ -21,8 +21,8 @@ use crate::step_context::{Particles, StepContext};
 use accelerate::accelerate;
 use compute_density::compute_density;
 pub use kernels::{density_walls, pressure_walls, sph_kernels};
-pub use time_step::limits;
 use time_step::TimeStep;
+pub use time_step::limits;
 
 /// The solver's settings and buffers.
 pub struct Sph {
@@ -59,8 +59,7 @@ pub fn params(scene: &Scene) -> SphParams {
     let (sph, support_m) = (&scene.solver.sph, scene.support_m());
     let stiffness_m2_s2 = scene.stiffness_m2_s2();
     let g_m_s2 = scene.gravity_m_s2.iter().map(|g| g * g).sum::<f64>().sqrt();
-    let tension_m3_s2 = sph.surface_tension_n_m / scene.rest_density_kg_m3() 
-        / kernels::tension_sum(scene);
+    let tension_m3_s2 = sph.surface_tension_n_m / scene.rest_density_kg_m3() / kernels::tension_sum(scene);
     let [distance, compression] = if sph.surface_tension_n_m > 0.0 { SEPARATION_IN_TENSION } else { SEPARATION };
     let [_, _, end_kick] = sph.integrator.kicks();
     SphParams {
