@@ -34,5 +34,6 @@ mod session;
 mod settings;
 mod sharing;
 mod slots;
+mod sph;
 mod state;
 mod warm_start;
