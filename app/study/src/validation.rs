@@ -3,7 +3,7 @@
 
 use crate::Task;
 use crate::case::CASES;
-use crate::method::METHODS;
+use crate::method::default_methods;
 
 /// Part of a study.
 pub const PART: &str = "validation";
@@ -17,6 +17,6 @@ pub fn tasks(quick: bool) -> Vec<Task> {
     // What a converged run is held against is a question of error, not of validation by others.
     let published = CASES.iter().filter(|case| case.name() != "column-collapse" && wanted(case.name()));
     published
-        .flat_map(|case| METHODS.iter().map(|method| crate::error::task(PART, *case, vec![method.setting()], 1)))
+        .flat_map(|case| default_methods().map(|method| crate::error::task(PART, *case, vec![method.setting()], 1)))
         .collect()
 }

@@ -163,7 +163,7 @@ mod tests {
             let s = f64::from(i) / 40.0;
             let integral = gauss.integrate(s, 1.0, line) / volume;
             share = share.max((beyond_wall(2, s) - integral).abs());
-            slope = slope.max((beyond_wall_slope(2, s) + line(s) / volume).abs());
+            slope = slope.max((beyond_wall_slope(coefficients(2), s) + line(s) / volume).abs());
             for j in (0..=40).step_by(4) {
                 let t = f64::from(j) / 40.0;
                 let beyond = |x: f64| gauss.integrate(t, (1.0 - x * x).max(t * t).sqrt(), |y| kernel(x.hypot(y)));

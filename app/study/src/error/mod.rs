@@ -19,7 +19,7 @@ use crate::backend::GpuRun;
 use crate::case::{self, CASES, Case};
 use crate::energy;
 use crate::knob::knobs;
-use crate::method::{METHODS, Method};
+use crate::method::{METHODS, Method, default_methods};
 use crate::session::{Session, StudyError, state_of};
 use crate::{Figure, Outcome, Setup, State, Task};
 
@@ -85,7 +85,7 @@ impl Choice {
     /// As [`Choice::cases`].
     pub fn methods(&self) -> Result<Vec<&'static Method>, StudyError> {
         if self.methods.is_empty() {
-            return Ok(METHODS.iter().collect());
+            return Ok(default_methods().collect());
         }
         let known: Vec<&str> = METHODS.iter().map(|method| method.name).collect();
         let one = |name: &String| crate::method::method(name).ok_or_else(|| unknown("--methods", name, &known));
