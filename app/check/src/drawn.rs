@@ -13,7 +13,7 @@ pub(crate) fn record_frame(view: &View, options: &FrameOptions, positions: &[Pos
     let mut resources = Resources::new();
     let mut buffer = resources.persistent::<Position>("positions", count);
     let velocities = resources.persistent("velocities", count);
-    let mut slots = Slots::declare(&mut resources, count, false, false);
+    let mut slots = Slots::declare(&mut resources, count);
     let particles =
         Particles { positions: &buffer, velocities: &velocities, slots: &slots, neighbours: None, densities: None };
     let mut passes = frame::record(&mut resources, view, &particles, options).or_raise();

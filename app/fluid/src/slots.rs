@@ -24,9 +24,10 @@ pub struct Slots {
 }
 
 impl Slots {
-    /// Declares the state of `capacity` slots.
-    pub fn declare(resources: &mut Resources, capacity: u32, counts_vary: bool, substeps_vary: bool) -> Self {
-        Self { state: resources.persistent("step_state", 1), capacity, counts_vary, substeps_vary }
+    /// Declares the state of `capacity` slots, all of which every substep visits.
+    pub fn declare(resources: &mut Resources, capacity: u32) -> Self {
+        let state = resources.persistent("step_state", 1);
+        Self { state, capacity, counts_vary: false, substeps_vary: false }
     }
 
     /// Whether the GPU changes how many are visited: its number is then asked by each dispatch and draw. Where it is

@@ -25,7 +25,11 @@ impl StepContext {
     pub fn declare(resources: &mut Resources, scene: &Scene, capacity: u32) -> Self {
         Self {
             step: resources.persistent("step_params", 1),
-            slots: Slots::declare(resources, capacity, scene.capacity.is_some(), scene.adapts_substeps()),
+            slots: Slots {
+                counts_vary: scene.capacity.is_some(),
+                substeps_vary: scene.adapts_substeps(),
+                ..Slots::declare(resources, capacity)
+            },
             counters: resources.persistent("counters", 1),
             walls: scene.domain.has_walls(),
             periodic: scene.domain.is_periodic(),

@@ -45,7 +45,7 @@ fn frame(positions: &[Position], options: &MarchingCubesOptions) -> Frame {
     let mut resources = Resources::new();
     let mut at = resources.persistent("positions", count);
     let velocities = resources.persistent("velocities", count);
-    let mut slots = Slots::declare(&mut resources, count, false);
+    let mut slots = Slots::declare(&mut resources, count);
     let mut init = resources.recording("init");
     init.upload(&mut slots.state, &[visit_slots(count)]);
     init.upload(&mut at, positions);

@@ -209,7 +209,7 @@ fn the_floor_tier_draws_the_same_picture() {
 fn densities_of_particles_without_neighbours_are_refused() {
     let mut resources = Resources::new();
     let (positions, velocities) = (resources.persistent("positions", 1), resources.persistent("velocities", 1));
-    let slots = Slots::declare(&mut resources, 1, false);
+    let slots = Slots::declare(&mut resources, 1);
     let particles =
         Particles { positions: &positions, velocities: &velocities, slots: &slots, neighbours: None, densities: None };
     let wanted = FrameOptions { coloring: Coloring::Density, ..options() };

@@ -81,7 +81,7 @@ fn draw(view: &View, positions: &[Position]) -> Drawn {
     init.upload(&mut buffer, positions);
     init.upload(&mut listed.deltas, &lists);
     init.upload(&mut listed.heads, &heads);
-    let mut slots = Slots::declare(&mut resources, count, false);
+    let mut slots = Slots::declare(&mut resources, count);
     init.upload(&mut slots.state, &[visit_slots(count)]);
     let particles = Particles {
         positions: &buffer,

@@ -82,7 +82,7 @@ pub(super) fn run_with(
     let velocities = bench.output::<Velocity>("velocities", count);
     let step = bench.uniform("step", step_state(count, 0.0));
     let (resources, recording) = bench.parts();
-    let mut slots = Slots::declare(resources, count as u32, false, false);
+    let mut slots = Slots::declare(resources, count as u32);
     recording.copy(&step, &mut slots.state);
     let particles =
         Particles { positions: &at, velocities: &velocities, slots: &slots, neighbours: None, densities: None };

@@ -113,7 +113,7 @@ fn draw(device: &Device, view: &View, options: &ScreenSpaceOptions, positions: &
     let mut frame_view = resources.persistent("frame_view", 1);
     let (mut init, mut recording) = (resources.recording("init"), resources.recording("draw"));
     init.upload(&mut frame_view, &[values.view]);
-    let slots = Slots::declare(&mut resources, count, false, false);
+    let slots = Slots::declare(&mut resources, count);
     let particles =
         Particles { positions: &buffer, velocities: &velocities, slots: &slots, neighbours: None, densities: None };
     let into = (&mut init, &mut recording);

@@ -75,7 +75,7 @@ pub fn draw_moving(view: &View, options: &FrameOptions, spheres: &[Sphere], velo
     let mut resources = Resources::new();
     let positions = resources.persistent::<Position>("positions", count);
     let velocities = resources.persistent::<Velocity>("velocities", count);
-    let slots = Slots::declare(&mut resources, count, false);
+    let slots = Slots::declare(&mut resources, count);
     let particles =
         Particles { positions: &positions, velocities: &velocities, slots: &slots, neighbours: None, densities: None };
     let passes = frame::record(&mut resources, view, &particles, options).expect("a frame");

@@ -165,7 +165,7 @@ fn plan(count: u32, options: &MarchingCubesOptions) -> Result<Planned, PlanError
     let positions = resources.persistent("positions", count);
     // Nothing reads them, so the plan has none.
     let velocities = resources.persistent("velocities", count);
-    let mut slots = Slots::declare(&mut resources, count, false, false);
+    let mut slots = Slots::declare(&mut resources, count);
     let mut init = resources.recording("mesh_init");
     init.upload(&mut slots.state, &[visit_slots(count)]);
     let mut mesh = resources.recording("mesh");
