@@ -30,10 +30,10 @@ impl Slots {
         Self { state, capacity, counts_vary: false, substeps_vary: false }
     }
 
-    /// Whether the GPU changes how many are visited: its number is then asked by each dispatch and draw. Where it is
-    /// the same from step to step, a dispatch of a fixed size spares the driver a look.
-    fn are_counted_by_gpu(&self) -> bool {
-        self.counts_vary || self.substeps_vary
+    /// Whether every substep visits all of them. Where it does not, the GPU's number is asked by each dispatch and draw; else
+    /// a dispatch of a fixed size spares the driver a look.
+    pub(crate) fn are_all_visited(&self) -> bool {
+        !self.counts_vary && !self.substeps_vary
     }
 
     /// The same slots, for another owner.
@@ -57,25 +57,25 @@ impl Slots {
     /// Runs `kernel` with a thread for each slot that the substep visits.
     pub fn dispatch<K: Kernel>(&self, recording: &mut Recording, kernel: &K) {
         const { assert!(K::GROUP_SIZE[0] * K::GROUP_SIZE[1] * K::GROUP_SIZE[2] == SLOTS_PER_GROUP) };
-        match self.are_counted_by_gpu() {
-            true => recording.dispatch_indirect(
+        match self.are_all_visited() {
+            true => recording.dispatch(kernel, self.capacity),
+            false => recording.dispatch_indirect(
                 kernel,
                 &self.state,
                 offset_of!(StepState, slot_groups) as u32,
                 self.capacity,
             ),
-            false => recording.dispatch(kernel, self.capacity),
         }
     }
 
     /// Draws a triangle for each slot that the substep visits.
     pub fn draw<D: Draw>(&self, recording: &mut Recording, draw: &D, targets: &Targets<'_>, state: DrawState) {
-        match self.are_counted_by_gpu() {
-            true => {
+        match self.are_all_visited() {
+            true => recording.draw(draw, targets, state, 3, self.capacity),
+            false => {
                 let offset = offset_of!(StepState, vertex_count) as u32;
                 recording.draw_indirect(draw, targets, state, &self.state, offset, self.capacity);
             }
-            false => recording.draw(draw, targets, state, 3, self.capacity),
         }
     }
 }

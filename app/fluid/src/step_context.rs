@@ -57,7 +57,7 @@ impl Particles {
     /// After a sort: what stands here is not read until all of it is written, from the sorted particles. Where the
     /// number of slots that are visited varies, those beyond it keep their ids.
     pub fn forget_until_moved(&self, recording: &mut Recording, slots: &Slots) {
-        if !slots.counts_vary {
+        if slots.are_all_visited() {
             recording.forget(&self.positions);
             recording.forget(&self.velocities);
         }

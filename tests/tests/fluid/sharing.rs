@@ -29,6 +29,9 @@ const CASES: &[&[&str]] = &[
     &["capacity=1500", "solver.substeps=2", "forces.xsph=0.02"],
     &["domain.periodic=[true, false, false]", "solver.pbf.s_corr_k=0.001"],
     &["solver.method='none'"],
+    // Substeps that the GPU chooses, of which the last visit nothing.
+    &["solver.method='sph'", "solver.sph.stiffness_m2_s2=300"],
+    &["solver.method='sph'", "solver.sph.adaptive_substeps=false", "solver.substeps=20"],
 ];
 
 fn scene(settings: &[&str]) -> Scene {

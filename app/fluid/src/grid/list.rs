@@ -59,9 +59,9 @@ impl Neighbours {
         Self { deltas: self.deltas.alias(), heads: self.heads.alias() }
     }
 
-    /// Nobody reads the lists until they are made anew, for every slot.
+    /// Nobody reads the lists until they are made anew, for every slot: a substep that visits nothing leaves them as they are.
     pub(super) fn forget(&self, recording: &mut Recording, slots: &Slots) {
-        if !slots.counts_vary {
+        if slots.are_all_visited() {
             recording.forget(&self.deltas);
             recording.forget(&self.heads);
         }
