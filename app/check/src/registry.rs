@@ -17,6 +17,9 @@ macro_rules! for_each_known_answer {
                 bodies_without_thickness_have_finite_ellipsoids: ["anisotropy"],
                 a_list_that_was_never_made_is_no_spray_and_quarantined_ones_stay_so: ["anisotropy"],
             }
+            body_forces {
+                apply_fields_matches_its_twin: ["apply_fields"],
+            }
             boundary {
                 walls_match_their_twin: ["correct_positions", "measure_particles"],
                 narrow_walls_match_their_twin: ["correct_positions", "measure_particles"],

@@ -3,6 +3,7 @@
 use brooklet_gpu::{Engine, GpuError, Plan, Recording, RecordingId, Resources};
 use brooklet_kernels::{Buffer, Counters, Measure, PbfParams, Position, ResourceId, StepParams, Velocity, WarmStart};
 
+use crate::forces::BodyForces;
 use crate::grid::Neighbours;
 use crate::measure::{Densities, Measuring};
 use crate::particles::{ParticleSet, sample_lattice};
@@ -118,16 +119,23 @@ pub fn record_particles(resources: &mut Resources, scene: &Scene, mut particles:
 pub fn record_count(resources: &mut Resources, scene: &Scene, capacity: u32) -> Recorded {
     let mut context = StepContext::declare(resources, scene, capacity);
     let mut particles = Particles::declare(resources, capacity);
+    let mut body_forces = BodyForces::declare(resources, scene);
     let mut solver = Solver::declare(resources, scene, capacity);
 
     let mut init = resources.recording("init");
     init.upload(&mut context.step, &[step_params(scene)]);
     init.clear(&mut context.counters);
+    if let Some(body_forces) = &mut body_forces {
+        body_forces.record_init(&mut init, scene);
+    }
     solver.record_init(&mut init, scene);
 
     let mut step = resources.recording("step");
     for _ in 0..scene.substeps() {
         solver.begin_substep(&mut step, &mut context);
+        if let Some(body_forces) = &body_forces {
+            body_forces.record(&mut step, &context, &mut particles);
+        }
         solver.record_substep(&mut step, &mut context, &mut particles);
         // Nothing but particles and their slots lasts from one to the next.
         step.forget_transients();

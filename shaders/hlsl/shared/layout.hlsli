@@ -183,6 +183,25 @@ struct ForceParams
     float reserved1;
 };
 
+// A body force of place and time (forces/apply_fields.compute).
+struct ForceField
+{
+    float3 acceleration_m_s2;   // everywhere alike
+    float frequency_hz;         // that it swings with; 0: steady
+    float3 swirl_per_s2;        // around the centre: swirl x (x - centre)
+    float begin_s;
+    float3 centre_m;
+    float end_s;
+};
+
+struct ForceFieldCount
+{
+    uint fields;
+    uint reserved0;
+    uint reserved1;
+    uint reserved2;
+};
+
 // What is counted rather than hidden. Each is a sum since it was last cleared.
 struct Counters
 {

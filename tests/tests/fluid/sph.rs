@@ -362,3 +362,32 @@ fn what_cannot_run_is_refused_with_what_is_allowed() {
         assert!(got.contains(words) && !got.contains('\n'), "{settings:?}: {got}");
     }
 }
+
+#[test]
+fn a_swirl_spins_a_drop_up_and_swings_back() {
+    // An angular acceleration of 8/s² for a quarter of a second: 2/s, as a rigid body, whatever the solver.
+    let swirl = "forces.field=[{ swirl_per_s2 = [0, 8, 0], centre_m = [0.5, 0.5, 0.5], end_s = 0.25 }]";
+    let text = |method: &str| {
+        format!(
+            "spacing_m = 0.05\ngravity_m_s2 = [0, 0, 0]\n[domain]\nmin_m = [0, 0, 0]\nmax_m = [1, 1, 1]\n[[fluid]]\n\
+             sphere = {{ centre_m = [0.5, 0.5, 0.5], radius_m = 0.2 }}\n[solver]\nmethod = \"{method}\"\ndt_s = 0.0025\n"
+        )
+    };
+    for method in ["sph", "pbf", "none"] {
+        let scene = from_text(&text(method), &[swirl]);
+        let mut session = Session::new(&gpu(), &scene).unwrap();
+        run(&mut session, 120, 1000);
+        let ParticleSet { positions, velocities } = session.read_particles().unwrap();
+        let (mut momentum, mut inertia) = (0.0, 0.0);
+        for (position, velocity) in positions.iter().zip(&velocities) {
+            let (r, v) = (vector(position.position_m) - DVec3::splat(0.5), vector(velocity.velocity_m_s));
+            momentum += r.cross(v).y;
+            inertia += r.x * r.x + r.z * r.z;
+        }
+        let rate_per_s = momentum / inertia;
+        // Particles that do not interact leave their circles: their moment of inertia grows.
+        let allowed = if method == "none" { 0.75..2.05 } else { 1.8..2.05 };
+        println!("{method}: {rate_per_s:.3}/s");
+        assert!(allowed.contains(&rate_per_s), "{method}: {rate_per_s}");
+    }
+}

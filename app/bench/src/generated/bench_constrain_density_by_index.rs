@@ -93,5 +93,5 @@ static CONSTRAIN_DENSITY_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/constrain_density_by_index.compute",
-    hash: "cba6303c576ef9ffc4d9e6dfb75a0284171ffd49e5c814948d7433bd79d21fb0",
+    hash: "62afc9bf377c0d83708cf7b856177232a9321463ba5873eff5f8271e850ffb79",
 };

@@ -57,5 +57,5 @@ static COPY_ELEMENTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/copy.compute",
-    hash: "7927492f78ac23083fa8bb3f9e0be2b92d9082b1d6d43d3d7658b9bab6232809",
+    hash: "cc2990dd9360c7c756bc49c522255ea76e9bea77a10bb6bf68add754a80e26eb",
 };

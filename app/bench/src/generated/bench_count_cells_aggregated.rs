@@ -74,5 +74,5 @@ static COUNT_CELLS_AGGREGATED: Module = Module {
     shared_bytes: 512,
     tier: Tier::Floor,
     source: "bench/count_cells_aggregated.compute",
-    hash: "f53d202beea0997a78eb37e28c01ac02690a4f7563a240e2e4f76d17b24f9cd0",
+    hash: "9c9587312ed3b8e8b3f42372bf37a8b8dac05f937cb84ddfdfd7b0bdd51b7feb",
 };

@@ -55,5 +55,5 @@ static GATHER_ELEMENTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/gather_elements.compute",
-    hash: "9f7b259bb4b99e168eb9a8182b23718a0e0d55d9fead56ae217e3b30c388fc14",
+    hash: "07602489b2d7ff27915776ac705d3baf4c57ca41c09e2710707321a5ea1e3002",
 };

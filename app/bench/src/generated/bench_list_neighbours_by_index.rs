@@ -94,5 +94,5 @@ static LIST_NEIGHBOURS_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/list_neighbours_by_index.compute",
-    hash: "9a67c2d3a5813b83f7461a84db193ae0bb90ccb9263a7cb54d4aeb3538a1b6d8",
+    hash: "52a55de4c2c48878f7073d32cc9d1da0b78980bede6ddaa0a3c288de7fc528b7",
 };

@@ -45,5 +45,5 @@ static MULTIPLY_ADD: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/multiply_add.compute",
-    hash: "853e13b2794475383165aeaff2c65743ef38df0e9670d99595ece931aacebf18",
+    hash: "40998c1b63db22fb96f4de659e023a7920d61e060a37cc6ee10f443c2b4a41ea",
 };

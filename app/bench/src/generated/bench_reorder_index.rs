@@ -82,5 +82,5 @@ static REORDER_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/reorder_index.compute",
-    hash: "75591120900c2c09c6e45b21020d75e2a7553eeae32b779e7cbb3fd08e86de2a",
+    hash: "c6c1a7cad168b81dd0637168d40ea433acf5f5df8c399bfc28cbcfa8c9b0dfd8",
 };

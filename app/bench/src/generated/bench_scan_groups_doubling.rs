@@ -74,7 +74,7 @@ static SCAN_GROUPS_DOUBLING: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "bench/scan_groups_doubling.compute",
-    hash: "74b213add9cbd4f56104d597edfb0b910ba9f39d2a2127680cad14bd0fc5859b",
+    hash: "80b80c91863669471b7ff86e0d5ce636ccd75e96ae1dd068e1997482ff99c917",
 };
 
 static SCAN_GROUPS_DOUBLING_WITH_GROUP_OFFSETS: Module = Module {
@@ -87,5 +87,5 @@ static SCAN_GROUPS_DOUBLING_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "bench/scan_groups_doubling.compute",
-    hash: "3a9cc32aa9ba1341e82b10a27741d8eae35ded160989f82a42306baed5a2bb9e",
+    hash: "1670c01640a7150cd1b0b1b5ab8c98d68e5391a960d5f70e4f66992f82cc3edd",
 };

@@ -87,7 +87,7 @@ static SCAN_GROUPS_TREE: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "11720ac5dc4ef526f0a50621b97c9d856095b34fba86914044796f1800da26ab",
+    hash: "89d8c85265240b80de8fa29b73eb40bebf2815ef7b1b1e8b72aa98f3ce9be209",
 };
 
 static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
@@ -100,7 +100,7 @@ static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "0309ec1f574284d519c868487daaf7c11b1a905e3f122c6030a971a6c736235c",
+    hash: "7e2046ac93e14dccbe152758b766719cc018d4ac2f4d5c9fb3836be2c5fc38b0",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
@@ -113,7 +113,7 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "77d4681962a0189cf0500bf647038486c77ac51b9996b6479d4f242174a6c485",
+    hash: "765d37e0c2b21925a335202fd68501597f661560ceb9d3cc71e45e1cb2597997",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
@@ -126,5 +126,5 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "e81148653d8b102e589a2e7dd3369a89287528ee39e5973db2024b90e23f1df1",
+    hash: "3ad676a94bb1064550c60d10d8d4fcff72026585e8e11f53ba13433efee29fad",
 };

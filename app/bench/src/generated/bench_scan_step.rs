@@ -54,5 +54,5 @@ static SCAN_STEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/scan_step.compute",
-    hash: "ba724fb4e896f623ea4549c6557abf3b198d2ff0de38a8b986483f4dc0793ff6",
+    hash: "223832ee6cd43eeab06bfff8ce6a966a6d1399b970e3c191714d74b5de581cc2",
 };

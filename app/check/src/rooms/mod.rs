@@ -2,6 +2,7 @@
 
 pub(crate) mod anisotropic_mesh;
 pub(crate) mod anisotropy;
+pub(crate) mod body_forces;
 pub(crate) mod boundary;
 pub(crate) mod coarse_correction;
 pub(crate) mod constrain_density;

@@ -1,6 +1,7 @@
 //! What acts on velocities alone, whichever solver made them. Each is a pass of its own, and not there where its
 //! coefficient is 0.
 
+mod apply_fields;
 mod vorticity;
 mod xsph;
 
@@ -10,6 +11,7 @@ use brooklet_kernels::{Buffer, ForceParams, Velocity};
 use crate::grid::NeighbourSearch;
 use crate::scene::Scene;
 use crate::step_context::StepContext;
+pub use apply_fields::{BodyForces, force_fields};
 use vorticity::VorticityConfinement;
 
 /// The forces of a scene.

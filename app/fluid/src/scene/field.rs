@@ -239,7 +239,7 @@ impl Display for Kind {
             Self::Switches => f.write_str("must be three of true or false, along x, y and z"),
             Self::Text => f.write_str("must be a text in quotes"),
             Self::Table => f.write_str("must be a table of keys"),
-            Self::Tables => f.write_str("must be tables, [[fluid]] once for each"),
+            Self::Tables => f.write_str("must be tables, [[name]] once for each"),
         }
     }
 }

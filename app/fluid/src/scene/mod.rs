@@ -39,7 +39,7 @@ pub use field::{Field, Kind, Knob, Limits, Slider, Term, Values};
 pub use fields::FIELDS;
 pub(crate) use fill::for_each_point;
 pub use fill::{MAX_FLUIDS, MAX_PARTICLES};
-pub use forces::Forces;
+pub use forces::{FieldSettings, Forces};
 pub(crate) use lattice::{WHOLE, steps_m};
 pub use none::NoneSettings;
 pub use panel::Setting;

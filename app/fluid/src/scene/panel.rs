@@ -45,7 +45,10 @@ impl Scene {
             };
             let paths = match field.path.split_once(".*.") {
                 None => vec![field.path.to_owned()],
-                Some((array, rest)) => (0..self.fluids.len()).map(|index| format!("{array}.{index}.{rest}")).collect(),
+                Some((array, rest)) => {
+                    let items = if array == "fluid" { self.fluids.len() } else { self.forces.fields.len() };
+                    (0..items).map(|index| format!("{array}.{index}.{rest}")).collect()
+                }
             };
             for path in paths {
                 let value = values.get(&path).cloned();

@@ -67,6 +67,9 @@ fn setting(field: &str, value: &str) -> Vec<String> {
         settings.push("camera.eye_m=[3, 1, 4]".to_string());
         settings.push("camera.target_m=[0, 0, 0]".to_string());
     }
+    if field.starts_with("forces.field.*") {
+        settings.push("forces.field=[{ end_s = 2 }]".into());
+    }
     if field.starts_with("fluid.*.sphere") {
         settings.push("fluid.0={ sphere = { centre_m = [0.5, 0.5, 0.5], radius_m = 0.2 } }".into());
     }
@@ -102,7 +105,7 @@ fn each_field_refuses_what_it_does_not_take_by_name_and_value() {
                 .into(),
             Kind::Text => ["7", "[\"a\"]", "true"].map(|value| (value.into(), "text".into())).into(),
             Kind::Table => ["7", "true"].map(|value| (value.into(), "table".into())).into(),
-            Kind::Tables => ["7", "true"].map(|value| (value.into(), "[[fluid]]".into())).into(),
+            Kind::Tables => ["7", "true"].map(|value| (value.into(), "[[name]]".into())).into(),
         };
         for (value, allowed) in wrong {
             let mut settings = setting(field, &value);
@@ -150,6 +153,7 @@ fn the_table_has_every_field() {
         &format!("{SMALL}{sphere}{camera}"),
         &[
             "capacity=5000",
+            "forces.field=[{ end_s = 2 }]",
             "solver.max_speed_m_s=5",
             "solver.neighbour_slots=64",
             "solver.pbf.coarse_correction=true",

@@ -99,7 +99,7 @@ static CONFINE_VORTICITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/confine_vorticity.compute",
-    hash: "b04721c8f687cf5ab5ea5ae9c90e1053deb32d2293daaaa477a56379f586c9d3",
+    hash: "58eef46911ca4d8f3451d9a583f4d475e29b6014f55c26de90e139046d58f434",
 };
 
 static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -112,7 +112,7 @@ static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/confine_vorticity.compute",
-    hash: "f0aab1c7a54ed295efaa50ea5a3a6086c57db21dab0c5f72b3d33a1fdc355402",
+    hash: "219f914720cbea8b0442b2a4a0af65e640d54895d6016225b01c88faa1f28b5e",
 };
 
 static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
@@ -125,5 +125,5 @@ static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/confine_vorticity.compute",
-    hash: "e04f74efb7a54b1bde5f69671edc4b7e9280ddd9c7a31b68325d5f5c2f7e1478",
+    hash: "166b97ea310921ad50813b022f67f86fc917e7bfcc6cb505a10cd70cb6429b80",
 };

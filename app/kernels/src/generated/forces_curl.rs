@@ -97,7 +97,7 @@ static CURL: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/curl.compute",
-    hash: "961bb64de25babff29bc81dbaa84960ceb052128d84e75aeda15294309ab1cec",
+    hash: "144a6689c8993ad21ec7af99e21f3d0408d9b66d81207d45b2b2a350ec9cbbcd",
 };
 
 static CURL_WITH_RELAXED_PRECISION: Module = Module {
@@ -110,7 +110,7 @@ static CURL_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/curl.compute",
-    hash: "f8f7fd82799b368ac6183138e1d9c43444718ca1ee5c2fa4d2859ee9ad5759be",
+    hash: "91607fb55bb176983841472903ebd9a7dce6ea3a93b8450ce44cdba7fc2ef6aa",
 };
 
 static CURL_WITH_HALF_PRECISION: Module = Module {
@@ -123,5 +123,5 @@ static CURL_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/curl.compute",
-    hash: "dc5bcd136fd4d6e0027af8f8c3bff58eed03356dc35e26645bc0b310f0cf0b32",
+    hash: "5242a95f98ef79385595235012b365d49c9b655e882ce97dc3106f1b79a92378",
 };

@@ -102,7 +102,7 @@ static XSPH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/xsph.compute",
-    hash: "127aaadd1fb05d0080169f31e318e9b5b01d26dcfd4358336bc90f0ae7105cff",
+    hash: "f3240c2d84b4cc8b29d94dc89c591010f2e32786de3f400582a408e52a17f526",
 };
 
 static XSPH_WITH_RELAXED_PRECISION: Module = Module {
@@ -115,7 +115,7 @@ static XSPH_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/xsph.compute",
-    hash: "c0dd72cc5c8684df9ae34c2d9033b9eb3ee3781001c7d59955aec4ccf1d88c0d",
+    hash: "93730287fbf989f70a06e7b521f72edca71c97a726b3513d87ea31727ce84a1e",
 };
 
 static XSPH_WITH_HALF_PRECISION: Module = Module {
@@ -128,5 +128,5 @@ static XSPH_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/xsph.compute",
-    hash: "039f7053d92a077ab89c8ba6a066a186a32f5852e8fda767948f0d4965f88956",
+    hash: "692bfb394f8fb75894ca5496dfdc28cad3cf3e73cb53c7c3becf32dca64de9d8",
 };

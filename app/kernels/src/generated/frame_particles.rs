@@ -62,7 +62,7 @@ static DRAW_PARTICLES_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "ff89b02cc7c2e13bdbb09c0e7d71c4570808b14fcf531ed730f77e3025193901",
+    hash: "928ef71f1dde8586d9af150b7449f2e7e45f203c6748eea792fb13e99af633a9",
 };
 
 static DRAW_PARTICLES_FRAGMENT: Module = Module {
@@ -75,5 +75,5 @@ static DRAW_PARTICLES_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "d9ccc3694e674f7a0b16548b2b765b04c4c1a2968add604174b5c7b5490a8611",
+    hash: "cb1ca793f048d01d97990d10041dad4e52f8a8d0fe2c6981fbcdcfcc719fc6a5",
 };

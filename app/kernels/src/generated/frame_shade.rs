@@ -130,7 +130,7 @@ static DRAW_SHADE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "59645085f085ad63533153f32fb6bbdcfc88d7bf0dc0b89b609a9cf87aba1cd8",
+    hash: "8a93df7e2f5b91790ed1d93239c71544f2046d1f3a94574ffec123b9e5a79c95",
 };
 
 static DRAW_SHADE_FRAGMENT: Module = Module {
@@ -143,7 +143,7 @@ static DRAW_SHADE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "987d8462e8de5c9c26034d1154f3cdc41860b0f73c343532a4279f6628522007",
+    hash: "c8b77724fd18ac13961b14e2aeed02593bf967d0dea8569027efc3a694074324",
 };
 
 static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
@@ -156,7 +156,7 @@ static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "149fa342db6626ffad80157ea39a4e6e06225525502ca0aa681e49324982bcee",
+    hash: "8641edddbd9d2126d7bfcad678c8c0a77bf3ae96028ea4407828c202ead1a4de",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
@@ -169,7 +169,7 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "c97e67c81f74d1e04d4e37baddc367a4354c0dcedd59c7b2e4b0db11dad7ec57",
+    hash: "0b40424ef2dc7f40f68c52aef3dbf7a6758dc3a45a48d3d2c57625ab8a8742bf",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
@@ -182,5 +182,5 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "beaeacf5ca4f6605a8780c5a797e40d6eb711c12ca9bc1008d0cc972f4a9a430",
+    hash: "bd0b59aa37dfbc1d9ee14a9b9e552c33fbd804edce522c95934713bbc48ebea2",
 };

@@ -55,7 +55,7 @@ static DRAW_SHADOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "840d324f9b58e9000b716840c7b2027a480659c89fba3979f443221b336cfe3a",
+    hash: "cba674996c1e2b0d07f7e4edfb7b3ae7b1a2e6e17c933fc32dcff3525a0a4173",
 };
 
 static DRAW_SHADOW_FRAGMENT: Module = Module {
@@ -68,5 +68,5 @@ static DRAW_SHADOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "ef85b3e4f91feae4a17eb6c1230fd5c6219b4eb2d536f8c43da5c2133f7b60d3",
+    hash: "08a33f349fcc52ce351f12fa73c352b8ad43cc2311666c4df575bc12d065c426",
 };

@@ -60,5 +60,5 @@ static COUNT_ACTIVE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_active.compute",
-    hash: "f3670a183b8dafcff09378a52d8c608464559c81765f472524f6c4285f7b8f28",
+    hash: "aa6dcb9cb62c2a1fe27fc1e7613150eb12cc7304206081dc36d0d7789275eae8",
 };

@@ -90,7 +90,7 @@ static COUNT_CELLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "62896b3f8dbfff40b8dcfcf830d2d9ec8b9b87d0c047ebe880468c1110e39fa2",
+    hash: "5823c8585bde59774972e64793aa8406d07c0ef6263e66235d94995a2e340fef",
 };
 
 static COUNT_CELLS_WITH_PERIODIC: Module = Module {
@@ -103,7 +103,7 @@ static COUNT_CELLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "65e635a7120edd3630e689d0bec5a42f6d29bc4a2ebbacbfbd32676fa544648d",
+    hash: "3e4900345d8a2c7df5b87c3cf111ce08258c118d725382a9c22e612d41f83dfa",
 };
 
 static COUNT_CELLS_WITH_WRAPPED: Module = Module {
@@ -116,7 +116,7 @@ static COUNT_CELLS_WITH_WRAPPED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "532f2bec436e8c5ab033cebb0a3d3976c0e499e87a1d526ba329ddff6896b29b",
+    hash: "c9f098b791b3be1117500a300679cb1e100b0eb901cdc65a2eac5a53aaf47605",
 };
 
 static COUNT_CELLS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
@@ -129,5 +129,5 @@ static COUNT_CELLS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "6ec8e7ba0b804504757c0b06de0f4fd85dc8bfa2d389710cea4f7eeb8d4dc653",
+    hash: "75d069834edaeb25271e51a829767f75e321aae7ce70ce9e5ca94808973872a8",
 };

@@ -135,7 +135,7 @@ static LIST_NEIGHBOURS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "e02e5f827278bef846153e0f84661e54770a8c36a05577d4583e61227e65778e",
+    hash: "3fed45f04c6287fa8bba023a99fdca11bda1da4051c25f0717893b3f9f620522",
 };
 
 static LIST_NEIGHBOURS_WITH_RELAXED_PRECISION: Module = Module {
@@ -148,7 +148,7 @@ static LIST_NEIGHBOURS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "5aeabfe9c02599f0fa683bbb3fd994cbd8c1e7dce767e59f5ab9ac431813fede",
+    hash: "a2eeae7072ece60bf4102ad50e3561daf983dee48452e77e54b504fa2f324b10",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
@@ -161,7 +161,7 @@ static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "b11ba4a7ee514b5956b61d09a8974848b7ff13a0bdc4e9af0bb0b8f637f3cdab",
+    hash: "27ebf3dc25b7bbbf8d77302fc390259c7b9df723d3ab9720232613a87a0d2387",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
@@ -174,7 +174,7 @@ static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "aa3a4f338a097cfb9162f5c5dd391d3db871c98d62aea9d5776bda89178aa95b",
+    hash: "9bc9ad6fd19421b090c0494bf4607b0a7855700f8c8bbed416f1421aa587b3c4",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
@@ -187,7 +187,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "260f5a61dcc43a2f2ff32666e238e19833e963e7e0a96f47d1ba1d81f8ae267c",
+    hash: "da698d81af44de1e4b80e6244e3a31914b683cc3a999bf1e4b299f9ca341e44d",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_RELAXED_PRECISION: Module = Module {
@@ -200,7 +200,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "5986f059af378a7536df50a1117ace8ecea4edc489b0420f93d1766f6b04a4d8",
+    hash: "6f35afab28f335316643e3d8948a1fce38df1ad73ff05ef6224f7c4cfac499ad",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
@@ -213,7 +213,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "8a7c39664a40dc65479fa60a4bfff9008eac53f66f7cf70f2572454bc00c9b0c",
+    hash: "053d29ba28e11d0a06f426f6f6deac26ec70591933807912798c91a07125caa4",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
@@ -226,5 +226,5 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "815cf878ba10a992e3d26c9c7d58fe5c8cbe12888e51fe73c52a066a1a9cc8d6",
+    hash: "5ef85ed9bc2df068e4e4cc7141b1b6fcecd0ba93627a125bad6a83c23f633527",
 };

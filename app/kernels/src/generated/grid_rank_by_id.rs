@@ -77,5 +77,5 @@ static RANK_BY_ID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/rank_by_id.compute",
-    hash: "8fe7506d9c05e2020f538d928b4e9aa85646b0aaacb61e63ff146c82fd23787a",
+    hash: "1552213e53ae9c2dd09fa3240232dde75129b00b357ae97939e9d458bc0f7094",
 };

@@ -106,7 +106,7 @@ static REORDER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "203742ff51749e3f040cc4dca7a6f8155254266c5fd613605df864a84444f4d0",
+    hash: "2b58070f33aadccb695875d78a71defd67f6f1019bbbc8618acb8202fbadb577",
 };
 
 static REORDER_WITH_RELAXED_PRECISION: Module = Module {
@@ -119,5 +119,5 @@ static REORDER_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "02c98d57cf62e3fa079cc73ff75e5851212eb9c09cd947f93c03cf2e0fe382d6",
+    hash: "7b62210f78d4a4e78ba43d502f5484574ad941f4bb5c186202d6dd08fbac2b5e",
 };

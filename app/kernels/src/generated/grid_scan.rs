@@ -109,7 +109,7 @@ static REDUCE_GROUPS: Module = Module {
     shared_bytes: 576,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "6fb1bf19614251756276c193febd1bb942cc0b98f19e89b7e4a249a33849738e",
+    hash: "856030badf5bd55a8e0ff3b6e20e8df38ce9928e84b9a85d5129be5c4ce1f49e",
 };
 
 static SCAN_GROUPS: Module = Module {
@@ -122,7 +122,7 @@ static SCAN_GROUPS: Module = Module {
     shared_bytes: 576,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "59c8c81f56232fc430748d362a9bafbf0718a7afbf13bc70a27e8816a28aef39",
+    hash: "0837cf98834c54fc5d60deadf51c79541362ab85897f76544efdd09fe44c532c",
 };
 
 static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
@@ -135,5 +135,5 @@ static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 576,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "c27a8e20a78c2a203dd5d44328bd500f7de661e87c2126fe480645695532462d",
+    hash: "2872f9d668e67c80f5de5e5c7141b85aa50d797fd302116b08a3abf3ba9b4f49",
 };

@@ -65,5 +65,5 @@ static SCATTER_CELL_MEMBERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/scatter_cell_members.compute",
-    hash: "12aeb13009c378190fbe5f605852ce3bcbc08aef7bb09c9c3107856f2ea4d59d",
+    hash: "253c6ad2f75f0e09411692d7daa4ef52f996ff3ffb44bc7dd1cc7a8bce8a2596",
 };

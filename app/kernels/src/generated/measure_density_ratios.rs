@@ -97,7 +97,7 @@ static DENSITY_RATIOS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "bd9e4faea57eac202f8cd6c6f15c63a246420ffbec6da02204584b64bb22377c",
+    hash: "f5397950b3c67801b6ea0b86e88d29fc06df76d97d2e41ca155b14459dc40a9e",
 };
 
 static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
@@ -110,7 +110,7 @@ static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "71b1286cb60cd6bacf3823d8a7524613f4df611d8d6cda99bbec9c8347cae9e6",
+    hash: "0248c97dd632703375f6144c88f738043b93fe6cedc9566896cc4c3498a65ccf",
 };
 
 static DENSITY_RATIOS_WITH_WALLS: Module = Module {
@@ -123,7 +123,7 @@ static DENSITY_RATIOS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "dc17b57277fdc4493ebe27e3bda3988aee6c649cdf13e2cc8e7b9ecfe082cd98",
+    hash: "5579542ce9c70da0dd9d264c32903be087ea9e71966915381c8bb7951bdc8c40",
 };
 
 static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -136,5 +136,5 @@ static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "19ebded7ba4ca636c9a6575079d0c747e7672f4a41393b8d663d5c9e90bdb938",
+    hash: "267cfbd167e0289d003f3bee9fba56b89888ec3e84b6817f9a0f88bc4478d919",
 };

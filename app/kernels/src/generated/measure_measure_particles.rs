@@ -132,7 +132,7 @@ static MEASURE_PARTICLES: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "319155ca3a1ea8e9961f12241d3c82ba924f781766a12cf367175f85c1823bab",
+    hash: "51ae7a47c21b6174f2f407795cbc816dd9e207f7e753674a5b375f70a0f2c5c6",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
@@ -145,7 +145,7 @@ static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "6c075b88f8c6295c5fffe22a420b7e77c57e80f27c090896f2d40037a3963141",
+    hash: "ecdf2220842fa3135b0dfc08769adf2c8f3660e67682b4a015aa3c5f905550e2",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
@@ -158,7 +158,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "e458b3ff870da3fd859eb4e45ff7da3931dc2851ec99c05cb568282054becfb2",
+    hash: "3da95b51e1d8aa7bed0c8e2e26b33a8fd3116951974372bf5f26142478e06e2c",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
@@ -171,7 +171,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "0755b0a542c9d4e73009013877d2f25167c1176304b86afb57e6c8d6d62472bc",
+    hash: "df8222b740ddaa73237f0a4e3ec9894ad760f0bbd9d8873942a47767dd463ecd",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -184,5 +184,5 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module 
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "bf092970ed692494bd0b7f12913179d86a5c0ec0fecf8646f829a71f12c9d619",
+    hash: "40001faae48c27450d8bbed203fd2a14fa04b6810ba1c1111e3def32b941e8a7",
 };

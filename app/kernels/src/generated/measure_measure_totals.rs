@@ -73,5 +73,5 @@ static MEASURE_TOTALS: Module = Module {
     shared_bytes: 4616,
     tier: Tier::Floor,
     source: "measure/measure_totals.compute",
-    hash: "4a8247cf97597e228d761de63792dca00481d69d24cdfa1fbdd000bbe958d95e",
+    hash: "8fb038044359545f8a250623e6db878b693715945a22e6ac1029789e539e0857",
 };

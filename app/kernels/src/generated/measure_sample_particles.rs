@@ -67,5 +67,5 @@ static SAMPLE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/sample_particles.compute",
-    hash: "c37c7d7a0ee8b70e60801b780ccde2fc7d786b645f1b1a69813ae9541eb118d9",
+    hash: "0617d52c5d427a46605d2429bed3a235403bac3b00ceb6dab7934e9a9089e400",
 };

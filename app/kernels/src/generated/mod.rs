@@ -2,6 +2,7 @@
 // makes it anew from shaders/hlsl.
 //! All kernels, draws and host-visible structs.
 
+mod forces_apply_fields;
 mod forces_confine_vorticity;
 mod forces_curl;
 mod forces_xsph;
@@ -93,6 +94,7 @@ mod surface_surface_normals;
 mod surface_thickness;
 mod surface_water;
 
+pub use forces_apply_fields::*;
 pub use forces_confine_vorticity::*;
 pub use forces_curl::*;
 pub use forces_xsph::*;
@@ -187,6 +189,7 @@ pub use surface_water::*;
 /// Every module of this crate, for building all pipelines at start.
 pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
     [
+        forces_apply_fields::MODULES,
         forces_confine_vorticity::MODULES,
         forces_curl::MODULES,
         forces_xsph::MODULES,

@@ -114,7 +114,7 @@ static ACTIVATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/activate.compute",
-    hash: "de60f1045b66d5a6a2b65bacc31a125311c865ce453cb64e4926754ab1e94f6d",
+    hash: "bc0d12035ee735f6c66a094bfc8f0dde6ff3738b2ef1a2f544947b6e8da8025b",
 };
 
 static CLAIM_SLOTS: Module = Module {
@@ -127,5 +127,5 @@ static CLAIM_SLOTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/activate.compute",
-    hash: "8d95e0a0ffc5da789295de4d4cba748b876499ff3ecd791aca0b0526af2d09fb",
+    hash: "7703bbc383ca9438c003d508f1b000fbba1503ac033e92a51c9d72c3bf5c0db8",
 };

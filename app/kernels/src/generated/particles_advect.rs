@@ -140,7 +140,7 @@ static ADVECT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "3626f002c400b6b623089ab9cac8d874b44c254ae69469f5543a6ec9fc18b86a",
+    hash: "c1ef3b0798d2a83213b2f76820795923b77ec90ca5f5ad80a7653139f01c5563",
 };
 
 static ADVECT_WITH_PERIODIC: Module = Module {
@@ -153,7 +153,7 @@ static ADVECT_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "bec09861b82c01bc37592cc6e4cc0981334e65777c456b8722f39aa2863d88e4",
+    hash: "4a540ab6fb61e156f3a713bd041734ac030cc27b5e2f6ae817d2b33ed0e82ee9",
 };
 
 static ADVECT_WITH_WALLS: Module = Module {
@@ -166,7 +166,7 @@ static ADVECT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "ab131e873b852fdefc297ae823421e5a6e4af03836a2d221c2faf602951104a7",
+    hash: "763991e22f7beb7afc816cc2357c37e426b07c68f527d9cc1cc66267c3cd1188",
 };
 
 static ADVECT_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -179,7 +179,7 @@ static ADVECT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "4771a397e3eb032f1fcf9b642647a734954a7c8794258e8494a299760ab1d3ff",
+    hash: "95ce4e68444c36748d7bd60a87da1f63e3c2c10c27509cc665051dfc191b612a",
 };
 
 static ADVECT_WITH_ACCELERATED: Module = Module {
@@ -192,7 +192,7 @@ static ADVECT_WITH_ACCELERATED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "66bc9b667b73bbe1167d69a4c7704cb0981c121c157b0b7b1bcce6267fd9e178",
+    hash: "aa7741f00d5c4a48b16a2aed5f8f083e7fcffd9e1aae243c41c25ab565dc51cd",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_PERIODIC: Module = Module {
@@ -205,7 +205,7 @@ static ADVECT_WITH_ACCELERATED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "f5e93cc8b81586f72f46aec9523f7001cf26ec252dabdab2671a86d7f35bdd03",
+    hash: "e128d44e4d7960e91d186c36d727b3a121d1e97f85308b7093500d76ca41a18e",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_WALLS: Module = Module {
@@ -218,7 +218,7 @@ static ADVECT_WITH_ACCELERATED_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "d2f2fcd24db97e05cd572afec8151e28717b777944e05370ca225adfdfc7127d",
+    hash: "5bdb73065416036a940daee23d972bdc65678992da978a1400bbfa9e70e84007",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -231,5 +231,5 @@ static ADVECT_WITH_ACCELERATED_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "ad32ca5314a41304021c73ce44bc192376ae57d6e2f78528092b06e9834d230e",
+    hash: "6d3f7740856d3b41ece5f814ae0cd2c80b04fe0cab2813e8549429dbf911a7ee",
 };

@@ -50,5 +50,5 @@ static BEGIN_SUBSTEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/begin_substep.compute",
-    hash: "6ef3a36faa305067b5bfb59610384532c836826c58ceceaa69c0fd625db626df",
+    hash: "07e8949439ae5dbc5f88a2bccdbf327be5a277ff4fc79f5534c7e30940cccd9f",
 };

@@ -68,5 +68,5 @@ static DEACTIVATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/deactivate.compute",
-    hash: "12001e6b72897ecdca9bd5ece151596dde49e8d562acd0adc831586286e01cc5",
+    hash: "a41ae5dc28f48d45dc2e60bfb05381c26a7bd46c09d0e7d9cca4995f259fc44c",
 };

@@ -66,5 +66,5 @@ static DRAG: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/drag.compute",
-    hash: "0aa1bbf2592df772b80eb3efdfadf88e382cf238a1b0d0ee56282d0ae4a0376a",
+    hash: "7ad139d719a06cd63c8c581f31ee5e48371ceaedc8921d2cb8ca3072ff7f8c7d",
 };

@@ -44,5 +44,5 @@ static END_STEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/end_step.compute",
-    hash: "97de934f7e4a0c6b2895ce49a54bba9e91dbadb975a77706b1c5ac4bcc5ab067",
+    hash: "c42f0a7b3842d3f9c91045515845ae98cec3b6e03b55c4cfe36e539df8c11937",
 };

@@ -94,7 +94,7 @@ static PREDICT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "630324b829f5fe022dae19c830e92b111d61d64bbf9936fbfa541ba504930757",
+    hash: "fa381948383d46af745dc25f3f91fcba1035104d6c8a3d2d1a567628297255d0",
 };
 
 static PREDICT_WITH_PERIODIC: Module = Module {
@@ -107,7 +107,7 @@ static PREDICT_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "8aa50eb912e3db32f4e64c980509b4ace3fcada007f998ac3354b62789fc5f2c",
+    hash: "e6d64e4d4f82bb236ae9eb981f47828a65515cf06d68dacf28db2e6112e00dbc",
 };
 
 static PREDICT_WITH_WALLS: Module = Module {
@@ -120,7 +120,7 @@ static PREDICT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "74743506365ed293a4e85349b2df79188af2bfa23ef1014d1a239984736a508f",
+    hash: "a6e8a65243213dcd6aa7562012a6ba5a30d7af99c4951755e50727fd4c091a3f",
 };
 
 static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -133,5 +133,5 @@ static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "2f38f991dc2290c81edb8d9b3f1f490c20a625a530cc92728b22834d9b2425ab",
+    hash: "2835c5013da41a44daf642356dfc9d3e963855b635fa966a6399d450f4e1d105",
 };

@@ -409,6 +409,54 @@ const _: () = {
     assert!(size_of::<ForceParams>() == 16);
 };
 
+/// A body force of place and time (forces/apply\_fields.compute).
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+pub struct ForceField {
+    /// everywhere alike
+    pub acceleration_m_s2: [f32; 3],
+    /// that it swings with; 0: steady
+    pub frequency_hz: f32,
+    /// around the centre: swirl x (x - centre)
+    pub swirl_per_s2: [f32; 3],
+    /// `float`.
+    pub begin_s: f32,
+    /// `float3`.
+    pub centre_m: [f32; 3],
+    /// `float`.
+    pub end_s: f32,
+}
+const _: () = {
+    assert!(offset_of!(ForceField, acceleration_m_s2) == 0);
+    assert!(offset_of!(ForceField, frequency_hz) == 12);
+    assert!(offset_of!(ForceField, swirl_per_s2) == 16);
+    assert!(offset_of!(ForceField, begin_s) == 28);
+    assert!(offset_of!(ForceField, centre_m) == 32);
+    assert!(offset_of!(ForceField, end_s) == 44);
+    assert!(size_of::<ForceField>() == 48);
+};
+
+/// `ForceFieldCount`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+pub struct ForceFieldCount {
+    /// `uint`.
+    pub fields: u32,
+    /// `uint`.
+    pub reserved0: u32,
+    /// `uint`.
+    pub reserved1: u32,
+    /// `uint`.
+    pub reserved2: u32,
+}
+const _: () = {
+    assert!(offset_of!(ForceFieldCount, fields) == 0);
+    assert!(offset_of!(ForceFieldCount, reserved0) == 4);
+    assert!(offset_of!(ForceFieldCount, reserved1) == 8);
+    assert!(offset_of!(ForceFieldCount, reserved2) == 12);
+    assert!(size_of::<ForceFieldCount>() == 16);
+};
+
 /// What is counted rather than hidden. Each is a sum since it was last cleared.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]

@@ -102,7 +102,7 @@ static INTEGRATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "8330207ac282067c3d2303de0e4a0480cac609421daee3f7846f9fc57aef1073",
+    hash: "cfe74f9543ca7bc19d807ef946f2863c2cd587ae950393e56da1922d374cc288",
 };
 
 static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
@@ -115,7 +115,7 @@ static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "987747b0d82be90d9775ce816976d03b66086f30739b0cdd3ea57aef081909a2",
+    hash: "2dba8aab3f0e8bfbbd136a1913aae1d00bf5ae49e4f78330288b1500311ec236",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
@@ -128,7 +128,7 @@ static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "24bf0c33326a717ae59c180da66049454fdb38163942b5924926cb907da8b61d",
+    hash: "2bdd595a661471765fd146d6dafe5aac865795fbd7ee4804f10a12524df532d6",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -141,5 +141,5 @@ static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "39dc5538af865119faf828b538714f4f0e988ad83ea7e79f3d53650a6970ed1a",
+    hash: "94fe7e5a0b1992de038cb947fc0f9334cdc4ed2814eaac9ae967a011b1424698",
 };

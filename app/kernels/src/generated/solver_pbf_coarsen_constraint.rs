@@ -60,5 +60,5 @@ static COARSEN_CONSTRAINT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/coarsen_constraint.compute",
-    hash: "9ef142bb1b0ff13898252f6683fabcafb956fe7723facfb098da28ce7649de69",
+    hash: "cda592fcea3e6fb8f0557c3cbaeecd5c0dfac7a39838c3fd36381bf0b04fd5df",
 };

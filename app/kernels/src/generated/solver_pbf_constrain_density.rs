@@ -485,7 +485,7 @@ static CONSTRAIN_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "02f774f5742cd93b3de9184823b3da431c682eb8a9ea1db14f5d946b01b56d8b",
+    hash: "0e60f498241da1e18146ec37933d219e388fd4d7bbef56763df7d7191d41dc1d",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -498,7 +498,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "fb43d964ec821630a919c39e6db1d8bb4e7f0a0004b87e6c156632c58a80fe86",
+    hash: "28771fe2a6f1f07ad386d183481cd881526ce3ab0d20e33839fd59608a5d6f0d",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -511,7 +511,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "3e31c3834ca810d9844d0728b23d551b01908da4f855b2b559fa20ce65401f8a",
+    hash: "2a58339a941fea3b9d9a96cff5eaa0a527cb01d22b42fd773b96f0bfe44a1bad",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
@@ -524,7 +524,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "d84303e8910a4e8617359efe4dee2c0758d48b3ffcd3fec3438776a184b22412",
+    hash: "faf3cac2f3cbc2c7ab7423cbdc123491a875e67eeb4c7c0a66619c2e8a4fb538",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -537,7 +537,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "331216dc912df665a08a01e220e49819b091d46b16b2d73c8180ecf236ca5046",
+    hash: "a63db44c6852a03a808ce49af83c7e6f747462e89b3ad2cd09a0a20c79b238d9",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -550,7 +550,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "cc87615c4657fa1459db76850f14d4f65d8faa3356dff8cf9be564b9dddca363",
+    hash: "7a2eee5f903b972f7bb1d5369288ac77ae061269380b28ae93248f450a1d89c3",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -563,7 +563,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "d711ce526fc6d8b58454fb3ef628a39897a1453815e5fac799438819383579e5",
+    hash: "dd7fa94ca9e24680308f620b3f2623f8898bd070ed45d9cccd55ecc109a514fe",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -576,7 +576,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "b3acc8315137506d2f49c30f22bbba0a10f7cb9b27060c752c3cba8dd0460a95",
+    hash: "ac2d1431c12eec24f2eeccfb549e3f1c547d94c85e6d7150b72fed4f7493594b",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -589,7 +589,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "78cff6f24f9e0c1a6e9147a1eab42d2cb871e192010e8b4b92f1d306c10242c8",
+    hash: "64b1524e331f11142dacf96d5474b3ad71296df05b0d783d852d4fa684ff4707",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -602,7 +602,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "e56fd2d04ebd2c92e4f8080385a9371c91480f4fab0f68f0f55be13cce4fa38b",
+    hash: "8a802661097ceb262a3ba3223a27bf0cbe34739da719c9ebaabcf4c788cb16f8",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -615,7 +615,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "4109e8bf62477229855163273134cd70d725a677bd50843df1668d4dc07757ad",
+    hash: "c9081bba15488d88873e42a156dc666c5e0a3230da2045e3e1f9dd8ee626a2b9",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -628,7 +628,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "7315cc9f744ee532927dcd6e278b91095dd7082ff1c209370b0beb06ead9bc2d",
+    hash: "84c2e0eb901af9f9e74c602654d423dbf4d42672caa27509b7f23641082e8662",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
@@ -641,7 +641,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "f2d285251dc29cc92e6406b62ba42a6c499187957bc7f8d01ef6e9f22bf606bf",
+    hash: "3e7f72668fefcbdeaa4d9b265a03b15ebf5a110c7108299c36021446bfe583f7",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -654,7 +654,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "db8191496068f223c6ed8c15a26a27ff3a1bedc6c36d331f4ca7abc9d01df883",
+    hash: "e7aaf53781c76431b9fbf2627ffb7b5a0cadf5e14e18cb3c170b86bef8d1cdaa",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -667,7 +667,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "e04b275363a85ff196af6a0f2294e6d95fe2553d0ec6a8e210a9e140b8a7fedf",
+    hash: "d56acc1fdd177f8bbc41a1dc4c21312f29c48e5f989eef058a8fb2ecf432be0e",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
@@ -680,7 +680,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "2eb936080f69d28eb3d32f1648e7275d3eba6e9326026aacd13337ad5086f8b7",
+    hash: "ed4b77d37886cc9bd56c6f14acd6346589ca08c0fc0f1fbaacdf8a76c224f43e",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -693,7 +693,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "04d55747bfe740d122591e8a8217ca5dba517801a26604709c71aea62e41d714",
+    hash: "95b50417201f55830ac8523e99775c5cd1ae4e73dbc20477dcfa2d44d1e556b9",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -706,7 +706,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "9ce99ae0f68f93d8856584477fde01b09ab399621c8a5c9f8b38998571efc93e",
+    hash: "d2c8daff809bcba285ad7c5cc79d1a8bd19ae011b4b11433e022aa0d9cb21d36",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -719,7 +719,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "699f49cbd2309edb4e15799b68c7020f3c1aa3f06908809fa91e54d8bd042bf0",
+    hash: "5fc3f68435cf01e28c35365b2823c9531f1cca9668098ce3d7fe360c72e50acb",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -732,7 +732,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECI
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "d0f7cd5e31646cb6d1a690447fccd4ebd848990c65bd7185e0dc80f9a4acdc0e",
+    hash: "4dc8608e67bf95043ba84c50a0d7c9c304bdcc790d906490f7b481ee1f4b8c0f",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -745,7 +745,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISIO
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "fcd6ad3fbae2d908c1dcb96e4d2f0746a3289a6c4ab518ab277ba15aac955d36",
+    hash: "e7697553e6e171e5d62b208b49944b16b326e06b4f277e269ecad03170e5498f",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -758,7 +758,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "7f670c1a55acbc1f905f90990e9862b2d092029ada97a822ff4db135a5253631",
+    hash: "4ebcdb3e7388d82b01caeea5392fd58ff29670c693d8980788d594fee09b57b8",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -771,7 +771,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECIS
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "ba6ba3f657a9dafc2af92fe237e86b4f48c5fcbb4c5382e695319f1f5cfc7f61",
+    hash: "256194de7d75b6122a607a208b488dded14b0cdf56d290c12a12bdeb91454820",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -784,5 +784,5 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "000517ebde24c3ae680eed2ac189392954eebd81fa80c5594ac8a12ef9788bc5",
+    hash: "f9a520a2a249d0ee06dfc8ae924a8e6f10a40e599df6bc1625da7fef2fb25caf",
 };

@@ -180,7 +180,7 @@ static CORRECT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "359981730b8cc06cc400c2557597b9933c3c6dc2a7033421a0e643c31c4d794d",
+    hash: "d969d313d97dcdfc0e262a7d968046e74177690f72ad84fe5df532e91554d040",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
@@ -193,7 +193,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "cd2f7228158041bd766d64f0a21822dc3043ec3530c12749c75762c154876d93",
+    hash: "ec3679ca77b7f77ca47da990288923dd431964565792635c1d87fc50f8aa559e",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
@@ -206,7 +206,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "6c04f4c0bad1852f4e22e4642b2ecdb4954e5ff9bfc14a4a53ad83ed9c5240bf",
+    hash: "8c7c4b2915c2594ec1c31f1b33be85d96f13a085abf45b6f47b417e89e292884",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
@@ -219,7 +219,7 @@ static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "f533838dcd64dc44351ae3fd5c0038789a0b9e04596c702408c517d1fe086d1f",
+    hash: "322a3eb58530cc73c42c84e705a2e0525372066f021916ab805df1a168a8a4fc",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -232,7 +232,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "8dcaa9121ac95f9a219b5a0498bf7f05eff3f82a36b24487303cc01563cc4436",
+    hash: "5d0c49cde52e89cfa4bbdeaa641b88c236b1edadc770746c9eebd73944517406",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -245,7 +245,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "5d29664825aabcd82cb10ad1b3ac06196171c25e3f0071a90b5b600440ac0b4f",
+    hash: "0f7bde8436dabb4ec0fd4e5d07b97af6bf1ee26f3b3c08e1572bf35f43b3ffc2",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
@@ -258,7 +258,7 @@ static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "873b7d774a4074dc7ea617c36fd7284351f85cf5e04caa763067f7f6a0369792",
+    hash: "a80115775238b0e1b7b2807feda05d9281ff75fc40a9e8a49a3c61289c3a269c",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -271,7 +271,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "3d61030832964c76605cebf0991cb06be775c0b042b07e8e63b9a8caa83174cc",
+    hash: "904fb466d775c1902cc1ac32f6274624f3d7609c76e4cee1cf7c09642f75b710",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -284,7 +284,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "8513426ab749fdfcf56ae69a2f0fd8543c9b6cbff2101306b5e2f4742a1c4269",
+    hash: "4ddecd19c3dc5629ec64246fc1f90eb640bd6382372d03649ee73d9fc657c984",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
@@ -297,7 +297,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "554eb00c99b86be41ad92eb088793c373b9571217bbe9331c337a11ad4380717",
+    hash: "36283358c7fad6ddb45119c14750789bc0773cf95bc63b52c0d8ed3a7521e4ad",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -310,7 +310,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "d99bcf7c1b8e141cf1582a70a43b0b03087634044a42665c205087a5e185b8c2",
+    hash: "63a90836d3045fa0e8d2eab38c874b99188f383e726e24daf00574e01b275fb1",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -323,5 +323,5 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "5ab5f987d5fa6b33a4ebbd2441ff59f265c7b3a2c7b5df56588f846dce0504fd",
+    hash: "61d6efb2e932e5d62d3e41c3f3ecfa39a8c4f24e0468b47d8fc0e0b67a56dbd9",
 };

@@ -133,7 +133,7 @@ static KEEP_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/keep_pressure.compute",
-    hash: "c9993c01d7411bc2820c7a21e62b62cd78d2cc61e10efa87877e89139a762315",
+    hash: "288d6aa978397655caad298f7ad2ba2f85051fe3c36922cabdccfe5dffb07aeb",
 };
 
 static KEEP_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
@@ -146,5 +146,5 @@ static KEEP_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/keep_pressure.compute",
-    hash: "19328e413aaaee18939d0b5c6f6d09a696dc4ddae330cf63da83f52b364f93b4",
+    hash: "8232a1e154980b6fd99d7adbc12aa9f738aae9f0cbd1fad5b83f059918b6a7d9",
 };

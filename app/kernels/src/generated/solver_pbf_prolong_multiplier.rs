@@ -114,7 +114,7 @@ static PROLONG_MULTIPLIER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/prolong_multiplier.compute",
-    hash: "447a161ffe99eedf63402f2f8be4745d3d1e83c6a849f9a00570ad5e050aa6ae",
+    hash: "6e6dd7afa17e6fcae9307fef2895e4025ab65461ab9a6b5209f78e1d5da0d3fa",
 };
 
 static PROLONG_MULTIPLIER_WITH_RELAXED_PRECISION: Module = Module {
@@ -127,5 +127,5 @@ static PROLONG_MULTIPLIER_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/prolong_multiplier.compute",
-    hash: "fdba1c20da5484de2db6149f6b2ebd6f7cd7c821d0e96530e9c5ad98b6d3758f",
+    hash: "4eb04398923292b1265a63993fcd2b9af735b186830408efae1faeebf8c4d8e5",
 };

@@ -89,7 +89,7 @@ static RELAX_MULTIPLIER: Module = Module {
     shared_bytes: 4000,
     tier: Tier::Floor,
     source: "solver/pbf/relax_multiplier.compute",
-    hash: "88739723e002d2ffdc384a6b42f840717a93a24ce9ce840c55bfac0a01b1de74",
+    hash: "3d4d7387be59d672f321b338d3e92aa9af578be1df00f0e5749c711c3465a11a",
 };
 
 static RELAX_MULTIPLIER_WITH_PROLONGED: Module = Module {
@@ -102,5 +102,5 @@ static RELAX_MULTIPLIER_WITH_PROLONGED: Module = Module {
     shared_bytes: 4000,
     tier: Tier::Floor,
     source: "solver/pbf/relax_multiplier.compute",
-    hash: "413cbbd08b77278c8fe750c914365602513a54f9ea715378377a068f6f8a5746",
+    hash: "770c67f1e543e645fa5db94b0f60623b320d4cbb4e2abd05599e8be178828e63",
 };

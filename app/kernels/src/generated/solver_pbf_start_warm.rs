@@ -201,7 +201,7 @@ static START_WARM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "712ceb7ba794d2f5f507c9fd4cfe71727912b7c061031886475a673becaf4e16",
+    hash: "03008c3a92e0d028d1869d5af755f3a2a1199f4a94a1e495b62ab70bae44c8e1",
 };
 
 static START_WARM_WITH_RELAXED_PRECISION: Module = Module {
@@ -214,7 +214,7 @@ static START_WARM_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "e4c85917e8d63c8b995e418b8287f142b8b0f9a4404f32701a19f81b11bd6cc2",
+    hash: "cdc745874523b7f2b4b35107ab8739676080f4029fa37b9e79e2ec1d6b4b8838",
 };
 
 static START_WARM_WITH_WALLS: Module = Module {
@@ -227,7 +227,7 @@ static START_WARM_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "91a1f18da6734c5937f5e4d4f10ee3119ad64f4514fe022dcfdb263f270d250f",
+    hash: "8bf982ed0782deb403ab4484d44206289f868366ac1e48d1d64d55b109442f49",
 };
 
 static START_WARM_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -240,5 +240,5 @@ static START_WARM_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "76c16aa2219cc42a6fffefba4721027fa03db3cc7e0608c30d86f0d3d562aa58",
+    hash: "21e9d2dc9248ba50488004f1935fdf7045cea506b17e5b9e8a253ed5716b39dc",
 };

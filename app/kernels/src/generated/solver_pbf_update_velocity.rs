@@ -211,7 +211,7 @@ static UPDATE_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "8c774ffe8124f14e3d1d9424b1dda541a80e68748ccef60175328f1a52bdc315",
+    hash: "d8529f7283e2c4b436d6d1244d5330b8eec705f598718a17900c1dc8ee0130f3",
 };
 
 static UPDATE_VELOCITY_WITH_KEEP_VELOCITY: Module = Module {
@@ -224,7 +224,7 @@ static UPDATE_VELOCITY_WITH_KEEP_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "93f49bde24d33613740be69e6904727615635e34c1415e210a20e50c19780d3e",
+    hash: "b5375c0b52617a202cc00c981a4b3576030bb826f21a998e3b4294e0f1a6b864",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
@@ -237,7 +237,7 @@ static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "a9c1226b5d408fdb84fd280b5e1aaddf29dc723462794bb277074780924c683c",
+    hash: "fef8a97da62e1a6da3f0f50becced45220fc1f9585d2433b2fe51e702db9cd6d",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC_WITH_KEEP_VELOCITY: Module = Module {
@@ -250,7 +250,7 @@ static UPDATE_VELOCITY_WITH_PERIODIC_WITH_KEEP_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "440e012f1fc7fdce9b54b80cb67ff684aacd893e686d39cf91a8d70b8227e0c0",
+    hash: "c0dcccd6cd6b5353c311f072677d00908b1ea81f0591366ba2430fb40d44b19e",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -263,7 +263,7 @@ static UPDATE_VELOCITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "40245a0ed4d32f1977ccbc12c1bd71977f8df46329399eb7c905af55522f224e",
+    hash: "24e3872f55d1756b01d51748a158ec67d8eb5ed4b1cad30a937fb8ac11a165fb",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_KEEP_VELOCITY: Module = Module {
@@ -276,7 +276,7 @@ static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_KEEP_VELOCITY: Module = Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "d2ee3763abcea4609f920e4e02db77a2079b0c9b2ed2163e6524269b8482d5c1",
+    hash: "ec860c07d81cd5fad8947a45eb0798e97939882221859d0522a1f79eb8912810",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC: Module = Module {
@@ -289,7 +289,7 @@ static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "5bc2caa71991c01bda045dc42d57716dfe49b3ddfd9d4f1fdc230148e1fe4852",
+    hash: "cc9437a751cab2c776b709edd4fe6329a3e6456bc913786cd65cc5ae1a45ef4e",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC_WITH_KEEP_VELOCITY: Module = Module {
@@ -302,5 +302,5 @@ static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC_WITH_KEEP_VELOCITY: 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "f5c1f4ddd79737cce37f2b933ea9d7ce3785642bdbf7e345da84781343be44b5",
+    hash: "4daf804a9ecfbda732e3a1e506c7955cd51a1374c8b9b5eabc1bf522811d3fa4",
 };

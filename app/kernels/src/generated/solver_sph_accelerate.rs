@@ -261,7 +261,7 @@ static ACCELERATE: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "0e0f959f9c5a53aba59fca387af47d59098468a86ea29524950facbbfca9e919",
+    hash: "6fdf06690ba9d4695e1de5e47135d7f200b2cfaaad6298ab7272e415705df479",
 };
 
 static ACCELERATE_WITH_RELAXED_PRECISION: Module = Module {
@@ -274,7 +274,7 @@ static ACCELERATE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "476f60e1d8e21cd807560ffb95f495cbeef11d124586ab488a2032bf59264142",
+    hash: "cb21c5a513bc79fe822bf05e284f2c119f53f4724f8362d20394cdf4dd923f6c",
 };
 
 static ACCELERATE_WITH_HALF_PRECISION: Module = Module {
@@ -287,7 +287,7 @@ static ACCELERATE_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "1947ef397502a5dd8e0ee0db1a6a8913fb21699f7bd7616b96710d705800a3e7",
+    hash: "fdc366a8161a499f876f148f0e13b1b268a1b5078bfc24e408ae5b9a1691dfe2",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION: Module = Module {
@@ -300,7 +300,7 @@ static ACCELERATE_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "e12238ac1482c1829a3b9642f4e70c383dcc99c3ed22626bbcf70f439cd5f9e1",
+    hash: "b7a8622e0facc904da080bca8c97292116d8d53e51ba3e8e101e3bee84a13c3e",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -313,7 +313,7 @@ static ACCELERATE_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "dcd85b2aaa62c6e230a9ec5b57f76e6b8b167e4f31f3e39d1add6a702dd5c72e",
+    hash: "d5e70a73bf974c275af101f67dfa6c41ebda8fb9ed1e5eb6dcefab5150683a24",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -326,7 +326,7 @@ static ACCELERATE_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "4ac72d76ca2ae9696b454a2a2b0f9cc1257c5c6ec69428bdab7c93666ae57139",
+    hash: "956e6955a0ed8855efa8b599427899c9c34f3c7931c6e82e5784e40d31ce73bc",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS: Module = Module {
@@ -339,7 +339,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "18c390009d2dbe9f850e7c979df6058e869dc571bcee6a16e90cf1d45d90ba6a",
+    hash: "8818281fd4e15eb45719ae11f62caab738dda27bd69e0eade875b61f0f72b01e",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -352,7 +352,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "3f9088bb5ec554f597bf685128c903d308abf4f6b279fa8cb9282cf65e39108a",
+    hash: "2ba353108079825414f3bdaa81aa63a48bd94191c68f6875eaddc266febf5a67",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -365,7 +365,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "d4f190d82f6db0a385a531012d4945dc52dde7aac24694c308a6c933e9436a3c",
+    hash: "60aa5ad88743b97e1f4c296c0155a941fab0b963a781b57e380d1c8ad7e7b4b3",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -378,7 +378,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "af2701c515f35c7b24f1b4a0de9595dbc0babe71d4f19241a7d584affc809533",
+    hash: "079f1453981c27f356ca9830c729fe4fbac6794160a6ca70758cf487287e51c0",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -391,7 +391,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISIO
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "9c5167f96b16f2b4dbae41badaba94c61fc69e88b1bfa3820f5e0f9483966fe8",
+    hash: "5557d8b0b0b92ce6daf52252728f0c23bb8a987e18ad42508eb7d22d34756f27",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -404,7 +404,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: 
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "c3b8f889b63216f39c8b72285bdbf5950aefd52f7489e7ad32bc288bf1d7237a",
+    hash: "8d321b1b593683b733ae5b34d316fcc317c7262cbe4287213d619d14abc94f09",
 };
 
 static ACCELERATE_WITH_WALLS: Module = Module {
@@ -417,7 +417,7 @@ static ACCELERATE_WITH_WALLS: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "fa6e9bcef7f5ae9d4f86baa16e7ed7a15effaf1f4e33005e548d5142a5aa451a",
+    hash: "a7290dc362854305945cd211dc4e5844624963e7df1ceb5584d9428e3cf9b8e2",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -430,7 +430,7 @@ static ACCELERATE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "51fab920180fe045a32935fbb6df593d5634dd92881de941d10eaea69830d1c2",
+    hash: "ca2c313cfefad6578b4e4f56adf0a0eb244c0d1de183a369cde67ac01f475e9f",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -443,7 +443,7 @@ static ACCELERATE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "55c65e4db3193557bccbd398819dbde1d018122c0218edcebb57369bddce284f",
+    hash: "a4a4d0563f38b9ccfe694eb493ad28dadceef96c67b57d3e7691bc4e2904b627",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
@@ -456,7 +456,7 @@ static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "67f96bae23196934509a692a126fc9b8fadafd9f7c5af9dd23f0701efa052622",
+    hash: "93b367f9799a297c4291c490022411cece2d562a056fef782177a8d94a689eba",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -469,7 +469,7 @@ static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "e6632428c1985fa6d6d07578d60bd999b40477cd83cfe5a6087ab9fee79c1649",
+    hash: "4ab77ac5b439d77507bc261811259cf46a7df657c6508fe033096ab942a3c7fa",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -482,7 +482,7 @@ static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = 
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "1112577f8a4ba23fb56ed3274b79b66fdcddf8d1a161e56ca592f4393b22b5f0",
+    hash: "dc8b7de42881abaf1016c046a6fcba465b97baba15be1ef51fa2a0b794ebc28c",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
@@ -495,7 +495,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "a1bf4631eb1e7b8e7f653b7fb699fd5b2c9b754e4ae716129ae27b9cb8163bfb",
+    hash: "2493f0f55c352b70d379ea7ffb92c5f8da0ffcceafb305a0b03c97fe47d980a5",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -508,7 +508,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module 
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "a322b024d73a794c92d33d6b7639be382d3a4bc85a7a1e9f8335e5093a294811",
+    hash: "b6ecd19dcd9e1fe117553928ef81e4de699b87c1fc4ae54592bf92d53541d8c5",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -521,7 +521,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = M
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "82251e5db2b0b2f153a15f575ed5c5caebf2b1275ec7cfb422d1d0639b58d48b",
+    hash: "57771394853162a0ce670d38de9e6912192e625968f9aa7cbced56cfd75def78",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -534,7 +534,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = 
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "a8e65bc87a80875d37db7e20d838dee6fbf8a1d6990fd38ae727cf3d94183354",
+    hash: "cc79fd3849cdfcda19b4db10773ddd4c5b3c541974bb5bd79cad11a35c110d02",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -547,7 +547,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAX
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "7d9a57f60da92324a3107dd5e591c78542ecbcec892c104447e45b7a43deafe4",
+    hash: "d283629c8ecc0afda6f85e5c252e5a3b6ab3cf17f2ddabb9b9898b870860f6dc",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -560,5 +560,5 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "e187c114c01411ec06ba9b3f57caf55c8e1f19903da0840cb369aac932b0e65f",
+    hash: "d2984759d0b2ee39f7cf987de301cb596d4d55e0a25f43e085f379998ecae28a",
 };

@@ -105,7 +105,7 @@ static CHOOSE_TIME_STEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/choose_time_step.compute",
-    hash: "4d1eccaf5bf62d66fed98d2183c3e4666bfbd82fd1741ecfd79fc06c1481e2fc",
+    hash: "58fcdb0d8b0800ba1e705622e9595cd7d9c0ef988feaa267dd80b46c64347e07",
 };
 
 static CHOOSE_TIME_STEP_WITH_ADAPTIVE: Module = Module {
@@ -118,5 +118,5 @@ static CHOOSE_TIME_STEP_WITH_ADAPTIVE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/choose_time_step.compute",
-    hash: "56f611b2c6bb8d409aaddf376a381cd682c9e3947b95c732ae046b31b9e9d2d0",
+    hash: "cedba2dc9fa31541934941960ea1354ad9d3c90c854cfbdf7d000c2468205ba9",
 };

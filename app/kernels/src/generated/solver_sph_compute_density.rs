@@ -338,7 +338,7 @@ static COMPUTE_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "03071f0d5fc47fc2a8d8e728d384324c9eb40714c1fc330e5a4497a58d3845dc",
+    hash: "f2f24970d8933e6cd3244106f84a73685a2a98e6b110f48e66953b25c7faa878",
 };
 
 static COMPUTE_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -351,7 +351,7 @@ static COMPUTE_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "5005864b94e31fa56bfc5f8b8ed4cb23af192239dff99441cea0a54b28703845",
+    hash: "7f5514f54e8028be394d60719b7e5c34f2747b07a323bf63927470176c65c7c0",
 };
 
 static COMPUTE_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -364,7 +364,7 @@ static COMPUTE_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "89860656fd8cbb91a44957152c8ab6d4d51db9415ac89cff5c8288e556adafb1",
+    hash: "b495b394b29fccad00075ad9836fc23b75bd6e42227304fdc843844186a8f451",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION: Module = Module {
@@ -377,7 +377,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "0f42069e693b4819a08261b02d72fbe08ee602bf21e8bd46f56315b1c999c91c",
+    hash: "c2e1540c81f1e521b6835e81fe04b3343d10c8cad272fced439142b654a54abb",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -390,7 +390,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Mod
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "89b8c9e6ba6a626d8e1ae274c659cfc3de77d805c067be5c5ac4f871fefc6164",
+    hash: "c04db7d90d2fe8028108b4ca0c30c88be8957c595c4efd9db6f3b54570660026",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -403,7 +403,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "2af5384e49d17c244143d27b37703d5bb899863defb467028c44f5a12a63f787",
+    hash: "80bc6079c9bb071271b969f63c85483cac030bc6403bc81d93f7e7438a068148",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS: Module = Module {
@@ -416,7 +416,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "404f524b3f2879075eccbea9f8e3281637181cc333f06a453b14f971d866ced2",
+    hash: "4aea054d83afc2f32e6bb2cc1213ab5e6b5f3036628f48128af9ed856f098357",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -429,7 +429,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Modu
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "ff30a2d3ced6ee44f716afb32cc7228ba04cf069b17e5e6fe33530e784935b85",
+    hash: "7d81bdacf86ca29d427277874179ebfe022e6fcb184e79aa8d7beaa88f51b43c",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -442,7 +442,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "383754f39491351dbbec8e4338a6672e705d35d081d5c691f6ed1961faacfc16",
+    hash: "ca5f9a82d02230ff064bf0b47d4881b78448546859c7ef340c9c02175f262895",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -455,7 +455,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "14546e4aa0d08c620843303352b47216cb047c4b3a98536bf5e67fe39171a64e",
+    hash: "5f244200ce982089317d4ce2ee99424bce912b32a1f4c02da4f6490aafc347b3",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -468,7 +468,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRE
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "23cceb3a8203f4213cbf66e3cbaa089fdec7dab34eb9208cbef0c08b0e3b60fc",
+    hash: "720437b14b43ba71c0cf802cebff45e11db4bbc8b043d89cd39e874d86eaebcc",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -481,7 +481,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECIS
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "7ba6988d5a2d1ffe54d71061f81e8c8ef0e7e38adfd16002976f5e64ddc8c8a3",
+    hash: "84321be7d2a872ac43c13ae3db26a3333d2e774fc22a2278e6da5846b5fb5b93",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS: Module = Module {
@@ -494,7 +494,7 @@ static COMPUTE_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "f4efcffe28a8a77ec09eeac04190e0ab222f30d6dd8cc7c723e0dbeae9ec9d61",
+    hash: "bfbdc298f40af356e84123969cff6e946471d8af5c02987980fff4a1fc622e15",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -507,7 +507,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "404aa7f6e705c9d9c58c825870809301a04630022acfc7a91b1e587273ad22a3",
+    hash: "026e6c649cb43de7e474503536ab88dba81bbd964a08182199d2dffbf4a2015a",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -520,7 +520,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "8b7e0e9c333cb51566466b3916ba61c035c4c6e939733043b9c2e2f41045302b",
+    hash: "2bc333c52a1e796247d8a2c6cf6e67fb95cce27107e088d5c8a97fdcc952845c",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
@@ -533,7 +533,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "2cd30cab244f83991c978af20cb792b8c648bc75613e5547b41f2b9fd0f0be43",
+    hash: "c2ec84d4738a865cd9b20bd138ad17c0a8c64a4d39a87281d774d29bcc1bd53b",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -546,7 +546,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: M
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "09267ebaa4a0721e34b9d8535f68bc5072c3d55ca688a91d3915ff0e3d83f4a7",
+    hash: "8c7eeef49e6bf792d248f572942f752b404b72c3581e4a58340431f780526893",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -559,7 +559,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Modu
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "dc4d813a6ea7afc0c143473f659ca3fb6db4036dea41c6fe4e96d4fff51b1334",
+    hash: "fd0c2fde6b8688baaacd8b356f49ee29c36e7d589bd3de3ca457535647626f08",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
@@ -572,7 +572,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "5f9881cd7d795a6a39b90bf564026ae96dbb08b4628a03961c8f272b920cf115",
+    hash: "cc32a36b1f276f6d6c17e63bd08ea4acc5fd1c06356cd24886e00a8f67fb2441",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -585,7 +585,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Mo
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "7ebd0deffce06b104324ceb65e20d3084450f06523a948b9bee0069b8d657bfe",
+    hash: "f69c93b607650f96d4dfc8854073555084491ffc595918bf82fe78239416b8d7",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -598,7 +598,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "a9a5f5049837550f257160bfe03b9db9befc22808dffd67892674730923039a6",
+    hash: "70a5a8c0d4484f55a26d5e90f777c9e4f03d05e129c48dd7069568c8e932dcb6",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -611,7 +611,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Modu
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "ce672049d3872c36b07716257fd5c1ab4c08c793a1f7c3615b335018d01c5aa8",
+    hash: "12345d44b2cc60d725feae0f0ede13eec0a81a663ce399c14a644b7e8f3dae75",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -624,7 +624,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "5a514f531998ad14159c9a8e833181348e45865e9aaca62c816deea76dc2cfc0",
+    hash: "81febfd085d471a765c246ed3f0490e3166de8fa69f51f67e80c6468abb51ecb",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -637,5 +637,5 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "c6d0cf06d6e24dd5242615e529ceb1e14fc696035cea35f353557e4a082aea87",
+    hash: "4ece1f5fb6ef58fdc82ac310ca65a742493bfcf053353ea08917d3651e240b75",
 };

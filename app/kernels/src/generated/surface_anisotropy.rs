@@ -77,5 +77,5 @@ static ANISOTROPY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/anisotropy.compute",
-    hash: "209a9d0fe1d28d1487e5393a0bff872ab446c75170d016366c562ba9f4532e87",
+    hash: "a2babb24fef40b625eceed77aa27f07194fef283aec596898769e0e73a134ede",
 };

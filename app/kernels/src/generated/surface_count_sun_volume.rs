@@ -69,5 +69,5 @@ static COUNT_SUN_VOLUME: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/count_sun_volume.compute",
-    hash: "1e6f928c178dd34fe0946b025f89c3d293e1b669ab5dbd2f3ff008d0975c3b0a",
+    hash: "90019be4e084359987acdc5b2c7a7ddddd991f284c8b6aeed2550b00a555ea91",
 };

@@ -112,7 +112,7 @@ static DRAW_FLUID_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "837c15467ab713919297d01b27554e6667d93a519e05a2da2c00fcc9b7a4729c",
+    hash: "70f4dd5305be9d87cea52b96c613181c5ac0bac92cf1d25d8c109ba6c7eb17dc",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
@@ -125,7 +125,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "971bb64822061c6653772351a57727db9c5a5a699a8427e9004a568897ba8c20",
+    hash: "1281802e6e2d14e599d5ab875b7a7e6a221ce2ba104b270b167a0a20ef87785b",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -138,7 +138,7 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "ec80f2cbc31dfde6de0f4c4911b6752930b1802f3fd076ba252ab88245b5125b",
+    hash: "7f68c763dc3a66abe5a1a1eb85fe47d689dfe17e759f9c2880a67b1d67039daa",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -151,7 +151,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "41c96052953d1ca70fb9eeb9f8047a238e0aca892a898f9a91684525bc739d6a",
+    hash: "c5f4f4db440e203d585de3e6b2a4bc9da8d97682591962262f38f908bcb316aa",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -164,5 +164,5 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "0ecc46223cc6c17ddf58be1ee31b6581eafa6358b795d5ba21ce75a24b341aca",
+    hash: "a19a468b62ac3489e396c69f0c0e367598956ed81938508f92b5ec40f0154fd6",
 };

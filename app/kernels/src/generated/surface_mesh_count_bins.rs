@@ -103,7 +103,7 @@ static COUNT_BINS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/count_bins.compute",
-    hash: "468aab692d440abd976750270a34334c98fa3f81f98f76c7c37c759e84718b6b",
+    hash: "d503b3e5866edea489fab5df8c5388587a910023adf5d1e3d0dc5aa1aaaf835c",
 };
 
 static COUNT_BINS_WITH_ANISOTROPIC: Module = Module {
@@ -116,5 +116,5 @@ static COUNT_BINS_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/count_bins.compute",
-    hash: "558df0b83ef497fc841c8bf96a1ab0b32ffdb0e85e57ba6d687e772847a8d0c3",
+    hash: "a1b67dc41749fb78a0b5a7414017c32d6feb1f9811785cff16b883686d3d5ae7",
 };

@@ -88,5 +88,5 @@ static COUNT_MESH: Module = Module {
     shared_bytes: 112,
     tier: Tier::Floor,
     source: "surface/mesh/count_mesh.compute",
-    hash: "fd3efc665adc2322ea467cdb871e288eb2d5b559bbbad62c1664aed5b86bc561",
+    hash: "4056abfa738262c18002472cdcecfe22f29d733f16bd3eb73567a9cde9235f64",
 };

@@ -109,5 +109,5 @@ static EMIT_TRIANGLES: Module = Module {
     shared_bytes: 112,
     tier: Tier::Floor,
     source: "surface/mesh/emit_triangles.compute",
-    hash: "93f649944afeebf988d4806f3b9ad1b1a01f044f743f860ccea6906b6564d698",
+    hash: "6f2e46dcd49544b8534a6ee114e5c1378e650880217d7acc901d6d0a79ba687b",
 };

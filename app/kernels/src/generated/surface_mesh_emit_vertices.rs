@@ -103,5 +103,5 @@ static EMIT_VERTICES: Module = Module {
     shared_bytes: 112,
     tier: Tier::Floor,
     source: "surface/mesh/emit_vertices.compute",
-    hash: "71682e5e18aaff0ce9f43905dfdb296d6a71b87d66209a46233e75f3bfc04f7f",
+    hash: "2526849cea0d3a361759fdeb4a04a4684f97552db5e78dc844c050b7b2b67505",
 };

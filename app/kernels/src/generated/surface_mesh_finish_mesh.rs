@@ -74,5 +74,5 @@ static FINISH_MESH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/finish_mesh.compute",
-    hash: "d77bc7c415171c4f53933828ad7c8e4e84af886fd6f6f61a3d23d7eec75287e3",
+    hash: "b3abb75d1ec4ea092b3a145f2ff20ca4af59c669341588e8e53a0ecc0ccd153d",
 };

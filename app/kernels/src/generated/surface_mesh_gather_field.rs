@@ -115,7 +115,7 @@ static GATHER_FIELD: Module = Module {
     shared_bytes: 64,
     tier: Tier::Floor,
     source: "surface/mesh/gather_field.compute",
-    hash: "424fbc946eaef79fef30f014bfbac408aa4768417eb8576545b988bfe392b0a8",
+    hash: "34f6f58f1e699c4b6dc232c5ce76c54e49c70c138a2db7f092c490e14f72e187",
 };
 
 static GATHER_FIELD_WITH_ANISOTROPIC: Module = Module {
@@ -128,5 +128,5 @@ static GATHER_FIELD_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 64,
     tier: Tier::Floor,
     source: "surface/mesh/gather_field.compute",
-    hash: "2ce62e0f2f93a1c59e4129e93fced4ec8e42d7adcc84bfeca86d455c02e1f8d6",
+    hash: "9077a77605d9dba59842eae5ec505fd09537b2e0f2336c408c382dcf7971866a",
 };

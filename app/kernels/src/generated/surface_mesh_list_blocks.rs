@@ -82,5 +82,5 @@ static LIST_BLOCKS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/list_blocks.compute",
-    hash: "a60a3ef2f93801fb32ae3d88a0ec7e51f927080cc3f779780e9b37df41a53769",
+    hash: "687f1015cc75befbd25e12f2e268339798e5e3bd8d37fb8b5df0f81b74ad6a87",
 };

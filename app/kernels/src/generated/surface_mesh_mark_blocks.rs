@@ -84,5 +84,5 @@ static MARK_BLOCKS: Module = Module {
     shared_bytes: 500,
     tier: Tier::Floor,
     source: "surface/mesh/mark_blocks.compute",
-    hash: "bad7db9b91699a2ffcdfcbf5c36ac2dc48ab266c113b4d2835ffdb70c9d627d5",
+    hash: "38018cbc9ad8ca747b2590d2cdcad04028c1b9c044d2d188a0f1d963284d9c2c",
 };

@@ -72,7 +72,7 @@ static DRAW_MESH_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_depth.hlsl",
-    hash: "7b254e4159939518f69ae716d87153ea88bbf70e09cf38bd523b5ef55499e328",
+    hash: "d8c787fd9d2d0112205f69291e950daa38c2c62d9b29c01cb05daa6f61dce56a",
 };
 
 static DRAW_MESH_DEPTH_FRAGMENT: Module = Module {
@@ -85,5 +85,5 @@ static DRAW_MESH_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_depth.hlsl",
-    hash: "98042baca4ef07ef7d21d070e22713188124809a80ba72a2a1b98757bf7a213d",
+    hash: "1fd3eefc656bb76306006e7235b15a53a7ea54dedd4f4f58bcdc350f38677f00",
 };

@@ -97,7 +97,7 @@ static MESH_NORMALS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_normals.compute",
-    hash: "03ea1759ddf9e1c483729e87714d98a9a7961ad740d224671922d79fb4cd6408",
+    hash: "e356e74e470d76e4503bf79d51ddc3d75c1da553ee5dfd946f677f62cab6e784",
 };
 
 static MESH_NORMALS_WITH_ANISOTROPIC: Module = Module {
@@ -110,5 +110,5 @@ static MESH_NORMALS_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_normals.compute",
-    hash: "f3ef686a4179357a6a799364adcecfdd6d5dae641364a6862274bc11f531ee81",
+    hash: "eae1e557f3105f12f374be16398dc73228373357c69cf5a766ca73fc690556a1",
 };

@@ -100,7 +100,7 @@ static SCATTER_BINS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/scatter_bins.compute",
-    hash: "b395955e5fe7e900447c0c4904924904fe0a7611434e336c3f89f4815a83fe62",
+    hash: "ec69621f897747cf10ba186764d98c4db6234cadfa8e258adebcb609d2650e76",
 };
 
 static SCATTER_BINS_WITH_ANISOTROPIC: Module = Module {
@@ -113,5 +113,5 @@ static SCATTER_BINS_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/scatter_bins.compute",
-    hash: "cf546a35e159eacbd2d1b8d4cbef890c66242d038c1201dc0def47e17c7bdd1d",
+    hash: "7d6422695400ea1ecc8dd079c1336a026addaf315a8e0a127abaa3a096c76044",
 };

@@ -64,5 +64,5 @@ static COUNT_EDGES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/count_edges.compute",
-    hash: "7179fa20815ed69a0046fc0110df883d5fe94e89e01ca2ca3b27c85a9cb27108",
+    hash: "9f8b75f5a3947b2f08f2cbfb0d822e9dfd2eaa59cae4d4a866fc4b556fda0be9",
 };

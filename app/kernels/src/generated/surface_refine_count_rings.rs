@@ -71,5 +71,5 @@ static COUNT_RINGS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/count_rings.compute",
-    hash: "a109cec462e20d4cf9a969f67965f3519bfb84f75c42216dc5362d3b3fee8bc8",
+    hash: "762c998f2c100e2adda618e5d7384cfbdd159af4f3a16206867b9825550b8287",
 };

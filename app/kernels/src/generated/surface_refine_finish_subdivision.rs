@@ -66,5 +66,5 @@ static FINISH_SUBDIVISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/finish_subdivision.compute",
-    hash: "f018753493f303d09be572cab0166e9ef30134745b8833770cff0cce0a3d825a",
+    hash: "def9085a95dcc548a18c228a3ec053ea3e965c8afb0afdf72b9252dcaed1e7aa",
 };

@@ -64,5 +64,5 @@ static LIST_RINGS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/list_rings.compute",
-    hash: "d637121d48d0b13ff4225b6f56e8b69704e37ec259e5c73e4ebdc9e9ca0a67b0",
+    hash: "a69c9ed23afa8efdf3647ee01007e811d28ce3e0e0598b7ad5e5563fc961aff6",
 };

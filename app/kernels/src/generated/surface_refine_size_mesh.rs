@@ -50,5 +50,5 @@ static SIZE_MESH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/size_mesh.compute",
-    hash: "25577f260427442289381aa6e5fc00e8f4e237ce2d8a30ec4544fe985c89f2f7",
+    hash: "8316f91534edb87d4f4da1428e71fafcbd5258718e4adae5405a79d7edc52afd",
 };

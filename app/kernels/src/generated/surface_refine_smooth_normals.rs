@@ -77,5 +77,5 @@ static SMOOTH_NORMALS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/smooth_normals.compute",
-    hash: "785bdda4a98ff6699c6926f1dd4c12d01815bb8c49b4a1e8ec926997d1908496",
+    hash: "4c5365f1e2163ee71f2ce8b85d4770195c95cabd288f301f07b8e5764e8b60f6",
 };

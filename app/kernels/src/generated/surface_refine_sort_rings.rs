@@ -57,5 +57,5 @@ static SORT_RINGS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/sort_rings.compute",
-    hash: "9a315969717284d6bc76338670806e3cbe5c53d041e77d983fd4b3dc7a969099",
+    hash: "4667f956bc3c863416273b5fd8ed7e0d916857c3ecdca0dceb149e94e8c8957c",
 };

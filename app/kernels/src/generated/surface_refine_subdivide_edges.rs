@@ -81,5 +81,5 @@ static SUBDIVIDE_EDGES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/subdivide_edges.compute",
-    hash: "c132bf6d3839f2390840f65dc40bbd4326a9e876857239111a41fad10399d361",
+    hash: "2d019f24660cfab4586973c8fc96e7be73e360aaf901318ba604028155239671",
 };

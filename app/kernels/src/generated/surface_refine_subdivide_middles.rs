@@ -76,5 +76,5 @@ static SUBDIVIDE_MIDDLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/subdivide_middles.compute",
-    hash: "f0ffe802e5ea0a6149a442aebbbb75b9356791a960818721a7fe539fb6092e57",
+    hash: "05f8157cbedacf9d860acb849bdf215242c95d317c0601f74812b4409c7279d9",
 };

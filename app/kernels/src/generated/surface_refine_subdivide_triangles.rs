@@ -85,5 +85,5 @@ static SUBDIVIDE_TRIANGLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/subdivide_triangles.compute",
-    hash: "4621932e0f1b9395fa613e3530bbdcb1b9c7b18127b567c17fc6ed7e72195800",
+    hash: "37a007c1c23b50bf938d9266bb09c5f706dd8a15c08cdb3b00cf242dc550514c",
 };

@@ -70,5 +70,5 @@ static REFRACT_PHOTONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refract_photons.compute",
-    hash: "4856d24c800e0d85a054696766d8d91c3963d7c9792b6052338f44814272301e",
+    hash: "765b174a226db29b53b80952a2442dba8ddce79c6d2e984cd80781d6d2873f2a",
 };

@@ -85,7 +85,7 @@ static SMOOTH_PHOTONS_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_photons.compute",
-    hash: "cd58a936aa566e7f56c29ffac6167055f9d5be372394eabc27db41eb4dba8c06",
+    hash: "87ff301c9e769ccedf43ed9bc77bce31f4eedb4fbff1df9e438c246bf99d4f53",
 };
 
 static SMOOTH_PHOTONS_WITH_ALONG_Y: Module = Module {
@@ -98,5 +98,5 @@ static SMOOTH_PHOTONS_WITH_ALONG_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_photons.compute",
-    hash: "5d19f20239cb9f13e4a5d0f4e2ec4c32179386641911c5ecf08d50b5ca07102f",
+    hash: "04baf4f1b525b260e1c351624967de3eca7842d2439a8b377a962c9508269d19",
 };

@@ -64,5 +64,5 @@ static SUM_SUN_VOLUME: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sum_sun_volume.compute",
-    hash: "c90d5827452ae5c8b75a710b5890be572913e7595230c2ebec7449fadfc65f5c",
+    hash: "a338b91ba043f5c96ec928cfbb24d69283ac51f87dc7ec5c9871bb13b7076303",
 };

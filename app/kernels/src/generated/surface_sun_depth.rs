@@ -114,7 +114,7 @@ static DRAW_SUN_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "2faff5e4bab1b176a13396f74ad7cffc641d72fa0a89bf44563ce7c9ffc7ca1b",
+    hash: "757182c151f012983a94f92b2c93f21b9797f00bfe5b29e54f355903bd87e856",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
@@ -127,7 +127,7 @@ static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "c9ed52cb91a14ec1b9740ffbfa785b4defafc481fe2620f434421240735427a0",
+    hash: "48cc3a8603e67a52d87b94fa6c3a62f9f323cbb87d6b3c38394585ea110e696f",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -140,7 +140,7 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "d3a960616f0c8af8aa00062947a9d1f58928b351720ceb6d6247b711703be8f2",
+    hash: "f4f76aafc2334d64bd0cdd3452cf8f55cd61f1bc621cd2655305efc42c44ba00",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -153,7 +153,7 @@ static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "75a24cf38b8423e45df1b4e2154a5e64d80f64eb0088e531f6dc55b1f3aceef4",
+    hash: "0a29a4e65dfdea68c7527bd7c5d144a4b4f6920e7e6cbe8b03152d68f036d457",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -166,5 +166,5 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "2149243533f10311563ac4ecfe605d23bf196a473e5477f309e356ff28482124",
+    hash: "0c91080bae19030f8ff274b265d33ab015366b4d4c7ed6d3fc33c05e1052dedb",
 };

@@ -85,7 +85,7 @@ static DRAW_SUN_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "b8c0f455c67a477f4351076a4a74cc61ec6f4da2b1f07fde9db438bbc1f7b813",
+    hash: "d2dd7b5d0e436e9a7756cc958c4fc468824a510bd0242a892d463c93e12c3945",
 };
 
 static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
@@ -98,7 +98,7 @@ static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "6bc1f1c16209b6737ce36541d4497158dc49fe5458648022bf345219f2901d36",
+    hash: "c0c34ece9f76f60a84edd566d0c14b1e871d42ec083bdbc2fb14610588641381",
 };
 
 static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -111,5 +111,5 @@ static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "e99f08aa510b30ef76c819d2e7a6f6f8c725f96cf08591e211a209ac34491519",
+    hash: "69e0b7fbe017c92d5a20190023fbf4118070764601dc32613269297e8bd3d319",
 };

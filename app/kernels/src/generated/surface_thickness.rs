@@ -91,7 +91,7 @@ static DRAW_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "79032459a1ad9801e0b9b78b9e363adbb44ab4ffe4e51f76280941437712a70f",
+    hash: "8ac95c49a993ecee5d41dcb7840902c0b4d284602b3c91c48e3e4b066a0c8ce8",
 };
 
 static DRAW_THICKNESS_FRAGMENT: Module = Module {
@@ -104,7 +104,7 @@ static DRAW_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "cf02cde454f63b86ece854e229033f69e3f7f92d44e060bdcaab6a2be2d7a4de",
+    hash: "79397114e84889a118103e96e6fe9f678996e1f25c013863c42d34fefbf8c737",
 };
 
 static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -117,5 +117,5 @@ static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "5510a1449172bf8ab21a8a6ac24b9faa4f893f4cafe738b0a91ca81d6bf0b013",
+    hash: "79aaf4404e0a48ff1bd27706d264b3d22e7a7c15756f94475dd094db2be49ae2",
 };

@@ -1,5 +1,6 @@
 //! What acts on velocities alone, whichever solver made them.
 
+pub mod apply_fields;
 pub mod confine_vorticity;
 pub mod curl;
 pub mod xsph;

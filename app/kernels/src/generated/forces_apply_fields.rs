@@ -1,0 +1,73 @@
+// Written by the shader compiler; do not edit. `cargo run -p brooklet-compiler -- build`
+// makes it anew from forces/apply_fields.compute.
+//! Kernels of `forces/apply_fields.compute`.
+
+use super::{ForceField, ForceFieldCount, Position, StepState, Velocity};
+use crate::{
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+};
+
+/// Body forces that depend on place and time: v += a(x, t) dt, a the sum of the scene's fields. Uniform, or around an axis
+/// (a swirl), each for a while, and swinging if it has a frequency. The time is the middle of the substep.
+#[derive(Debug)]
+pub struct ApplyFields<'a> {
+    /// `StructuredBuffer<Position> positions`.
+    pub positions: Buf<'a, Position>,
+    /// `StructuredBuffer<ForceField> fields`.
+    pub fields: Buf<'a, ForceField>,
+    /// `RWStructuredBuffer<Velocity> velocities`.
+    pub velocities: BufMut<'a, Velocity>,
+    /// `ConstantBuffer<StepState> step_state`.
+    pub step_state: Uniform<'a, StepState>,
+    /// `ConstantBuffer<ForceFieldCount> field_count`.
+    pub field_count: Uniform<'a, ForceFieldCount>,
+}
+
+impl Kernel for ApplyFields<'_> {
+    const STAGE: &'static str = "apply_fields";
+    const GROUP_SIZE: [u32; 3] = [64, 1, 1];
+
+    fn module(&self) -> &'static Module {
+        &APPLY_FIELDS
+    }
+    fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
+        bind(
+            self.module(),
+            &[
+                ("positions", Some(self.positions.id)),
+                ("fields", Some(self.fields.id)),
+                ("velocities", Some(self.velocities.id)),
+                ("step_state", Some(self.step_state.id)),
+                ("field_count", Some(self.field_count.id)),
+            ],
+        )
+    }
+}
+
+/// The modules of this file.
+pub(super) static MODULES: &[&Module] = &[&APPLY_FIELDS];
+
+static BINDINGS_0: &[BindingInfo] = &[
+    BindingInfo { name: "positions", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
+    BindingInfo { name: "fields", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 48 } },
+    BindingInfo {
+        name: "velocities",
+        slot: 2,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
+    },
+    BindingInfo { name: "step_state", slot: 3, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "field_count", slot: 4, kind: BindingKind::Uniform { bytes: 16 } },
+];
+
+static APPLY_FIELDS: Module = Module {
+    name: "ApplyFields",
+    entry: "ApplyFields",
+    stage: StageKind::Compute,
+    spirv: include_bytes!("../../spirv/apply_fields.spv"),
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "forces/apply_fields.compute",
+    hash: "47faa398395a9aeb2d1a7c5853af81e526ee60b7c1d278eafb723aa0810bb399",
+};
