@@ -9,14 +9,14 @@ use brooklet_gpu::{Gpu, GpuOptions, vulkan_instance};
 use brooklet_viewer::action::Action;
 use brooklet_viewer::panels::{PanelInput, PanelOutput};
 use brooklet_viewer::{Kind, Painted, Settings, Target, Viewer, ViewerError};
-use egui::{Pos2, RawInput, Rect, vec2};
+use egui::{Order, Pos2, RawInput, Rect, vec2};
 
 use crate::canvas::{Canvas, Picture, SharedWindow, SurfaceLost, WindowSource};
 use crate::gravity::Gravity;
 use crate::heat::Heat;
 use crate::screen::{self, Ask, Facts, Screen};
 use crate::self_check::{Asked, Checked, SelfCheck};
-use crate::touch::{Acceleration, TouchEvent, Touches};
+use crate::touch::{Acceleration, Place, TouchEvent, Touches};
 
 /// Folders of the app's own.
 #[derive(Clone, Debug)]
@@ -133,8 +133,14 @@ impl App {
 
     /// Takes what a finger did.
     pub fn touch(&mut self, event: TouchEvent) {
-        let Some(shown) = &self.shown else { return };
-        self.touches.take(event, shown.pixels_per_point);
+        let (Some(open), Some(shown)) = (&self.open, &self.shown) else { return };
+        let context = open.viewer.context();
+        // As the last frame had it: what is over the picture are areas, the picture is behind them.
+        let place = |at| match context.layer_id_at(at) {
+            Some(layer) if layer.order != Order::Background => Place::Panel,
+            _ => Place::Picture,
+        };
+        self.touches.take(event, shown.pixels_per_point, place);
     }
 
     /// Takes a reading of the accelerometer. The first one, and what the level button is touched at, is level.
