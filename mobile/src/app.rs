@@ -14,7 +14,7 @@ use egui::{Order, Pos2, RawInput, Rect, vec2};
 use crate::canvas::{Canvas, Picture, SharedWindow, SurfaceLost, WindowSource};
 use crate::gravity::Gravity;
 use crate::heat::Heat;
-use crate::screen::{self, Ask, Facts, Screen};
+use crate::screen::{self, Ask, Down, Facts, Screen};
 use crate::self_check::{Asked, Checked, SelfCheck};
 use crate::touch::{Acceleration, Place, TouchEvent, Touches};
 
@@ -253,7 +253,11 @@ impl App {
         viewport.native_pixels_per_point = Some(target.pixels_per_point);
         let files = self.paths.files.display().to_string();
         let facts = Facts {
-            has_gravity: self.gravity.is_known(),
+            down: match open.viewer.current() {
+                Some(current) if is_weightless(&current.scene) => Down::Nowhere,
+                _ if self.gravity.is_known() => Down::Sensor,
+                _ => Down::Scene,
+            },
             checking: open.check.as_ref().map(|check| check.progress),
             checked: open.checked.as_ref().map(Checked::summary),
             is_wrong: open.checked.as_ref().is_some_and(|checked| !checked.wrong.is_empty()),
@@ -286,6 +290,8 @@ impl App {
         if let Some(current) = open.viewer.current() {
             let axes = current.view().camera.axes();
             let gravity = self.gravity.now([axes.x_axis, axes.y_axis, axes.z_axis], now);
+            // What is in free space stays there, however the phone is held.
+            let gravity = gravity.filter(|_| !is_weightless(&current.scene));
             open.viewer.set_gravity(gravity.map(|gravity| gravity.to_array()));
         }
         if let Some((step_ms, draw_ms)) = open.viewer.cost_ms() {
@@ -414,6 +420,10 @@ impl App {
             within => Wake::After(within),
         }
     }
+}
+
+fn is_weightless(scene: &Scene) -> bool {
+    scene.gravity_m_s2 == [0.0; 3]
 }
 
 fn viewer(gpu: &Gpu, canvas: &Canvas, paths: &AppPaths) -> Viewer {

@@ -6,7 +6,7 @@ use brooklet_viewer::style;
 use egui::{Align2, Area, Color32, Context, Id, Order, vec2};
 
 use super::look::{self, TEXT};
-use super::{Ask, Facts, Sheet};
+use super::{Ask, Down, Facts, Sheet};
 
 /// Width of a button, points; less where the screen is narrow.
 const WIDTH: f32 = 62.0;
@@ -44,7 +44,7 @@ pub(super) fn show(
                 if button("reset", ("⟲", "again"), TEXT, has_scene) {
                     actions.push(Action::Reset);
                 }
-                if button("level", ("⚖", "level"), TEXT, facts.has_gravity) {
+                if button("level", ("⚖", "level"), TEXT, facts.down == Down::Sensor) {
                     asks.push(Ask::Level);
                 }
                 let (word, color) = match shown.capture {

@@ -9,7 +9,7 @@ use brooklet_viewer::style;
 use egui::{Area, Color32, Context, CornerRadius, Frame, Id, Margin, Order, Rect, RichText, ScrollArea, Ui, vec2};
 
 use super::look;
-use super::{Ask, Facts};
+use super::{Ask, Down, Facts};
 
 const SHEET: Color32 = Color32::from_rgb(22, 27, 33);
 
@@ -129,12 +129,17 @@ fn quality(ui: &mut Ui, shown: &PanelInput<'_>, actions: &mut Vec<Action>) {
 
 fn facts_of(ui: &mut Ui, shown: &PanelInput<'_>, facts: &Facts<'_>) {
     let gpu = shown.gpu.info();
+    let gravity = match facts.down {
+        Down::Sensor => "from the accelerometer",
+        Down::Scene => "the scene's own",
+        Down::Nowhere => "none: the scene is in free space",
+    };
     let mut rows = vec![
         ("device", format!("{} ({} tier)", gpu.name, tier_name(shown.gpu.tier()))),
         ("driver", format!("{} {}", gpu.driver, gpu.driver_info)),
         ("version", env!("CARGO_PKG_VERSION").to_owned()),
         ("captures", facts.files.to_owned()),
-        ("gravity", if facts.has_gravity { "from the accelerometer" } else { "the scene's own" }.to_owned()),
+        ("gravity", gravity.to_owned()),
     ];
     if let Some(current) = shown.current {
         rows.extend(current.concessions.iter().map(|concession| ("does without", concession.to_string())));

@@ -42,10 +42,21 @@ pub struct Screen {
     strokes: Strokes,
 }
 
+/// What says which way is down.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Down {
+    /// The accelerometer.
+    Sensor,
+    /// The scene: there is no sensor.
+    Scene,
+    /// Nothing: the scene is in free space.
+    Nowhere,
+}
+
 /// What the app knows beside the viewer.
 pub struct Facts<'a> {
-    /// Whether there is an accelerometer.
-    pub has_gravity: bool,
+    /// What says which way is down.
+    pub down: Down,
     /// Cases of a self-check that are done, and all, while one runs.
     pub checking: Option<[usize; 2]>,
     /// What the last one came to.

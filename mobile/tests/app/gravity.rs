@@ -1,6 +1,7 @@
 //! Water that goes where the phone is tilted.
 
 use brooklet_fluid::{FrameRequest, Scene, Session};
+use brooklet_mobile::Acceleration;
 use brooklet_mobile::script::{Hand, Readings};
 
 use crate::{LONG, running, said};
@@ -30,6 +31,33 @@ fn a_tilt_from_a_file_turns_the_water() {
     let left = middle_x_m("0,0,9.81,0\n0.1,9.81,1,0\n");
     // Half of a tank of 0.8 m is filled: at its right end the middle is near 0.6 m, at its left end near 0.2 m.
     assert!(right > 0.5 && left < 0.3, "{right} m and {left} m");
+}
+
+#[test]
+fn what_is_in_free_space_falls_nowhere_and_has_no_level() {
+    let (mut hand, folder) = running();
+    let down = Acceleration { m_s2: [0.0, 9.81, 0.0], rotation_degrees: 0 };
+    // The mean velocity, m/s, after so many steps of a scene.
+    let mut fall = |name: &str| {
+        hand.app.viewer_mut().unwrap().open(name);
+        let begins = |hand: &mut Hand| crate::current(hand).is_some_and(|run| name.contains(&run.scene.name));
+        assert!(hand.until(LONG, begins), "{:?}", said(&hand));
+        hand.app.acceleration(down);
+        assert!(hand.steps(20, LONG));
+        hand.tap("level").unwrap();
+        let is_level = said(&hand).iter().any(|text| text.contains("is level now"));
+        let velocities = hand.app.viewer_mut().unwrap().take_state().unwrap().particles.velocities;
+        let sum: f64 = velocities.iter().map(|velocity| f64::from(velocity.velocity_m_s[1])).sum();
+        (sum / velocities.len() as f64, is_level)
+    };
+    let (drops, drops_level) = fall("colliding-drops");
+    assert!(drops.abs() < 1e-3 && !drops_level, "{drops} m/s, level: {drops_level}");
+    // The same drops in a scene that has gravity fall, and their button is there.
+    let scene = Scene::load("colliding-drops", &["gravity_m_s2=[0.0, -1.0, 0.0]".into()]).unwrap();
+    let path = folder.path().join("falling.toml");
+    std::fs::write(&path, scene.to_toml()).unwrap();
+    let (falling, falling_level) = fall(path.to_str().unwrap());
+    assert!(falling < -0.1 && falling_level, "{falling} m/s, level: {falling_level}");
 }
 
 /// Particles after some steps, with gravity set as `how` does.
