@@ -15,8 +15,9 @@ use crate::canvas::{Canvas, Picture, SharedWindow, SurfaceLost, WindowSource};
 use crate::gravity::Gravity;
 use crate::heat::Heat;
 use crate::screen::{self, Ask, Down, Facts, Screen};
-use crate::self_check::{Asked, Checked, SelfCheck};
+use crate::self_check::{self, Asked, Checked, Occasion};
 use crate::touch::{Acceleration, Place, TouchEvent, Touches};
+use crate::worker::Worker;
 
 /// Folders of the app's own.
 #[derive(Clone, Debug)]
@@ -70,8 +71,17 @@ struct Open {
     viewer: Viewer,
     format: wgpu::TextureFormat,
     gpu: Gpu,
-    check: Option<SelfCheck>,
+    check: Option<Worker<Checked>>,
     checked: Option<Checked>,
+}
+
+impl Open {
+    /// Lets what goes on beside the frames stand after the part that is under way, or go on.
+    fn stand(&self, stands: bool) {
+        if let Some(check) = &self.check {
+            check.stand(stands);
+        }
+    }
 }
 
 /// All that goes when the window goes.
@@ -128,6 +138,7 @@ impl App {
         self.shown = None;
         if let Some(open) = &mut self.open {
             open.viewer.flush_capture();
+            open.stand(true);
         }
     }
 
@@ -279,7 +290,7 @@ impl App {
                 true => open.viewer.notify(Kind::Done, "this is level now"),
                 false => open.viewer.notify(Kind::Warning, "the sensor does not say which way is down: hold still"),
             },
-            Ask::Check => begin_check(open, &self.asked),
+            Ask::Check => begin_check(open, &self.asked, Occasion::Menu),
         }
     }
 
@@ -360,6 +371,9 @@ impl App {
             Some(open) => change_format(open, &canvas, &self.paths),
             None => self.open = Some(self.first(gpu, &canvas)),
         }
+        if let Some(open) = &self.open {
+            open.stand(false);
+        }
         Ok(Shown { window, canvas, pixels_per_point })
     }
 
@@ -369,7 +383,7 @@ impl App {
         let mut open = Open { viewer, format: canvas.format(), gpu, check: None, checked: None };
         match Checked::load(&self.paths.files, &open.gpu) {
             Some(checked) => take_checked(&mut open, checked),
-            None => begin_check(&mut open, &self.asked),
+            None => begin_check(&mut open, &self.asked, Occasion::FirstStart),
         }
         if open.check.is_none() {
             open.viewer.open(FIRST_SCENE);
@@ -445,9 +459,9 @@ fn change_format(open: &mut Open, canvas: &Canvas, paths: &AppPaths) {
     }
 }
 
-fn begin_check(open: &mut Open, asked: &Asked) {
+fn begin_check(open: &mut Open, asked: &Asked, occasion: Occasion) {
     let scene = Scene::load(FIRST_SCENE, &[]).map_err(|error| error.to_string());
-    match scene.and_then(|scene| SelfCheck::begin(&open.gpu, &scene, asked)) {
+    match scene.and_then(|scene| self_check::begin(&open.gpu, &scene, asked, occasion)) {
         Ok(check) => open.check = Some(check),
         Err(reason) => open.viewer.notify(Kind::Warning, reason),
     }

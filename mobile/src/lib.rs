@@ -15,6 +15,7 @@ mod screen;
 pub mod script;
 mod self_check;
 mod touch;
+mod worker;
 
 pub use app::{App, AppPaths, Wake};
 pub use canvas::{Picture, WindowSource};

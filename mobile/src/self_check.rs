@@ -1,19 +1,25 @@
 //! Whether this phone computes what it should: known answers of every kernel of the small scene, at the first start and from
 //! the menu. What is wrong is refused, so that scenes are planned without it; the result is kept for each version and driver.
+//!
+//! The first start has no time for all of them on a slow device: it stops where a limit is over, at answers of stages that have
+//! one already, and says how many it did not reach. The menu's check asks all.
 
 use std::path::{Path, PathBuf};
-use std::sync::mpsc::{Receiver, TryRecvError, channel};
-use std::time::Instant;
+use std::time::Duration;
 
-use brooklet_check::{Device, Report, Verdict, Wanted};
+use brooklet_check::{CheckedModule, Device, ModuleVerdict, Report, Verdict, Wanted};
 use brooklet_fluid::Scene;
 use brooklet_gpu::{Gpu, tier_name};
 use brooklet_kernels::Module;
 use brooklet_render::ScenePlan;
 use serde::{Deserialize, Serialize};
 
+use crate::worker::{Gate, Worker};
+
 /// Where the result is kept.
 const FILE: &str = "self-check.json";
+/// Time that the first start has for it; a case that is under way then still comes to its end.
+pub const LIMIT: Duration = Duration::from_secs(20);
 
 /// What came of it.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -24,6 +30,12 @@ pub struct Checked {
     pub cases: usize,
     /// That could not run here.
     pub skipped: usize,
+    /// That there was no time for.
+    #[serde(default)]
+    pub not_reached: usize,
+    /// Kernels that therefore have no answer at all.
+    #[serde(default)]
+    pub unanswered: Vec<String>,
     /// How long it took, s.
     pub wall_s: f64,
     /// What is wrong.
@@ -52,7 +64,12 @@ impl Checked {
     /// In a line.
     pub fn summary(&self) -> String {
         match self.wrong.as_slice() {
-            [] => format!("{} known answers, all right ({:.1} s)", self.cases - self.skipped, self.wall_s),
+            [] => format!(
+                "{} known answers, all right ({:.1} s){}",
+                self.cases.saturating_sub(self.skipped),
+                self.wall_s,
+                self.left_out()
+            ),
             wrong => {
                 let mut names: Vec<&str> = wrong.iter().map(|wrong| wrong.module.as_str()).collect();
                 names.dedup();
@@ -60,7 +77,18 @@ impl Checked {
                     0 => String::new(),
                     more => format!("; {more} answers more are wrong where that ran"),
                 };
-                format!("computes wrongly: {}{more}", names.join(", "))
+                format!("computes wrongly: {}{more}{}", names.join(", "), self.left_out())
+            }
+        }
+    }
+
+    /// What there was no time for, as the end of a sentence; nothing if all was asked.
+    fn left_out(&self) -> String {
+        match (self.not_reached, self.unanswered.len()) {
+            (0, _) => String::new(),
+            (more, 0) => format!("; no time for {more} more, which the menu's check asks"),
+            (more, kernels) => {
+                format!("; no time for {more} more, and none of {kernels} kernels: the menu's check asks them")
             }
         }
     }
@@ -68,7 +96,13 @@ impl Checked {
     /// For captures.
     pub fn fields(&self) -> Vec<(String, String)> {
         let wrong = self.wrong.iter().map(|wrong| (format!("wrong {}", wrong.module), wrong.reason.clone()));
-        let facts = [("of", self.of.clone()), ("summary", self.summary())];
+        let facts = [
+            ("of", self.of.clone()),
+            ("summary", self.summary()),
+            ("cases", self.cases.to_string()),
+            ("not_reached", self.not_reached.to_string()),
+            ("unanswered", self.unanswered.join(", ")),
+        ];
         facts.map(|(name, value)| (name.to_owned(), value)).into_iter().chain(wrong).collect()
     }
 
@@ -103,59 +137,41 @@ impl Checked {
 }
 
 /// What is asked.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct Asked {
     /// Known answers of these rooms; of all where none is named.
     pub rooms: Vec<String>,
     /// Run in place of the kernels of their names.
     pub replacements: Vec<&'static Module>,
+    /// After this time the first start begins no further one.
+    pub limit: Duration,
 }
 
-/// A check under way, on a thread of its own.
-pub struct SelfCheck {
-    news: Receiver<News>,
-    /// Cases that are done, and all.
-    pub progress: [usize; 2],
-}
-
-enum News {
-    Progress([usize; 2]),
-    Done(Checked),
-}
-
-impl SelfCheck {
-    /// Begins.
-    ///
-    /// # Errors
-    /// If the system has no thread left.
-    pub fn begin(gpu: &Gpu, scene: &Scene, asked: &Asked) -> Result<Self, String> {
-        let (sender, news) = channel();
-        let (gpu, scene, asked) = (gpu.clone(), scene.clone(), asked.clone());
-        let run = move || {
-            // Nobody listens any more only where the app ends.
-            let checked = check(&gpu, &scene, asked, &mut |progress| drop(sender.send(News::Progress(progress))));
-            drop(sender.send(News::Done(checked)));
-        };
-        let thread = std::thread::Builder::new().name("self-check".into()).spawn(run);
-        thread.map_err(|error| format!("the self-check cannot begin: {error}"))?;
-        Ok(Self { news, progress: [0, 0] })
-    }
-
-    /// What came of it, once it is done.
-    pub fn poll(&mut self) -> Option<Result<Checked, String>> {
-        loop {
-            match self.news.try_recv() {
-                Ok(News::Progress(progress)) => self.progress = progress,
-                Ok(News::Done(checked)) => return Some(Ok(checked)),
-                Err(TryRecvError::Empty) => return None,
-                Err(TryRecvError::Disconnected) => return Some(Err("the self-check ended early".into())),
-            }
-        }
+impl Default for Asked {
+    fn default() -> Self {
+        Self { rooms: Vec::new(), replacements: Vec::new(), limit: LIMIT }
     }
 }
 
-fn check(gpu: &Gpu, scene: &Scene, asked: Asked, tell: &mut dyn FnMut([usize; 2])) -> Checked {
-    let begun = Instant::now();
+/// Who waits for it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Occasion {
+    /// The first start of a version on a driver: there is nothing to see before it is done.
+    FirstStart,
+    /// The menu.
+    Menu,
+}
+
+/// Begins a check.
+///
+/// # Errors
+/// If the system has no thread left.
+pub fn begin(gpu: &Gpu, scene: &Scene, asked: &Asked, occasion: Occasion) -> Result<Worker<Checked>, String> {
+    let (gpu, scene, asked) = (gpu.clone(), scene.clone(), asked.clone());
+    Worker::begin("self-check", move |gate| check(&gpu, &scene, asked, occasion, gate))
+}
+
+fn check(gpu: &Gpu, scene: &Scene, asked: Asked, occasion: Occasion, gate: &mut Gate<Checked>) -> Checked {
     let count = scene.particle_count().try_into().unwrap_or(u32::MAX);
     let mut checked = Checked { of: Checked::key(gpu), ..Checked::default() };
     let planned = match ScenePlan::of_count(scene, count, gpu.tier()) {
@@ -167,11 +183,16 @@ fn check(gpu: &Gpu, scene: &Scene, asked: Asked, tell: &mut dyn FnMut([usize; 2]
     };
     // The sizes that take minutes on a processor are for a developer's machine.
     let device = Device::new(gpu.clone(), true).with_modules(asked.replacements);
-    let wanted = Wanted::of_plan(planned.plan()).in_rooms(&asked.rooms);
-    let report = Report::run(&device, &wanted, &mut |progress| {
-        tell([progress.done, progress.total]);
+    let wanted = Wanted::of_plan(planned.plan()).in_rooms(&asked.rooms).cheapest_first();
+    let report = Report::run_while(&device, &wanted, &mut |progress| {
+        gate.pass([progress.done, progress.total]) && (occasion == Occasion::Menu || gate.worked() < asked.limit)
     });
     checked.cases = report.outcomes.len();
+    checked.not_reached = report.not_reached;
+    let is_unanswered = |module: &&CheckedModule| module.verdict == ModuleVerdict::NotChecked;
+    if report.not_reached > 0 {
+        checked.unanswered = report.modules.iter().filter(is_unanswered).map(|m| m.run.module.to_owned()).collect();
+    }
     checked.skipped = report.outcomes.iter().filter(|outcome| matches!(outcome.verdict, Verdict::Skipped(_))).count();
     let answers = report.outcomes.iter().filter_map(|outcome| {
         let Verdict::Wrong(wrong) = &outcome.verdict else { return None };
@@ -182,7 +203,7 @@ fn check(gpu: &Gpu, scene: &Scene, asked: Asked, tell: &mut dyn FnMut([usize; 2]
         })
     });
     (checked.wrong, checked.explained) = guilty(answers.collect());
-    checked.wall_s = begun.elapsed().as_secs_f64();
+    checked.wall_s = gate.worked().as_secs_f64();
     checked
 }
 

@@ -5,6 +5,7 @@
 pub mod bench;
 pub mod cases;
 pub mod compare;
+mod cost;
 mod device;
 mod drawn;
 pub mod numbers;

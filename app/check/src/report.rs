@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use brooklet_gpu::{Gpu, Plan};
 
+use crate::cost;
 use crate::device::{Device, KnownAnswer, ModuleRun, Outcome, Verdict, modules_of};
 use crate::registry::KNOWN_ANSWERS;
 
@@ -11,6 +12,7 @@ use crate::registry::KNOWN_ANSWERS;
 pub struct Wanted {
     modules: BTreeMap<&'static str, Option<&'static str>>,
     rooms: Vec<String>,
+    cheapest_first: bool,
 }
 
 /// What is known of a module after the cases.
@@ -38,8 +40,10 @@ pub struct CheckedModule {
 /// Cases that were run, and what they say of modules.
 #[derive(Clone, Debug, Default)]
 pub struct Report {
-    /// Every case, in order.
+    /// Every case that was run, in order.
     pub outcomes: Vec<Outcome>,
+    /// Cases that were not: it was stopped before, or the device was lost.
+    pub not_reached: usize,
     /// Every module that was wanted, by name.
     pub modules: Vec<CheckedModule>,
 }
@@ -53,18 +57,24 @@ impl Wanted {
                 modules.insert(module.name, Some(stage));
             }
         }
-        Self { modules, rooms: Vec::new() }
+        Self { modules, rooms: Vec::new(), cheapest_first: false }
     }
 
     /// Everything that the device's tier can run.
     pub fn of_tier(gpu: &Gpu) -> Self {
         let allowed = brooklet_kernels::modules().filter(|module| module.tier <= gpu.tier());
-        Self { modules: allowed.map(|module| (module.name, None)).collect(), rooms: Vec::new() }
+        let modules = allowed.map(|module| (module.name, None)).collect();
+        Self { modules, rooms: Vec::new(), cheapest_first: false }
     }
 
     /// Of the same modules, only what cases of some rooms say; all where none is named.
     pub fn in_rooms(self, rooms: &[String]) -> Self {
         Self { rooms: rooms.to_vec(), ..self }
+    }
+
+    /// The same in another order, for who may stop early: an answer of every stage first, cheap ones before dear ones.
+    pub fn cheapest_first(self) -> Self {
+        Self { cheapest_first: true, ..self }
     }
 
     /// The cases that are known answers of it.
@@ -76,7 +86,8 @@ impl Wanted {
             in_room(known)
                 && (all || known.stages.is_empty() || known.stages.iter().any(|stage| stages.contains(stage)))
         };
-        KNOWN_ANSWERS.iter().filter(wanted).collect()
+        let cases = KNOWN_ANSWERS.iter().filter(wanted).collect();
+        if self.cheapest_first { cost::cheapest_first(cases) } else { cases }
     }
 }
 
@@ -106,18 +117,28 @@ pub fn run(gpu: &Gpu, wanted: &Wanted, small: bool, progress: &mut dyn FnMut(Pro
 impl Report {
     /// As [`run`], on a device whose modules may have been replaced.
     pub fn run(device: &Device, wanted: &Wanted, progress: &mut dyn FnMut(Progress<'_>)) -> Self {
+        Self::run_while(device, wanted, &mut |at| {
+            progress(at);
+            true
+        })
+    }
+
+    /// As [`Report::run`], for as long as `goes_on` says so before a case.
+    pub fn run_while(device: &Device, wanted: &Wanted, goes_on: &mut dyn FnMut(Progress<'_>) -> bool) -> Self {
         let cases = wanted.cases();
         let total = cases.len();
         let mut outcomes: Vec<Outcome> = Vec::new();
         for (done, &known) in cases.iter().enumerate() {
-            progress(Progress { done, total, ended: outcomes.last(), begins: Some(known) });
+            if !goes_on(Progress { done, total, ended: outcomes.last(), begins: Some(known) }) {
+                break;
+            }
             outcomes.push(device.run(known));
             if device.gpu().is_lost().is_some() {
                 break;
             }
         }
-        progress(Progress { done: outcomes.len(), total, ended: outcomes.last(), begins: None });
-        Self { modules: checked(wanted, &outcomes), outcomes }
+        goes_on(Progress { done: outcomes.len(), total, ended: outcomes.last(), begins: None });
+        Self { modules: checked(wanted, &outcomes), not_reached: total - outcomes.len(), outcomes }
     }
 
     /// Whether nothing is wrong.

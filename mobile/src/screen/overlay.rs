@@ -7,6 +7,7 @@ use egui::{
 };
 
 use super::look;
+use crate::self_check::LIMIT;
 
 /// Passes that are listed: those that take most.
 const MOST_PASSES: usize = 7;
@@ -114,7 +115,8 @@ pub(super) fn checking(context: &Context, [done, all]: [usize; 2]) {
         look::glass().inner_margin(18).show(ui, |ui| {
             ui.set_width(270.0);
             ui.label(RichText::new("Checking this device").heading());
-            let text = format!("Known answers of every kernel, once: {done} of {all}");
+            let limit_s = LIMIT.as_secs();
+            let text = format!("Known answers of every kernel, for {limit_s} s at most: {done} of {all}");
             ui.label(RichText::new(text).color(style::QUIET));
             let share = if all > 0 { done as f32 / all as f32 } else { 0.0 };
             let response = ui.add(ProgressBar::new(share).desired_height(8.0));

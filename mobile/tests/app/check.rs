@@ -3,9 +3,10 @@
 use std::time::Duration;
 
 use brooklet_kernels::Module;
+use brooklet_mobile::script::Hand;
 use brooklet_mobile::{Asked, Checked, WrongAnswer};
 
-use crate::{app, current, in_own_process, mark_checked, own_folder, said, started};
+use crate::{LONG, app, current, in_own_process, mark_checked, own_folder, said, started};
 
 /// A variant that subtracts where it should add: OpFSub in place of each OpFAdd.
 fn broken(name: &str) -> &'static Module {
@@ -29,7 +30,7 @@ fn broken(name: &str) -> &'static Module {
 fn a_kernel_that_computes_wrongly_is_found_named_and_done_without() {
     let folder = tempfile::tempdir().unwrap();
     let name = "SmoothNormals";
-    let asked = Asked { rooms: vec!["refine".into()], replacements: vec![broken(name)] };
+    let asked = Asked { rooms: vec!["refine".into()], replacements: vec![broken(name)], ..Asked::default() };
     let mut hand = started(app(folder.path()).with_asked(asked));
     let checked = hand.app.checked().unwrap().clone();
     assert!(checked.cases >= 2, "{checked:?}");
@@ -68,7 +69,50 @@ fn what_was_found_on_another_driver_is_not_believed() {
 }
 
 #[test]
-#[ignore = "run by a_check_that_is_cut_short_leaves_nothing_that_is_believed, in a process of its own"]
+fn what_the_first_start_has_no_time_for_is_said_and_the_menu_asks_all() {
+    let folder = tempfile::tempdir().unwrap();
+    let asked = Asked { rooms: vec!["scan".into()], limit: Duration::ZERO, ..Asked::default() };
+    let mut hand = started(app(folder.path()).with_asked(asked));
+    let gpu = hand.app.gpu().unwrap().clone();
+    let files = folder.path().join("files");
+    let hurried = hand.app.checked().unwrap().clone();
+    assert!(hurried.cases == 0 && hurried.not_reached >= 3, "{hurried:?}");
+    assert!(hurried.unanswered.iter().any(|module| module.starts_with("ScanGroups")), "{hurried:?}");
+    let number = format!("no time for {} more", hurried.not_reached);
+    assert!(said(&hand).iter().any(|text| text.contains(&number)), "{:?}", said(&hand));
+    assert_eq!(Checked::load(&files, &gpu), Some(hurried.clone()));
+    let in_captures = hurried.fields().into_iter().find(|(name, _)| name == "not_reached").unwrap();
+    assert_eq!(in_captures.1, hurried.not_reached.to_string());
+
+    hand.tap("menu").unwrap();
+    hand.tap("check").unwrap();
+    let is_whole = |hand: &mut Hand| hand.app.checked().is_some_and(|checked| checked.not_reached == 0);
+    assert!(hand.until(LONG, is_whole), "{:?}", hand.app.checked());
+    let whole = hand.app.checked().unwrap().clone();
+    assert!(whole.cases == hurried.not_reached && whole.wrong.is_empty() && !whole.summary().contains("no time"));
+    assert_eq!(Checked::load(&files, &gpu), Some(whole));
+}
+
+#[test]
+fn a_check_stands_while_the_app_is_not_in_front() {
+    let folder = tempfile::tempdir().unwrap();
+    let asked = Asked { rooms: vec!["scan".into(), "grid".into()], ..Asked::default() };
+    let mut app = app(folder.path()).with_asked(asked);
+    app.resume_offscreen(crate::SIZE_PX, 1.0);
+    app.suspend();
+    // Long enough for the case that was under way, and all others.
+    std::thread::sleep(Duration::from_secs(5));
+    app.frame();
+    assert!(app.checked().is_none(), "{:?}", app.checked());
+    app.resume_offscreen(crate::SIZE_PX, 1.0);
+    let mut hand = Hand::new(app, 1.0);
+    assert!(hand.until(LONG, |hand| hand.app.checked().is_some()));
+    let checked = hand.app.checked().unwrap();
+    assert!(checked.cases > 5 && checked.not_reached == 0, "{checked:?}");
+}
+
+#[test]
+#[ignore = "run by others, in a process of its own"]
 fn begins_a_check() {
     let mut app = app(&own_folder());
     app.resume_offscreen(crate::SIZE_PX, 1.0);
@@ -85,4 +129,16 @@ fn a_check_that_is_cut_short_leaves_nothing_that_is_believed() {
     child.kill().unwrap();
     child.wait().unwrap();
     assert!(!folder.path().join("files/self-check.json").exists());
+}
+
+#[test]
+fn a_program_that_ends_in_a_check_waits_for_what_the_driver_builds() {
+    let folder = tempfile::tempdir().unwrap();
+    // Without what drivers keep of earlier starts: then it builds.
+    let mut child = in_own_process("check::begins_a_check", folder.path());
+    child.env("MESA_SHADER_CACHE_DISABLE", "true");
+    let done = child.output().unwrap();
+    let out = String::from_utf8_lossy(&done.stdout);
+    assert!(done.status.success() && out.contains("1 passed"), "{:?}: {out}", done.status);
+    assert!(!folder.path().join("files/self-check.json").exists(), "it was cut short");
 }
