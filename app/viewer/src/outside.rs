@@ -1,5 +1,6 @@
 //! What the program round the window knows of the world outside: heat, memory, which way is down, what it is itself.
 
+use brooklet_fluid::Scene;
 use brooklet_fluid::state::State;
 use brooklet_gpu::GpuError;
 
@@ -33,18 +34,8 @@ impl Viewer {
     /// is none; said either way, with `reason`.
     pub fn give_up_particles(&mut self, reason: &str) -> bool {
         let scene = self.current.as_ref().map(|current| current.scene.clone());
-        let given_up_of = |rung: usize| match &scene {
-            Some(scene) => RUNGS[rung].fewer_particles_of(scene),
-            None => f64::from(RUNGS[rung].fewer_particles),
-        };
-        let fewer = |rung: &usize| given_up_of(*rung) > 1.01 * given_up_of(self.rung);
-        let Some(rung) = (self.rung..RUNGS.len()).find(fewer) else {
-            self.messages.notify(Kind::Warning, format!("{reason}: there is nothing left to give up"));
-            return false;
-        };
+        let Some(rung) = self.rung_of_fewer(scene.as_ref(), reason) else { return false };
         self.least_rung = rung;
-        let given_up = scene.as_ref().map_or_else(|| RUNGS[rung].name.to_owned(), |scene| RUNGS[rung].given_up(scene));
-        self.messages.notify(Kind::Warning, format!("{reason}: {given_up}"));
         if let Some(scene) = scene {
             self.weigh(&scene);
         }
@@ -52,12 +43,33 @@ impl Viewer {
         true
     }
 
-    /// Loads a scene that the device has no room for once more, with fewer particles, if it is to run from its start.
+    /// The next rung that has fewer particles of `scene`, or of any where there is none; said either way, with `reason`.
+    fn rung_of_fewer(&mut self, scene: Option<&Scene>, reason: &str) -> Option<usize> {
+        let given_up_of = |rung: usize| match scene {
+            Some(scene) => RUNGS[rung].fewer_particles_of(scene),
+            None => f64::from(RUNGS[rung].fewer_particles),
+        };
+        let fewer = |rung: &usize| given_up_of(*rung) > 1.01 * given_up_of(self.rung);
+        let Some(rung) = (self.rung..RUNGS.len()).find(fewer) else {
+            self.messages.notify(Kind::Warning, format!("{reason}: there is nothing left to give up"));
+            return None;
+        };
+        let given_up = scene.map_or_else(|| RUNGS[rung].name.to_owned(), |scene| RUNGS[rung].given_up(scene));
+        self.messages.notify(Kind::Warning, format!("{reason}: {given_up}"));
+        Some(rung)
+    }
+
+    /// Loads a scene that the device has no room for once more, with fewer particles, if it is to run from its start. The ladder
+    /// goes no higher as long as that scene is open; what ran before goes on until it is there.
     pub(crate) fn load_less(&mut self, error: &ViewerError, desc: SceneDesc) {
         let no_room = matches!(error, ViewerError::Gpu(GpuError::OutOfMemory { .. } | GpuError::BufferTooLarge { .. }));
-        if no_room && self.auto && matches!(desc.start, Start::Scene) && self.give_up_particles("there is no room") {
-            self.load(desc.scene, Start::Scene, "fewer particles");
+        if !no_room || !self.auto || !matches!(desc.start, Start::Scene) {
+            return;
         }
+        let Some(rung) = self.rung_of_fewer(Some(&desc.scene), "there is no room") else { return };
+        (self.rung, self.roomy_rung) = (rung, rung);
+        self.governor.settle();
+        self.load(desc.scene, Start::Scene, "fewer particles");
     }
 
     /// The program's name, for captures from the next one on.

@@ -16,6 +16,7 @@ const QUALITY: &str = "to hold";
 impl Viewer {
     /// Loads another scene from its start, on the rung that what is known of the device lets it have.
     pub(crate) fn begin(&mut self, scene: Scene) {
+        self.roomy_rung = 0;
         if self.auto {
             self.weigh(&scene);
             self.rung = self.governor.first(&self.works, self.steps_due(&scene));
@@ -26,7 +27,7 @@ impl Viewer {
     /// What each rung comes to for `scene` in the window as it is.
     pub(crate) fn weigh(&mut self, scene: &Scene) {
         let (tier, room_px) = (self.gpu.tier(), self.room_px);
-        let weigh = |(index, rung)| match index < self.least_rung {
+        let weigh = |(index, rung)| match index < self.least_rung.max(self.roomy_rung) {
             true => Work { step: f64::INFINITY, draw: f64::INFINITY },
             false => Work::of(rung, scene, tier, room_px),
         };

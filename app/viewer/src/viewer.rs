@@ -92,6 +92,8 @@ pub struct Viewer {
     pub(crate) gravity_m_s2: Option<[f64; 3]>,
     /// What is above it the ladder does not take by itself any more.
     pub(crate) least_rung: usize,
+    /// Nor this, for the scene that is open: the device has no room for more of it.
+    pub(crate) roomy_rung: usize,
     /// Metadata of captures.
     pub(crate) about: Vec<(String, Vec<(String, String)>)>,
 }
@@ -138,6 +140,7 @@ impl Viewer {
             mesh_room_ends: false,
             gravity_m_s2: None,
             least_rung: 0,
+            roomy_rung: 0,
             about: vec![("build".into(), recorder::build("brooklet view"))],
             settings,
         }

@@ -1,5 +1,6 @@
 //! Fingers, buttons, the back key.
 
+use brooklet_fluid::Scene;
 use brooklet_mobile::TouchPhase::{Cancel, End, Move, Start};
 use brooklet_mobile::script::Hand;
 use brooklet_viewer::action::Action;
@@ -176,4 +177,39 @@ fn short_of_memory_it_gives_up_particles_and_says_so() {
         hand.app.low_memory();
     }
     assert!(said(&hand).iter().any(|text| text.contains("nothing left")), "{:?}", said(&hand));
+}
+
+#[test]
+fn a_scene_that_has_no_room_begins_with_fewer_particles_and_says_so() {
+    let (mut hand, folder) = running();
+    // Lists so wide that those of all particles are beyond what a binding has on this tier (128 MiB), those of half are not.
+    let settings = ["spacing_m=0.0145", "solver.neighbour_slots=1024", "surface.method=\"points\""];
+    let scene = Scene::load("dam-break", &settings.map(Into::into)).unwrap();
+    // A place takes two bytes.
+    let lists = |particles: u64| 2 * 1024 * particles;
+    let (all, most) = (scene.particle_count() as u64, 128 << 20);
+    assert!(lists(all) > most && lists(all) < 2 * most, "{all} particles");
+    let path = folder.path().join("wide.toml");
+    std::fs::write(&path, scene.to_toml()).unwrap();
+    let viewer = hand.app.viewer_mut().unwrap();
+    // A budget and a pace that everything is within: what is given up is for want of room alone.
+    viewer.handle_action(Action::Auto(true));
+    viewer.handle_action(Action::Speed(1e-4));
+    viewer.handle_action(Action::Budget(1e5));
+    viewer.open(path.to_str().unwrap());
+    let mut heard = Vec::new();
+    let begins = |hand: &mut Hand| {
+        heard.extend(said(hand));
+        current(hand).is_some_and(|run| run.scene.name == "wide")
+    };
+    assert!(hand.until(LONG, begins), "{heard:?}");
+    let count = u64::from(current(&hand).unwrap().session.slot_count());
+    assert!(count < all && 3 * count > all && lists(count) <= most, "{count} of {all}: {heard:?}");
+    assert!(heard.iter().any(|text| text.contains("there is no room: 1/2 of the particles")), "{heard:?}");
+    assert!(heard.iter().any(|text| text.contains("the device allows")), "why: {heard:?}");
+    assert!(hand.steps(1, LONG) && hand.app.failure().is_none() && hand.app.viewer().unwrap().is_auto());
+    // Another scene is not told apart: there is room for it.
+    hand.app.viewer_mut().unwrap().open("phone-1k");
+    let is_whole = |hand: &mut Hand| current(hand).is_some_and(|run| run.session.slot_count() == 1000);
+    assert!(hand.until(LONG, is_whole), "{:?}", said(&hand));
 }
