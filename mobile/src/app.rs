@@ -4,20 +4,19 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use brooklet_fluid::Scene;
 use brooklet_gpu::{Gpu, GpuOptions, vulkan_instance};
-use brooklet_viewer::action::Action;
 use brooklet_viewer::panels::{PanelInput, PanelOutput};
-use brooklet_viewer::{Kind, Painted, Settings, Target, Viewer, ViewerError};
+use brooklet_viewer::{Kind, Painted, Target, Viewer, ViewerError};
 use egui::{Order, Pos2, RawInput, Rect, vec2};
 
 use crate::canvas::{Canvas, Picture, SharedWindow, SurfaceLost, WindowSource};
 use crate::gravity::Gravity;
 use crate::heat::Heat;
-use crate::screen::{self, Ask, Down, Facts, Screen};
-use crate::self_check::{self, Asked, Checked, Occasion};
+use crate::open::{Open, is_weightless};
+use crate::report;
+use crate::screen::{Ask, Screen};
+use crate::self_check::{Asked, Checked, Occasion};
 use crate::touch::{Acceleration, Place, TouchEvent, Touches};
-use crate::worker::Worker;
 
 /// Folders of the app's own.
 #[derive(Clone, Debug)]
@@ -39,8 +38,6 @@ pub enum Wake {
     OnEvent,
 }
 
-/// The scene that the app begins with, and whose kernels are checked.
-const FIRST_SCENE: &str = "phone-1k";
 /// A busy GPU is asked so often whether it is done.
 pub(crate) const BUSY: Duration = Duration::from_millis(2);
 /// A window that gives no frame, and a check under way, are asked so often.
@@ -53,6 +50,7 @@ pub struct App {
     paths: AppPaths,
     options: GpuOptions,
     asked: Asked,
+    report_time: Duration,
     instance: Option<wgpu::Instance>,
     open: Option<Open>,
     shown: Option<Shown>,
@@ -64,24 +62,6 @@ pub struct App {
     touched: bool,
     lost: Option<Instant>,
     failure: Option<String>,
-}
-
-/// All that goes when the device goes.
-struct Open {
-    viewer: Viewer,
-    format: wgpu::TextureFormat,
-    gpu: Gpu,
-    check: Option<Worker<Checked>>,
-    checked: Option<Checked>,
-}
-
-impl Open {
-    /// Lets what goes on beside the frames stand after the part that is under way, or go on.
-    fn stand(&self, stands: bool) {
-        if let Some(check) = &self.check {
-            check.stand(stands);
-        }
-    }
 }
 
 /// All that goes when the window goes.
@@ -98,6 +78,7 @@ impl App {
             paths,
             options: GpuOptions { timing: true, ..GpuOptions::default() },
             asked: Asked::default(),
+            report_time: report::TIME,
             instance: None,
             open: None,
             shown: None,
@@ -119,6 +100,11 @@ impl App {
     /// What the self-check asks, where that is not all: to see what becomes of a wrong kernel.
     pub fn with_asked(self, asked: Asked) -> App {
         App { asked, ..self }
+    }
+
+    /// How long a report times a scene at most.
+    pub fn with_report_time(self, report_time: Duration) -> App {
+        App { report_time, ..self }
     }
 
     /// Shows itself in a window from now on. Device, queue and scene are made by the first call, and kept until the device
@@ -215,7 +201,9 @@ impl App {
         if self.failure.is_some() {
             return Wake::OnEvent;
         }
-        self.follow_check();
+        if let Some(open) = &mut self.open {
+            self.touched |= open.follow(&self.paths.files);
+        }
         self.sense();
         let (Some(open), Some(shown)) = (&mut self.open, &mut self.shown) else { return Wake::OnEvent };
         let is_new = std::mem::take(&mut self.touched) | self.touches.is_new();
@@ -263,17 +251,7 @@ impl App {
         let viewport = input.viewports.entry(input.viewport_id).or_default();
         viewport.native_pixels_per_point = Some(target.pixels_per_point);
         let files = self.paths.files.display().to_string();
-        let facts = Facts {
-            down: match open.viewer.current() {
-                Some(current) if is_weightless(&current.scene) => Down::Nowhere,
-                _ if self.gravity.is_known() => Down::Sensor,
-                _ => Down::Scene,
-            },
-            checking: open.check.as_ref().map(|check| check.progress),
-            checked: open.checked.as_ref().map(Checked::summary),
-            is_wrong: open.checked.as_ref().is_some_and(|checked| !checked.wrong.is_empty()),
-            files: &files,
-        };
+        let facts = open.facts(self.gravity.is_known(), &files);
         let (screen, mut asks) = (&mut self.screen, Vec::new());
         let mut face = |ui: &mut egui::Ui, shown: &PanelInput<'_>, output: &mut PanelOutput| {
             asks = screen.show(ui, shown, &facts, output);
@@ -290,7 +268,11 @@ impl App {
                 true => open.viewer.notify(Kind::Done, "this is level now"),
                 false => open.viewer.notify(Kind::Warning, "the sensor does not say which way is down: hold still"),
             },
-            Ask::Check => begin_check(open, &self.asked, Occasion::Menu),
+            Ask::Check => open.begin_check(&self.asked, Occasion::Menu),
+            Ask::Report => {
+                let picture_px = self.shown.as_ref().map_or([1, 1], |shown| shown.canvas.size_px());
+                open.begin_report(picture_px, self.report_time);
+            }
         }
     }
 
@@ -309,29 +291,6 @@ impl App {
             self.heat.take_frame(open.viewer.rung(), step_ms + draw_ms, now);
         }
         open.viewer.be_strict(self.heat.share());
-    }
-
-    /// Takes what the self-check found: keeps it, refuses what is wrong, and goes on without.
-    fn follow_check(&mut self) {
-        let Some(open) = &mut self.open else { return };
-        let Some(check) = &mut open.check else { return };
-        self.touched = true;
-        let Some(found) = check.poll() else { return };
-        open.check = None;
-        match found {
-            Ok(checked) => {
-                if let Err(reason) = checked.save(&self.paths.files) {
-                    open.viewer.notify(Kind::Warning, format!("the self-check's result is not kept: {reason}"));
-                }
-                take_checked(open, checked);
-            }
-            Err(reason) => open.viewer.notify(Kind::Warning, reason),
-        }
-        match open.viewer.current() {
-            None => open.viewer.open(FIRST_SCENE),
-            Some(_) if open.gpu.refused().is_empty() => {}
-            Some(_) => drop(open.viewer.handle_action(Action::Reset)),
-        }
     }
 
     fn show(&mut self, window: Option<SharedWindow>, size_px: [u32; 2], pixels_per_point: f32) {
@@ -368,27 +327,13 @@ impl App {
         };
         match &mut self.open {
             Some(open) if open.format == canvas.format() => open.viewer.repaint(),
-            Some(open) => change_format(open, &canvas, &self.paths),
-            None => self.open = Some(self.first(gpu, &canvas)),
+            Some(open) => open.change_format(&canvas, &self.paths),
+            None => self.open = Some(Open::new(gpu, &canvas, &self.paths, &self.asked)),
         }
         if let Some(open) = &self.open {
             open.stand(false);
         }
         Ok(Shown { window, canvas, pixels_per_point })
-    }
-
-    /// A viewer on a device that was opened just now; what is known to be wrong there is refused before anything is loaded.
-    fn first(&self, gpu: Gpu, canvas: &Canvas) -> Open {
-        let viewer = viewer(&gpu, canvas, &self.paths);
-        let mut open = Open { viewer, format: canvas.format(), gpu, check: None, checked: None };
-        match Checked::load(&self.paths.files, &open.gpu) {
-            Some(checked) => take_checked(&mut open, checked),
-            None => begin_check(&mut open, &self.asked, Occasion::FirstStart),
-        }
-        if open.check.is_none() {
-            open.viewer.open(FIRST_SCENE);
-        }
-        open
     }
 
     /// Another surface of the same window.
@@ -425,7 +370,7 @@ impl App {
     }
 
     fn wake(&self, painted: &Painted) -> Wake {
-        let is_checking = self.open.as_ref().is_some_and(|open| open.check.is_some());
+        let is_checking = self.open.as_ref().is_some_and(Open::is_at_work);
         match painted.within {
             _ if painted.again => Wake::Now,
             // Water that is tilted while it stands still is not simulated.
@@ -434,43 +379,4 @@ impl App {
             within => Wake::After(within),
         }
     }
-}
-
-fn is_weightless(scene: &Scene) -> bool {
-    scene.gravity_m_s2 == [0.0; 3]
-}
-
-fn viewer(gpu: &Gpu, canvas: &Canvas, paths: &AppPaths) -> Viewer {
-    let settings = Settings { folder: paths.files.clone(), budget_ms: None, rung: None };
-    let mut viewer = Viewer::without_scene(gpu, canvas.format(), settings, canvas.size_px());
-    screen::apply(viewer.context());
-    viewer.set_program("brooklet mobile");
-    viewer
-}
-
-/// A window came back with another format, for which nothing was built.
-fn change_format(open: &mut Open, canvas: &Canvas, paths: &AppPaths) {
-    let (state, rung, auto) = (open.viewer.take_state(), open.viewer.rung(), open.viewer.is_auto());
-    (open.viewer, open.format) = (viewer(&open.gpu, canvas, paths), canvas.format());
-    match state {
-        Some(state) => open.viewer.resume(state, rung, auto),
-        None if open.check.is_none() => open.viewer.open(FIRST_SCENE),
-        None => {}
-    }
-}
-
-fn begin_check(open: &mut Open, asked: &Asked, occasion: Occasion) {
-    let scene = Scene::load(FIRST_SCENE, &[]).map_err(|error| error.to_string());
-    match scene.and_then(|scene| self_check::begin(&open.gpu, &scene, asked, occasion)) {
-        Ok(check) => open.check = Some(check),
-        Err(reason) => open.viewer.notify(Kind::Warning, reason),
-    }
-}
-
-fn take_checked(open: &mut Open, checked: Checked) {
-    checked.refuse_wrong(&open.gpu);
-    open.viewer.set_about("self_check", checked.fields());
-    let kind = if checked.wrong.is_empty() { Kind::Done } else { Kind::Error };
-    open.viewer.notify(kind, format!("self-check: {}", checked.summary()));
-    open.checked = Some(checked);
 }

@@ -4,7 +4,7 @@
 //! The first start has no time for all of them on a slow device: it stops where a limit is over, at answers of stages that have
 //! one already, and says how many it did not reach. The menu's check asks all.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::time::Duration;
 
 use brooklet_check::{CheckedModule, Device, ModuleVerdict, Report, Verdict, Wanted};
@@ -14,6 +14,7 @@ use brooklet_kernels::Module;
 use brooklet_render::ScenePlan;
 use serde::{Deserialize, Serialize};
 
+use crate::kept;
 use crate::worker::{Gate, Worker};
 
 /// Where the result is kept.
@@ -126,13 +127,7 @@ impl Checked {
     /// # Errors
     /// If that cannot be written, with the file's name.
     pub fn save(&self, folder: &Path) -> Result<(), String> {
-        let path = folder.join(FILE);
-        let failed = |error: std::io::Error| format!("{}: {error}", path.display());
-        std::fs::create_dir_all(folder).map_err(failed)?;
-        let text = serde_json::to_string_pretty(self).map_err(|error| format!("{}: {error}", path.display()))?;
-        // A start that is cut short leaves the old one or none.
-        let unfinished: PathBuf = folder.join(format!("{FILE}.part"));
-        std::fs::write(&unfinished, text).and_then(|()| std::fs::rename(&unfinished, &path)).map_err(failed)
+        kept::save(folder, FILE, self)
     }
 }
 

@@ -77,6 +77,7 @@ pub(super) fn menu(
     actions: &mut Vec<Action>,
     asks: &mut Vec<Ask>,
 ) -> bool {
+    let mut closes_by_itself = false;
     let ((), closes) = sheet(context, screen, "Menu", |ui| {
         quality(ui, shown, actions);
         ui.add_space(6.0);
@@ -85,8 +86,17 @@ pub(super) fn menu(
             (None, Some(checked)) => checked.clone(),
             (None, None) => "not checked yet".to_owned(),
         };
-        if look::key(ui, "check", ("Check this device", &about), facts.is_wrong).clicked() && facts.checking.is_none() {
+        if look::key(ui, "check", ("Check this device", &about), facts.is_wrong).clicked()
+            && facts.checking.is_none()
+            && facts.reporting.is_none()
+        {
             asks.push(Ask::Check);
+        }
+        let about = "device, self-check and times of two scenes, as one file in the folder below: half a minute";
+        let is_made = look::key(ui, "report", ("Make a report to send", about), facts.reporting.is_some()).clicked();
+        if is_made && facts.checking.is_none() && facts.reporting.is_none() {
+            asks.push(Ask::Report);
+            closes_by_itself = true;
         }
         if look::key(ui, "screenshot", ("Keep a picture", "of the fluid alone, in the folder below"), false).clicked() {
             actions.push(Action::Screenshot);
@@ -97,7 +107,7 @@ pub(super) fn menu(
         ui.add_space(6.0);
         facts_of(ui, shown, facts);
     });
-    closes
+    closes || closes_by_itself
 }
 
 fn quality(ui: &mut Ui, shown: &PanelInput<'_>, actions: &mut Vec<Action>) {

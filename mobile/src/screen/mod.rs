@@ -30,6 +30,8 @@ pub enum Ask {
     Level,
     /// Known answers, once more.
     Check,
+    /// A file for the owner to send.
+    Report,
 }
 
 /// What of the screen is open.
@@ -59,6 +61,8 @@ pub struct Facts<'a> {
     pub down: Down,
     /// Cases of a self-check that are done, and all, while one runs.
     pub checking: Option<[usize; 2]>,
+    /// How far a report is, while one is made.
+    pub reporting: Option<[usize; 2]>,
     /// What the last one came to.
     pub checked: Option<String>,
     /// Whether something is wrong with the device.
@@ -96,6 +100,9 @@ impl Screen {
         bar::show(&context, shown, facts, &mut self.sheet, &mut output.actions, &mut asks);
         if let Some(checking) = facts.checking.filter(|_| shown.current.is_none()) {
             overlay::checking(&context, checking);
+        }
+        if let Some(reporting) = facts.reporting {
+            overlay::reporting(&context, reporting);
         }
         if self.sheet.is_some() {
             self.open_sheet(&context, screen, shown, facts, output, &mut asks);

@@ -7,6 +7,7 @@ use egui::{
 };
 
 use super::look;
+use crate::report::SCENES;
 use crate::self_check::LIMIT;
 
 /// Passes that are listed: those that take most.
@@ -107,20 +108,30 @@ fn bar(ui: &mut Ui, stage: &str, ms: f64, share: f64) {
 
 /// How far the first self-check is.
 pub(super) fn checking(context: &Context, [done, all]: [usize; 2]) {
-    let area = Area::new(Id::unique("checking"))
+    let limit_s = LIMIT.as_secs();
+    let text = format!("Known answers of every kernel, for {limit_s} s at most: {done} of {all}");
+    under_way(context, "checking", "Checking this device", &text, [done, all]);
+}
+
+/// How far a report is.
+pub(super) fn reporting(context: &Context, progress: [usize; 2]) {
+    let text = format!("Times of {}, while the water stands", SCENES.join(" and "));
+    under_way(context, "reporting", "Making a report", &text, progress);
+}
+
+fn under_way(context: &Context, name: &str, title: &str, text: &str, [done, all]: [usize; 2]) {
+    let area = Area::new(Id::unique(name))
         .fade_in(false)
         .order(Order::Foreground)
         .anchor(Align2::CENTER_CENTER, vec2(0.0, 0.0));
     area.show(context, |ui| {
         look::glass().inner_margin(18).show(ui, |ui| {
             ui.set_width(270.0);
-            ui.label(RichText::new("Checking this device").heading());
-            let limit_s = LIMIT.as_secs();
-            let text = format!("Known answers of every kernel, for {limit_s} s at most: {done} of {all}");
+            ui.label(RichText::new(title).heading());
             ui.label(RichText::new(text).color(style::QUIET));
             let share = if all > 0 { done as f32 / all as f32 } else { 0.0 };
             let response = ui.add(ProgressBar::new(share).desired_height(8.0));
-            brooklet_viewer::marks::mark(&response, "checking");
+            brooklet_viewer::marks::mark(&response, name);
         });
     });
 }

@@ -6,6 +6,7 @@ mod coming_and_going;
 mod gravity;
 #[path = "../../../tests/src/python.rs"]
 mod python;
+mod report;
 mod touched;
 
 use std::path::Path;

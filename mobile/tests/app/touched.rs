@@ -187,7 +187,7 @@ fn a_scene_that_has_no_room_begins_with_fewer_particles_and_says_so() {
     let scene = Scene::load("dam-break", &settings.map(Into::into)).unwrap();
     // A place takes two bytes.
     let lists = |particles: u64| 2 * 1024 * particles;
-    let (all, most) = (scene.particle_count() as u64, 128 << 20);
+    let (all, most) = (scene.particle_count(), 128 << 20);
     assert!(lists(all) > most && lists(all) < 2 * most, "{all} particles");
     let path = folder.path().join("wide.toml");
     std::fs::write(&path, scene.to_toml()).unwrap();
