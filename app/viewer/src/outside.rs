@@ -72,6 +72,11 @@ impl Viewer {
         self.load(desc.scene, Start::Scene, "fewer particles");
     }
 
+    /// Frames that were handed to the GPU, of all scenes.
+    pub fn frames(&self) -> u64 {
+        self.playback.frames
+    }
+
     /// The program's name, for captures from the next one on.
     pub fn set_program(&mut self, program: &str) {
         self.set_about("build", recorder::build(program));

@@ -38,6 +38,8 @@ pub struct Playback {
     pub recorder: Option<Recorder>,
     /// What is being written beside the frames.
     pub jobs: Jobs,
+    /// Frames that were handed to the GPU.
+    pub frames: u64,
     /// How the fluid is dragged in the next frame.
     pub drag: Option<PendingDrag>,
     in_flight: InFlightFrames,
@@ -70,6 +72,7 @@ impl Playback {
             screenshot: None,
             recorder: None,
             jobs: Jobs::default(),
+            frames: 0,
             drag: None,
             in_flight: InFlightFrames::default(),
             returned: VecDeque::new(),
@@ -313,6 +316,7 @@ impl Playback {
             self.measured_step = done;
         }
         self.is_stale = false;
+        self.frames += 1;
         let now = Instant::now();
         let time_s = (now - self.started).as_secs_f64();
         self.times.frame_ms.push(time_s, 1e3 * elapsed_s);

@@ -2,6 +2,7 @@
 //! touched by a script, and leaves pictures and a capture.
 
 mod headless;
+mod rates;
 mod window;
 
 use std::path::PathBuf;
@@ -33,6 +34,10 @@ pub struct Options {
     /// No window: a script of touches.
     #[arg(long)]
     headless: bool,
+    /// No window, no touches: every shipped scene for some seconds, and a table of the frames a second that the quality ladder
+    /// comes to, with what it gives up.
+    #[arg(long, conflicts_with = "headless")]
+    rates: bool,
 }
 
 use clap::builder::TypedValueParser as _;
@@ -55,5 +60,9 @@ fn run(options: &Options) -> Result<(), String> {
     let readings = options.sensors.as_deref().map(Readings::load).transpose()?.unwrap_or_default();
     let paths = AppPaths { files: options.files.clone(), cache: options.files.join("cache") };
     let app = App::new(paths);
-    if options.headless { headless::run(app, options, &readings) } else { window::run(app, options, readings) }
+    match (options.rates, options.headless) {
+        (true, _) => rates::run(app, options),
+        (false, true) => headless::run(app, options, &readings),
+        (false, false) => window::run(app, options, readings),
+    }
 }
