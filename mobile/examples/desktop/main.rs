@@ -8,6 +8,7 @@ mod window;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
+use brooklet_gpu::{GpuOptions, Tier};
 use brooklet_mobile::script::Readings;
 use brooklet_mobile::{App, AppPaths};
 use clap::Parser;
@@ -31,6 +32,9 @@ pub struct Options {
     /// Pixels a point.
     #[arg(long, default_value_t = 1.0)]
     scale: f32,
+    /// What the device is used as; the highest that it reaches if this is not given.
+    #[arg(long, value_parser = clap::builder::PossibleValuesParser::new(["floor", "mobile", "desktop"]).map(|name| tier(&name)))]
+    tier: Option<Tier>,
     /// No window: a script of touches.
     #[arg(long)]
     headless: bool,
@@ -41,6 +45,14 @@ pub struct Options {
 }
 
 use clap::builder::TypedValueParser as _;
+
+fn tier(name: &str) -> Tier {
+    match name {
+        "floor" => Tier::Floor,
+        "mobile" => Tier::Mobile,
+        _ => Tier::Desktop,
+    }
+}
 
 fn main() -> ExitCode {
     let options = Options::parse();
@@ -59,7 +71,8 @@ fn run(options: &Options) -> Result<(), String> {
     }
     let readings = options.sensors.as_deref().map(Readings::load).transpose()?.unwrap_or_default();
     let paths = AppPaths { files: options.files.clone(), cache: options.files.join("cache") };
-    let app = App::new(paths);
+    let gpu = GpuOptions { timing: true, tier: options.tier, ..GpuOptions::default() };
+    let app = App::new(paths).with_gpu_options(gpu);
     match (options.rates, options.headless) {
         (true, _) => rates::run(app, options),
         (false, true) => headless::run(app, options, &readings),
