@@ -23,10 +23,10 @@ fn mean_m_s(hand: &mut Hand) -> DVec3 {
     sum / velocities.len() as f64
 }
 
-/// A finger that is down goes to a place and back, some times, while the water moves.
-fn wave(hand: &mut Hand, id: u64, [x, y]: [f32; 2]) {
-    for step in 0..4 {
-        hand.touch(id, Move, [x + if step % 2 == 0 { 60.0 } else { -60.0 }, y]);
+/// A finger that is down goes to the right from a place, while the water moves.
+fn sweep(hand: &mut Hand, id: u64, [x, y]: [f32; 2]) {
+    for step in 1..=4u8 {
+        hand.touch(id, Move, [x + 30.0 * f32::from(step), y]);
         hand.settle();
         assert!(hand.steps(1, LONG));
     }
@@ -78,33 +78,38 @@ fn a_finger_is_of_what_it_came_down_on_until_it_is_lifted() {
     // One that began at the foot's bar.
     let on_bar: [f32; 2] = hand.marks["level"].center().into();
     hand.touch(1, Start, on_bar);
-    wave(&mut hand, 1, MIDDLE);
+    sweep(&mut hand, 1, MIDDLE);
     is_left(&mut hand, "a finger of the bar's");
     // Beside one on the picture: they are no two that turn.
     hand.touch(2, Start, MIDDLE);
-    wave(&mut hand, 2, MIDDLE);
-    wave(&mut hand, 1, [MIDDLE[0], 500.0]);
+    sweep(&mut hand, 2, MIDDLE);
+    sweep(&mut hand, 1, [MIDDLE[0], 500.0]);
     assert_eq!(eye(&hand), first, "one of the bar's and one of the picture's");
     is_left(&mut hand, "a second finger");
     hand.touch(1, End, MIDDLE);
-    wave(&mut hand, 2, MIDDLE);
+    sweep(&mut hand, 2, MIDDLE);
     is_left(&mut hand, "one that the bar's left over");
     // With another on the picture they do.
     hand.touch(3, Start, [MIDDLE[0], 200.0]);
     hand.settle();
-    wave(&mut hand, 3, [MIDDLE[0], 200.0]);
+    sweep(&mut hand, 3, [MIDDLE[0], 200.0]);
     let nearer = eye(&hand);
     assert!((nearer - first).length() > 0.02 * first.length(), "two on the picture: {first}, then {nearer}");
     // What is left over pushes nothing.
     hand.touch(3, End, [MIDDLE[0], 200.0]);
     hand.settle();
     let turned = eye(&hand);
-    wave(&mut hand, 2, MIDDLE);
+    sweep(&mut hand, 2, MIDDLE);
     assert_eq!(eye(&hand), turned);
     is_left(&mut hand, "one that a pinch left over");
     hand.touch(2, End, MIDDLE);
-    hand.touch(2, Start, MIDDLE);
-    wave(&mut hand, 2, MIDDLE);
+    // The drops are where they were.
+    hand.tap("reset").unwrap();
+    assert!(hand.until(LONG, |hand| !hand.app.viewer().unwrap().is_loading()) && hand.steps(1, LONG));
+    is_left(&mut hand, "begun again");
+    let [x, y] = [MIDDLE[0] - 60.0, MIDDLE[1]];
+    hand.touch(2, Start, [x, y]);
+    sweep(&mut hand, 2, [x, y]);
     let by = pushed(&mut hand);
     assert!(by > 0.02, "lifted and put down again: pushed by {by} m/s");
     hand.touch(2, End, MIDDLE);
