@@ -24,6 +24,8 @@ const GATHERS: &[(&str, &[&str])] = &[
     ("curl", &["quantized_positions", "velocities"]),
     ("confine_vorticity", &["quantized_positions", "vorticities"]),
     ("xsph", &["quantized_positions", "velocities"]),
+    ("compute_density", &["quantized_positions"]),
+    ("accelerate", &["quantized_positions", "velocity_pressures", "velocity_pressure_normals"]),
     ("measure_particles", &["positions"]),
     ("anisotropy", &["positions"]),
     ("density_ratios", &["positions"]),

@@ -363,6 +363,19 @@ fn what_cannot_run_is_refused_with_what_is_allowed() {
     }
 }
 
+/// The scenes that come as files.
+#[test]
+fn the_swirl_and_the_drop_load_and_step() {
+    for name in ["swirl", "drop"] {
+        let path = format!("{}/../app/fluid/scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"));
+        let scene = Scene::load(&path, &[]).unwrap();
+        let mut session = Session::new(&gpu(), &scene).unwrap();
+        let last = *run(&mut session, 2, 2).last().unwrap();
+        assert_eq!((u64::from(last.particles), last.quarantined), (scene.particle_count(), 0), "{name}");
+        assert!(last.max_speed_m_s > 0.0 && last.counters.long_substeps == 0, "{name}: {last:?}");
+    }
+}
+
 #[test]
 fn a_swirl_spins_a_drop_up_and_swings_back() {
     // An angular acceleration of 8/s² for a quarter of a second: 2/s, as a rigid body, whatever the solver.

@@ -351,7 +351,7 @@ fn check_accelerate(
     let flow = Flow { positions_m: &at_m, velocities_m_s: &velocities_m_s, states: &states };
     let terms = settings.terms();
     let (mut fastest_m_s, mut strongest_m_s2) = (0.0_f32, 0.0_f32);
-    for i in 0..case.count() {
+    for (i, &velocity_m_s) in velocities_m_s.iter().enumerate() {
         let none = |_, _| DVec3::ZERO;
         let list = &case.neighbours[i];
         let expected = accelerate(i, &flow, list, &step, &smoothing(), &settings.kernels, &terms, pressure_walls, none);
@@ -359,13 +359,13 @@ fn check_accelerate(
         let scale = terms_m_s2(case, settings, &states, &at_m, i, walls);
         worst.check3([x, y, z], expected, scale)?;
         ensure_eq!(was_computed, 1.0);
-        let kicked_m_s = velocities_m_s[i] + vector([x, y, z]) * (0.5 * step.dt_s);
-        let speed_m_s = kicked_m_s.length().max(velocities_m_s[i].length());
+        let kicked_m_s = velocity_m_s + vector([x, y, z]) * (0.5 * step.dt_s);
+        let speed_m_s = kicked_m_s.length().max(velocity_m_s.length());
         let off_m_s = (vector(got.velocities[i].velocity_m_s) - kicked_m_s).length();
         if off_m_s > 8.0 * ROUNDING * speed_m_s.max(1.0) {
             return Err(format!("velocity {i} is off its acceleration by {off_m_s} m/s").into());
         }
-        fastest_m_s = fastest_m_s.max(velocities_m_s[i].length() as f32);
+        fastest_m_s = fastest_m_s.max(velocity_m_s.length() as f32);
         strongest_m_s2 = strongest_m_s2.max(vector([x, y, z]).length() as f32);
     }
     let [speed_m_s, acceleration_m_s2] =
