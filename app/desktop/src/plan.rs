@@ -83,6 +83,7 @@ fn print_json(scene: &Scene, planned: &ScenePlan, absent: &[Absent], no_timing: 
         "timestamps": timestamps(planned.plan(), no_timing).into_iter().collect::<serde_json::Map<_, _>>(),
         "timestamp_bytes": if no_timing { 0 } else { planned.timestamp_memory() },
         "bytes_per_particle": planned.session.recorded.bytes_per_particle(planned.plan()),
+        "own_bytes_per_particle": planned.session.recorded.own_bytes_per_particle(planned.plan()),
         "left_out": absent,
     });
     let text = serde_json::to_string_pretty(&all).map_err(Failure::stopped)?;
@@ -126,7 +127,10 @@ fn print_tables(scene: &Scene, planned: &ScenePlan, absent: &[Absent], no_timing
     list.add_row(["in all, each memory once".to_string(), total.to_string(), bytes(total), String::new()]);
     say!("{}", list.trim_fmt());
     if let Some(per_particle) = planned.session.recorded.bytes_per_particle(planned.plan()) {
-        say!("{per_particle:.0} bytes a particle, without what is drawn");
+        let own = planned.session.recorded.own_bytes_per_particle(planned.plan()).unwrap_or_default();
+        say!(
+            "{per_particle:.0} bytes a particle, without what is drawn; {own:.0} of its own, the rest in memory that pictures need"
+        );
     }
     if !no_timing {
         let each: Vec<String> =

@@ -83,6 +83,13 @@ impl Recorded {
         (particles > 0).then(|| plan.bytes_of(&self.ids()) as f64 / f64::from(particles))
     }
 
+    /// As [`Recorded::bytes_per_particle`], but for what stands in memory that others of the plan, its pictures, need in any
+    /// case.
+    pub fn own_bytes_per_particle(&self, plan: &Plan) -> Option<f64> {
+        let particles = self.slots.capacity;
+        (particles > 0).then(|| plan.own_bytes_of(&self.ids()) as f64 / f64::from(particles))
+    }
+
     /// What a measurement is read back from, if the scene measures.
     pub fn measure_id(&self) -> Option<ResourceId> {
         self.measure.as_ref().map(|measure| measure.output.id)

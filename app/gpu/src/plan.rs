@@ -265,18 +265,24 @@ impl Plan {
 
     /// Bytes of memory that some of the recordings need: of buffers that share it, the largest of theirs.
     pub fn bytes_of(&self, recordings: &[RecordingId]) -> u64 {
-        let used: BTreeSet<ResourceId> = recordings
-            .iter()
-            .flat_map(|recording| self.commands(*recording))
-            .flat_map(|command| command.touches())
-            .map(|(id, _)| id)
-            .collect();
-        self.bytes_where(|id| used.contains(&id))
+        let used = self.used_by(recordings);
+        self.bytes_where(|buffer| used.contains(&buffer.id))
     }
 
-    fn bytes_where(&self, counts: impl Fn(ResourceId) -> bool) -> u64 {
+    /// The same without buffers that stand in the memory of one that these recordings do not use.
+    pub fn own_bytes_of(&self, recordings: &[RecordingId]) -> u64 {
+        let used = self.used_by(recordings);
+        self.bytes_where(|buffer| used.contains(&buffer.id) && used.contains(&buffer.memory))
+    }
+
+    fn used_by(&self, recordings: &[RecordingId]) -> BTreeSet<ResourceId> {
+        let commands = recordings.iter().flat_map(|recording| self.commands(*recording));
+        commands.flat_map(|command| command.touches()).map(|(id, _)| id).collect()
+    }
+
+    fn bytes_where(&self, counts: impl Fn(&KeptBuffer) -> bool) -> u64 {
         let mut largest: BTreeMap<ResourceId, u64> = BTreeMap::new();
-        for buffer in self.buffers().iter().filter(|buffer| counts(buffer.id)) {
+        for buffer in self.buffers().iter().filter(|buffer| counts(buffer)) {
             let bytes = largest.entry(buffer.memory).or_default();
             *bytes = buffer.bytes.max(*bytes);
         }

@@ -102,6 +102,10 @@ fn a_phones_particle_takes_no_more_than_it_does() {
         let before = planned.session.recorded.bytes_per_particle(&apart).unwrap();
         println!("{tier:?}: {bytes:.1} bytes a particle, {before:.1} with memory for each buffer");
         assert!(bytes <= most && before > 220.0, "{tier:?}: {bytes} of {before}");
+        // In the app, which draws: what stands in no memory that a picture needs in any case.
+        let own = planned.session.recorded.own_bytes_per_particle(planned.plan()).unwrap();
+        println!("{tier:?}: {own:.1} of its own beside a picture");
+        assert!(own <= 160.0 && own > 100.0, "{tier:?}: {own}");
     }
 }
 
