@@ -247,6 +247,7 @@ block = { min_m = [-0.005, -0.005, -0.005], max_m = [0.005, 0.005, 0.005] }
 method = "sph"
 dt_s = 0.001
 support_ratio = 3
+deterministic = true
 [solver.sph]
 surface_tension_n_m = 0.073
 "#;
@@ -294,7 +295,7 @@ fn surface_tension_makes_a_ball_of_a_cube() {
         history.last().unwrap().kinetic_j
     );
     assert!(ratio < 1.1, "{ratio}");
-    assert!(furthest_m < 1.1 * radius_m, "{furthest_m}");
+    assert!(furthest_m < 1.2 * radius_m, "{furthest_m}");
     assert!((0.7..1.5).contains(&(pressure_pa / laplace_pa)), "{pressure_pa} Pa, {laplace_pa} Pa");
 }
 
