@@ -87,6 +87,8 @@ impl ScenePlan {
             drawn.recordings().for_each(|recording| recorder.add(recording));
             recorder.want(drawn.color.id);
             drawn.auto.iter().for_each(|auto| recorder.want(auto.covered_px.id));
+            // Read back with a picture: whether its mesh had room.
+            drawn.mesh_counts().into_iter().for_each(|counts| recorder.want(counts.id));
             passes = Some(drawn);
             mesh_room = options.mesh_room();
         }
