@@ -45,6 +45,10 @@ macro_rules! for_each_known_answer {
                 a_drag_of_another_radius_or_velocity_fails: ["drag"],
                 a_scene_is_dragged_only_if_somebody_asks: ["drag"],
             }
+            drag_walls {
+                drag_walls_matches_its_twin: ["drag_walls"],
+                a_wrong_face_or_wall_is_told_apart: ["drag_walls"],
+            }
             drawn_caustics {
                 each_stage_is_its_twin: [
                     "draw_sun_depth", "draw_smooth_sun_depth", "draw_sun_thickness", "refract_photons",

@@ -135,6 +135,9 @@ pub fn record_count(resources: &mut Resources, scene: &Scene, capacity: u32) -> 
     if let Some(body_forces) = &mut body_forces {
         body_forces.record_init(&mut init, scene);
     }
+    if let Some(drag_walls) = &mut context.drag_walls {
+        drag_walls.record_init(&mut init, scene);
+    }
     solver.record_init(&mut init, scene);
 
     let mut step = resources.recording("step");
@@ -144,6 +147,9 @@ pub fn record_count(resources: &mut Resources, scene: &Scene, capacity: u32) -> 
             body_forces.record(&mut step, &context, &mut particles);
         }
         solver.record_substep(&mut step, &mut context, &mut particles);
+        if let (Some(drag_walls), Some(search)) = (&context.drag_walls, solver.search()) {
+            drag_walls.record(&mut step, &context, search, &mut particles);
+        }
         // Nothing but particles and their slots lasts from one to the next.
         step.forget_transients();
     }

@@ -3,6 +3,7 @@
 use brooklet_gpu::{Recording, Resources};
 use brooklet_kernels::{Buffer, Counters, Position, StepParams, Velocity};
 
+use crate::boundary::DragWalls;
 use crate::scene::Scene;
 use crate::slots::Slots;
 
@@ -18,6 +19,8 @@ pub struct StepContext {
     pub walls: bool,
     /// Whether it has periodic axes.
     pub periodic: bool,
+    /// What drags along its walls, if anything does.
+    pub drag_walls: Option<DragWalls>,
 }
 
 impl StepContext {
@@ -33,6 +36,7 @@ impl StepContext {
             counters: resources.persistent("counters", 1),
             walls: scene.domain.has_walls(),
             periodic: scene.domain.is_periodic(),
+            drag_walls: DragWalls::declare(resources, scene),
         }
     }
 }

@@ -1,5 +1,6 @@
 //! A whole substep of whichever solver there is.
 
+use crate::boundary::drag_walls::{WallFaces, drag_walls};
 use crate::boundary::walls::DomainWalls;
 use crate::params::Step;
 use crate::particles::predict::Particle;
@@ -13,6 +14,8 @@ pub struct Fluid {
     pub step: Step,
     /// What walls add to the density; `None` without walls.
     pub walls: Option<DomainWalls>,
+    /// How walls drag along them; `None` where none does.
+    pub faces: Option<WallFaces>,
     /// What moves the particles.
     pub solver: Solver,
 }
@@ -20,7 +23,12 @@ pub struct Fluid {
 impl Fluid {
     /// Advances by one substep.
     pub fn substep(&mut self) {
-        self.solver.substep(&mut self.particles, &self.step, self.walls.as_ref());
+        let dt_s = self.solver.substep(&mut self.particles, &self.step, self.walls.as_ref());
+        let (Some(walls), Some(faces)) = (&self.walls, &self.faces) else { return };
+        for particle in self.particles.iter_mut().filter(|particle| particle.is_simulated()) {
+            let least_m = self.step.wall_offset_m;
+            particle.velocity_m_s = drag_walls(particle.position_m, particle.velocity_m_s, dt_s, least_m, walls, faces);
+        }
     }
 
     /// Takes out compression while time stands.
@@ -70,6 +78,7 @@ mod tests {
                 grid_ends_at_domain: false,
             }),
             walls: None,
+            faces: None,
         }
     }
 

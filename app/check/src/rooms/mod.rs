@@ -8,6 +8,7 @@ pub(crate) mod coarse_correction;
 pub(crate) mod constrain_density;
 pub(crate) mod count_covered;
 pub(crate) mod drag;
+pub(crate) mod drag_walls;
 pub(crate) mod drawn_caustics;
 pub(crate) mod drawn_sun_volume;
 pub(crate) mod drawn_thickness;

@@ -13,7 +13,9 @@
 //! along z. Lattice sums, kernel fractions and masses (kg per metre along z) are those of the square lattice.
 //! Differences along z are exactly 0.
 
+mod drag_walls;
 mod walls;
 
+pub use drag_walls::{DragWalls, wall_faces};
 pub(crate) use walls::fitted_wall_kernel_fraction;
 pub use walls::{WallScales, beyond_wall, wall_kernel_fraction};

@@ -1,5 +1,7 @@
 //! What a scene's values may be: each within its limits, and all of them together.
 
+mod faces;
+
 use std::fmt::Display;
 
 use toml::Value;
@@ -98,6 +100,7 @@ impl Scene {
         check.limits("", &values)?;
         self.check_domain(&check)?;
         self.check_axes(&check)?;
+        self.check_faces(&check)?;
         match self.solver.method {
             Method::Pbf => {
                 self.check_iterations(&check, self.solver.pbf.iterations, "solver.pbf.iterations")?;

@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::faces::Faces;
+
 /// An axis-aligned box.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -24,6 +26,9 @@ pub struct Domain {
     /// walls along z. How deep the box is then changes nothing; one spacing is enough.
     #[serde(default = "three")]
     pub dimensions: u32,
+    /// How single walls drag the fluid along them; free-slip where left out.
+    #[serde(default, skip_serializing_if = "Faces::is_empty")]
+    pub faces: Faces,
 }
 
 impl Domain {

@@ -3,6 +3,7 @@
 //! out, and what a study turns it through. The checks and their messages, the editors' schema, the window's sliders, the
 //! reasons of `brooklet plan` and the study's knobs are made from it.
 
+use super::faces::Slip;
 use super::field::{Field, Kind, Limits};
 use super::pbf::Acceleration;
 use super::solver::{Method, Precision};
@@ -38,6 +39,22 @@ const WITH_NEIGHBOURS: &[&str] = &["pbf", "sph"];
 /// Those whose velocities get forces of their own at a substep's end.
 const WITH_FORCES: &[&str] = &["pbf"];
 
+const fn face(path: &'static str) -> Field {
+    Field::new(path, Kind::Table, REBUILD).of(WITH_NEIGHBOURS)
+}
+
+const fn slip(path: &'static str) -> Field {
+    Field::new(path, Kind::Choice(Slip::NAMES), REBUILD).of(WITH_NEIGHBOURS)
+}
+
+const fn friction(path: &'static str) -> Field {
+    Field::new(path, number(0.0, 10.0, ""), REBUILD).of(WITH_NEIGHBOURS).slider(0.0, 0.05)
+}
+
+const fn face_speed(path: &'static str) -> Field {
+    Field::new(path, SPEED, REBUILD).of(WITH_NEIGHBOURS)
+}
+
 /// What terms of water as a surface need, those of one that is smoothed, and those of one that is meshed.
 const WATER: (&str, &[&str]) = ("surface.method", &["screen-space", "marching-cubes", "auto"]);
 const SMOOTHED: (&str, &[&str]) = ("surface.method", &["screen-space", "auto"]);
@@ -63,6 +80,31 @@ pub const FIELDS: &[Field] = &[
     Field::new("domain.walls", Kind::Switch, REBUILD).term("false", "true"),
     Field::new("domain.periodic", Kind::Switches, RESET).term("[false, false, false]", "[true, false, false]"),
     Field::new("domain.dimensions", whole(2.0, 3.0, ""), RESET).slider(2.0, 3.0),
+    Field::new("domain.faces", Kind::Table, REBUILD).of(WITH_NEIGHBOURS),
+    face("domain.faces.x_min"),
+    slip("domain.faces.x_min.slip"),
+    friction("domain.faces.x_min.friction"),
+    face_speed("domain.faces.x_min.velocity_m_s"),
+    face("domain.faces.x_max"),
+    slip("domain.faces.x_max.slip"),
+    friction("domain.faces.x_max.friction"),
+    face_speed("domain.faces.x_max.velocity_m_s"),
+    face("domain.faces.y_min"),
+    slip("domain.faces.y_min.slip"),
+    friction("domain.faces.y_min.friction"),
+    face_speed("domain.faces.y_min.velocity_m_s"),
+    face("domain.faces.y_max"),
+    slip("domain.faces.y_max.slip"),
+    friction("domain.faces.y_max.friction"),
+    face_speed("domain.faces.y_max.velocity_m_s"),
+    face("domain.faces.z_min"),
+    slip("domain.faces.z_min.slip"),
+    friction("domain.faces.z_min.friction"),
+    face_speed("domain.faces.z_min.velocity_m_s"),
+    face("domain.faces.z_max"),
+    slip("domain.faces.z_max.slip"),
+    friction("domain.faces.z_max.friction"),
+    face_speed("domain.faces.z_max.velocity_m_s"),
     Field::new("fluid", Kind::Tables, RESET),
     Field::new("fluid.*", Kind::Table, RESET),
     Field::new("fluid.*.block", Kind::Table, RESET),

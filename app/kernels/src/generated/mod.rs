@@ -2,6 +2,8 @@
 // makes it anew from shaders/hlsl.
 //! All kernels, draws and host-visible structs.
 
+mod boundary_drag_walls;
+mod boundary_layout;
 mod forces_apply_fields;
 mod forces_confine_vorticity;
 mod forces_curl;
@@ -94,6 +96,8 @@ mod surface_surface_normals;
 mod surface_thickness;
 mod surface_water;
 
+pub use boundary_drag_walls::*;
+pub use boundary_layout::*;
 pub use forces_apply_fields::*;
 pub use forces_confine_vorticity::*;
 pub use forces_curl::*;
@@ -189,6 +193,7 @@ pub use surface_water::*;
 /// Every module of this crate, for building all pipelines at start.
 pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
     [
+        boundary_drag_walls::MODULES,
         forces_apply_fields::MODULES,
         forces_confine_vorticity::MODULES,
         forces_curl::MODULES,

@@ -107,6 +107,11 @@ impl DomainWalls {
         DVec3::splat(density) + DVec3::new(across(0), across(1), across(2))
     }
 
+    /// How much of the kernel beyond one wall a step toward it adds, at a distance in h, per h.
+    pub fn share_slope(&self, distance: f64) -> f64 {
+        -beyond_wall_slope(self.scales.fraction, distance)
+    }
+
     /// Along each axis, the share of the kernel beyond its two walls, and the share's derivative by
     /// the position, per h.
     fn shares(&self, position_m: DVec3) -> (DVec3, DVec3) {

@@ -23,17 +23,18 @@ pub enum Solver {
 }
 
 impl Solver {
-    /// Advances `particles` by one substep.
-    pub fn substep(&mut self, particles: &mut [Particle], step: &Step, walls: Option<&DomainWalls>) {
+    /// Advances `particles` by one substep, and says by how long, s.
+    pub fn substep(&mut self, particles: &mut [Particle], step: &Step, walls: Option<&DomainWalls>) -> f64 {
         match self {
             Self::Pbf(pbf) => pbf.substep(particles, step, walls),
-            Self::Sph(sph) => sph.substep(particles, step),
+            Self::Sph(sph) => return sph.substep(particles, step),
             Self::None(settings) => {
                 for (id, particle) in particles.iter_mut().enumerate() {
                     *particle = integrate_particles(id as u32, *particle, step, settings).particle;
                 }
             }
         }
+        step.dt_s
     }
 
     /// Takes out compression while time stands; nothing of particles that do not interact.

@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::PathBuf;
 
+use brooklet_fluid::boundary::wall_faces;
 use brooklet_fluid::measure::Summary;
 use brooklet_fluid::scene::{Method, Scene, SmoothingKernel};
 use brooklet_fluid::session::{MOST_ROUNDS, NO_COMPRESSION};
@@ -10,6 +11,7 @@ use brooklet_fluid::smoothing_kernel_params;
 use brooklet_fluid::solver::pbf::{self, IterationWeights};
 use brooklet_fluid::solver::sph;
 use brooklet_kernels::SmoothingKernelParams;
+use brooklet_reference::boundary::drag_walls::WallFace;
 use brooklet_reference::boundary::walls::{DomainWalls, WallScales};
 use brooklet_reference::params::{self, Forces, NonInteracting, Smoothing, Step};
 use brooklet_reference::particles::advect::Kicks;
@@ -53,6 +55,13 @@ pub fn reference_fluid(setup: &Setup) -> Fluid {
         },
         solver: solver_of(scene),
         walls: walls_of(scene, &smoothing_kernel_params(scene)),
+        faces: domain.has_dragging_walls().then(|| {
+            wall_faces(scene).map(|face| WallFace {
+                velocity_m_s: DVec3::from_array(face.velocity_m_s.map(f64::from)),
+                shear_m2_s: face.shear_m2_s.into(),
+                friction: face.friction.into(),
+            })
+        }),
     }
 }
 

@@ -160,6 +160,13 @@ pub(super) fn borne_scale(scene: &Scene) -> f64 {
     0.5 / (f64::from(walls.wall_plane) * (share_at(&walls, s) + s * slope_at(&walls, s)))
 }
 
+/// What the neighbours that the lattice's first layer lacks beyond a wall weigh in its Laplacian, 1/h², over the difference
+/// to the wall's velocity: a linear profile goes on through the wall.
+pub(crate) fn shear_beyond(scene: &Scene) -> f64 {
+    let viscosity = viscosity(scene);
+    sum(scene, |step, q| if step[1] > 0 { viscosity.at(q) * 2.0 * f64::from(step[1]) } else { 0.0 })
+}
+
 fn walls_of(scene: &Scene, kernel: SmoothingKernel) -> SmoothingKernelParams {
     let wendland = smoothing_kernel_params(scene);
     if kernel == SmoothingKernel::Wendland {

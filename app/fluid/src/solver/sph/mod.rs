@@ -20,6 +20,7 @@ use crate::scene::Scene;
 use crate::step_context::{Particles, StepContext};
 use accelerate::accelerate;
 use compute_density::compute_density;
+pub(crate) use kernels::shear_beyond;
 pub use kernels::{density_walls, pressure_walls, sph_kernels};
 use time_step::TimeStep;
 pub use time_step::limits;

@@ -35,8 +35,8 @@ pub struct Sph {
 }
 
 impl Sph {
-    /// Advances by one substep; one that is left over does nothing.
-    pub fn substep(&mut self, particles: &mut [Particle], step: &Step) {
+    /// Advances by one substep, and says by how long, s; one that is left over does nothing.
+    pub fn substep(&mut self, particles: &mut [Particle], step: &Step) -> f64 {
         let mut step = *step;
         if let Some(limits) = &self.adaptive {
             let [speed_m_s, acceleration_m_s2] = self.maxima;
@@ -44,7 +44,7 @@ impl Sph {
             self.left = chosen.left;
             self.maxima = [0.0; 2];
             if chosen.dt_s == 0.0 {
-                return;
+                return 0.0;
             }
             step.dt_s = chosen.dt_s;
         }
@@ -61,6 +61,7 @@ impl Sph {
             particle.acceleration_m_s2 = Some(acceleration_m_s2);
             particle.velocity_m_s += acceleration_m_s2 * (self.kicks.end * step.dt_s);
         }
+        step.dt_s
     }
 
     fn accelerations(&self, particles: &[Particle], step: &Step) -> Vec<DVec3> {

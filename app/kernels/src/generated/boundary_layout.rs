@@ -1,0 +1,34 @@
+// Written by the shader compiler; do not edit. `cargo run -p brooklet-compiler -- build`
+// makes it anew from boundary/layout.hlsli.
+//! Host-visible structs of `boundary/layout.hlsli`.
+
+use std::mem::{offset_of, size_of};
+
+use bytemuck::{Pod, Zeroable};
+
+/// How one of the six drags the fluid along it (boundary/drag\_walls.compute).
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+pub struct WallFace {
+    /// its own, along it
+    pub velocity_m_s: [f32; 3],
+    /// twice the kinematic viscosity, scaled; 0 where the fluid may slip
+    pub shear_m2_s: f32,
+    /// c\_f of a shear stress of c\_f/2 rho v^2, scaled
+    pub friction: f32,
+    /// `float`.
+    pub reserved0: f32,
+    /// `float`.
+    pub reserved1: f32,
+    /// `float`.
+    pub reserved2: f32,
+}
+const _: () = {
+    assert!(offset_of!(WallFace, velocity_m_s) == 0);
+    assert!(offset_of!(WallFace, shear_m2_s) == 12);
+    assert!(offset_of!(WallFace, friction) == 16);
+    assert!(offset_of!(WallFace, reserved0) == 20);
+    assert!(offset_of!(WallFace, reserved1) == 24);
+    assert!(offset_of!(WallFace, reserved2) == 28);
+    assert!(size_of::<WallFace>() == 32);
+};
