@@ -163,6 +163,7 @@ fn the_table_has_every_field() {
             "surface.caustics=true",
             "surface.self_shadow=true",
             "surface.auto.px_per_particle=1",
+            "domain.faces={ x_min = {}, x_max = {}, y_min = {}, y_max = {}, z_min = {}, z_max = {} }",
         ],
     )
     .unwrap();
@@ -242,6 +243,31 @@ fn messages_name_file_field_value_and_what_is_allowed() {
         (
             message(SMALL, &["spacing_m=0.004", "fluid.0.block.max_m=[1,1,1]", "solver.neighbour_slots=1024"]),
             &["solver.neighbour_slots = 1024", "15625000 particles can have 274"],
+        ),
+        (
+            message(SMALL, &["domain.faces.y_min.slip=no-slip"]),
+            &["domain.faces.y_min.slip = \"no-slip\"", "needs a viscosity", "\"pbf\" does not have"],
+        ),
+        (
+            message(SMALL, &["domain.faces.y_min.friction=0.01"]),
+            &["domain.faces.y_min.friction = 0.01", "needs slip = \"friction\""],
+        ),
+        (
+            message(SMALL, &["domain.faces.x_max={ slip = \"friction\", velocity_m_s = [1, 0, 0] }"]),
+            &["domain.faces.x_max.velocity_m_s = [1, 0, 0]", "must be 0 along x"],
+        ),
+        (
+            message(SMALL, &["domain.faces.x_max.velocity_m_s=[0, 1, 0]"]),
+            &["domain.faces.x_max.velocity_m_s = [0, 1, 0]", "needs slip = \"no-slip\" or \"friction\""],
+        ),
+        (
+            message(SMALL, &["domain.walls=false", "domain.faces.z_min={}"]),
+            &["domain.faces.z_min", "no wall stands across z"],
+        ),
+        (message(SMALL, &["domain.faces.floor.slip=friction"]), &["`floor`", "y_min"]),
+        (
+            message(SMALL, &["solver.method=none", "domain.faces.y_min.slip=friction"]),
+            &["domain.faces.y_min.slip", "methods that have it: pbf, sph"],
         ),
         (Scene::load("dam-brake", &[]).unwrap_err().to_string(), &["\"dam-brake\"", "dam-break"]),
     ];
