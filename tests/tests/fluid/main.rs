@@ -36,4 +36,5 @@ mod sharing;
 mod slots;
 mod sph;
 mod state;
+mod walls;
 mod warm_start;

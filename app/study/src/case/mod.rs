@@ -2,6 +2,7 @@
 //! its error; a geometric height, length or area is always among them, for a density error alone can
 //! pass a wrong fluid.
 
+mod channel;
 mod column_collapse;
 mod dam_break;
 mod elliptical_drop;
@@ -13,6 +14,7 @@ mod standing_wave;
 mod taylor_green;
 mod waiting;
 
+pub use channel::{COUETTE, POISEUILLE};
 pub use column_collapse::ColumnCollapse;
 pub use dam_break::{MARTIN_MOYCE, SQUARE_COLUMN};
 pub use elliptical_drop::EllipticalDrop;
@@ -110,12 +112,15 @@ pub const CASES: &[&dyn Case] = &[
     &ColumnCollapse,
 ];
 
+/// Cases of a viscosity that is set, which SPH alone has.
+pub const VISCOUS: &[&dyn Case] = &[&COUETTE, &POISEUILLE];
+
 /// Cases of maps alone.
 const OF_MAPS: &[&dyn Case] = &[&SHALLOW];
 
 /// The case of a name.
 pub fn case(name: &str) -> Option<&'static dyn Case> {
-    CASES.iter().chain(OF_MAPS).copied().find(|case| case.name() == name)
+    CASES.iter().chain(VISCOUS).chain(OF_MAPS).copied().find(|case| case.name() == name)
 }
 
 /// The setting's value in `settings` (the last of them counts), or `default`.
