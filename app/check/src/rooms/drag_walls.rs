@@ -56,7 +56,7 @@ fn faces(rng: &mut impl Rng) -> [WallFace; 6] {
 /// Compares all velocities; returns how many the walls changed.
 ///
 /// The distance over h is off by as many roundings as the domain is supports wide, and the slope L by some ten times that;
-/// of a rate times dt, x, the change is x/(1 + x): no more off than a quarter of x is, relatively. Three axes add up.
+/// of a rate times dt, x, the change is 1 - exp(-x) or x/(1 + x): no more off than .4 of x is, relatively. Three axes add up.
 fn check(
     worst: &mut Worst,
     case: &Case,

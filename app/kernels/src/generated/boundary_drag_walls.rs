@@ -7,9 +7,10 @@ use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
 };
 
-/// How walls drag the fluid along them, face by face, at a substep's end: velocities along a wall go to the wall's own with
-/// a rate k, v \<- v\_wall + (v - v\_wall) / (1 + k dt). Implicit, so stable at any dt; its steady state does not depend on dt,
-/// and for friction, whose k grows with |v - v\_wall|, it is the exact solution of the decay.
+/// How walls drag the fluid along them, face by face, at a substep's end: dv/dt = k (v\_wall - v) along a wall, integrated in
+/// closed form, so stable at any dt. For no slip k is a constant of the place, and v - v\_wall falls by exp(-k dt): forces of a
+/// leap-frog see velocities half a kick away from here, with which its steady state is that of k but for (k dt)^2/12. Friction
+/// grows with |v - v\_wall|, which falls by 1/(1 + k dt) then.
 #[derive(Debug)]
 pub struct DragWalls<'a> {
     /// `StructuredBuffer<Position> positions`.
@@ -76,5 +77,5 @@ static DRAG_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/drag_walls.compute",
-    hash: "880773e459a128dc8e7c19a34680fa197c6fac4a2651b6c9f34b853c8cd7d261",
+    hash: "cf64ddd0e11d49c4c1855837a97cfca2c0ff7b01ce81a43a306453189d06f0bb",
 };

@@ -17,8 +17,8 @@ pub struct WallFace {
 /// The six walls, lowest end of each axis first.
 pub type WallFaces = [WallFace; 6];
 
-/// The velocity after a substep of `dt_s`: for each wall in turn dv/dt = k (v_wall - v) along it, implicit in time, with
-/// k = L(s) (2ν/s + c_f |v - v_wall|) and L the slope of the kernel's share beyond the wall per metre. Nearer than
+/// The velocity after a substep of `dt_s`: for each wall in turn the solution of dv/dt = k (v_wall - v) along it, with
+/// k = 2ν L(s)/s or c_f L(s) |v - v_wall| and L the slope of the kernel's share beyond the wall per metre. Nearer than
 /// `least_m`, which walls keep particles away, is as near as that.
 pub fn drag_walls(
     position_m: DVec3,
@@ -38,8 +38,9 @@ pub fn drag_walls(
         let mut relative_m_s = velocity_m_s - face.velocity_m_s;
         relative_m_s[axis] = 0.0;
         let slope_per_m = walls.share_slope(distance_m / walls.support_m) / walls.support_m;
-        let rate_per_s = slope_per_m * (face.shear_m2_s / distance_m + face.friction * relative_m_s.length());
-        velocity_m_s += relative_m_s * (1.0 / (1.0 + rate_per_s * dt_s) - 1.0);
+        let sheared = (-slope_per_m * face.shear_m2_s / distance_m * dt_s).exp();
+        let rubbed = 1.0 + slope_per_m * face.friction * relative_m_s.length() * dt_s;
+        velocity_m_s += relative_m_s * (sheared / rubbed - 1.0);
     }
     velocity_m_s
 }
