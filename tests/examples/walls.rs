@@ -19,7 +19,7 @@ fn main() {
         println!("{name} d = {spacing_m} H: {}", told(name, &[format!("spacing_m={spacing_m}")]));
     }
     for name in ["square-column", "martin-moyce"] {
-        for friction in [0.0, 0.003, 0.007, 0.014, 0.03, 0.06] {
+        for friction in [0.0, 0.003, 0.005, 0.006, 0.007, 0.008, 0.014, 0.03] {
             let settings = ["slip=friction".into(), format!("friction={friction}")];
             let settings = settings.map(|setting| format!("domain.faces.y_min.{setting}"));
             println!("{name} c_f {friction}: {}", told(name, &settings));

@@ -149,7 +149,7 @@ impl Case for Channel {
 
     /// The drive does work without end.
     fn energy_rise(&self) -> f64 {
-        f64::INFINITY
+        f64::MAX
     }
 
     fn figures(&self, _: &Setup, samples: &[Sample], _: Converge<'_>) -> Option<Vec<Figure>> {
