@@ -80,12 +80,8 @@ dt_s = 0.002
 /// After n substeps: leap-frog x0 + n v0 dt + n²/2 g dt², symplectic Euler n (n + 1)/2, Euler n (n - 1)/2.
 #[test]
 fn free_fall_is_each_integrators_closed_form() {
-    let laws: [(&str, fn(f64) -> f64); 3] = [
-        ("leap-frog", |n| 0.5 * n * n),
-        ("symplectic-euler", |n| 0.5 * n * (n + 1.0)),
-        ("euler", |n| 0.5 * n * (n - 1.0)),
-    ];
-    for (integrator, law) in laws {
+    for (integrator, more) in [("leap-frog", 0.0), ("symplectic-euler", 1.0), ("euler", -1.0)] {
+        let law = |n: f64| 0.5 * n * (n + more);
         let setting = format!("solver.sph.integrator={integrator}");
         let scene = from_text(FALL, &[&setting, "solver.sph.adaptive_substeps=false"]);
         let mut session = Session::new(&gpu(), &scene).unwrap();
