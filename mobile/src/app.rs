@@ -1,6 +1,5 @@
 //! The app: its device, its viewer, its screen, and the window that comes and goes.
 
-use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -9,6 +8,7 @@ use brooklet_viewer::panels::{PanelInput, PanelOutput};
 use brooklet_viewer::{Kind, Painted, Target, Viewer, ViewerError};
 use egui::{Order, Pos2, RawInput, Rect, vec2};
 
+use crate::app_paths::AppPaths;
 use crate::canvas::{Canvas, Picture, SharedWindow, SurfaceLost, WindowSource};
 use crate::gravity::Gravity;
 use crate::heat::Heat;
@@ -17,15 +17,6 @@ use crate::report;
 use crate::screen::{Ask, Screen};
 use crate::self_check::{Asked, Checked, Occasion};
 use crate::touch::{Acceleration, Place, TouchEvent, Touches};
-
-/// Folders of the app's own.
-#[derive(Clone, Debug)]
-pub struct AppPaths {
-    /// Captures and pictures, where the user finds them.
-    pub files: PathBuf,
-    /// Compiled pipelines.
-    pub cache: PathBuf,
-}
 
 /// When the next frame is wanted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

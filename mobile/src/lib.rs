@@ -8,6 +8,7 @@
 //! The same runs on a desktop (`examples/desktop.rs`), with a mouse for a finger, and without any window, on a texture.
 
 mod app;
+mod app_paths;
 mod canvas;
 mod gravity;
 mod heat;
@@ -20,7 +21,8 @@ mod self_check;
 mod touch;
 mod worker;
 
-pub use app::{App, AppPaths, Wake};
+pub use app::{App, Wake};
+pub use app_paths::AppPaths;
 pub use canvas::{Picture, WindowSource};
 pub use self_check::{Asked, Checked, WrongAnswer};
 pub use touch::{Acceleration, TouchEvent, TouchPhase};

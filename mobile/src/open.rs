@@ -8,7 +8,7 @@ use brooklet_gpu::Gpu;
 use brooklet_viewer::action::Action;
 use brooklet_viewer::{Kind, Settings, Viewer};
 
-use crate::app::AppPaths;
+use crate::app_paths::AppPaths;
 use crate::canvas::Canvas;
 use crate::kept;
 use crate::report::{self, Report};

@@ -1,6 +1,7 @@
 //! The backward sweep: which commands feed what is wanted, and which are left out.
 
-use crate::plan_left_out::list_left_out;
+use crate::plan_left_out::{LeftOut, list_left_out};
+use crate::planned::{PlannedRecording, describe, is_forgotten};
 use crate::recording::{Command, Groups, Instances, RecordError, Recording, RecordingId, Touch};
 use crate::resources::{ResourceInfo, Resources, Shape};
 use crate::sharing::Sharing;
@@ -17,13 +18,6 @@ pub struct Plan {
     pub(crate) sharing: Sharing,
     used: BTreeSet<ResourceId>,
     left_out: Vec<LeftOut>,
-}
-
-/// A recording after the sweep; one whose commands were all left out runs as nothing.
-#[derive(Clone, Debug)]
-pub(crate) struct PlannedRecording {
-    pub id: RecordingId,
-    pub commands: Vec<Command>,
 }
 
 /// Runs of one module in one recording.
@@ -52,32 +46,6 @@ pub struct KeptBuffer {
     pub bytes: u64,
     /// The resource whose memory it has: itself, or a buffer at least as large that is not needed while it is.
     pub memory: ResourceId,
-}
-
-/// What kind of thing was left out.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum LeftOutKind {
-    /// A dispatch or draw, named by its stage.
-    Stage,
-    /// An upload, clear or copy, named by what it does (`clear counts`).
-    Command,
-    /// A buffer, which is not allocated.
-    Buffer,
-    /// A texture, which is not allocated.
-    Texture,
-}
-
-/// Something that the sweep left out.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct LeftOut {
-    /// Its name.
-    pub name: String,
-    /// What it is.
-    pub kind: LeftOutKind,
-    /// Memory that is saved; 0 for stages and commands.
-    pub bytes: u64,
-    /// Why: `nothing wanted reads density_ratio`.
-    pub reason: String,
 }
 
 /// A plan could not be made; a mistake in the program that recorded it.
@@ -344,14 +312,6 @@ fn sweep_one(
     keep
 }
 
-/// Whether a [`Command::Forget`] of `of` is one of `id`.
-pub(crate) fn is_forgotten(resources: &Resources, of: Option<ResourceId>, id: ResourceId) -> bool {
-    match of {
-        Some(of) => of == id,
-        None => resources.get(id).is_some_and(|entry| !entry.state),
-    }
-}
-
 fn check_known(
     resources: &Resources,
     ids: impl Iterator<Item = ResourceId>,
@@ -460,21 +420,6 @@ fn check_fit(
         (kind, _) => return misfit(label, format!("{kind:?} is needed")),
     }
     Ok(())
-}
-
-/// A command's name: its stage, or what it does to what.
-pub(crate) fn describe(resources: &Resources, command: &Command) -> String {
-    match command {
-        Command::Upload { to, .. } => format!("upload {}", resources.label(*to)),
-        Command::Clear { to } => format!("clear {}", resources.label(*to)),
-        Command::Copy { from, to, .. } => {
-            format!("copy {} to {}", resources.label(*from), resources.label(*to))
-        }
-        Command::Forget { of: Some(of) } => format!("forget {}", resources.label(*of)),
-        Command::Forget { of: None } => "forget transients".to_owned(),
-        Command::Dispatch(dispatch) => dispatch.stage.to_owned(),
-        Command::Draw(draw) => draw.stage.to_owned(),
-    }
 }
 
 #[cfg(test)]

@@ -1,10 +1,36 @@
 //! What the sweep left out, by name and with its reason.
 
-use crate::plan::{LeftOut, LeftOutKind, PlannedRecording, describe};
+use crate::planned::{PlannedRecording, describe};
 use crate::recording::{Command, Touch};
 use crate::resources::Resources;
 use brooklet_kernels::ResourceId;
 use std::collections::{BTreeMap, BTreeSet};
+
+/// What kind of thing was left out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum LeftOutKind {
+    /// A dispatch or draw, named by its stage.
+    Stage,
+    /// An upload, clear or copy, named by what it does (`clear counts`).
+    Command,
+    /// A buffer, which is not allocated.
+    Buffer,
+    /// A texture, which is not allocated.
+    Texture,
+}
+
+/// Something that the sweep left out.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LeftOut {
+    /// Its name.
+    pub name: String,
+    /// What it is.
+    pub kind: LeftOutKind,
+    /// Memory that is saved; 0 for stages and commands.
+    pub bytes: u64,
+    /// Why: `nothing wanted reads density_ratio`.
+    pub reason: String,
+}
 
 pub(crate) fn list_left_out(
     resources: &Resources,

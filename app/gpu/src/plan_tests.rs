@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::draw::{DrawState, Load, Targets};
+use crate::plan_left_out::LeftOutKind;
 use brooklet_kernels::{
     Access, BindingError, BindingInfo, Buf, BufMut, Buffer, Draw, Format, Kernel, StageKind, Tier, Uniform,
 };

@@ -1,7 +1,8 @@
 //! What holds a plan's sharing of memory against what it has to be: for tests.
 
 use crate::order::encoding_order;
-use crate::plan::{Plan, describe, is_forgotten};
+use crate::plan::Plan;
+use crate::planned::{describe, is_forgotten};
 use crate::recording::{Command, Touch};
 use crate::sharing::Sharing;
 use brooklet_kernels::ResourceId;

@@ -6,7 +6,7 @@
 //! dispatch, or in draws that may share a render pass, overlap: there one buffer cannot be bound as two.
 
 use crate::order::encoding_order;
-use crate::plan::{PlannedRecording, is_forgotten};
+use crate::planned::{PlannedRecording, is_forgotten};
 use crate::recording::{Command, Touch};
 use crate::resources::Resources;
 use brooklet_kernels::ResourceId;

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::faces::Faces;
+use super::faces::{Faces, Slip};
 
 /// An axis-aligned box.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -55,6 +55,11 @@ impl Domain {
             std::array::from_fn(|axis| if self.has_walls_along(axis) { face_m[axis] } else { beyond_m })
         };
         [at([0.0; 3], f64::NEG_INFINITY), at(size_m, f64::INFINITY)]
+    }
+
+    /// Whether any wall drags.
+    pub fn has_dragging_walls(&self) -> bool {
+        self.faces.all().iter().flatten().any(|face| face.slip != Slip::FreeSlip)
     }
 
     /// Whether any axis is periodic.

@@ -2,8 +2,6 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::domain::Domain;
-
 /// What a wall does to the velocity along it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -73,12 +71,5 @@ impl Faces {
     /// Whether none is named.
     pub fn is_empty(&self) -> bool {
         self.all().iter().all(Option::is_none)
-    }
-}
-
-impl Domain {
-    /// Whether any wall drags.
-    pub fn has_dragging_walls(&self) -> bool {
-        self.faces.all().iter().flatten().any(|face| face.slip != Slip::FreeSlip)
     }
 }
