@@ -149,7 +149,7 @@ impl Bencher<'_> {
         let step_ms = step_ms.ok_or_else(|| {
             BenchError::Stopped(format!("no usable times: {} flagged spans", timings.flagged_spans()))
         })?;
-        let iterations = scene.solver.iterations().unwrap_or(1) * scene.substeps();
+        let iterations = scene.iterations_a_step();
         let work = f64::from(particles) * f64::from(iterations);
         let interval = f64::from(scene.outputs.measure_every_steps.max(1));
         let mut passes = Vec::new();

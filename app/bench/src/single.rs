@@ -85,7 +85,7 @@ pub fn run(gpu: &Gpu, scene: &Scene, options: Options, observer: &dyn Observer) 
     stepping.run(steps, &mut timings, || observer.advance())?;
 
     let picture = picture_cost(gpu, &scene, options, observer)?;
-    let iterations = scene.solver.iterations().unwrap_or(1) * scene.substeps();
+    let iterations = scene.iterations_a_step();
     let work = f64::from(particles) * f64::from(iterations);
     let info = gpu.info();
     Ok(SceneCost {

@@ -280,12 +280,7 @@ pub fn walls_of(kernel: &SmoothingKernelParams, domain_size_m: DVec3) -> DomainW
     DomainWalls {
         dimensions: if flat { 2 } else { 3 },
         axes: BVec3::new(true, true, !flat),
-        scales: WallScales {
-            plane: f64::from(kernel.wall_plane),
-            edge: f64::from(kernel.wall_edge),
-            corner: f64::from(kernel.wall_corner),
-            fraction: kernel.wall_kernel_fraction.map(f64::from),
-        },
+        scales: WallScales::of(kernel),
         domain_size_m,
         support_m: f64::from(kernel.support_m),
     }

@@ -80,7 +80,7 @@ fn print_json(scene: &Scene, planned: &ScenePlan, absent: &[Absent], no_timing: 
         "buffers": buffers,
         "shared_memory": shared,
         "bytes": planned.plan().bytes(),
-        "bytes_without_sharing": planned.plan().clone().without_sharing().bytes(),
+        "bytes_without_sharing": planned.plan().buffers().iter().map(|buffer| buffer.bytes).sum::<u64>(),
         "timestamps": timestamps(planned.plan(), no_timing).into_iter().collect::<serde_json::Map<_, _>>(),
         "timestamp_bytes": if no_timing { 0 } else { planned.timestamp_memory() },
         "bytes_per_particle": planned.session.recorded.bytes_per_particle(planned.plan()),

@@ -99,11 +99,13 @@ impl Setup {
 
     /// As [`Setup::particle_iterations`] for so many particles, which need not be made.
     pub fn particle_iterations_of(&self, particles: u64) -> f64 {
-        let solver = &self.scene.solver;
-        // A substep's sort and list cost about as much as two iterations.
-        let each = f64::from(self.scene.substeps()) * (f64::from(solver.iterations().unwrap_or(1)) + 2.0);
-        particles as f64 * self.steps() as f64 * each
+        particles as f64 * self.steps() as f64 * rounds_a_step(&self.scene)
     }
+}
+
+/// What a step costs, in iterations: a substep's sort and list cost about as much as two.
+pub(crate) fn rounds_a_step(scene: &Scene) -> f64 {
+    f64::from(scene.iterations_a_step() + 2 * scene.substeps())
 }
 
 /// In f64.

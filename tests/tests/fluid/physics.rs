@@ -10,7 +10,7 @@ fn scene(name: &str, settings: &[&str]) -> Scene {
 }
 
 /// Runs `steps` steps, measuring every `every` of them.
-fn run(session: &mut Session, steps: u32, every: u32) -> Vec<Stats> {
+pub fn run(session: &mut Session, steps: u32, every: u32) -> Vec<Stats> {
     let mut history = Vec::new();
     for step in 1..=steps {
         session.step().unwrap();

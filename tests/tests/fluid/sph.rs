@@ -1,7 +1,8 @@
 //! SPH as scenes: what its plan has, what it keeps, how it rests, what it says of steps that are too long.
 
+use super::physics::run;
 use brooklet_fluid::particles::{ParticleSet, id_of, is_quarantined, sample_lattice};
-use brooklet_fluid::{Scene, Session, Stats, record};
+use brooklet_fluid::{Scene, Session, record};
 use brooklet_gpu::{Plan, Resources};
 use brooklet_reference::solver::Solver;
 use brooklet_reference::solver::sph::compute_density::{compute_density, pressure_of};
@@ -18,19 +19,6 @@ fn scene(name: &str, settings: &[&str]) -> Scene {
 fn from_text(text: &str, settings: &[&str]) -> Scene {
     let settings: Vec<String> = settings.iter().map(|&s| s.into()).collect();
     Scene::from_toml(text, "sph.toml", &settings).unwrap()
-}
-
-/// Runs `steps` steps, measuring every `every` of them.
-fn run(session: &mut Session, steps: u32, every: u32) -> Vec<Stats> {
-    let mut history = Vec::new();
-    for step in 1..=steps {
-        session.step().unwrap();
-        if step % every == 0 {
-            session.measure().unwrap();
-            history.extend(session.finish().unwrap().into_iter().filter_map(|frame| frame.stats));
-        }
-    }
-    history
 }
 
 #[test]

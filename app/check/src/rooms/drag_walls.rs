@@ -36,11 +36,7 @@ fn run(device: &Device, case: &Case, params: StepParams, faces: &[WallFace; 6]) 
 }
 
 fn twins_of(faces: &[WallFace; 6]) -> twin::WallFaces {
-    faces.map(|face| twin::WallFace {
-        velocity_m_s: vector(face.velocity_m_s),
-        shear_m2_s: face.shear_m2_s.into(),
-        friction: face.friction.into(),
-    })
+    faces.map(|face| twin::WallFace::of(&face))
 }
 
 /// Faces of which each drags in its own way, so strongly that velocities change by much in one substep.

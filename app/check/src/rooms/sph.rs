@@ -83,18 +83,7 @@ impl Settings {
     }
 
     fn terms(&self) -> Terms {
-        let params = self.params();
-        Terms {
-            stiffness_m2_s2: params.stiffness_m2_s2.into(),
-            exponent: params.exponent.into(),
-            least_pressure_m2_s2: params.least_pressure_m2_s2.into(),
-            viscosity_m2_s: params.viscosity_m2_s.into(),
-            tension_m3_s2: params.tension_m3_s2.into(),
-            separation: params.separation.into(),
-            separation_m2_s2: params.separation_m2_s2.into(),
-            supported_per_m2_s2: params.supported_per_m2_s2.into(),
-            borne_scale: params.borne_scale.into(),
-        }
+        Terms::of(&self.params())
     }
 }
 

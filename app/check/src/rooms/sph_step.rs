@@ -160,14 +160,6 @@ const LIMITS: SphLimits = SphLimits {
 /// Every number is a handful of roundings of the step.
 pub(crate) fn choose_time_step_matches_its_twin(device: &Device) {
     let mut worst = device.worst(ChooseTimeStep::STAGE, 16.0 * ROUNDING);
-    let of = |limits: &SphLimits| Limits {
-        cfl_m: limits.cfl_m.into(),
-        sound_m_s: limits.sound_m_s.into(),
-        force_m: limits.force_m.into(),
-        steady_s: limits.steady_s.into(),
-        step_s: limits.step_s.into(),
-        substeps: limits.substeps,
-    };
     let cases = [
         (2.0_f32, 100.0_f32, LIMITS),
         (0.0, 0.0, LIMITS),
@@ -187,8 +179,8 @@ pub(crate) fn choose_time_step_matches_its_twin(device: &Device) {
         for (nth, (state, time_step, counters)) in got.iter().enumerate() {
             // The first substep's maxima are taken; nobody makes new ones here.
             let maxima = if nth == 0 { [speed.into(), acceleration.into()] } else { [0.0; 2] };
-            let limit_s = of(&limits).limit_s(maxima[0], maxima[1]);
-            let chosen = of(&limits).choose(limit_s, left);
+            let limit_s = Limits::of(&limits).limit_s(maxima[0], maxima[1]);
+            let chosen = Limits::of(&limits).choose(limit_s, left);
             (left, time_s, long) = (chosen.left, time_s + chosen.dt_s, long + u32::from(chosen.is_long));
             worst.check(time_step.limit_s, limit_s, limit_s).or_raise();
             worst.check(state.time_s, time_s, f64::from(limits.step_s)).or_raise();
@@ -202,7 +194,7 @@ pub(crate) fn choose_time_step_matches_its_twin(device: &Device) {
         for dt_s in [1.0e-4_f32, 1.0e-2] {
             let (state, time_step, counters) = run_choose(device, before, limits, dt_s, false, 1)[0];
             ensure_eq!((state.dt_s, state.slot_count), (dt_s, 100));
-            let limit_s = of(&limits).limit_s(speed.into(), acceleration.into());
+            let limit_s = Limits::of(&limits).limit_s(speed.into(), acceleration.into());
             worst.check(time_step.limit_s, limit_s, limit_s).or_raise();
             ensure_eq!(counters.long_substeps, u32::from(is_long(dt_s.into(), limit_s)));
         }

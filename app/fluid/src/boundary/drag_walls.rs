@@ -4,7 +4,7 @@
 use brooklet_gpu::{Recording, Resources};
 use brooklet_kernels::{Buffer, WallFace};
 
-use super::wall_kernel_fraction;
+use super::{share_slope, wall_kernel_fraction};
 use crate::grid::NeighbourSearch;
 use crate::scene::{Method, Scene, Slip};
 use crate::solver::sph::shear_beyond;
@@ -41,25 +41,19 @@ fn viscosity_m2_s(scene: &Scene) -> f64 {
     }
 }
 
-/// The slope of the share beyond a wall at a distance in h, 1/h.
-fn share_slope(scene: &Scene, distance: f64) -> f64 {
-    let t = (1.0 - distance).clamp(0.0, 1.0);
-    let [c0, c1, c2, c3] = wall_kernel_fraction(scene.domain.dimensions);
-    t.powi(4) * (5.0 * c0 + t * (6.0 * c1 + t * (7.0 * c2 + t * 8.0 * c3)))
-}
-
 /// What makes a linear profile of the lattice half a spacing off a wall feel no force: of the neighbours that it lacks there
 /// over 2 L/s.
 fn shear_scale(scene: &Scene) -> f64 {
     let distance = 0.5 / scene.solver.support_ratio;
-    shear_beyond(scene) / (2.0 * share_slope(scene, distance) / distance)
+    shear_beyond(scene) / (2.0 * share_slope(wall_kernel_fraction(scene.domain.dimensions), distance) / distance)
 }
 
 /// What makes the sum of L over the layers of the lattice its integral, a half.
 fn friction_scale(scene: &Scene) -> f64 {
     let ratio = scene.solver.support_ratio;
+    let fraction = wall_kernel_fraction(scene.domain.dimensions);
     let layers = 0..ratio.ceil() as u32;
-    0.5 / layers.map(|layer| share_slope(scene, (f64::from(layer) + 0.5) / ratio) / ratio).sum::<f64>()
+    0.5 / layers.map(|layer| share_slope(fraction, (f64::from(layer) + 0.5) / ratio) / ratio).sum::<f64>()
 }
 
 impl DragWalls {

@@ -17,5 +17,5 @@ mod drag_walls;
 mod walls;
 
 pub use drag_walls::{DragWalls, wall_faces};
-pub(crate) use walls::fitted_wall_kernel_fraction;
 pub use walls::{WallScales, beyond_wall, wall_kernel_fraction};
+pub(crate) use walls::{fitted_wall_kernel_fraction, share, share_slope};

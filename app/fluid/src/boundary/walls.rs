@@ -27,9 +27,16 @@ pub fn beyond_wall(dimensions: u32, distance: f64) -> f64 {
     share(wall_kernel_fraction(dimensions), distance)
 }
 
-fn share([c0, c1, c2, c3]: [f64; 4], distance: f64) -> f64 {
+/// The share of a kernel beyond a wall whose fraction has these coefficients, at a distance in h.
+pub(crate) fn share([c0, c1, c2, c3]: [f64; 4], distance: f64) -> f64 {
     let t = (1.0 - distance).clamp(0.0, 1.0);
     t.powi(5) * (c0 + t * (c1 + t * (c2 + t * c3)))
+}
+
+/// How that share grows towards the wall, 1/h.
+pub(crate) fn share_slope([c0, c1, c2, c3]: [f64; 4], distance: f64) -> f64 {
+    let t = (1.0 - distance).clamp(0.0, 1.0);
+    t.powi(4) * (5.0 * c0 + t * (6.0 * c1 + t * (7.0 * c2 + t * 8.0 * c3)))
 }
 
 /// Nodes of a midpoint rule over 0 to 1: within 1e-6 of kernels' integrals.

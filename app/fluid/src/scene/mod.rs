@@ -195,6 +195,11 @@ impl Scene {
         fill::count(self)
     }
 
+    /// Length of gravity's acceleration, m/s².
+    pub fn gravity_length_m_s2(&self) -> f64 {
+        self.gravity_m_s2.iter().map(|g| g * g).sum::<f64>().sqrt()
+    }
+
     /// Support radius h of the kernel, m.
     pub fn support_m(&self) -> f64 {
         self.fitted_spacing_m() * self.solver.support_ratio
@@ -211,6 +216,11 @@ impl Scene {
             true => self.most_substeps() as u32,
             false => self.solver.substeps,
         }
+    }
+
+    /// Rounds over the pairs of particles that a step takes: iterations, and one a substep of a solver without any.
+    pub fn iterations_a_step(&self) -> u32 {
+        self.substeps() * self.solver.iterations().unwrap_or(1)
     }
 
     /// Whether the GPU chooses how many substeps a step takes.

@@ -126,7 +126,7 @@ impl Scene {
     fn expected_speed_m_s(&self) -> f64 {
         let g_m_s2 = self.gravity_m_s2;
         let length = |v: [f64; 3]| v.iter().map(|x| x * x).sum::<f64>().sqrt();
-        let size = length(g_m_s2);
+        let size = self.gravity_length_m_s2();
         // How far the fluid reaches against gravity.
         let fall_m = (0..3)
             .filter(|_| size > 0.0)

@@ -171,7 +171,7 @@ fn share_left(before: &Scene, after: &Scene) -> f64 {
         return 0.0;
     }
     let law = |scene: &Scene| {
-        let g_m_s2 = scene.gravity_m_s2.iter().map(|g| g * g).sum::<f64>().sqrt();
+        let g_m_s2 = scene.gravity_length_m_s2();
         // Without gravity it is an impact's, which is left as it is.
         g_m_s2.max(f64::MIN_POSITIVE) * scene.substep_s().powi(2) / IterationWeights::of(scene).response
     };

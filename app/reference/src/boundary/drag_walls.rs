@@ -14,6 +14,17 @@ pub struct WallFace {
     pub friction: f64,
 }
 
+impl WallFace {
+    /// What shaders are given.
+    pub fn of(face: &brooklet_kernels::WallFace) -> Self {
+        Self {
+            velocity_m_s: DVec3::from_array(face.velocity_m_s.map(f64::from)),
+            shear_m2_s: face.shear_m2_s.into(),
+            friction: face.friction.into(),
+        }
+    }
+}
+
 /// The six walls, lowest end of each axis first.
 pub type WallFaces = [WallFace; 6];
 

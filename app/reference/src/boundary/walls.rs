@@ -3,6 +3,7 @@
 
 use super::BoundarySample;
 use crate::shared::lattice;
+use brooklet_kernels::SmoothingKernelParams;
 use glam::{BVec3, DVec3, Vec3Swizzles};
 
 /// Coefficients of the share of the kernel beyond a wall that it reaches by t: t^5 times a polynomial of
@@ -44,6 +45,16 @@ pub struct WallScales {
 }
 
 impl WallScales {
+    /// Those that shaders are given.
+    pub fn of(kernel: &SmoothingKernelParams) -> Self {
+        Self {
+            plane: kernel.wall_plane.into(),
+            edge: kernel.wall_edge.into(),
+            corner: kernel.wall_corner.into(),
+            fraction: kernel.wall_kernel_fraction.map(f64::from),
+        }
+    }
+
     /// Scales with which a lattice half a spacing from walls has density ratio 1, where
     /// `support_ratio` = h / spacing and the lattice has points beyond a corner (1.74 or more).
     pub fn new(dimensions: u32, support_ratio: f64) -> Self {

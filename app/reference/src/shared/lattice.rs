@@ -12,16 +12,20 @@ pub fn weight(dimensions: u32, support_ratio: f64) -> f64 {
 
 /// Sum of W around a lattice point over the points whose integer offset is `wanted`.
 pub fn sum_where(dimensions: u32, support_ratio: f64, wanted: impl Fn([i32; 3]) -> bool) -> f64 {
+    sum(dimensions, support_ratio, |offset, q| if wanted(offset) { kernel(q) } else { 0.0 })
+}
+
+/// Sum over the points around a lattice point, itself among them, as far as the support reaches along each axis: of their
+/// integer offset and their distance in h.
+pub fn sum(dimensions: u32, support_ratio: f64, of: impl Fn([i32; 3], f64) -> f64) -> f64 {
     let reach = support_ratio.ceil() as i32;
     let deep = if dimensions == 2 { 0 } else { reach };
     let mut sum = 0.0;
     for x in -reach..=reach {
         for y in -reach..=reach {
             for z in -deep..=deep {
-                if wanted([x, y, z]) {
-                    let r = DVec3::new(f64::from(x), f64::from(y), f64::from(z)).length();
-                    sum += kernel(r / support_ratio);
-                }
+                let r = DVec3::new(f64::from(x), f64::from(y), f64::from(z)).length();
+                sum += of([x, y, z], r / support_ratio);
             }
         }
     }

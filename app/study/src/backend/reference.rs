@@ -55,13 +55,7 @@ pub fn reference_fluid(setup: &Setup) -> Fluid {
         },
         solver: solver_of(scene),
         walls: walls_of(scene, &smoothing_kernel_params(scene)),
-        faces: domain.has_dragging_walls().then(|| {
-            wall_faces(scene).map(|face| WallFace {
-                velocity_m_s: DVec3::from_array(face.velocity_m_s.map(f64::from)),
-                shear_m2_s: face.shear_m2_s.into(),
-                friction: face.friction.into(),
-            })
-        }),
+        faces: domain.has_dragging_walls().then(|| wall_faces(scene).map(|face| WallFace::of(&face))),
     }
 }
 
@@ -71,12 +65,7 @@ fn walls_of(scene: &Scene, kernel: &SmoothingKernelParams) -> Option<DomainWalls
     domain.has_walls().then(|| DomainWalls {
         dimensions: domain.dimensions,
         axes: BVec3::from_array(std::array::from_fn(|axis| domain.has_walls_along(axis))),
-        scales: WallScales {
-            plane: f64::from(kernel.wall_plane),
-            edge: f64::from(kernel.wall_edge),
-            corner: f64::from(kernel.wall_corner),
-            fraction: kernel.wall_kernel_fraction.map(f64::from),
-        },
+        scales: WallScales::of(kernel),
         domain_size_m: DVec3::from_array(domain.size_m()),
         support_m: scene.support_m(),
     })
@@ -84,7 +73,7 @@ fn walls_of(scene: &Scene, kernel: &SmoothingKernelParams) -> Option<DomainWalls
 
 /// SPH with the settings of a scene.
 fn sph_of(scene: &Scene) -> Sph {
-    let (settings, params, limits) = (&scene.solver.sph, sph::params(scene), sph::limits(scene));
+    let settings = &scene.solver.sph;
     let kernel = |kernel: SmoothingKernel| match kernel {
         SmoothingKernel::Poly6 => Kernel::Poly6,
         SmoothingKernel::Spiky => Kernel::Spiky,
@@ -105,28 +94,11 @@ fn sph_of(scene: &Scene) -> Sph {
             kernel(settings.pressure_kernel),
             kernel(settings.viscosity_kernel),
         ),
-        terms: Terms {
-            stiffness_m2_s2: f64::from(params.stiffness_m2_s2),
-            exponent: f64::from(params.exponent),
-            least_pressure_m2_s2: f64::from(params.least_pressure_m2_s2),
-            viscosity_m2_s: f64::from(params.viscosity_m2_s),
-            tension_m3_s2: f64::from(params.tension_m3_s2),
-            separation: f64::from(params.separation),
-            separation_m2_s2: f64::from(params.separation_m2_s2),
-            supported_per_m2_s2: f64::from(params.supported_per_m2_s2),
-            borne_scale: f64::from(params.borne_scale),
-        },
+        terms: Terms::of(&sph::params(scene)),
         kicks: Kicks { before, after, end },
         density_walls: walls_of(scene, &sph::density_walls(scene)),
         pressure_walls: walls_of(scene, &sph::pressure_walls(scene)),
-        adaptive: scene.adapts_substeps().then(|| Limits {
-            cfl_m: f64::from(limits.cfl_m),
-            sound_m_s: f64::from(limits.sound_m_s),
-            force_m: f64::from(limits.force_m),
-            steady_s: f64::from(limits.steady_s),
-            step_s: f64::from(limits.step_s),
-            substeps: limits.substeps,
-        }),
+        adaptive: scene.adapts_substeps().then(|| Limits::of(&sph::limits(scene))),
         left: Left::default(),
         maxima: [0.0; 2],
     }

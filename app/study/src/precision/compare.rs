@@ -158,7 +158,7 @@ fn larger(a: f64, b: f64) -> f64 {
 /// The largest kinetic energy, or that of falling a spacing where fluid is at rest.
 fn at_play_j(scene: &Scene, full: &Course) -> f64 {
     let particles = full.moments.first().map_or(0, |stats| stats.particles);
-    let g_m_s2 = scene.gravity_m_s2.iter().map(|g| g * g).sum::<f64>().sqrt();
+    let g_m_s2 = scene.gravity_length_m_s2();
     let falls_j = f64::from(particles) * scene.particle_mass_kg() * g_m_s2 * scene.fitted_spacing_m();
     full.moments.iter().map(|stats| stats.kinetic_j).fold(falls_j, f64::max)
 }

@@ -15,6 +15,7 @@ use brooklet_fluid::{Scene, relax_particles};
 use brooklet_gpu::{Tier, tier_name};
 
 use crate::session::{Session, StudyError};
+use crate::setup::rounds_a_step;
 use crate::{Outcome, State, Task};
 use compare::figures;
 use course::{Course, Looks};
@@ -90,9 +91,8 @@ fn task(name: &str, most: f64, end_s: f64) -> Task {
 /// Particle iterations of a scene in all ways.
 pub fn cost(task: &Task) -> Option<f64> {
     let scene = Scene::load(&task.case, &task.settings).ok()?;
-    let each = f64::from(scene.substeps()) * (f64::from(scene.solver.iterations().unwrap_or(1)) + 2.0);
     let steps = course::looks_of(&scene).steps() as f64;
-    Some(RUNS as f64 * scene.particle_count() as f64 * steps * each)
+    Some(RUNS as f64 * scene.particle_count() as f64 * steps * rounds_a_step(&scene))
 }
 
 /// Runs a scene in every way.

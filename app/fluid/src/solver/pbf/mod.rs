@@ -96,7 +96,7 @@ const SEPARATION_TIME: f64 = 0.055;
 
 /// That of a scene. Without gravity the step is what others' substeps are held against.
 pub(crate) fn separation_lambda(scene: &Scene) -> f64 {
-    let g_m_s2 = scene.gravity_m_s2.iter().map(|g| g * g).sum::<f64>().sqrt();
+    let g_m_s2 = scene.gravity_length_m_s2();
     let fall_s = SEPARATION_TIME * (scene.fitted_spacing_m() / g_m_s2).sqrt();
     let whole_s = if g_m_s2 > 0.0 { fall_s } else { scene.solver.dt_s };
     SEPARATION_LAMBDA * (scene.substep_s() / whole_s).min(1.0)

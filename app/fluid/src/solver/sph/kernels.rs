@@ -3,7 +3,7 @@
 
 use brooklet_kernels::{SmoothingKernelParams, SphKernels};
 
-use crate::boundary::fitted_wall_kernel_fraction;
+use crate::boundary::{WallScales, fitted_wall_kernel_fraction, share, share_slope};
 use crate::scene::{Scene, SmoothingKernel};
 use crate::smoothing_kernel::for_lattice;
 use crate::smoothing_kernel_params::smoothing_kernel_params;
@@ -140,24 +140,12 @@ fn wall_distance(scene: &Scene) -> f64 {
     0.5 / scene.solver.support_ratio
 }
 
-/// The slope of the share beyond a wall at a distance in h, 1/h.
-fn slope_at(walls: &SmoothingKernelParams, distance: f64) -> f64 {
-    let t = 1.0 - distance;
-    let [c0, c1, c2, c3] = walls.wall_kernel_fraction.map(f64::from);
-    t.powi(4) * (5.0 * c0 + t * (6.0 * c1 + t * (7.0 * c2 + t * 8.0 * c3)))
-}
-
-fn share_at(walls: &SmoothingKernelParams, distance: f64) -> f64 {
-    let t = 1.0 - distance;
-    let [c0, c1, c2, c3] = walls.wall_kernel_fraction.map(f64::from);
-    t.powi(5) * (c0 + t * (c1 + t * (c2 + t * c3)))
-}
-
 /// What makes a wall bear the half of a first layer's weight that the fluid above leaves to it.
 pub(super) fn borne_scale(scene: &Scene) -> f64 {
     let walls = pressure_walls(scene);
     let s = wall_distance(scene);
-    0.5 / (f64::from(walls.wall_plane) * (share_at(&walls, s) + s * slope_at(&walls, s)))
+    let fraction = walls.wall_kernel_fraction.map(f64::from);
+    0.5 / (f64::from(walls.wall_plane) * (share(fraction, s) + s * share_slope(fraction, s)))
 }
 
 /// What the neighbours that the lattice's first layer lacks beyond a wall weigh in its Laplacian, 1/h², over the difference
@@ -174,8 +162,7 @@ fn walls_of(scene: &Scene, kernel: SmoothingKernel) -> SmoothingKernelParams {
     }
     let shape = shape(kernel);
     let fraction = fitted_wall_kernel_fraction(scene.domain.dimensions, |q| shape.at(q));
-    let scales =
-        crate::boundary::WallScales::of(scene.domain.dimensions, scene.solver.support_ratio, |q| shape.at(q), fraction);
+    let scales = WallScales::of(scene.domain.dimensions, scene.solver.support_ratio, |q| shape.at(q), fraction);
     SmoothingKernelParams {
         wall_plane: scales.plane as f32,
         wall_edge: scales.edge as f32,
@@ -256,7 +243,8 @@ mod tests {
             let shape = shape(scene.solver.sph.density_kernel);
             let weight = f64::from(sph_kernels(&scene).density_self) / shape.at(0.0);
             let inside = weight * (shape.at(0.0) + sum(&scene, |step, q| if step[1] <= 0 { shape.at(q) } else { 0.0 }));
-            let beyond = f64::from(walls.wall_plane) * share_at(&walls, wall_distance(&scene));
+            let fraction = walls.wall_kernel_fraction.map(f64::from);
+            let beyond = f64::from(walls.wall_plane) * share(fraction, wall_distance(&scene));
             assert!((inside + beyond - 1.0).abs() < 1e-5, "{name}: {inside} + {beyond}");
         }
     }

@@ -59,7 +59,7 @@ const SEPARATION_IN_TENSION: [f64; 2] = [0.9, 0.15];
 pub fn params(scene: &Scene) -> SphParams {
     let (sph, support_m) = (&scene.solver.sph, scene.support_m());
     let stiffness_m2_s2 = scene.stiffness_m2_s2();
-    let g_m_s2 = scene.gravity_m_s2.iter().map(|g| g * g).sum::<f64>().sqrt();
+    let g_m_s2 = scene.gravity_length_m_s2();
     let tension_m3_s2 = sph.surface_tension_n_m / scene.rest_density_kg_m3() / kernels::tension_sum(scene);
     let [distance, compression] = if sph.surface_tension_n_m > 0.0 { SEPARATION_IN_TENSION } else { SEPARATION };
     let [_, _, end_kick] = sph.integrator.kicks();

@@ -1,5 +1,7 @@
 //! How long a substep is. (Shader: `solver/sph/choose_time_step.compute`.)
 
+use brooklet_kernels::SphLimits;
+
 /// What limits it; see `SphLimits`.
 #[derive(Clone, Copy, Debug)]
 pub struct Limits {
@@ -38,6 +40,18 @@ pub struct Chosen {
 }
 
 impl Limits {
+    /// What shaders are given.
+    pub fn of(limits: &SphLimits) -> Self {
+        Self {
+            cfl_m: limits.cfl_m.into(),
+            sound_m_s: limits.sound_m_s.into(),
+            force_m: limits.force_m.into(),
+            steady_s: limits.steady_s.into(),
+            step_s: limits.step_s.into(),
+            substeps: limits.substeps,
+        }
+    }
+
     /// The longest allowed substep after one with this fastest particle and largest acceleration, s.
     pub fn limit_s(&self, max_speed_m_s: f64, max_acceleration_m_s2: f64) -> f64 {
         let cfl_s = self.cfl_m / (self.sound_m_s + max_speed_m_s);

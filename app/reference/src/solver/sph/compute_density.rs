@@ -4,6 +4,8 @@ use super::kernels::Kernel;
 use crate::boundary::sample_boundary;
 use crate::boundary::walls::DomainWalls;
 use crate::params::Smoothing;
+use crate::shared::lattice;
+use brooklet_kernels::SphParams;
 use glam::DVec3;
 
 /// One term's kernel, scaled.
@@ -30,7 +32,10 @@ impl Kernels {
     /// Scaled on the lattice of `dimensions` and `support_ratio` = h / spacing.
     pub fn new(dimensions: u32, support_ratio: f64, density: Kernel, pressure: Kernel, viscosity: Kernel) -> Self {
         let d = f64::from(dimensions);
-        let sum = |of: &dyn Fn(f64) -> f64| lattice_sum(dimensions, support_ratio, of);
+        // But for the particle itself.
+        let sum = |of: &dyn Fn(f64) -> f64| {
+            lattice::sum(dimensions, support_ratio, |_, q| if q > 0.0 && q < 1.0 { of(q) } else { 0.0 })
+        };
         Self {
             density: Term { kernel: density, scale: 1.0 / (density.w(0.0) + sum(&|q| density.w(q))) },
             pressure: Term { kernel: pressure, scale: 1.0 / sum(&|q| -pressure.slope(q) * q / d) },
@@ -43,22 +48,6 @@ impl Kernels {
         let q = offset.length();
         if q == 0.0 { DVec3::ZERO } else { -self.pressure.scale * self.pressure.kernel.slope(q) / q * offset }
     }
-}
-
-/// Over a lattice's points inside the support but for the middle one.
-fn lattice_sum(dimensions: u32, support_ratio: f64, of: &dyn Fn(f64) -> f64) -> f64 {
-    let reach = support_ratio.ceil() as i32;
-    let deep = if dimensions == 2 { 0 } else { reach };
-    let mut sum = 0.0;
-    for x in -reach..=reach {
-        for y in -reach..=reach {
-            for z in -deep..=deep {
-                let q = f64::from(x * x + y * y + z * z).sqrt() / support_ratio;
-                sum += if q > 0.0 && q < 1.0 { of(q) } else { 0.0 };
-            }
-        }
-    }
-    sum
 }
 
 /// The terms of the equation of motion.
@@ -82,6 +71,23 @@ pub struct Terms {
     pub supported_per_m2_s2: f64,
     /// Of what they bear.
     pub borne_scale: f64,
+}
+
+impl Terms {
+    /// What shaders are given.
+    pub fn of(params: &SphParams) -> Self {
+        Self {
+            stiffness_m2_s2: params.stiffness_m2_s2.into(),
+            exponent: params.exponent.into(),
+            least_pressure_m2_s2: params.least_pressure_m2_s2.into(),
+            viscosity_m2_s: params.viscosity_m2_s.into(),
+            tension_m3_s2: params.tension_m3_s2.into(),
+            separation: params.separation.into(),
+            separation_m2_s2: params.separation_m2_s2.into(),
+            supported_per_m2_s2: params.supported_per_m2_s2.into(),
+            borne_scale: params.borne_scale.into(),
+        }
+    }
 }
 
 /// What pairs gather of a particle.
