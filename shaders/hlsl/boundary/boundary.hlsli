@@ -16,6 +16,7 @@ struct BoundarySample
     float density;              // the density ratio that it adds
     float3 gradient;            // of that over the position, 1/h
     float3 correction_scale;    // what the fluid's own correction is multiplied by along each axis
+    float3 borne;               // of the fluid's weight, where its pressure goes on beyond as in fluid at rest
 };
 
 #if defined(WALLS)
@@ -29,13 +30,8 @@ BoundarySample SampleBoundary(float3 position_m, StepParams step, SmoothingKerne
     boundary.density = WallDensity(walls, kernel);
     boundary.gradient = WallGradient(walls, kernel);
     boundary.correction_scale = AlongWalls(walls, kernel);
+    boundary.borne = WallBorne(walls, kernel);
     return boundary;
-}
-
-// What the boundary bears of the fluid's weight along each axis, where its pressure goes on beyond as in fluid at rest.
-float3 HydrostaticShare(float3 position_m, StepParams step, SmoothingKernelParams kernel)
-{
-    return HydrostaticShareOf(position_m, step, kernel);
 }
 
 // The position, moved to where the boundary lets a particle be.
@@ -70,12 +66,8 @@ BoundarySample SampleBoundary(float3 position_m, StepParams step, SmoothingKerne
     boundary.density = 0.0;
     boundary.gradient = 0.0;
     boundary.correction_scale = 1.0;
+    boundary.borne = 0.0;
     return boundary;
-}
-
-float3 HydrostaticShare(float3 position_m, StepParams step, SmoothingKernelParams kernel)
-{
-    return 0.0;
 }
 
 float3 ConfinePosition(float3 position_m, StepParams step)

@@ -19,7 +19,15 @@ struct WallKernelFractions
 {
     float3 share;
     float3 slope;   // of the share over the position, 1/h
+    float3 moment;  // of the slopes, each times its wall's distance in h
 };
+
+// Of one wall's share, 1/h: how it grows towards a wall into which the kernel reaches by `reach`, in h.
+float3 WallShareSlope(float3 reach, SmoothingKernelParams kernel)
+{
+    float4 by = kernel.wall_kernel_fraction * float4(5.0, 6.0, 7.0, 8.0);
+    return reach * reach * (reach * reach) * (by.x + reach * (by.y + reach * (by.z + reach * by.w)));
+}
 
 WallKernelFractions WallKernelFractionsAt(float3 position_m, StepParams step, SmoothingKernelParams kernel)
 {
@@ -27,14 +35,15 @@ WallKernelFractions WallKernelFractionsAt(float3 position_m, StepParams step, Sm
     float3 low = saturate(1.0 - (position_m - step.wall_min_m) * kernel.inverse_support_per_m);
     float3 high = saturate(1.0 - (step.wall_max_m - position_m) * kernel.inverse_support_per_m);
     float4 of = kernel.wall_kernel_fraction;
-    float4 by = of * float4(5.0, 6.0, 7.0, 8.0);
     float3 low4 = low * low * (low * low);
     float3 high4 = high * high * (high * high);
     WallKernelFractions walls;
     walls.share = low4 * low * (of.x + low * (of.y + low * (of.z + low * of.w)))
                 + high4 * high * (of.x + high * (of.y + high * (of.z + high * of.w)));
-    walls.slope = high4 * (by.x + high * (by.y + high * (by.z + high * by.w)))
-                - low4 * (by.x + low * (by.y + low * (by.z + low * by.w)));
+    float3 low_slope = WallShareSlope(low, kernel);
+    float3 high_slope = WallShareSlope(high, kernel);
+    walls.slope = high_slope - low_slope;
+    walls.moment = (1.0 - low) * low_slope + (1.0 - high) * high_slope;
     return walls;
 }
 
@@ -75,16 +84,9 @@ float3 AlongWalls(WallKernelFractions walls, SmoothingKernelParams kernel)
 // What walls bear of the fluid's weight along each axis: the integral of u dW/du beyond them, u from the particle, with
 // which a pressure that grows by rho g u pushes back. Along a wall that is the density beyond it, by parts; across one the
 // wall's distance times its slope besides.
-float3 HydrostaticShareOf(float3 position_m, StepParams step, SmoothingKernelParams kernel)
+float3 WallBorne(WallKernelFractions walls, SmoothingKernelParams kernel)
 {
-    float3 low = saturate(1.0 - (position_m - step.wall_min_m) * kernel.inverse_support_per_m);
-    float3 high = saturate(1.0 - (step.wall_max_m - position_m) * kernel.inverse_support_per_m);
-    float4 by = kernel.wall_kernel_fraction * float4(5.0, 6.0, 7.0, 8.0);
-    float3 low4 = low * low * (low * low);
-    float3 high4 = high * high * (high * high);
-    float3 across = (1.0 - low) * low4 * (by.x + low * (by.y + low * (by.z + low * by.w)))
-                  + (1.0 - high) * high4 * (by.x + high * (by.y + high * (by.z + high * by.w)));
-    return WallDensity(WallKernelFractionsAt(position_m, step, kernel), kernel) + kernel.wall_plane * across;
+    return WallDensity(walls, kernel) + kernel.wall_plane * walls.moment;
 }
 
 #endif

@@ -121,7 +121,7 @@ fn what_cannot_be_reloaded_says_where_and_why() {
     let line = line.lines().position(|line| line.contains("velocity_m_s += step_params")).unwrap() + 1;
     assert!(error.contains(&format!("predict.compute:{line}")), "{error}");
 
-    let error = refused(predict, "InterlockedAdd(counters[0].speed_clamps, 1u, before);", "");
+    let error = refused(predict, "velocity_m_s = Slowed(velocity_m_s);", "");
     assert!(error.contains("it no longer uses counters") && error.contains("again"), "{error}");
     let error = refused(predict, "[numthreads(PARTICLE_GROUP, 1, 1)]", "[numthreads(32, 1, 1)]");
     assert!(error.contains("its group has [32, 1, 1] threads, not [64, 1, 1]"), "{error}");

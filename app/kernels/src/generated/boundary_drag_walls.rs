@@ -77,5 +77,5 @@ static DRAG_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/drag_walls.compute",
-    hash: "cf64ddd0e11d49c4c1855837a97cfca2c0ff7b01ce81a43a306453189d06f0bb",
+    hash: "09ee54355b21daa61c1182409f235aa61bf86b848ac5a313f5192dfa90e8f201",
 };

@@ -97,7 +97,7 @@ static DENSITY_RATIOS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "f5397950b3c67801b6ea0b86e88d29fc06df76d97d2e41ca155b14459dc40a9e",
+    hash: "9e2e52017e5021dfd0257961e75e57dbcb9689f3166f30ebced1fe01b749f2bd",
 };
 
 static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
@@ -110,7 +110,7 @@ static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "0248c97dd632703375f6144c88f738043b93fe6cedc9566896cc4c3498a65ccf",
+    hash: "1bcff21d859a3994629244531527c86dc2a5268a07a2df6fca1e8e037ecfd063",
 };
 
 static DENSITY_RATIOS_WITH_WALLS: Module = Module {
@@ -123,7 +123,7 @@ static DENSITY_RATIOS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "5579542ce9c70da0dd9d264c32903be087ea9e71966915381c8bb7951bdc8c40",
+    hash: "89a59699f4462b1a7b1b34a6be62e3f8fd575cd850ca3dfd084510d430e2f64b",
 };
 
 static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -136,5 +136,5 @@ static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "267cfbd167e0289d003f3bee9fba56b89888ec3e84b6817f9a0f88bc4478d919",
+    hash: "9def8b7172f50626aa7605661377644b35941141a131f988449f3b0ee4faa999",
 };

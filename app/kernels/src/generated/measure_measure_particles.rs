@@ -132,7 +132,7 @@ static MEASURE_PARTICLES: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "51ae7a47c21b6174f2f407795cbc816dd9e207f7e753674a5b375f70a0f2c5c6",
+    hash: "7ec586aa4ddb78dac38a961e93c0eeae8edac7dff842e6f55018ead7d9b07bf7",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
@@ -145,7 +145,7 @@ static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "ecdf2220842fa3135b0dfc08769adf2c8f3660e67682b4a015aa3c5f905550e2",
+    hash: "553341acd5093962683c6aa486cd73a989d0570cb08ec155dc6ea92c7e5a1f2e",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
@@ -158,7 +158,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "3da95b51e1d8aa7bed0c8e2e26b33a8fd3116951974372bf5f26142478e06e2c",
+    hash: "d51c6e67d404428fbe45bb28b40803a2c450d9757aaa07a0f8a6f6d4578e75fd",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
@@ -171,7 +171,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "df8222b740ddaa73237f0a4e3ec9894ad760f0bbd9d8873942a47767dd463ecd",
+    hash: "7f063d398db79186de9cff3ecaab7dcfb84a94b457a16d87bb0e7395e3802c1d",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -184,5 +184,5 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module 
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "40001faae48c27450d8bbed203fd2a14fa04b6810ba1c1111e3def32b941e8a7",
+    hash: "8328db985ffa9ed54c09baf4793e8354e87295560a595b2de111decb5e15f493",
 };

@@ -140,7 +140,7 @@ static ADVECT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "c1ef3b0798d2a83213b2f76820795923b77ec90ca5f5ad80a7653139f01c5563",
+    hash: "ced5e0da8dafd7b2cb0db010df255fb73a494323e7c7cb59cd17e202dbf17a45",
 };
 
 static ADVECT_WITH_PERIODIC: Module = Module {
@@ -153,7 +153,7 @@ static ADVECT_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "4a540ab6fb61e156f3a713bd041734ac030cc27b5e2f6ae817d2b33ed0e82ee9",
+    hash: "a85474a995820e22e82b7046f8130d7014ed7cbcbae6eccd14b27288913e8862",
 };
 
 static ADVECT_WITH_WALLS: Module = Module {
@@ -166,7 +166,7 @@ static ADVECT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "763991e22f7beb7afc816cc2357c37e426b07c68f527d9cc1cc66267c3cd1188",
+    hash: "188fbb80e434e21f1131f222c2e21a127b77fec1cea84d4aeac76563da79f571",
 };
 
 static ADVECT_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -179,7 +179,7 @@ static ADVECT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "95ce4e68444c36748d7bd60a87da1f63e3c2c10c27509cc665051dfc191b612a",
+    hash: "7668f81ddce3f283a1fadaf6543cf257c878a6dc0300b97aad7b791de5da8809",
 };
 
 static ADVECT_WITH_ACCELERATED: Module = Module {
@@ -192,7 +192,7 @@ static ADVECT_WITH_ACCELERATED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "aa7741f00d5c4a48b16a2aed5f8f083e7fcffd9e1aae243c41c25ab565dc51cd",
+    hash: "75cdadbdf7fac901471e6007d01b97519e50d05b0b3324961338e90707b78a3d",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_PERIODIC: Module = Module {
@@ -205,7 +205,7 @@ static ADVECT_WITH_ACCELERATED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "e128d44e4d7960e91d186c36d727b3a121d1e97f85308b7093500d76ca41a18e",
+    hash: "9d67b85f8b2c515cc4d11e917c56cbc5a162512b7f7b890e34ccc92fd13ca53a",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_WALLS: Module = Module {
@@ -218,7 +218,7 @@ static ADVECT_WITH_ACCELERATED_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "5bdb73065416036a940daee23d972bdc65678992da978a1400bbfa9e70e84007",
+    hash: "e901db659bbd40d925358614a26d4477fec3c114f314c3a814f2f9c169f8e217",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -231,5 +231,5 @@ static ADVECT_WITH_ACCELERATED_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "6d3f7740856d3b41ece5f814ae0cd2c80b04fe0cab2813e8549429dbf911a7ee",
+    hash: "0b8b19eb4967ee41eca01133efc9e7dba665fdb59feae338f054d0d037df1c0b",
 };

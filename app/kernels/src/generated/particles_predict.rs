@@ -94,7 +94,7 @@ static PREDICT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "fa381948383d46af745dc25f3f91fcba1035104d6c8a3d2d1a567628297255d0",
+    hash: "dd8429c2f351c1f754b1cb0c37c0614dc569da0d6e6fc733a4b9c370875a1ec8",
 };
 
 static PREDICT_WITH_PERIODIC: Module = Module {
@@ -107,7 +107,7 @@ static PREDICT_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "e6d64e4d4f82bb236ae9eb981f47828a65515cf06d68dacf28db2e6112e00dbc",
+    hash: "ac9a599c75b725ed8274d1cd2cdb6610fb366108824bd2b3c856748515d0b07d",
 };
 
 static PREDICT_WITH_WALLS: Module = Module {
@@ -120,7 +120,7 @@ static PREDICT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "a6e8a65243213dcd6aa7562012a6ba5a30d7af99c4951755e50727fd4c091a3f",
+    hash: "300d1d660e80ecc49b9120c1a2d98366019c8fc8e7bccd5023913fd5e62980e1",
 };
 
 static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -133,5 +133,5 @@ static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "2835c5013da41a44daf642356dfc9d3e963855b635fa966a6399d450f4e1d105",
+    hash: "4721205fced6fb362f750609b58ff480803caece3cebcb3f8efdef96fad1409c",
 };

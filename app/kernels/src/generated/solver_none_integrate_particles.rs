@@ -102,7 +102,7 @@ static INTEGRATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "cfe74f9543ca7bc19d807ef946f2863c2cd587ae950393e56da1922d374cc288",
+    hash: "e5e6bab0ee187ba067e47e868b3ceeb11b8d2d27505e132465181c33eba5252b",
 };
 
 static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
@@ -115,7 +115,7 @@ static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "2dba8aab3f0e8bfbbd136a1913aae1d00bf5ae49e4f78330288b1500311ec236",
+    hash: "4a7fcae24d7be9736fd28ae35c5a9014fda2ceaf2f683bf200a42c6e3772131d",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
@@ -128,7 +128,7 @@ static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "2bdd595a661471765fd146d6dafe5aac865795fbd7ee4804f10a12524df532d6",
+    hash: "6e92350ccb32d1d50e0966003960e80df9ebb122e746ee802fd62be51fbbe485",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -141,5 +141,5 @@ static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "94fe7e5a0b1992de038cb947fc0f9334cdc4ed2814eaac9ae967a011b1424698",
+    hash: "ec8a42b1f3ab28d97352dccb3e16fe286aa35529143642841b1781ca1169ebdf",
 };

@@ -485,7 +485,7 @@ static CONSTRAIN_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "0e60f498241da1e18146ec37933d219e388fd4d7bbef56763df7d7191d41dc1d",
+    hash: "513ff3a7b397d97f31502a6ecb2a5d0e19946c5725da613d805fcba744258326",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -498,7 +498,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "28771fe2a6f1f07ad386d183481cd881526ce3ab0d20e33839fd59608a5d6f0d",
+    hash: "b8dd1162a1bd50e9c1d60f253763c30ba2697da51ef8ad1f9159277226574728",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -511,7 +511,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "2a58339a941fea3b9d9a96cff5eaa0a527cb01d22b42fd773b96f0bfe44a1bad",
+    hash: "21fa727c2f1daa25e6d4d19da1861dbabedd7e4dc82fd894b3841f7e7b87b160",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
@@ -524,7 +524,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "faf3cac2f3cbc2c7ab7423cbdc123491a875e67eeb4c7c0a66619c2e8a4fb538",
+    hash: "06615472fd9903d8fa6113c80526debaa6e6156e0b1fe7ea03ec4923cccf8902",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -537,7 +537,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "a63db44c6852a03a808ce49af83c7e6f747462e89b3ad2cd09a0a20c79b238d9",
+    hash: "bfda54ff3fbaa927b2be337b7bcd54cb7996eae24844fa6d02497be88e903d65",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -550,7 +550,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "7a2eee5f903b972f7bb1d5369288ac77ae061269380b28ae93248f450a1d89c3",
+    hash: "e69a6dbd5d9cec7783f9fa9849c58add0bdc3d0ae7c495767ff55af19ae568df",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -563,7 +563,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "dd7fa94ca9e24680308f620b3f2623f8898bd070ed45d9cccd55ecc109a514fe",
+    hash: "876c618f82df4a3b519cf45f436bf79b3d277f2dd8a09093a6d514d0e51e421b",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -576,7 +576,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "ac2d1431c12eec24f2eeccfb549e3f1c547d94c85e6d7150b72fed4f7493594b",
+    hash: "488f095917b138514a6c117fb0c4d21613da18da98f9544d4b48629b297f9774",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -589,7 +589,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "64b1524e331f11142dacf96d5474b3ad71296df05b0d783d852d4fa684ff4707",
+    hash: "65438bb4ce212937f1aeb394b0bfdfdab25d8e531e7302bf3b2d7163126c5311",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -602,7 +602,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "8a802661097ceb262a3ba3223a27bf0cbe34739da719c9ebaabcf4c788cb16f8",
+    hash: "22faa94b22987e8284bdf2ce18e8570b039ef200c0e9244cedad5713a1ee2ee5",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -615,7 +615,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "c9081bba15488d88873e42a156dc666c5e0a3230da2045e3e1f9dd8ee626a2b9",
+    hash: "d7d7a004a057f750bc29f454561cf070d8da9714f6a1f930ae69c20ada5fe20b",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -628,7 +628,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "84c2e0eb901af9f9e74c602654d423dbf4d42672caa27509b7f23641082e8662",
+    hash: "02a8ab7e368df48e515c3ee126ac3723e71d3343362cc188e06f2beab9aac049",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
@@ -641,7 +641,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "3e7f72668fefcbdeaa4d9b265a03b15ebf5a110c7108299c36021446bfe583f7",
+    hash: "a6eff54819b935594cb210870aa6ebad29948118bc02aae0a14de144faa1689a",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -654,7 +654,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "e7aaf53781c76431b9fbf2627ffb7b5a0cadf5e14e18cb3c170b86bef8d1cdaa",
+    hash: "7f32a9d55cf43ac4c7a1f912d673df8cd242e3e7ca1f0c3d6e1013125f89abdc",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -667,7 +667,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "d56acc1fdd177f8bbc41a1dc4c21312f29c48e5f989eef058a8fb2ecf432be0e",
+    hash: "ef4471e03617f15e1bd4aac7903d63ff11d917ce164f8695d9894d61a9c6948b",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
@@ -680,7 +680,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "ed4b77d37886cc9bd56c6f14acd6346589ca08c0fc0f1fbaacdf8a76c224f43e",
+    hash: "2f0353fc2a42126fbab9ddca35ec9a56f9674a8953bb3d8727b684e443142b1a",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -693,7 +693,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "95b50417201f55830ac8523e99775c5cd1ae4e73dbc20477dcfa2d44d1e556b9",
+    hash: "675845d872d468c06eca4bc73029d3dfa74f341d769de34ea21539a62dd9b4ff",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -706,7 +706,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "d2c8daff809bcba285ad7c5cc79d1a8bd19ae011b4b11433e022aa0d9cb21d36",
+    hash: "66f2f4ed23ecf4cab9eb75f8934bc6ce0a7e032c5e86a561f001ca543e987c85",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -719,7 +719,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "5fc3f68435cf01e28c35365b2823c9531f1cca9668098ce3d7fe360c72e50acb",
+    hash: "bcd6c2b554f8a73e3b50c3c62c36fffbe975ee44e4243ccd712682cd115f05cf",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -732,7 +732,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECI
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "4dc8608e67bf95043ba84c50a0d7c9c304bdcc790d906490f7b481ee1f4b8c0f",
+    hash: "9fac87b84451122576e981064fc584cde8a4016da190cbc8f7e00e8eefe378c6",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -745,7 +745,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISIO
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "e7697553e6e171e5d62b208b49944b16b326e06b4f277e269ecad03170e5498f",
+    hash: "18ca4e03afa9e16920b721596f33b255c62c8af41dca6f1d95574831e8d38135",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -758,7 +758,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "4ebcdb3e7388d82b01caeea5392fd58ff29670c693d8980788d594fee09b57b8",
+    hash: "264efa7de0c1c8b9c5dcfb8fc4f7dbec1ec539e9be6b98a28acbd57fceb7df30",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -771,7 +771,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECIS
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "256194de7d75b6122a607a208b488dded14b0cdf56d290c12a12bdeb91454820",
+    hash: "fe54f45f54fd20cd52cfa2b36f4e2fdb6d34b4c58942751817ee959cbbed6f82",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -784,5 +784,5 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "f9a520a2a249d0ee06dfc8ae924a8e6f10a40e599df6bc1625da7fef2fb25caf",
+    hash: "d1a34ebbb9a0d90f9cc5a3c96d083aa458deb77c8114db51a2e722e64f8e84ae",
 };

@@ -180,7 +180,7 @@ static CORRECT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "d969d313d97dcdfc0e262a7d968046e74177690f72ad84fe5df532e91554d040",
+    hash: "b250b96d8e1478c2ee3a8753e87685c7e66b7c1cfea2515512b7e393dc7b16f1",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
@@ -193,7 +193,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "ec3679ca77b7f77ca47da990288923dd431964565792635c1d87fc50f8aa559e",
+    hash: "1ab71afbb5abe4224f48287bfa8a28d2e1db74185fd516e37ddca8eb5ec10ec0",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
@@ -206,7 +206,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "8c7c4b2915c2594ec1c31f1b33be85d96f13a085abf45b6f47b417e89e292884",
+    hash: "2278c21fe992d56870c627153f9fc227ebe36d1359ba85a6f660c378bb62fd93",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
@@ -219,7 +219,7 @@ static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "322a3eb58530cc73c42c84e705a2e0525372066f021916ab805df1a168a8a4fc",
+    hash: "e1583a06cb818c1bec8c23def290b199c91c2b01dd2803a6bb5a137b5b524506",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -232,7 +232,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "5d0c49cde52e89cfa4bbdeaa641b88c236b1edadc770746c9eebd73944517406",
+    hash: "ebbc17d31d3669be5d38a8921c1645f461e9d63154f8e4867b2b3063f38b9976",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -245,7 +245,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "0f7bde8436dabb4ec0fd4e5d07b97af6bf1ee26f3b3c08e1572bf35f43b3ffc2",
+    hash: "b45d2ab85f043b880527c650b6160add5f90bcbc7c04d0b305a4b687452dd35d",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
@@ -258,7 +258,7 @@ static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "a80115775238b0e1b7b2807feda05d9281ff75fc40a9e8a49a3c61289c3a269c",
+    hash: "c8acf5a022956120c725a3138aa81de62946867c62b686ee52c9e99a83519540",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -271,7 +271,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "904fb466d775c1902cc1ac32f6274624f3d7609c76e4cee1cf7c09642f75b710",
+    hash: "24f4b237c3c5a8033b1bf82b1ff7f3bb378b50775407332da08b2b3bba187e4a",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -284,7 +284,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "4ddecd19c3dc5629ec64246fc1f90eb640bd6382372d03649ee73d9fc657c984",
+    hash: "bb4d4af2fb9e6879e03b6ebd9a8a25958227e9d54911ad0f8b300cd6475ef9cb",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
@@ -297,7 +297,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "36283358c7fad6ddb45119c14750789bc0773cf95bc63b52c0d8ed3a7521e4ad",
+    hash: "6de81f2a8c23d70a9b357a10f3aa3509c3b196306b685b466c8c18a0d02b644d",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -310,7 +310,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "63a90836d3045fa0e8d2eab38c874b99188f383e726e24daf00574e01b275fb1",
+    hash: "2f2630e18ffff70240137b98032a3c37069b27853fcc469835be780a42640fb2",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -323,5 +323,5 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "61d6efb2e932e5d62d3e41c3f3ecfa39a8c4f24e0468b47d8fc0e0b67a56dbd9",
+    hash: "74fa0cfe0c4ee6a4b84b4d9a1e14ec0bc47c6243ce851694097c90b61b132d42",
 };

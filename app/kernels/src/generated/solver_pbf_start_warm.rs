@@ -201,7 +201,7 @@ static START_WARM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "03008c3a92e0d028d1869d5af755f3a2a1199f4a94a1e495b62ab70bae44c8e1",
+    hash: "9c8549c3b7c20c99f2110f70c80c65621151282dfc9aaf807f70f69a84cb3650",
 };
 
 static START_WARM_WITH_RELAXED_PRECISION: Module = Module {
@@ -214,7 +214,7 @@ static START_WARM_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "cdc745874523b7f2b4b35107ab8739676080f4029fa37b9e79e2ec1d6b4b8838",
+    hash: "08370e5a04c32d37fa1767d981432755d397ffbaeb241429776a67c0f1586670",
 };
 
 static START_WARM_WITH_WALLS: Module = Module {
@@ -227,7 +227,7 @@ static START_WARM_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "8bf982ed0782deb403ab4484d44206289f868366ac1e48d1d64d55b109442f49",
+    hash: "20b32ce90aa3bbd56784b5842714570e2b5c9d0b4571dee85332c4eb183356c6",
 };
 
 static START_WARM_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -240,5 +240,5 @@ static START_WARM_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "21e9d2dc9248ba50488004f1935fdf7045cea506b17e5b9e8a253ed5716b39dc",
+    hash: "01de27e509d899d79036679c6136ea182211c9519a884a618a9697e8e3295da3",
 };

@@ -211,7 +211,7 @@ static UPDATE_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "d8529f7283e2c4b436d6d1244d5330b8eec705f598718a17900c1dc8ee0130f3",
+    hash: "f11bd5e5d951238292b21cf67d1428fc5196841d400d6b97b5cfb39a667dcb34",
 };
 
 static UPDATE_VELOCITY_WITH_KEEP_VELOCITY: Module = Module {
@@ -224,7 +224,7 @@ static UPDATE_VELOCITY_WITH_KEEP_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "b5375c0b52617a202cc00c981a4b3576030bb826f21a998e3b4294e0f1a6b864",
+    hash: "8eeca74f659210eee9f3284eac090f4150853449bf0659183fce700b2add7716",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
@@ -237,7 +237,7 @@ static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "fef8a97da62e1a6da3f0f50becced45220fc1f9585d2433b2fe51e702db9cd6d",
+    hash: "e3fa02527e3741522ef8ab19b292053e6346b89e83b495c76e2a986d53f03519",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC_WITH_KEEP_VELOCITY: Module = Module {
@@ -250,7 +250,7 @@ static UPDATE_VELOCITY_WITH_PERIODIC_WITH_KEEP_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "c0dcccd6cd6b5353c311f072677d00908b1ea81f0591366ba2430fb40d44b19e",
+    hash: "2de2b04856650a828db9ab41c996a4f36ce4a8a8baf3534f9d72e94ef309379b",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -263,7 +263,7 @@ static UPDATE_VELOCITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "24e3872f55d1756b01d51748a158ec67d8eb5ed4b1cad30a937fb8ac11a165fb",
+    hash: "86600e414697e5442411743a1ce62230a5ce062e9ba16e1952268134cd8440f7",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_KEEP_VELOCITY: Module = Module {
@@ -276,7 +276,7 @@ static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_KEEP_VELOCITY: Module = Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "ec860c07d81cd5fad8947a45eb0798e97939882221859d0522a1f79eb8912810",
+    hash: "6bf224ace646ddafe6bbc5c00ad1d0dfe70a2a0f547cf5bdd29221e1f221d610",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC: Module = Module {
@@ -289,7 +289,7 @@ static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "cc9437a751cab2c776b709edd4fe6329a3e6456bc913786cd65cc5ae1a45ef4e",
+    hash: "3ef6e3f3cc2b200def498995194e6c57b4fa73b58de6c611be96ae9c97be3d86",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC_WITH_KEEP_VELOCITY: Module = Module {
@@ -302,5 +302,5 @@ static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC_WITH_KEEP_VELOCITY: 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "4daf804a9ecfbda732e3a1e506c7955cd51a1374c8b9b5eabc1bf522811d3fa4",
+    hash: "49dd604deaf085251ca32f2c9f1da114b60cdcc228f2247a0a2b86988bd995ff",
 };

@@ -261,7 +261,7 @@ static ACCELERATE: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "6fdf06690ba9d4695e1de5e47135d7f200b2cfaaad6298ab7272e415705df479",
+    hash: "2782b9862586e3ac347ae58478612077fb002126a009fa43f3a4f17f5a70e83a",
 };
 
 static ACCELERATE_WITH_RELAXED_PRECISION: Module = Module {
@@ -274,7 +274,7 @@ static ACCELERATE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "cb21c5a513bc79fe822bf05e284f2c119f53f4724f8362d20394cdf4dd923f6c",
+    hash: "b2c48ff57b7ff580100982dc0f5fb0b605b8f3a6532703aade272b8010446b81",
 };
 
 static ACCELERATE_WITH_HALF_PRECISION: Module = Module {
@@ -287,7 +287,7 @@ static ACCELERATE_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "fdc366a8161a499f876f148f0e13b1b268a1b5078bfc24e408ae5b9a1691dfe2",
+    hash: "e9b277b8a05ba5e666229c4919284561cd9092cf3275f97636b945a79d30a742",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION: Module = Module {
@@ -300,7 +300,7 @@ static ACCELERATE_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "b7a8622e0facc904da080bca8c97292116d8d53e51ba3e8e101e3bee84a13c3e",
+    hash: "7f89cf9d38cc986ea36da1ccc76f74fc6cb8f1fd26e3913e5942ae5af0489274",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -313,7 +313,7 @@ static ACCELERATE_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "d5e70a73bf974c275af101f67dfa6c41ebda8fb9ed1e5eb6dcefab5150683a24",
+    hash: "ca316ddb37a6287c7f607acf8ee6383f23bdc3970cd4074e8f9a7e4a39ea322c",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -326,7 +326,7 @@ static ACCELERATE_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "956e6955a0ed8855efa8b599427899c9c34f3c7931c6e82e5784e40d31ce73bc",
+    hash: "ffa6bbd1c71fb6a7a501005c6344aa95c1ff07f992756d384ef33b2cab5e5914",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS: Module = Module {
@@ -339,7 +339,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "8818281fd4e15eb45719ae11f62caab738dda27bd69e0eade875b61f0f72b01e",
+    hash: "9829b82037692c56519feb0361027832f9ed149513a1b159768288b38115ade5",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -352,7 +352,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "2ba353108079825414f3bdaa81aa63a48bd94191c68f6875eaddc266febf5a67",
+    hash: "d2db8c32e707a5e25229e88c86b8dcb82162444c8f07135ceafb21e61db57300",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -365,7 +365,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "60aa5ad88743b97e1f4c296c0155a941fab0b963a781b57e380d1c8ad7e7b4b3",
+    hash: "77c799913e1f66989089aed745cb8b084b26954c3c46a59e63db0798e48c4ccd",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -378,7 +378,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "079f1453981c27f356ca9830c729fe4fbac6794160a6ca70758cf487287e51c0",
+    hash: "953b8f2b41a487ad4db45fb630ffe520430585269eae6afbbebc4571c828aa3c",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -391,7 +391,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISIO
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "5557d8b0b0b92ce6daf52252728f0c23bb8a987e18ad42508eb7d22d34756f27",
+    hash: "398f145cf4be61b80a4ae3b11b213e5745f4b9d9ae9cb637b768d0bd4ddd0ae7",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -404,7 +404,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: 
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "8d321b1b593683b733ae5b34d316fcc317c7262cbe4287213d619d14abc94f09",
+    hash: "84cdc6919c5d3c554c2f3e57aaf0dcaae2fc08c31a96f6bce9692954c3b08b9e",
 };
 
 static ACCELERATE_WITH_WALLS: Module = Module {
@@ -417,7 +417,7 @@ static ACCELERATE_WITH_WALLS: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "a7290dc362854305945cd211dc4e5844624963e7df1ceb5584d9428e3cf9b8e2",
+    hash: "fb5f6af9a8f98f899b6f32d3452adc081b0a6f4cca9f8e8e209143185c353402",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -430,7 +430,7 @@ static ACCELERATE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "ca2c313cfefad6578b4e4f56adf0a0eb244c0d1de183a369cde67ac01f475e9f",
+    hash: "171b9ee491716b029d12eb55f270725a5a6fe60b6c03707c14f6c7d300d87d96",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -443,7 +443,7 @@ static ACCELERATE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "a4a4d0563f38b9ccfe694eb493ad28dadceef96c67b57d3e7691bc4e2904b627",
+    hash: "71ca9f3cb5a33751e687c89fb1a69ad2a915958d91f5d4a1a74182425c86d74b",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
@@ -456,7 +456,7 @@ static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "93b367f9799a297c4291c490022411cece2d562a056fef782177a8d94a689eba",
+    hash: "dd51a833e57775d89cdc5f283b88fdc10b2cf17e6bd198775c4793beff810424",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -469,7 +469,7 @@ static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "4ab77ac5b439d77507bc261811259cf46a7df657c6508fe033096ab942a3c7fa",
+    hash: "a760136aadcffc412a08d2ff5c2c052fd104c7689009e039fbe99fb6975b3f82",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -482,7 +482,7 @@ static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = 
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "dc8b7de42881abaf1016c046a6fcba465b97baba15be1ef51fa2a0b794ebc28c",
+    hash: "b2f1a913e4d53b14ddc67700be91da125e1b2e41597ebaaf207be70707d76439",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
@@ -495,7 +495,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "2493f0f55c352b70d379ea7ffb92c5f8da0ffcceafb305a0b03c97fe47d980a5",
+    hash: "87106e44acab68782d896470ae42c9ffd5179907dde274f0bd12284c9a2271f3",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -508,7 +508,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module 
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "b6ecd19dcd9e1fe117553928ef81e4de699b87c1fc4ae54592bf92d53541d8c5",
+    hash: "81811c46c73d08e44eefb806698f30147686cf305f9230e4cf6e9c827f5c7e6f",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -521,7 +521,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = M
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "57771394853162a0ce670d38de9e6912192e625968f9aa7cbced56cfd75def78",
+    hash: "65c1028afc55b62d0447b3d43965667786df9951fbff765b91655919705ca199",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -534,7 +534,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = 
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "cc79fd3849cdfcda19b4db10773ddd4c5b3c541974bb5bd79cad11a35c110d02",
+    hash: "5cb049c0ff820272adb59c54310a04e7de963c4bdf6f245bc65101c7309b6cfe",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -547,7 +547,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAX
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "d283629c8ecc0afda6f85e5c252e5a3b6ab3cf17f2ddabb9b9898b870860f6dc",
+    hash: "368385685e94b975ac31ac3b464d88c9ee8c9d1058968b6b7755c6ff8283f0db",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -560,5 +560,5 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "d2984759d0b2ee39f7cf987de301cb596d4d55e0a25f43e085f379998ecae28a",
+    hash: "767cad55cae93a046ce6ef9af162215c1879f702dd17d7dd9dabba886edf990d",
 };

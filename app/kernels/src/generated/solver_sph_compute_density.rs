@@ -338,7 +338,7 @@ static COMPUTE_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "f2f24970d8933e6cd3244106f84a73685a2a98e6b110f48e66953b25c7faa878",
+    hash: "980d479aa45a6a25c8cf2903319011d6617aa2aa69504b4cc52b80a9149ea2b6",
 };
 
 static COMPUTE_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -351,7 +351,7 @@ static COMPUTE_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "7f5514f54e8028be394d60719b7e5c34f2747b07a323bf63927470176c65c7c0",
+    hash: "14df4cc2c016b344a2e3526291abe904d280d14a64ef2c6b37d9bd34aabece47",
 };
 
 static COMPUTE_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -364,7 +364,7 @@ static COMPUTE_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "b495b394b29fccad00075ad9836fc23b75bd6e42227304fdc843844186a8f451",
+    hash: "090aafa6075eb4975cdd86ec1ea9e5694dc878e52661a4aa7ba6406b96ef447f",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION: Module = Module {
@@ -377,7 +377,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "c2e1540c81f1e521b6835e81fe04b3343d10c8cad272fced439142b654a54abb",
+    hash: "d10fe828b871d7de36a25c4dc2107d942c08b48a854d0877782fb8de1726fdd3",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -390,7 +390,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Mod
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "c04db7d90d2fe8028108b4ca0c30c88be8957c595c4efd9db6f3b54570660026",
+    hash: "ddc83bd0f54015edfed02da2be4a48b3beadd0f9330d6ea724abb1378e0365ee",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -403,7 +403,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "80bc6079c9bb071271b969f63c85483cac030bc6403bc81d93f7e7438a068148",
+    hash: "a04b408e62cfa40121d1b7463b44d4b03287dba69e4a2685e02af63456ace7ff",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS: Module = Module {
@@ -416,7 +416,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "4aea054d83afc2f32e6bb2cc1213ab5e6b5f3036628f48128af9ed856f098357",
+    hash: "eac6e362604ad8e00bb8b7849c6d655e109756203701107faa7a5d1b1fd503e7",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -429,7 +429,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Modu
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "7d81bdacf86ca29d427277874179ebfe022e6fcb184e79aa8d7beaa88f51b43c",
+    hash: "42e503ba6237580cf0d2754088884a597e2ad516fe342ea895cce59fe5831e94",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -442,7 +442,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "ca5f9a82d02230ff064bf0b47d4881b78448546859c7ef340c9c02175f262895",
+    hash: "ae597ebcc359e99ef101257be6629f9b16bae3fd248455ba6f18b4d8ef6444a1",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -455,7 +455,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "5f244200ce982089317d4ce2ee99424bce912b32a1f4c02da4f6490aafc347b3",
+    hash: "3b422979ccceff11bfe0fb0e9f1f7b594c28c2e20a885b946906a1974e2be42d",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -468,7 +468,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRE
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "720437b14b43ba71c0cf802cebff45e11db4bbc8b043d89cd39e874d86eaebcc",
+    hash: "682e093a9940aae81b3ebc96ec91c97d37ce29e5660194630e236747e83fe4a5",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -481,7 +481,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECIS
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "84321be7d2a872ac43c13ae3db26a3333d2e774fc22a2278e6da5846b5fb5b93",
+    hash: "febf302ec104f8bc9ae83ea57c0ba3832e543fe01e644d985f9de88b1504c8e6",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS: Module = Module {
@@ -494,7 +494,7 @@ static COMPUTE_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "bfbdc298f40af356e84123969cff6e946471d8af5c02987980fff4a1fc622e15",
+    hash: "4528ae57c83aaa206677eec1fb7980ce9c2d9b2cae48dce013e4e75d35762dad",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -507,7 +507,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "026e6c649cb43de7e474503536ab88dba81bbd964a08182199d2dffbf4a2015a",
+    hash: "cf8d8392ca5c9e62449a2079848f3c5ccc0b74a8256f4a8c6fb6dcfc1d0d72f4",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -520,7 +520,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "2bc333c52a1e796247d8a2c6cf6e67fb95cce27107e088d5c8a97fdcc952845c",
+    hash: "c28ddcf98d1745b6dae862f8155ffca9907c3e74d386845a56522ce290def07a",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
@@ -533,7 +533,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "c2ec84d4738a865cd9b20bd138ad17c0a8c64a4d39a87281d774d29bcc1bd53b",
+    hash: "890d58c0abf0f41df00a99e0d5f23fd0870c1daac23e0cbd9e5ccdc1bf591e80",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -546,7 +546,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: M
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "8c7eeef49e6bf792d248f572942f752b404b72c3581e4a58340431f780526893",
+    hash: "48abbac97b175b16515961dcd3af244528ba67062b81f674c1a3d3cc195bc72a",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -559,7 +559,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Modu
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "fd0c2fde6b8688baaacd8b356f49ee29c36e7d589bd3de3ca457535647626f08",
+    hash: "036db1811c56a15262a31800a927502575b9507f9bc8a9a95e9a73d377a4e40c",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
@@ -572,7 +572,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "cc32a36b1f276f6d6c17e63bd08ea4acc5fd1c06356cd24886e00a8f67fb2441",
+    hash: "124fa5972ea63a045eed9e7b22361d7d9d66fc5d9c4638398aa8727fd376c870",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -585,7 +585,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Mo
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "f69c93b607650f96d4dfc8854073555084491ffc595918bf82fe78239416b8d7",
+    hash: "125e95f1455a5009a90d9c9bf81a4ac3ccfd9eba9043e7cc0af45c541360b0cf",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -598,7 +598,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "70a5a8c0d4484f55a26d5e90f777c9e4f03d05e129c48dd7069568c8e932dcb6",
+    hash: "2e08ac67cd4191b849b4282674f828004103bceac9c245befe128947d64fe648",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -611,7 +611,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Modu
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "12345d44b2cc60d725feae0f0ede13eec0a81a663ce399c14a644b7e8f3dae75",
+    hash: "df663475f9a6cf3d3f3a9c25b400c0edd57617fb1d05a68cffbe886b24ef246d",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -624,7 +624,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "81febfd085d471a765c246ed3f0490e3166de8fa69f51f67e80c6468abb51ecb",
+    hash: "38cd97d94535584e510d58f14aef21d96a33119ed60737a84662999b4a189ba9",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -637,5 +637,5 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "4ece1f5fb6ef58fdc82ac310ca65a742493bfcf053353ea08917d3651e240b75",
+    hash: "94ac9c9b9f31b2dea829944694848b45329dcebf6b6561dc27a7254fe555a263",
 };

@@ -18,11 +18,13 @@ pub struct BoundarySample {
     pub gradient: DVec3,
     /// What the fluid's own correction is multiplied by along each axis.
     pub correction_scale: DVec3,
+    /// What it bears of the fluid's weight along each axis, where pressure goes on beyond as in fluid at rest.
+    pub borne: DVec3,
 }
 
 /// What the boundary answers at a position; `walls` is `None` in an open domain.
 pub fn sample_boundary(position_m: DVec3, walls: Option<&DomainWalls>) -> BoundarySample {
-    let open = BoundarySample { density: 0.0, gradient: DVec3::ZERO, correction_scale: DVec3::ONE };
+    let open = BoundarySample { density: 0.0, gradient: DVec3::ZERO, correction_scale: DVec3::ONE, borne: DVec3::ZERO };
     walls.map_or(open, |walls| walls.sample(position_m))
 }
 

@@ -91,31 +91,32 @@ impl DomainWalls {
     /// A correction is scaled to stand for the neighbours' mirror images in the walls of the other two axes. Along a
     /// wall an even slope of pressure pulls with the integral of -y dW/dy, which by parts is that of W: the images'
     /// share of it is the density that the wall adds. Never more than doubled for an axis.
+    ///
+    /// What they bear of the fluid's weight is the integral of u dW/du beyond them, negative, u from the particle, with which
+    /// a pressure that grows by ρ g u pushes back. By parts it is the density beyond along a wall, and the wall's distance
+    /// times its slope besides across one.
     pub fn sample(&self, position_m: DVec3) -> BoundarySample {
         let (share, slope) = self.shares(position_m);
         let [others, product] =
             [DVec3::new(share.y + share.z, share.z + share.x, share.x + share.y), share.yzx() * share.zxy()];
         let WallScales { plane, edge, corner, .. } = self.scales;
         let gain = 1.0 / (1.0 - (plane * share).min(DVec3::splat(0.5)));
+        let density = plane * share.element_sum() - edge * product.element_sum() + corner * share.element_product();
         BoundarySample {
-            density: plane * share.element_sum() - edge * product.element_sum() + corner * share.element_product(),
+            density,
             gradient: slope * (DVec3::splat(plane) - edge * others + corner * product),
             correction_scale: gain.yzx() * gain.zxy(),
+            borne: DVec3::splat(density) + plane * self.moments(position_m),
         }
     }
 
-    /// What the walls bear of the fluid's weight along each axis: the integral of u dW/du beyond them, negative, u from the
-    /// particle, with which a pressure that grows by ρ g u pushes back. By parts it is the density beyond along a wall, and
-    /// the wall's distance times its slope besides across one.
-    pub fn hydrostatic_share(&self, position_m: DVec3) -> DVec3 {
-        let density = self.sample(position_m).density;
+    /// Along each axis, the slopes of its two walls' shares, each times the wall's distance in h.
+    fn moments(&self, position_m: DVec3) -> DVec3 {
         let low = position_m / self.support_m;
         let high = (self.domain_size_m - position_m) / self.support_m;
-        let across = |axis: usize| {
-            let moment = |s: f64| -s.clamp(0.0, 1.0) * beyond_wall_slope(self.scales.fraction, s);
-            if self.axes.test(axis) { self.scales.plane * (moment(low[axis]) + moment(high[axis])) } else { 0.0 }
-        };
-        DVec3::splat(density) + DVec3::new(across(0), across(1), across(2))
+        let moment = |s: f64| s.clamp(0.0, 1.0) * self.share_slope(s);
+        let each = |axis: usize| moment(low[axis]) + moment(high[axis]);
+        DVec3::select(self.axes, DVec3::new(each(0), each(1), each(2)), DVec3::ZERO)
     }
 
     /// How much of the kernel beyond one wall a step toward it adds, at a distance in h, per h.

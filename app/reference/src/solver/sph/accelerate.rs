@@ -58,10 +58,9 @@ pub fn accelerate(
     push -= 2.0 * own.pressure_m2_s2 * boundary.gradient;
     let h_m = smoothing.support_m;
     let supported = (own.pressure_m2_s2 * terms.supported_per_m2_s2).clamp(0.0, 1.0);
-    let share = pressure_walls.map_or(DVec3::ZERO, |walls| walls.hydrostatic_share(flow.positions_m[i]));
     push / h_m
         + shear_m_s * (terms.viscosity_m2_s / (h_m * h_m))
-        + step.gravity_m_s2 * (DVec3::ONE - supported * terms.borne_scale * share)
+        + step.gravity_m_s2 * (DVec3::ONE - supported * terms.borne_scale * boundary.borne)
         + stress * (terms.tension_m3_s2 / (h_m * h_m))
 }
 
