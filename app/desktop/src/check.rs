@@ -69,7 +69,7 @@ fn replacement(text: &str) -> Result<&'static Module, Failure> {
     let module = brooklet_kernels::modules().find(|module| module.name == name);
     let module = module.ok_or_else(|| refused(format!("there is no variant '{name}' (see `brooklet plan`)")))?;
     let spirv = std::fs::read(file).map_err(|error| refused(format!("{file}: {error}")))?;
-    if !spirv.starts_with(&module.spirv[..4]) || !spirv.len().is_multiple_of(4) {
+    if !spirv.starts_with(&module.spirv.bytes()[..4]) || !spirv.len().is_multiple_of(4) {
         return Err(refused(format!("{file} holds no SPIR-V")));
     }
     Ok(module.with_spirv(&spirv, module.shared_bytes, module.tier))

@@ -1,7 +1,7 @@
 //! The device: chosen by name, the best there is, or handed in by the caller.
 
 use crate::error::{GpuError, describe, tier_name};
-use crate::formats::AdapterFormats;
+use crate::formats::{DeviceFormats, FormatUse};
 use crate::guard::{Guard, lock};
 use crate::pipelines::Pipelines;
 use crate::pool::Pool;
@@ -26,8 +26,8 @@ pub struct GpuOptions {
     /// the program is done without at the next start (`canary.rs`). A program that is killed looks the same: so it is for
     /// programs that nobody kills while they start.
     pub watch_builds: bool,
-    /// Formats to use the device without, though it has them: to see what is then done instead.
-    pub without_formats: Vec<Format>,
+    /// What not to do with formats, though the device can: to see what is then done instead.
+    pub without_formats: Vec<(Format, FormatUse)>,
 }
 
 /// What is known of a device.
@@ -65,7 +65,7 @@ struct Inner {
     tier: Tier,
     info: DeviceInfo,
     timing: TimingStatus,
-    formats: AdapterFormats,
+    formats: DeviceFormats,
     adapter: wgpu::Adapter,
     pool: Mutex<Pool>,
     pipelines: Mutex<Pipelines>,
@@ -169,7 +169,7 @@ impl Gpu {
                 tier,
                 info,
                 timing,
-                formats: AdapterFormats::of(adapter, &options.without_formats),
+                formats: DeviceFormats::of(adapter, features, &options.without_formats),
                 adapter: adapter.clone(),
                 pool: Mutex::new(pool),
                 pipelines: Mutex::new(pipelines),
@@ -254,7 +254,12 @@ impl Gpu {
         lock(&self.inner.pool).trim();
     }
 
-    pub(crate) fn formats(&self) -> &AdapterFormats {
+    /// Whether the device lacks anything of what every device is to do with a format.
+    pub fn lacks_formats(&self) -> bool {
+        self.inner.formats.lacks_any()
+    }
+
+    pub(crate) fn formats(&self) -> &DeviceFormats {
         &self.inner.formats
     }
 

@@ -72,6 +72,7 @@ impl Engine {
         progress: &mut dyn FnMut(usize, usize, &str),
     ) -> Result<Engine, GpuError> {
         gpu.check()?;
+        let plan = plan.with_formats_of(gpu);
         let total = 1 + pipeline_count(&plan);
         let arena = Arena::new(gpu, &plan, &mut |label| progress(0, total, label))?;
         progress(1, total, "memory");
@@ -99,7 +100,10 @@ impl Engine {
     /// # Errors
     /// If a buffer or texture exceeds a limit, naming both.
     pub fn check_sizes(gpu: &Gpu, plan: &Plan) -> Result<(), GpuError> {
-        check_sizes(gpu, plan).map(|_| ())
+        match gpu.lacks_formats() {
+            true => check_sizes(gpu, &plan.clone().with_formats_of(gpu)).map(|_| ()),
+            false => check_sizes(gpu, plan).map(|_| ()),
+        }
     }
 
     /// The device.

@@ -1,7 +1,8 @@
 //! What a plan does with its textures, against what a device can do with their formats.
 //!
 //! Vulkan promises every format that Brooklet uses in every use that it has for it, but drivers are asked all the
-//! same, before anything is allocated: what they lack is then said by name.
+//! same, before anything is allocated. A texture whose format they lack in one of its uses gets another that holds what it is
+//! for ([`crate::Resources::texture_in`]); where there is none it is said by name.
 
 use crate::draw::{Blend, texture_format};
 use crate::error::GpuError;
@@ -9,7 +10,8 @@ use crate::plan::Plan;
 use crate::recording::Command;
 use crate::resources::Shape;
 use brooklet_kernels::{BindingKind, Bound, Format, ResourceId};
-use wgpu::{TextureFormatFeatureFlags as Can, TextureFormatFeatures, TextureUsages};
+use std::collections::BTreeSet;
+use wgpu::{Features, TextureFormatFeatureFlags as Can, TextureFormatFeatures, TextureUsages};
 
 /// What a device can do with a format.
 pub trait FormatSupport {
@@ -37,25 +39,119 @@ const FORMATS: [Format; 11] = [
     Format::Depth24Plus,
 ];
 
-/// What an adapter said of each format.
-#[derive(Clone, Debug)]
-pub(crate) struct AdapterFormats(Vec<(Format, TextureFormatFeatures)>);
+const NOTHING: TextureFormatFeatures =
+    TextureFormatFeatures { allowed_usages: TextureUsages::empty(), flags: Can::empty() };
 
-impl AdapterFormats {
-    /// All but those `without` which the device is to be used.
-    pub fn of(adapter: &wgpu::Adapter, without: &[Format]) -> Self {
-        let features = |format| (format, adapter.get_texture_format_features(texture_format(format)));
-        Self(FORMATS.into_iter().filter(|format| !without.contains(format)).map(features).collect())
+/// What is done with a texture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FormatUse {
+    /// Anything at all.
+    Any,
+    /// Drawn to, blended or not.
+    Drawn,
+    /// Blended to.
+    Blended,
+    /// Read with a filter.
+    Filtered,
+}
+
+/// What a device said of each format.
+#[derive(Clone, Debug)]
+pub(crate) struct DeviceFormats(Vec<(Format, TextureFormatFeatures)>);
+
+impl DeviceFormats {
+    /// What the adapter has and wgpu allows a device with these features, but for those `without` which it is to be used.
+    pub fn of(adapter: &wgpu::Adapter, features: Features, without: &[(Format, FormatUse)]) -> Self {
+        let of = |format| {
+            let wgpu = texture_format(format);
+            let (has, allowed) = (adapter.get_texture_format_features(wgpu), wgpu.guaranteed_format_features(features));
+            let allowed_usages = has.allowed_usages & allowed.allowed_usages;
+            let mut known = TextureFormatFeatures { allowed_usages, flags: has.flags & allowed.flags };
+            for (_, used) in without.iter().filter(|(other, _)| *other == format) {
+                match used {
+                    FormatUse::Any => known = NOTHING,
+                    FormatUse::Drawn => known.allowed_usages -= TextureUsages::RENDER_ATTACHMENT,
+                    FormatUse::Blended => known.flags -= Can::BLENDABLE,
+                    FormatUse::Filtered => known.flags -= Can::FILTERABLE,
+                }
+            }
+            (format, known)
+        };
+        Self(FORMATS.into_iter().map(of).collect())
+    }
+
+    /// Whether the device lacks anything of what every one is to have.
+    pub fn lacks_any(&self) -> bool {
+        FORMATS.into_iter().any(|format| {
+            let promised = texture_format(format).guaranteed_format_features(Features::empty());
+            let has = self.features(format);
+            !has.allowed_usages.contains(promised.allowed_usages) || !has.flags.contains(promised.flags)
+        })
     }
 }
 
-impl FormatSupport for AdapterFormats {
+impl FormatSupport for DeviceFormats {
     fn features(&self, format: Format) -> TextureFormatFeatures {
-        let known = self.0.iter().find(|(known, _)| *known == format);
-        known.map_or(
-            TextureFormatFeatures { allowed_usages: TextureUsages::empty(), flags: Can::empty() },
-            |(_, features)| *features,
-        )
+        self.0.iter().find(|(known, _)| *known == format).map_or(NOTHING, |(_, features)| *features)
+    }
+}
+
+/// Something that a plan does with a texture.
+struct Use {
+    id: ResourceId,
+    usage: TextureUsages,
+    can: Can,
+    used_as: &'static str,
+}
+
+impl Use {
+    fn works(&self, format: Format, support: &impl FormatSupport) -> bool {
+        let features = support.features(format);
+        // Depth is never filtered, whatever a kernel's binding would allow.
+        let is_depth = matches!(format, Format::Depth32Float | Format::Depth24Plus);
+        let can = if is_depth { self.can - Can::FILTERABLE } else { self.can };
+        features.allowed_usages.contains(self.usage) && features.flags.contains(can)
+    }
+}
+
+/// All that `plan` does with its textures, in order.
+fn uses(plan: &Plan) -> Vec<Use> {
+    let mut uses = Vec::new();
+    let bound_use = |bound: &Bound| {
+        let (usage, can, used_as) = match bound.info.kind {
+            BindingKind::Texture { filterable: true } => {
+                (TextureUsages::TEXTURE_BINDING, Can::FILTERABLE, "read with a filter")
+            }
+            BindingKind::Texture { .. } => (TextureUsages::TEXTURE_BINDING, Can::empty(), "read"),
+            BindingKind::StorageTexture { .. } => (TextureUsages::STORAGE_BINDING, Can::empty(), "written by kernels"),
+            _ => return None,
+        };
+        bound.resource.map(|id| Use { id, usage, can, used_as })
+    };
+    for command in plan.recordings.iter().flat_map(|recording| &recording.commands) {
+        match command {
+            Command::Dispatch(dispatch) => uses.extend(dispatch.bindings.iter().filter_map(bound_use)),
+            Command::Draw(draw) => {
+                uses.extend(draw.bindings.iter().filter_map(bound_use));
+                let usage = TextureUsages::RENDER_ATTACHMENT;
+                let (can, used_as) = match draw.state.blend {
+                    Blend::None => (Can::empty(), "drawn to"),
+                    Blend::Alpha | Blend::Additive => (Can::BLENDABLE, "blended to"),
+                };
+                uses.extend(draw.targets.color.iter().map(|(id, _)| Use { id: *id, usage, can, used_as }));
+                let depth = draw.targets.depth.iter();
+                uses.extend(depth.map(|(id, _)| Use { id: *id, usage, can: Can::empty(), used_as: "a depth buffer" }));
+            }
+            Command::Upload { .. } | Command::Clear { .. } | Command::Copy { .. } | Command::Forget { .. } => {}
+        }
+    }
+    uses
+}
+
+fn format_of(plan: &Plan, id: ResourceId) -> Option<Format> {
+    match plan.resources().get(id)?.shape {
+        Shape::Texture { format, .. } => Some(format),
+        Shape::Buffer { .. } => None,
     }
 }
 
@@ -64,49 +160,44 @@ impl FormatSupport for AdapterFormats {
 /// # Errors
 /// At the first that it cannot, naming texture, format and use.
 pub fn check_formats(device: &str, plan: &Plan, support: &impl FormatSupport) -> Result<(), GpuError> {
-    let needs = |id: ResourceId, usage: TextureUsages, can: Can, used_as: &'static str| {
-        let Some(Shape::Texture { format, .. }) = plan.resources().get(id).map(|entry| entry.shape) else {
-            return Ok(());
-        };
-        let features = support.features(format);
-        if features.allowed_usages.contains(usage) && features.flags.contains(can) {
-            return Ok(());
-        }
-        let label = plan.resources().label(id).to_owned();
-        Err(GpuError::MissingFormat { device: device.to_owned(), label, format: format!("{format:?}"), used_as })
-    };
-    let bound_needs = |bound: &Bound| match (bound.resource, bound.info.kind) {
-        (Some(id), BindingKind::Texture { filterable: true }) if is_filtered(plan, id) => {
-            needs(id, TextureUsages::TEXTURE_BINDING, Can::FILTERABLE, "read with a filter")
-        }
-        (Some(id), BindingKind::Texture { .. }) => needs(id, TextureUsages::TEXTURE_BINDING, Can::empty(), "read"),
-        (Some(id), BindingKind::StorageTexture { .. }) => {
-            needs(id, TextureUsages::STORAGE_BINDING, Can::empty(), "written by kernels")
-        }
+    uses(plan).iter().try_for_each(|used| match format_of(plan, used.id) {
+        Some(format) if !used.works(format, support) => Err(GpuError::MissingFormat {
+            device: device.to_owned(),
+            label: plan.resources().label(used.id).to_owned(),
+            format: format!("{format:?}"),
+            used_as: used.used_as,
+        }),
         _ => Ok(()),
-    };
-    for command in plan.recordings.iter().flat_map(|recording| &recording.commands) {
-        match command {
-            Command::Dispatch(dispatch) => dispatch.bindings.iter().try_for_each(bound_needs)?,
-            Command::Draw(draw) => {
-                draw.bindings.iter().try_for_each(bound_needs)?;
-                let blend = if draw.state.blend == Blend::None { Can::empty() } else { Can::BLENDABLE };
-                let used_as = if blend.is_empty() { "drawn to" } else { "blended to" };
-                for (id, _) in &draw.targets.color {
-                    needs(*id, TextureUsages::RENDER_ATTACHMENT, blend, used_as)?;
-                }
-                if let Some((id, _)) = &draw.targets.depth {
-                    needs(*id, TextureUsages::RENDER_ATTACHMENT, Can::empty(), "a depth buffer")?;
-                }
-            }
-            Command::Upload { .. } | Command::Clear { .. } | Command::Copy { .. } | Command::Forget { .. } => {}
-        }
-    }
-    Ok(())
+    })
 }
 
-/// Depth is never filtered, whatever a kernel's binding would allow.
-fn is_filtered(plan: &Plan, id: ResourceId) -> bool {
-    let shape = plan.resources().get(id).map(|entry| entry.shape);
-    !matches!(shape, Some(Shape::Texture { format: Format::Depth32Float | Format::Depth24Plus, .. }))
+/// A texture that has another format than it was declared with first.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct OtherFormat {
+    /// The texture.
+    pub label: String,
+    /// The format that the device cannot use so.
+    pub lacking: Format,
+    /// What the plan does with it.
+    pub used_as: &'static str,
+    /// What it has instead.
+    pub format: Format,
+}
+
+/// The textures of `plan` whose format the device lacks in one of their uses, and the first of their others that it has in all.
+pub(crate) fn other_formats(plan: &Plan, support: &impl FormatSupport) -> Vec<(ResourceId, OtherFormat)> {
+    let uses = uses(plan);
+    let mut seen = BTreeSet::new();
+    let mut others = Vec::new();
+    for used in &uses {
+        let Some(lacking) = format_of(plan, used.id).filter(|format| !used.works(*format, support)) else { continue };
+        let Some(entry) = plan.resources().get(used.id).filter(|_| seen.insert(used.id)) else { continue };
+        let all =
+            |format: Format| uses.iter().filter(|other| other.id == used.id).all(|other| other.works(format, support));
+        if let Some(format) = entry.others.iter().copied().find(|format| all(*format)) {
+            let (label, used_as) = (entry.label.clone(), used.used_as);
+            others.push((used.id, OtherFormat { label, lacking, used_as, format }));
+        }
+    }
+    others
 }

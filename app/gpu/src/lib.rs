@@ -42,7 +42,7 @@ pub use draw::{Blend, Cull, DepthTest, DrawState, Load, RecordedTargets, Targets
 pub use driver::DriverFacts;
 pub use engine::{Engine, FRAMES_IN_FLIGHT};
 pub use error::{GpuError, tier_name};
-pub use formats::{FormatSupport, check_formats};
+pub use formats::{FormatSupport, FormatUse, OtherFormat, check_formats};
 pub use pass_timer::PassTimer;
 pub use plan::{KeptBuffer, PassInfo, Plan, PlanError};
 pub use plan_difference::ChangedUpload;

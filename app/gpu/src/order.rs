@@ -54,7 +54,7 @@ mod tests {
             name: "Test",
             entry: "Test",
             stage: StageKind::Compute,
-            spirv: &[],
+            spirv: brooklet_kernels::Spirv::Plain(&[]),
             bindings: &[],
             group_size: [64, 1, 1],
             shared_bytes: 0,

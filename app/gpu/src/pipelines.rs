@@ -268,7 +268,7 @@ fn built_or_lost<T>(gpu: &Guard, module: &'static Module, built: Result<T, wgpu:
 }
 
 fn shader_module(device: &wgpu::Device, module: &'static Module) -> wgpu::ShaderModule {
-    let words: Vec<u32> = bytemuck::pod_collect_to_vec(module.spirv);
+    let words: Vec<u32> = bytemuck::pod_collect_to_vec(&module.spirv.bytes());
     let [x, y, z] = module.group_size;
     // SAFETY: the shader compiler validated the module and numbered its bindings as wgpu does;
     // `check_module` held it against the device's limits.
@@ -344,7 +344,8 @@ const SPIRV_MAGIC: [u8; 4] = 0x0723_0203_u32.to_le_bytes();
 /// memory.
 pub(crate) fn check_module(module: &Module, tier: Tier, limits: &wgpu::Limits) -> Result<(), GpuError> {
     // Drivers may crash on what is no SPIR-V at all.
-    if !module.spirv.starts_with(&SPIRV_MAGIC) || !module.spirv.len().is_multiple_of(4) {
+    let spirv = module.spirv.bytes();
+    if !spirv.starts_with(&SPIRV_MAGIC) || !spirv.len().is_multiple_of(4) {
         return Err(GpuError::Pipeline { module: module.name, reason: "it is no SPIR-V".into() });
     }
     if module.tier > tier {
@@ -374,13 +375,13 @@ pub(crate) fn check_module(module: &Module, tier: Tier, limits: &wgpu::Limits) -
 #[cfg(test)]
 mod tests {
     use super::*;
-    use brooklet_kernels::StageKind;
+    use brooklet_kernels::{Spirv, StageKind};
 
     const MODULE: Module = Module {
         name: "Sum",
         entry: "Sum",
         stage: StageKind::Compute,
-        spirv: &SPIRV_MAGIC,
+        spirv: Spirv::Plain(&SPIRV_MAGIC),
         bindings: &[],
         group_size: [256, 1, 1],
         shared_bytes: 1024,
@@ -400,7 +401,7 @@ mod tests {
         refused(Module { tier: Tier::Desktop, ..MODULE }, "made for the desktop tier");
         refused(Module { group_size: [16, 17, 1], ..MODULE }, "272 threads a group");
         refused(Module { group_size: [1, 1, 65], ..MODULE }, "65 threads a group along z");
-        refused(Module { spirv: &[0; 64], ..MODULE }, "no SPIR-V");
+        refused(Module { spirv: Spirv::Plain(&[0; 64]), ..MODULE }, "no SPIR-V");
         refused(Module { shared_bytes: 16_388, ..MODULE }, "16388 bytes of groupshared");
     }
 }

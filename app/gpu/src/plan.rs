@@ -1,5 +1,7 @@
 //! The backward sweep: which commands feed what is wanted, and which are left out.
 
+use crate::device::Gpu;
+use crate::formats::{OtherFormat, other_formats};
 use crate::plan_left_out::{LeftOut, list_left_out};
 use crate::planned::{PlannedRecording, describe, is_forgotten};
 use crate::recording::{Command, Groups, Instances, RecordError, Recording, RecordingId, Touch};
@@ -18,6 +20,7 @@ pub struct Plan {
     pub(crate) sharing: Sharing,
     used: BTreeSet<ResourceId>,
     left_out: Vec<LeftOut>,
+    pub(crate) other_formats: Vec<OtherFormat>,
 }
 
 /// Runs of one module in one recording.
@@ -160,7 +163,15 @@ impl Plan {
             .collect();
         let left_out = list_left_out(&resources, &planned, &dropped, &used);
         let sharing = Sharing::of(&resources, &planned, &used, wanted);
-        Ok(Plan { resources, recordings: planned, wanted: wanted.to_vec(), sharing, used, left_out })
+        Ok(Plan {
+            resources,
+            recordings: planned,
+            wanted: wanted.to_vec(),
+            sharing,
+            used,
+            left_out,
+            other_formats: Vec::new(),
+        })
     }
 
     /// The table it was made from.
@@ -267,6 +278,21 @@ impl Plan {
             Command::Upload { .. } | Command::Clear { .. } | Command::Copy { .. } | Command::Forget { .. } => 0,
         };
         self.commands(recording).iter().map(bound).sum()
+    }
+
+    /// The plan for `gpu`: textures whose format it cannot use as they are used have another that it can, where one of those they
+    /// were declared with is.
+    pub fn with_formats_of(mut self, gpu: &Gpu) -> Plan {
+        for (id, other) in other_formats(&self, gpu.formats()) {
+            self.resources.set_format(id, other.format);
+            self.other_formats.push(other);
+        }
+        self
+    }
+
+    /// Textures that have another format for the device's sake.
+    pub fn other_formats(&self) -> &[OtherFormat] {
+        &self.other_formats
     }
 
     /// What was left out, and why: stages, then commands, buffers, textures.

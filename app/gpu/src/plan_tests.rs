@@ -16,7 +16,7 @@ const fn module(name: &'static str, stage: StageKind, bindings: &'static [Bindin
         name,
         entry: "main",
         stage,
-        spirv: &[],
+        spirv: brooklet_kernels::Spirv::Plain(&[]),
         bindings,
         group_size: [64, 1, 1],
         shared_bytes: 0,

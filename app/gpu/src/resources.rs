@@ -31,6 +31,8 @@ pub struct ResourceInfo {
     pub shape: Shape,
     /// Whether its content lasts from one recording to the next; such a resource is always wanted.
     pub state: bool,
+    /// Of a texture: formats that hold what it is for as well, best first.
+    pub others: &'static [Format],
 }
 
 impl ResourceInfo {
@@ -82,7 +84,10 @@ impl Resources {
     }
 
     fn declare(&mut self, label: &str, shape: Shape, state: bool) -> ResourceId {
-        let info = ResourceInfo { label: label.to_owned(), shape, state };
+        self.declare_as(ResourceInfo { label: label.to_owned(), shape, state, others: &[] })
+    }
+
+    fn declare_as(&mut self, info: ResourceInfo) -> ResourceId {
         if let Some(at) = self.repeatable.iter().position(|id| self.entries[id.0 as usize] == info) {
             return self.repeatable.remove(at);
         }
@@ -125,6 +130,24 @@ impl Resources {
     /// Declares a transient texture.
     pub fn texture(&mut self, label: &str, format: Format, size_px: [u32; 2]) -> Texture {
         Texture { id: self.declare(label, Shape::Texture { format, size_px }, false), size_px }
+    }
+
+    /// Declares a texture whose content may have any of `formats`: the first that the device can do with what a plan does
+    /// with it ([`crate::Plan::with_formats_of`]).
+    pub fn texture_in(&mut self, label: &str, formats: &'static [Format], size_px: [u32; 2]) -> Texture {
+        let (format, others) = match formats {
+            [] => (Format::Rgba8Unorm, formats),
+            [format, others @ ..] => (*format, others),
+        };
+        let shape = Shape::Texture { format, size_px };
+        Texture { id: self.declare_as(ResourceInfo { label: label.to_owned(), shape, state: false, others }), size_px }
+    }
+
+    /// Gives a texture another of its formats.
+    pub(crate) fn set_format(&mut self, id: ResourceId, other: Format) {
+        if let Some(ResourceInfo { shape: Shape::Texture { format, .. }, .. }) = self.entries.get_mut(id.0 as usize) {
+            *format = other;
+        }
     }
 
     /// An empty recording over these resources.

@@ -9,9 +9,11 @@ mod binding;
 mod generated;
 pub mod module;
 pub mod resource;
+mod spirv;
 
 pub use binding::{Given, bind, bind_draw};
 pub use module::{Access, BindingError, BindingInfo, BindingKind, Bound, Draw, Kernel, Module, StageKind, Tier};
 pub use resource::{Buf, BufMut, Buffer, Format, ResourceId, Tex, TexMut, Texture, Uniform};
+pub use spirv::Spirv;
 
 pub use generated::*;

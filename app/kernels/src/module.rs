@@ -1,6 +1,7 @@
 //! What is known of a compiled module: its words, its bindings, the tier it needs.
 
 use crate::resource::{Format, ResourceId};
+use crate::spirv::Spirv;
 
 /// Device classes, lowest first. A module's tier is the lowest one whose limits it keeps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -86,8 +87,8 @@ pub struct Module {
     pub entry: &'static str,
     /// Which stage it is for.
     pub stage: StageKind,
-    /// The module, little-endian words.
-    pub spirv: &'static [u8],
+    /// Its words.
+    pub spirv: Spirv,
     /// Its bindings, by slot.
     pub bindings: &'static [BindingInfo],
     /// Threads of a group (`[numthreads]`); ones for graphics stages.
@@ -107,10 +108,10 @@ impl Module {
     /// compiled anew while the program runs. It is kept until the program ends, as every module is; if
     /// nothing changed it is the module itself.
     pub fn with_spirv(&'static self, spirv: &[u8], shared_bytes: u32, tier: Tier) -> &'static Module {
-        if self.spirv == spirv {
+        if *self.spirv.bytes() == *spirv {
             return self;
         }
-        Box::leak(Box::new(Module { spirv: spirv.to_vec().leak(), shared_bytes, tier, ..*self }))
+        Box::leak(Box::new(Module { spirv: Spirv::Plain(spirv.to_vec().leak()), shared_bytes, tier, ..*self }))
     }
 }
 

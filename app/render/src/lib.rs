@@ -6,6 +6,7 @@
 
 pub mod camera;
 pub mod error;
+pub mod formats;
 pub mod frame;
 pub mod left_out;
 pub mod png;

@@ -1,15 +1,15 @@
 //! What a device cannot do is done without: a pipeline that its driver does not build, a module that computes wrongly there,
-//! a format that it lacks. The scene's settings are gone through, what is least seen first, for one whose plan the device can
+//! a format that it lacks and no other of the texture's can stand for. The scene's settings are gone through, what is least seen first, for one whose plan the device can
 //! run; what no setting leaves out is an error.
 
 use brooklet_fluid::Scene;
-use brooklet_gpu::{Engine, Gpu, GpuError, Plan};
+use brooklet_gpu::{Engine, Gpu, GpuError, OtherFormat, Plan};
 
-/// A setting that was changed, and what for.
+/// What was changed, and what for.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Concession {
-    /// The setting, as `--set` takes it.
-    pub setting: &'static str,
+    /// A setting, as `--set` takes it, or the format that a texture has instead: `thickness in Rg16Float`.
+    pub setting: String,
     /// What the device could not do.
     pub reason: String,
 }
@@ -72,7 +72,7 @@ pub fn step_down(
         })
     };
     let with = |scene: &Scene, setting: &str| scene.with_setting(setting).ok().filter(|other| other != scene);
-    let concession = |setting| Concession { setting, reason: error.to_string() };
+    let concession = |setting: &str| Concession { setting: setting.to_owned(), reason: error.to_string() };
     for setting in CONCESSIONS {
         if let Some(other) = with(scene, setting).filter(runs) {
             return Some((other, vec![concession(setting)]));
@@ -92,6 +92,20 @@ pub fn step_down(
     None
 }
 
+/// Textures of the scene's plan that the device draws in another format than on others.
+fn other_formats(gpu: &Gpu, scene: &Scene, plan: &dyn Fn(&Scene) -> Option<Plan>) -> Vec<Concession> {
+    if !gpu.lacks_formats() {
+        return Vec::new();
+    }
+    let Some(plan) = plan(scene).map(|plan| plan.with_formats_of(gpu)) else { return Vec::new() };
+    let device = &gpu.info().name;
+    let concession = |other: &OtherFormat| Concession {
+        setting: format!("{} in {:?}", other.label, other.format),
+        reason: format!("{device} cannot use {:?} as texture {} is: {}", other.lacking, other.label, other.used_as),
+    };
+    plan.other_formats().iter().map(concession).collect()
+}
+
 /// Starts `scene`, and steps it down as long as the device cannot do something of it that can be done without. Returns what
 /// `start` made, the scene as it runs, and what it does without.
 ///
@@ -107,7 +121,10 @@ pub fn start_stepping_down<T, E>(
     let (mut scene, mut made) = (scene.clone(), Vec::new());
     loop {
         let error = match start(&scene) {
-            Ok(started) => return Ok((started, scene, made)),
+            Ok(started) => {
+                made.extend(other_formats(gpu, &scene, plan));
+                return Ok((started, scene, made));
+            }
             Err(error) => error,
         };
         // A device that went with it has to be opened again before anything else is tried.

@@ -109,7 +109,7 @@ impl Viewer {
         let scene = current.session.scene();
         let solver = &scene.solver;
         let name = |value: &dyn std::fmt::Debug| format!("{value:?}").to_lowercase();
-        let settings: Vec<&str> = current.concessions.iter().map(|concession| concession.setting).collect();
+        let settings: Vec<&str> = current.concessions.iter().map(|concession| concession.setting.as_str()).collect();
         let event = match settings.as_slice() {
             [] => event.to_owned(),
             settings => format!("{event}; for what the device cannot do: {}", settings.join(", ")),

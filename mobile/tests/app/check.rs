@@ -12,7 +12,7 @@ use crate::{LONG, app, current, in_own_process, mark_checked, own_folder, said, 
 fn broken(name: &str) -> &'static Module {
     let module = brooklet_kernels::modules().find(|module| module.name == name).unwrap();
     let mut words: Vec<u32> =
-        module.spirv.chunks_exact(4).map(|word| u32::from_le_bytes(word.try_into().unwrap())).collect();
+        module.spirv.bytes().chunks_exact(4).map(|word| u32::from_le_bytes(word.try_into().unwrap())).collect();
     let (mut at, mut exchanged) = (5, 0);
     while at < words.len() {
         if words[at] & 0xffff == 129 {

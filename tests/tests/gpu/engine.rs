@@ -297,7 +297,7 @@ fn a_module_above_the_tier_or_its_limits_is_refused_by_name() {
     assert!(above.to_string().contains("Fancy+HALF is made for the mobile tier"), "{above}");
     let wide = build(Module { group_size: [512, 1, 1], ..module }).expect_err("too many threads");
     assert!(wide.to_string().contains("512 threads a group"), "{wide}");
-    let broken = build(Module { spirv: &[0; 64], ..module }).expect_err("no SPIR-V");
+    let broken = build(Module { spirv: brooklet_kernels::Spirv::Plain(&[0; 64]), ..module }).expect_err("no SPIR-V");
     assert!(broken.to_string().contains("Fancy+HALF"), "{broken}");
 }
 

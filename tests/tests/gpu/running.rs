@@ -223,7 +223,8 @@ fn other_shaders_take_over_the_memory_and_a_failure_leaves_the_old_ones_running(
     let recording = only(&engine);
     assert_eq!(engine.run(&[recording], &[counter.id]), Ok(3), "frames go on counting");
 
-    let broken: &'static Module = Box::leak(Box::new(Module { spirv: &[0; 64], ..*by_ten }));
+    let broken: &'static Module =
+        Box::leak(Box::new(Module { spirv: brooklet_kernels::Spirv::Plain(&[0; 64]), ..*by_ten }));
     let refused = plan.clone().with_modules(|module| (module.name == "Increment").then_some(broken)).expect("it fits");
     let error = engine.swap_modules(refused).expect_err("no SPIR-V").to_string();
     assert!(error.contains("kernel Increment: it is no SPIR-V"), "{error}");

@@ -1,7 +1,7 @@
 //! The ears for Vulkan's validation layers, given something to hear.
 
 use brooklet_gpu::{Engine, Plan, Resources};
-use brooklet_kernels::{BindingError, Bound, Kernel, Module, ReduceGroups};
+use brooklet_kernels::{BindingError, Bound, Kernel, Module, ReduceGroups, Spirv};
 use brooklet_tests::{gpu, validation};
 use std::{
     env,
@@ -20,9 +20,10 @@ impl Kernel for Undeclared<'_> {
         const HEADER_BYTES: usize = 20;
         const OP_CAPABILITY_INT64: [u32; 2] = [2 << 16 | 17, 11];
         let module = self.0.module();
-        let (header, rest) = module.spirv.split_at(HEADER_BYTES);
+        let words = module.spirv.bytes();
+        let (header, rest) = words.split_at(HEADER_BYTES);
         let spirv = [header, bytemuck::cast_slice(&OP_CAPABILITY_INT64), rest].concat().leak();
-        Box::leak(Box::new(Module { name: "Undeclared", spirv, ..*module }))
+        Box::leak(Box::new(Module { name: "Undeclared", spirv: Spirv::Plain(spirv), ..*module }))
     }
 
     fn bindings(&self) -> Result<Vec<Bound>, BindingError> {

@@ -133,7 +133,7 @@ fn each_crate_holds_every_module_of_its_manifest_and_no_other() {
         for module in &manifest.modules {
             let crate_module = modules.iter().find(|known| known.name == module.name).unwrap();
             let file = std::fs::read(root().join(folder).join(&module.spirv)).unwrap();
-            assert_eq!(file, crate_module.spirv, "{}", module.name);
+            assert_eq!(file, *crate_module.spirv.bytes(), "{}", module.name);
             // What only benchmarks run is not shipped, and nothing else is theirs.
             assert_eq!(module.source.starts_with("bench/"), folder == "app/bench", "{}", module.name);
         }
@@ -169,7 +169,7 @@ fn gaps_and_doubles_are_not_dense() {
 #[test]
 fn bindings_are_dense_and_as_the_module_says() {
     for module in modules() {
-        let reflected = reflect(&parsed(module.spirv, module.name).unwrap());
+        let reflected = reflect(&parsed(&module.spirv.bytes(), module.name).unwrap());
         let of_spirv: Vec<(String, u32)> =
             reflected.bindings.iter().map(|binding| (binding.name.clone(), binding.slot)).collect();
         let of_crate: Vec<(String, u32)> =
@@ -203,12 +203,13 @@ fn spirv_val_passes_every_module() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("module.spv");
     for module in modules() {
-        assert_eq!(module.spirv[4..8], [0, 0, 1, 0], "{} is not SPIR-V 1.0", module.name);
-        std::fs::write(&file, module.spirv).unwrap();
+        let spirv = module.spirv.bytes();
+        assert_eq!(spirv[4..8], [0, 0, 1, 0], "{} is not SPIR-V 1.0", module.name);
+        std::fs::write(&file, spirv).unwrap();
         validate::validate_file(&file).unwrap_or_else(|said| panic!("{}: {said}", module.name));
     }
     // And it does refuse: the same module without its last instruction.
     let module = modules().next().unwrap();
-    std::fs::write(&file, &module.spirv[..module.spirv.len() - 4]).unwrap();
+    std::fs::write(&file, &module.spirv.bytes()[..module.spirv.len() - 4]).unwrap();
     assert!(validate::validate_file(&file).is_err());
 }

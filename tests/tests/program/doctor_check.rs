@@ -22,7 +22,7 @@ fn module(name: &str) -> &'static Module {
 /// The module with some of its instructions changed, at least one.
 fn patched(module: &Module, mut change: impl FnMut(&mut [u32]) -> bool) -> Vec<u8> {
     let mut words: Vec<u32> =
-        module.spirv.chunks_exact(4).map(|word| u32::from_le_bytes(word.try_into().unwrap())).collect();
+        module.spirv.bytes().chunks_exact(4).map(|word| u32::from_le_bytes(word.try_into().unwrap())).collect();
     let (mut at, mut changed) = (5, 0);
     while at < words.len() {
         let end = at + (words[at] >> 16) as usize;

@@ -1,6 +1,7 @@
 //! Surfaces and pictures against twins and optics.
 
 mod auto;
+mod formats;
 mod indirect;
 mod mesh;
 mod mesh_room;

@@ -80,6 +80,9 @@ fn files_of(
     for module in &model.modules {
         files.insert(format!("spirv/{}", module.file), module.stage.spirv.clone());
     }
+    if model.known.is_none() {
+        files.insert("spirv/packs.txt".to_owned(), generate::packs(model).into_bytes());
+    }
     let manifest = manifest_of(compiler.dxc.version(), model, layouts, records, &files);
     let mut text =
         serde_json::to_string_pretty(&manifest).map_err(|error| Problem::new(format!("manifest.json: {error}")))?;

@@ -4,7 +4,7 @@
 
 use brooklet_kernels::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, PbfParams, PositionLambda,
-    SmoothingKernelParams, StageKind, StepParams, StepState, Tier, Uniform, bind,
+    SmoothingKernelParams, Spirv, StageKind, StepParams, StepState, Tier, Uniform, bind,
 };
 
 /// ConstrainDensity where only the index was sorted: neighbours lie wherever they began. What
@@ -87,7 +87,7 @@ static CONSTRAIN_DENSITY_BY_INDEX: Module = Module {
     name: "ConstrainDensityByIndex",
     entry: "ConstrainDensityByIndex",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/constrain_density_by_index.spv"),
+    spirv: Spirv::Plain(include_bytes!("../../spirv/constrain_density_by_index.spv")),
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,

@@ -3,7 +3,7 @@
 //! Kernels of `bench/copy.compute`.
 
 use brooklet_kernels::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier, bind,
 };
 
 /// What the device can move: a copy from one large buffer to another, as STREAM's (McCalpin 1995).
@@ -51,7 +51,7 @@ static COPY_ELEMENTS: Module = Module {
     name: "CopyElements",
     entry: "CopyElements",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/copy_elements.spv"),
+    spirv: Spirv::Plain(include_bytes!("../../spirv/copy_elements.spv")),
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,

@@ -4,7 +4,7 @@
 
 use brooklet_kernels::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, CellSlot, GridParams, Kernel, Module, Position,
-    StageKind, StepState, Tier, Uniform, bind,
+    Spirv, StageKind, StepState, Tier, Uniform, bind,
 };
 
 /// CountCells with aggregated atomics: particles of one cell that follow each other in a group share
@@ -68,7 +68,7 @@ static COUNT_CELLS_AGGREGATED: Module = Module {
     name: "CountCellsAggregated",
     entry: "CountCellsAggregated",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/count_cells_aggregated.spv"),
+    spirv: Spirv::Plain(include_bytes!("../../spirv/count_cells_aggregated.spv")),
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 512,

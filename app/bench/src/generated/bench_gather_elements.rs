@@ -3,7 +3,7 @@
 //! Kernels of `bench/gather_elements.compute`.
 
 use brooklet_kernels::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier, bind,
 };
 
 /// How many elements the device can gather: each thread reads those of eight runs of four, a row of cells apart, as a
@@ -49,7 +49,7 @@ static GATHER_ELEMENTS: Module = Module {
     name: "GatherElements",
     entry: "GatherElements",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/gather_elements.spv"),
+    spirv: Spirv::Plain(include_bytes!("../../spirv/gather_elements.spv")),
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,

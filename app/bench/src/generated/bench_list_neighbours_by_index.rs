@@ -3,7 +3,7 @@
 //! Kernels of `bench/list_neighbours_by_index.compute`.
 
 use brooklet_kernels::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, GridParams, Kernel, Module, Position,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, GridParams, Kernel, Module, Position, Spirv,
     StageKind, StepState, Tier, Uniform, bind,
 };
 
@@ -88,7 +88,7 @@ static LIST_NEIGHBOURS_BY_INDEX: Module = Module {
     name: "ListNeighboursByIndex",
     entry: "ListNeighboursByIndex",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/list_neighbours_by_index.spv"),
+    spirv: Spirv::Plain(include_bytes!("../../spirv/list_neighbours_by_index.spv")),
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,

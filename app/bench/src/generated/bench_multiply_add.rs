@@ -3,7 +3,7 @@
 //! Kernels of `bench/multiply_add.compute`.
 
 use brooklet_kernels::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, BufMut, Kernel, Module, StageKind, Tier, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, BufMut, Kernel, Module, Spirv, StageKind, Tier, bind,
 };
 
 /// How many multiplications with an addition the device does in f32: eight chains a thread, each as long as a unit's
@@ -39,7 +39,7 @@ static MULTIPLY_ADD: Module = Module {
     name: "MultiplyAdd",
     entry: "MultiplyAdd",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/multiply_add.spv"),
+    spirv: Spirv::Plain(include_bytes!("../../spirv/multiply_add.spv")),
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,

@@ -4,7 +4,7 @@
 
 use brooklet_kernels::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, CellSlot, GridParams, Kernel, Module, Position,
-    StageKind, StepState, Tier, Uniform, bind,
+    Spirv, StageKind, StepState, Tier, Uniform, bind,
 };
 
 /// The counting sort without locality: only each particle's index moves to cell order, and what is
@@ -76,7 +76,7 @@ static REORDER_INDEX: Module = Module {
     name: "ReorderIndex",
     entry: "ReorderIndex",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/reorder_index.spv"),
+    spirv: Spirv::Plain(include_bytes!("../../spirv/reorder_index.spv")),
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,

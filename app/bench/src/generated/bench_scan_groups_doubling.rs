@@ -3,7 +3,7 @@
 //! Kernels of `bench/scan_groups_doubling.compute`.
 
 use brooklet_kernels::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier, bind,
 };
 
 /// Which variant of [`ScanGroupsDoubling`] runs.
@@ -68,7 +68,7 @@ static SCAN_GROUPS_DOUBLING: Module = Module {
     name: "ScanGroupsDoubling",
     entry: "ScanGroupsDoubling",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/scan_groups_doubling.spv"),
+    spirv: Spirv::Plain(include_bytes!("../../spirv/scan_groups_doubling.spv")),
     bindings: BINDINGS_0,
     group_size: [128, 1, 1],
     shared_bytes: 1024,
@@ -81,7 +81,7 @@ static SCAN_GROUPS_DOUBLING_WITH_GROUP_OFFSETS: Module = Module {
     name: "ScanGroupsDoubling+GROUP_OFFSETS",
     entry: "ScanGroupsDoubling",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/scan_groups_doubling+group_offsets.spv"),
+    spirv: Spirv::Plain(include_bytes!("../../spirv/scan_groups_doubling+group_offsets.spv")),
     bindings: BINDINGS_1,
     group_size: [128, 1, 1],
     shared_bytes: 1024,

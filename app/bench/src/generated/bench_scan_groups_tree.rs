@@ -3,7 +3,7 @@
 //! Kernels of `bench/scan_groups_tree.compute`.
 
 use brooklet_kernels::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier, bind,
 };
 
 /// Which variant of [`ScanGroupsTree`] runs.
@@ -81,7 +81,7 @@ static SCAN_GROUPS_TREE: Module = Module {
     name: "ScanGroupsTree",
     entry: "ScanGroupsTree",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/scan_groups_tree.spv"),
+    spirv: Spirv::Plain(include_bytes!("../../spirv/scan_groups_tree.spv")),
     bindings: BINDINGS_0,
     group_size: [128, 1, 1],
     shared_bytes: 528,
@@ -94,7 +94,7 @@ static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
     name: "ScanGroupsTree+PADDED",
     entry: "ScanGroupsTree",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/scan_groups_tree+padded.spv"),
+    spirv: Spirv::Plain(include_bytes!("../../spirv/scan_groups_tree+padded.spv")),
     bindings: BINDINGS_0,
     group_size: [128, 1, 1],
     shared_bytes: 528,
@@ -107,7 +107,7 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
     name: "ScanGroupsTree+GROUP_OFFSETS",
     entry: "ScanGroupsTree",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/scan_groups_tree+group_offsets.spv"),
+    spirv: Spirv::Plain(include_bytes!("../../spirv/scan_groups_tree+group_offsets.spv")),
     bindings: BINDINGS_1,
     group_size: [128, 1, 1],
     shared_bytes: 528,
@@ -120,7 +120,7 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
     name: "ScanGroupsTree+GROUP_OFFSETS+PADDED",
     entry: "ScanGroupsTree",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/scan_groups_tree+group_offsets+padded.spv"),
+    spirv: Spirv::Plain(include_bytes!("../../spirv/scan_groups_tree+group_offsets+padded.spv")),
     bindings: BINDINGS_1,
     group_size: [128, 1, 1],
     shared_bytes: 528,

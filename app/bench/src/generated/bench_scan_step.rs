@@ -3,7 +3,7 @@
 //! Kernels of `bench/scan_step.compute`.
 
 use brooklet_kernels::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier, bind,
 };
 
 /// A prefix sum in global memory, one dispatch for each doubling of the reach (Hillis & Steele 1986).
@@ -48,7 +48,7 @@ static SCAN_STEP: Module = Module {
     name: "ScanStep",
     entry: "ScanStep",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/scan_step.spv"),
+    spirv: Spirv::Plain(include_bytes!("../../spirv/scan_step.spv")),
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,

@@ -4,7 +4,8 @@
 
 use super::{Position, SmoothingKernelParams, StepParams, StepState, Velocity, WallFace};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
+    Uniform, bind,
 };
 
 /// How walls drag the fluid along them, face by face, at a substep's end: dv/dt = k (v\_wall - v) along a wall, integrated in
@@ -67,11 +68,13 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "kernel", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/boundary_drag_walls.deflate"));
+
 static DRAG_WALLS: Module = Module {
     name: "DragWalls",
     entry: "DragWalls",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/drag_walls.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 8840 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,

@@ -4,7 +4,8 @@
 
 use super::{ForceField, ForceFieldCount, Position, StepState, Velocity};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
+    Uniform, bind,
 };
 
 /// Body forces that depend on place and time: v += a(x, t) dt, a the sum of the scene's fields. Uniform, or around an axis
@@ -59,11 +60,13 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "field_count", slot: 4, kind: BindingKind::Uniform { bytes: 16 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/forces_apply_fields.deflate"));
+
 static APPLY_FIELDS: Module = Module {
     name: "ApplyFields",
     entry: "ApplyFields",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/apply_fields.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 4316 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,

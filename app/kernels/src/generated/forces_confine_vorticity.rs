@@ -4,7 +4,8 @@
 
 use super::{ForceParams, ListHead, PrecisionKeyword, StepParams, StepState, Velocity, Vorticity};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
+    Uniform, bind,
 };
 
 /// Which variant of [`ConfineVorticity`] runs.
@@ -89,11 +90,13 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "forces", slot: 7, kind: BindingKind::Uniform { bytes: 16 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/forces_confine_vorticity.deflate"));
+
 static CONFINE_VORTICITY: Module = Module {
     name: "ConfineVorticity",
     entry: "ConfineVorticity",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/confine_vorticity.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 8192 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
@@ -106,7 +109,7 @@ static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
     name: "ConfineVorticity+RELAXED_PRECISION",
     entry: "ConfineVorticity",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/confine_vorticity+relaxed_precision.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 8192, bytes: 7640 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
@@ -119,7 +122,7 @@ static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
     name: "ConfineVorticity+HALF_PRECISION",
     entry: "ConfineVorticity",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/confine_vorticity+half_precision.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 15832, bytes: 7720 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,

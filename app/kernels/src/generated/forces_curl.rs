@@ -4,7 +4,8 @@
 
 use super::{ListHead, PrecisionKeyword, SmoothingKernelParams, StepParams, StepState, Velocity, Vorticity};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
+    Uniform, bind,
 };
 
 /// Which variant of [`Curl`] runs.
@@ -87,11 +88,13 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "kernel", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/forces_curl.deflate"));
+
 static CURL: Module = Module {
     name: "Curl",
     entry: "Curl",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/curl.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 8208 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
@@ -104,7 +107,7 @@ static CURL_WITH_RELAXED_PRECISION: Module = Module {
     name: "Curl+RELAXED_PRECISION",
     entry: "Curl",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/curl+relaxed_precision.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 8208, bytes: 7656 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
@@ -117,7 +120,7 @@ static CURL_WITH_HALF_PRECISION: Module = Module {
     name: "Curl+HALF_PRECISION",
     entry: "Curl",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/curl+half_precision.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 15864, bytes: 7736 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,

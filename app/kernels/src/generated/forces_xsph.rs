@@ -4,7 +4,8 @@
 
 use super::{ForceParams, ListHead, PrecisionKeyword, SmoothingKernelParams, StepParams, StepState, Velocity};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
+    Uniform, bind,
 };
 
 /// Which variant of [`Xsph`] runs.
@@ -92,11 +93,13 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "forces", slot: 8, kind: BindingKind::Uniform { bytes: 16 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/forces_xsph.deflate"));
+
 static XSPH: Module = Module {
     name: "Xsph",
     entry: "Xsph",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/xsph.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 8528 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
@@ -109,7 +112,7 @@ static XSPH_WITH_RELAXED_PRECISION: Module = Module {
     name: "Xsph+RELAXED_PRECISION",
     entry: "Xsph",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/xsph+relaxed_precision.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 8528, bytes: 8120 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
@@ -122,7 +125,7 @@ static XSPH_WITH_HALF_PRECISION: Module = Module {
     name: "Xsph+HALF_PRECISION",
     entry: "Xsph",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/xsph+half_precision.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 16648, bytes: 8056 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,

@@ -3,7 +3,9 @@
 //! Kernels of `frame/cross_fade.hlsl`.
 
 use super::CrossFadeParams;
-use crate::{BindingError, BindingInfo, BindingKind, Bound, Draw, Module, StageKind, Tex, Tier, Uniform, bind_draw};
+use crate::{
+    BindingError, BindingInfo, BindingKind, Bound, Draw, Module, Spirv, StageKind, Tex, Tier, Uniform, bind_draw,
+};
 
 /// One picture over another, as far as its opacity: while the surface goes from one method to the other.
 #[derive(Debug)]
@@ -40,11 +42,13 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "cross_fade", slot: 1, kind: BindingKind::Uniform { bytes: 16 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/frame_cross_fade.deflate"));
+
 static DRAW_CROSS_FADE_VERTEX: Module = Module {
     name: "DrawCrossFade.vertex",
     entry: "CrossFadeVertex",
     stage: StageKind::Vertex,
-    spirv: include_bytes!("../../spirv/draw_cross_fade.vertex.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 556 },
     bindings: &[],
     group_size: [1, 1, 1],
     shared_bytes: 0,
@@ -57,7 +61,7 @@ static DRAW_CROSS_FADE_FRAGMENT: Module = Module {
     name: "DrawCrossFade.fragment",
     entry: "CrossFadeFragment",
     stage: StageKind::Fragment,
-    spirv: include_bytes!("../../spirv/draw_cross_fade.fragment.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 556, bytes: 1136 },
     bindings: BINDINGS_0,
     group_size: [1, 1, 1],
     shared_bytes: 0,

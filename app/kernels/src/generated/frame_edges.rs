@@ -3,7 +3,9 @@
 //! Kernels of `frame/edges.hlsl`.
 
 use super::{FrameStyle, FrameView, WaterKeyword};
-use crate::{BindingError, BindingInfo, BindingKind, Bound, Draw, Module, StageKind, Tex, Tier, Uniform, bind_draw};
+use crate::{
+    BindingError, BindingInfo, BindingKind, Bound, Draw, Module, Spirv, StageKind, Tex, Tier, Uniform, bind_draw,
+};
 
 /// Which variant of [`DrawEdges`] runs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -82,11 +84,13 @@ static BINDINGS_2: &[BindingInfo] = &[
     BindingInfo { name: "style", slot: 2, kind: BindingKind::Uniform { bytes: 80 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/frame_edges.deflate"));
+
 static DRAW_EDGES_VERTEX: Module = Module {
     name: "DrawEdges.vertex",
     entry: "EdgesVertex",
     stage: StageKind::Vertex,
-    spirv: include_bytes!("../../spirv/draw_edges.vertex.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 5424 },
     bindings: BINDINGS_0,
     group_size: [1, 1, 1],
     shared_bytes: 0,
@@ -99,7 +103,7 @@ static DRAW_EDGES_FRAGMENT: Module = Module {
     name: "DrawEdges.fragment",
     entry: "EdgesFragment",
     stage: StageKind::Fragment,
-    spirv: include_bytes!("../../spirv/draw_edges.fragment.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 5424, bytes: 2480 },
     bindings: BINDINGS_0,
     group_size: [1, 1, 1],
     shared_bytes: 0,
@@ -112,7 +116,7 @@ static DRAW_EDGES_VERTEX_WITH_BEHIND_WATER: Module = Module {
     name: "DrawEdges.vertex+BEHIND_WATER",
     entry: "EdgesVertex",
     stage: StageKind::Vertex,
-    spirv: include_bytes!("../../spirv/draw_edges.vertex+behind_water.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 7904, bytes: 5424 },
     bindings: BINDINGS_1,
     group_size: [1, 1, 1],
     shared_bytes: 0,
@@ -125,7 +129,7 @@ static DRAW_EDGES_FRAGMENT_WITH_BEHIND_WATER: Module = Module {
     name: "DrawEdges.fragment+BEHIND_WATER",
     entry: "EdgesFragment",
     stage: StageKind::Fragment,
-    spirv: include_bytes!("../../spirv/draw_edges.fragment+behind_water.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 13328, bytes: 3176 },
     bindings: BINDINGS_2,
     group_size: [1, 1, 1],
     shared_bytes: 0,
@@ -138,7 +142,7 @@ static DRAW_EDGES_FRAGMENT_WITH_BEFORE_WATER: Module = Module {
     name: "DrawEdges.fragment+BEFORE_WATER",
     entry: "EdgesFragment",
     stage: StageKind::Fragment,
-    spirv: include_bytes!("../../spirv/draw_edges.fragment+before_water.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 16504, bytes: 3192 },
     bindings: BINDINGS_2,
     group_size: [1, 1, 1],
     shared_bytes: 0,

@@ -3,7 +3,9 @@
 //! Kernels of `frame/floor.hlsl`.
 
 use super::{FrameLight, FrameStyle, FrameView, ShadowKeyword, SurfaceParams, WaterStyle};
-use crate::{BindingError, BindingInfo, BindingKind, Bound, Draw, Module, StageKind, Tex, Tier, Uniform, bind_draw};
+use crate::{
+    BindingError, BindingInfo, BindingKind, Bound, Draw, Module, Spirv, StageKind, Tex, Tier, Uniform, bind_draw,
+};
 
 /// Which variant of [`DrawFloor`] runs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -135,11 +137,13 @@ static BINDINGS_6: &[BindingInfo] = &[
     BindingInfo { name: "style", slot: 6, kind: BindingKind::Uniform { bytes: 80 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/frame_floor.deflate"));
+
 static DRAW_FLOOR_VERTEX: Module = Module {
     name: "DrawFloor.vertex",
     entry: "FloorVertex",
     stage: StageKind::Vertex,
-    spirv: include_bytes!("../../spirv/draw_floor.vertex.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 3128 },
     bindings: BINDINGS_0,
     group_size: [1, 1, 1],
     shared_bytes: 0,
@@ -152,7 +156,7 @@ static DRAW_FLOOR_FRAGMENT: Module = Module {
     name: "DrawFloor.fragment",
     entry: "FloorFragment",
     stage: StageKind::Fragment,
-    spirv: include_bytes!("../../spirv/draw_floor.fragment.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 3128, bytes: 6772 },
     bindings: BINDINGS_1,
     group_size: [1, 1, 1],
     shared_bytes: 0,
@@ -165,7 +169,7 @@ static DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW: Module = Module {
     name: "DrawFloor.vertex+POINTS_SHADOW",
     entry: "FloorVertex",
     stage: StageKind::Vertex,
-    spirv: include_bytes!("../../spirv/draw_floor.vertex+points_shadow.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 9900, bytes: 3128 },
     bindings: BINDINGS_2,
     group_size: [1, 1, 1],
     shared_bytes: 0,
@@ -178,7 +182,7 @@ static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW: Module = Module {
     name: "DrawFloor.fragment+POINTS_SHADOW",
     entry: "FloorFragment",
     stage: StageKind::Fragment,
-    spirv: include_bytes!("../../spirv/draw_floor.fragment+points_shadow.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 13028, bytes: 15292 },
     bindings: BINDINGS_3,
     group_size: [1, 1, 1],
     shared_bytes: 0,
@@ -191,7 +195,7 @@ static DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW: Module = Module {
     name: "DrawFloor.vertex+WATER_SHADOW",
     entry: "FloorVertex",
     stage: StageKind::Vertex,
-    spirv: include_bytes!("../../spirv/draw_floor.vertex+water_shadow.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 28320, bytes: 3128 },
     bindings: BINDINGS_4,
     group_size: [1, 1, 1],
     shared_bytes: 0,
@@ -204,7 +208,7 @@ static DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW: Module = Module {
     name: "DrawFloor.fragment+WATER_SHADOW",
     entry: "FloorFragment",
     stage: StageKind::Fragment,
-    spirv: include_bytes!("../../spirv/draw_floor.fragment+water_shadow.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 31448, bytes: 11288 },
     bindings: BINDINGS_5,
     group_size: [1, 1, 1],
     shared_bytes: 0,
@@ -217,7 +221,7 @@ static DRAW_FLOOR_VERTEX_WITH_CAUSTICS_SHADOW: Module = Module {
     name: "DrawFloor.vertex+CAUSTICS_SHADOW",
     entry: "FloorVertex",
     stage: StageKind::Vertex,
-    spirv: include_bytes!("../../spirv/draw_floor.vertex+caustics_shadow.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 42736, bytes: 3128 },
     bindings: BINDINGS_4,
     group_size: [1, 1, 1],
     shared_bytes: 0,
@@ -230,7 +234,7 @@ static DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW: Module = Module {
     name: "DrawFloor.fragment+CAUSTICS_SHADOW",
     entry: "FloorFragment",
     stage: StageKind::Fragment,
-    spirv: include_bytes!("../../spirv/draw_floor.fragment+caustics_shadow.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 45864, bytes: 10320 },
     bindings: BINDINGS_6,
     group_size: [1, 1, 1],
     shared_bytes: 0,

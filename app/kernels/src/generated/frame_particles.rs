@@ -4,7 +4,8 @@
 
 use super::{FrameStyle, FrameView, Position};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, Draw, Module, StageKind, Tier, Uniform, bind_draw,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, Draw, Module, Spirv, StageKind, Tier, Uniform,
+    bind_draw,
 };
 
 /// Which particle is seen in each pixel: one camera-facing triangle a particle, on which every pixel
@@ -52,11 +53,13 @@ static BINDINGS_1: &[BindingInfo] = &[
     BindingInfo { name: "style", slot: 2, kind: BindingKind::Uniform { bytes: 80 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/frame_particles.deflate"));
+
 static DRAW_PARTICLES_VERTEX: Module = Module {
     name: "DrawParticles.vertex",
     entry: "ParticlesVertex",
     stage: StageKind::Vertex,
-    spirv: include_bytes!("../../spirv/draw_particles.vertex.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 4276 },
     bindings: BINDINGS_0,
     group_size: [1, 1, 1],
     shared_bytes: 0,
@@ -69,7 +72,7 @@ static DRAW_PARTICLES_FRAGMENT: Module = Module {
     name: "DrawParticles.fragment",
     entry: "ParticlesFragment",
     stage: StageKind::Fragment,
-    spirv: include_bytes!("../../spirv/draw_particles.fragment.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 4276, bytes: 2588 },
     bindings: BINDINGS_1,
     group_size: [1, 1, 1],
     shared_bytes: 0,

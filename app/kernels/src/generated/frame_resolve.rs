@@ -3,7 +3,9 @@
 //! Kernels of `frame/resolve.hlsl`.
 
 use super::{FrameLight, FrameStyle, FrameView};
-use crate::{BindingError, BindingInfo, BindingKind, Bound, Draw, Module, StageKind, Tex, Tier, Uniform, bind_draw};
+use crate::{
+    BindingError, BindingInfo, BindingKind, Bound, Draw, Module, Spirv, StageKind, Tex, Tier, Uniform, bind_draw,
+};
 
 /// Which variant of [`DrawResolve`] runs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -78,11 +80,13 @@ static BINDINGS_1: &[BindingInfo] = &[
     BindingInfo { name: "light", slot: 3, kind: BindingKind::Uniform { bytes: 112 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/frame_resolve.deflate"));
+
 static DRAW_RESOLVE_VERTEX: Module = Module {
     name: "DrawResolve.vertex",
     entry: "ResolveVertex",
     stage: StageKind::Vertex,
-    spirv: include_bytes!("../../spirv/draw_resolve.vertex.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 556 },
     bindings: &[],
     group_size: [1, 1, 1],
     shared_bytes: 0,
@@ -95,7 +99,7 @@ static DRAW_RESOLVE_FRAGMENT: Module = Module {
     name: "DrawResolve.fragment",
     entry: "ResolveFragment",
     stage: StageKind::Fragment,
-    spirv: include_bytes!("../../spirv/draw_resolve.fragment.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 556, bytes: 20656 },
     bindings: BINDINGS_0,
     group_size: [1, 1, 1],
     shared_bytes: 0,
@@ -108,7 +112,7 @@ static DRAW_RESOLVE_FRAGMENT_WITH_WATER: Module = Module {
     name: "DrawResolve.fragment+WATER",
     entry: "ResolveFragment",
     stage: StageKind::Fragment,
-    spirv: include_bytes!("../../spirv/draw_resolve.fragment+water.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 21212, bytes: 4668 },
     bindings: BINDINGS_1,
     group_size: [1, 1, 1],
     shared_bytes: 0,

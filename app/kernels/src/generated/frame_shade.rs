@@ -4,7 +4,8 @@
 
 use super::{ColorKeyword, FrameLight, FrameStyle, FrameView, Position, Velocity};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, Draw, Module, StageKind, Tex, Tier, Uniform, bind_draw,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, Draw, Module, Spirv, StageKind, Tex, Tier, Uniform,
+    bind_draw,
 };
 
 /// Which variant of [`DrawShade`] runs.
@@ -120,11 +121,13 @@ static BINDINGS_4: &[BindingInfo] = &[
     BindingInfo { name: "style", slot: 6, kind: BindingKind::Uniform { bytes: 80 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/frame_shade.deflate"));
+
 static DRAW_SHADE_VERTEX: Module = Module {
     name: "DrawShade.vertex",
     entry: "ShadeVertex",
     stage: StageKind::Vertex,
-    spirv: include_bytes!("../../spirv/draw_shade.vertex.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 1716 },
     bindings: BINDINGS_0,
     group_size: [1, 1, 1],
     shared_bytes: 0,
@@ -137,7 +140,7 @@ static DRAW_SHADE_FRAGMENT: Module = Module {
     name: "DrawShade.fragment",
     entry: "ShadeFragment",
     stage: StageKind::Fragment,
-    spirv: include_bytes!("../../spirv/draw_shade.fragment.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 1716, bytes: 10892 },
     bindings: BINDINGS_1,
     group_size: [1, 1, 1],
     shared_bytes: 0,
@@ -150,7 +153,7 @@ static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
     name: "DrawShade.vertex+COLOR_FLUID",
     entry: "ShadeVertex",
     stage: StageKind::Vertex,
-    spirv: include_bytes!("../../spirv/draw_shade.vertex+color_fluid.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 12608, bytes: 1716 },
     bindings: BINDINGS_2,
     group_size: [1, 1, 1],
     shared_bytes: 0,
@@ -163,7 +166,7 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
     name: "DrawShade.fragment+COLOR_FLUID",
     entry: "ShadeFragment",
     stage: StageKind::Fragment,
-    spirv: include_bytes!("../../spirv/draw_shade.fragment+color_fluid.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 14324, bytes: 10332 },
     bindings: BINDINGS_3,
     group_size: [1, 1, 1],
     shared_bytes: 0,
@@ -176,7 +179,7 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
     name: "DrawShade.fragment+COLOR_DENSITY",
     entry: "ShadeFragment",
     stage: StageKind::Fragment,
-    spirv: include_bytes!("../../spirv/draw_shade.fragment+color_density.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 24656, bytes: 10416 },
     bindings: BINDINGS_4,
     group_size: [1, 1, 1],
     shared_bytes: 0,

@@ -4,7 +4,8 @@
 
 use super::{FrameLight, FrameStyle, Position};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, Draw, Module, StageKind, Tier, Uniform, bind_draw,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, Draw, Module, Spirv, StageKind, Tier, Uniform,
+    bind_draw,
 };
 
 /// The shadow map: each particle as a disc, seen along the sun's rays. Depth only.
@@ -45,11 +46,13 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "style", slot: 2, kind: BindingKind::Uniform { bytes: 80 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/frame_shadow.deflate"));
+
 static DRAW_SHADOW_VERTEX: Module = Module {
     name: "DrawShadow.vertex",
     entry: "ShadowVertex",
     stage: StageKind::Vertex,
-    spirv: include_bytes!("../../spirv/draw_shadow.vertex.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 3892 },
     bindings: BINDINGS_0,
     group_size: [1, 1, 1],
     shared_bytes: 0,
@@ -62,7 +65,7 @@ static DRAW_SHADOW_FRAGMENT: Module = Module {
     name: "DrawShadow.fragment",
     entry: "ShadowFragment",
     stage: StageKind::Fragment,
-    spirv: include_bytes!("../../spirv/draw_shadow.fragment.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 3892, bytes: 408 },
     bindings: &[],
     group_size: [1, 1, 1],
     shared_bytes: 0,

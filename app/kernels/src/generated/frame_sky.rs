@@ -3,7 +3,7 @@
 //! Kernels of `frame/sky.hlsl`.
 
 use super::{FrameLight, FrameView};
-use crate::{BindingError, BindingInfo, BindingKind, Bound, Draw, Module, StageKind, Tier, Uniform, bind_draw};
+use crate::{BindingError, BindingInfo, BindingKind, Bound, Draw, Module, Spirv, StageKind, Tier, Uniform, bind_draw};
 
 /// The sky, wherever nothing else was drawn (depth still 0, infinitely far).
 #[derive(Debug)]
@@ -36,11 +36,13 @@ static BINDINGS_0: &[BindingInfo] = &[BindingInfo { name: "view", slot: 0, kind:
 static BINDINGS_1: &[BindingInfo] =
     &[BindingInfo { name: "light", slot: 1, kind: BindingKind::Uniform { bytes: 112 } }];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/frame_sky.deflate"));
+
 static DRAW_SKY_VERTEX: Module = Module {
     name: "DrawSky.vertex",
     entry: "SkyVertex",
     stage: StageKind::Vertex,
-    spirv: include_bytes!("../../spirv/draw_sky.vertex.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 1716 },
     bindings: BINDINGS_0,
     group_size: [1, 1, 1],
     shared_bytes: 0,
@@ -53,7 +55,7 @@ static DRAW_SKY_FRAGMENT: Module = Module {
     name: "DrawSky.fragment",
     entry: "SkyFragment",
     stage: StageKind::Fragment,
-    spirv: include_bytes!("../../spirv/draw_sky.fragment.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 1716, bytes: 2024 },
     bindings: BINDINGS_1,
     group_size: [1, 1, 1],
     shared_bytes: 0,

@@ -4,7 +4,8 @@
 
 use super::{GridParams, StepState};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
+    Uniform, bind,
 };
 
 /// How many particles the sort has put before the inactive slots.
@@ -50,11 +51,13 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "grid", slot: 2, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/grid_count_active.deflate"));
+
 static COUNT_ACTIVE: Module = Module {
     name: "CountActive",
     entry: "CountActive",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/count_active.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 2196 },
     bindings: BINDINGS_0,
     group_size: [1, 1, 1],
     shared_bytes: 0,

@@ -4,7 +4,8 @@
 
 use super::{CellSlot, GridParams, Position, StepState};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
+    Uniform, bind,
 };
 
 /// Which variant of [`CountCells`] runs.
@@ -80,11 +81,13 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "grid", slot: 4, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/grid_count_cells.deflate"));
+
 static COUNT_CELLS: Module = Module {
     name: "CountCells",
     entry: "CountCells",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/count_cells.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 4192 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
@@ -97,7 +100,7 @@ static COUNT_CELLS_WITH_PERIODIC: Module = Module {
     name: "CountCells+PERIODIC",
     entry: "CountCells",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/count_cells+periodic.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 4192, bytes: 4348 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
@@ -110,7 +113,7 @@ static COUNT_CELLS_WITH_WRAPPED: Module = Module {
     name: "CountCells+WRAPPED",
     entry: "CountCells",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/count_cells+wrapped.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 8540, bytes: 4256 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
@@ -123,7 +126,7 @@ static COUNT_CELLS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
     name: "CountCells+WRAPPED+PERIODIC",
     entry: "CountCells",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/count_cells+wrapped+periodic.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 12796, bytes: 4412 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,

@@ -4,7 +4,8 @@
 
 use super::{Counters, GridParams, ListHead, Position, PrecisionKeyword, StepState};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
+    Uniform, bind,
 };
 
 /// Which variant of [`ListNeighbours`] runs.
@@ -125,11 +126,13 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "grid", slot: 7, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/grid_list_neighbours.deflate"));
+
 static LIST_NEIGHBOURS: Module = Module {
     name: "ListNeighbours",
     entry: "ListNeighbours",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/list_neighbours.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 14916 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
@@ -142,7 +145,7 @@ static LIST_NEIGHBOURS_WITH_RELAXED_PRECISION: Module = Module {
     name: "ListNeighbours+RELAXED_PRECISION",
     entry: "ListNeighbours",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/list_neighbours+relaxed_precision.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 14916, bytes: 14568 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
@@ -155,7 +158,7 @@ static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
     name: "ListNeighbours+PERIODIC",
     entry: "ListNeighbours",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/list_neighbours+periodic.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 29484, bytes: 16984 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
@@ -168,7 +171,7 @@ static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
     name: "ListNeighbours+PERIODIC+RELAXED_PRECISION",
     entry: "ListNeighbours",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/list_neighbours+periodic+relaxed_precision.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 46468, bytes: 16636 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
@@ -181,7 +184,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
     name: "ListNeighbours+WRAPPED",
     entry: "ListNeighbours",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/list_neighbours+wrapped.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 63104, bytes: 17900 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
@@ -194,7 +197,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_RELAXED_PRECISION: Module = Module {
     name: "ListNeighbours+WRAPPED+RELAXED_PRECISION",
     entry: "ListNeighbours",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/list_neighbours+wrapped+relaxed_precision.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 81004, bytes: 17552 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
@@ -207,7 +210,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
     name: "ListNeighbours+WRAPPED+PERIODIC",
     entry: "ListNeighbours",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/list_neighbours+wrapped+periodic.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 98556, bytes: 19308 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
@@ -220,7 +223,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module
     name: "ListNeighbours+WRAPPED+PERIODIC+RELAXED_PRECISION",
     entry: "ListNeighbours",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/list_neighbours+wrapped+periodic+relaxed_precision.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 117864, bytes: 18960 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,

@@ -4,7 +4,8 @@
 
 use super::{CellSlot, GridParams, Position, StepState};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
+    Uniform, bind,
 };
 
 /// Second pass of the deterministic order: a particle's rank in its cell becomes the number of the
@@ -67,11 +68,13 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "grid", slot: 5, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/grid_rank_by_id.deflate"));
+
 static RANK_BY_ID: Module = Module {
     name: "RankById",
     entry: "RankById",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/rank_by_id.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 3848 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,

@@ -4,7 +4,8 @@
 
 use super::{CellSlot, GridParams, Position, PrecisionKeyword, StepState, Velocity};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
+    Uniform, bind,
 };
 
 /// Which variant of [`Reorder`] runs.
@@ -96,11 +97,13 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "grid", slot: 8, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/grid_reorder.deflate"));
+
 static REORDER: Module = Module {
     name: "Reorder",
     entry: "Reorder",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/reorder.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 4956 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
@@ -113,7 +116,7 @@ static REORDER_WITH_RELAXED_PRECISION: Module = Module {
     name: "Reorder+RELAXED_PRECISION",
     entry: "Reorder",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/reorder+relaxed_precision.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 4956, bytes: 4848 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,

@@ -3,7 +3,7 @@
 //! Kernels of `grid/scan.compute`.
 
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier, bind,
 };
 
 /// Exclusive prefix sums of any length in the two phases of the mobile deck (inside groups, then
@@ -99,11 +99,13 @@ static BINDINGS_2: &[BindingInfo] = &[
     BindingInfo { name: "scanned", slot: 2, kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/grid_scan.deflate"));
+
 static REDUCE_GROUPS: Module = Module {
     name: "ReduceGroups",
     entry: "ReduceGroups",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/reduce_groups.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 5472 },
     bindings: BINDINGS_0,
     group_size: [128, 1, 1],
     shared_bytes: 576,
@@ -116,7 +118,7 @@ static SCAN_GROUPS: Module = Module {
     name: "ScanGroups",
     entry: "ScanGroups",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/scan_groups.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 5472, bytes: 7556 },
     bindings: BINDINGS_1,
     group_size: [128, 1, 1],
     shared_bytes: 576,
@@ -129,7 +131,7 @@ static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
     name: "ScanGroups+GROUP_OFFSETS",
     entry: "ScanGroups",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/scan_groups+group_offsets.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 13028, bytes: 7752 },
     bindings: BINDINGS_2,
     group_size: [128, 1, 1],
     shared_bytes: 576,

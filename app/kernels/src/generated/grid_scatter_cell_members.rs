@@ -4,7 +4,8 @@
 
 use super::{CellSlot, StepState};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
+    Uniform, bind,
 };
 
 /// First pass of the deterministic order: which particles each cell holds, in whatever order the
@@ -55,11 +56,13 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "step_state", slot: 3, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/grid_scatter_cell_members.deflate"));
+
 static SCATTER_CELL_MEMBERS: Module = Module {
     name: "ScatterCellMembers",
     entry: "ScatterCellMembers",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/scatter_cell_members.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 2288 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,

@@ -4,7 +4,8 @@
 
 use super::{ListHead, Position, SmoothingKernelParams, StepParams, StepState};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
+    Uniform, bind,
 };
 
 /// Which variant of [`DensityRatios`] runs.
@@ -87,11 +88,13 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "kernel", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/measure_density_ratios.deflate"));
+
 static DENSITY_RATIOS: Module = Module {
     name: "DensityRatios",
     entry: "DensityRatios",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/density_ratios.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 6920 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
@@ -104,7 +107,7 @@ static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
     name: "DensityRatios+PERIODIC",
     entry: "DensityRatios",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/density_ratios+periodic.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 6920, bytes: 7360 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
@@ -117,7 +120,7 @@ static DENSITY_RATIOS_WITH_WALLS: Module = Module {
     name: "DensityRatios+WALLS",
     entry: "DensityRatios",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/density_ratios+walls.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 14280, bytes: 8380 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
@@ -130,7 +133,7 @@ static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     name: "DensityRatios+WALLS+PERIODIC",
     entry: "DensityRatios",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/density_ratios+walls+periodic.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 22660, bytes: 8804 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,

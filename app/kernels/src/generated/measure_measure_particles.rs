@@ -4,7 +4,8 @@
 
 use super::{ListHead, MeasureSums, Position, SmoothingKernelParams, StepParams, StepState, Velocity};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
+    Uniform, bind,
 };
 
 /// Which variant of [`MeasureParticles`] runs.
@@ -122,11 +123,13 @@ static BINDINGS_1: &[BindingInfo] = &[
     BindingInfo { name: "kernel", slot: 8, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/measure_measure_particles.deflate"));
+
 static MEASURE_PARTICLES: Module = Module {
     name: "MeasureParticles",
     entry: "MeasureParticles",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/measure_particles.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 7384 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 4096,
@@ -139,7 +142,7 @@ static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
     name: "MeasureParticles+DENSITY",
     entry: "MeasureParticles",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/measure_particles+density.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 7384, bytes: 12472 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8192,
@@ -152,7 +155,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
     name: "MeasureParticles+DENSITY+PERIODIC",
     entry: "MeasureParticles",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/measure_particles+density+periodic.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 19856, bytes: 12912 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8192,
@@ -165,7 +168,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
     name: "MeasureParticles+DENSITY+WALLS",
     entry: "MeasureParticles",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/measure_particles+density+walls.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 32768, bytes: 13908 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8192,
@@ -178,7 +181,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module 
     name: "MeasureParticles+DENSITY+WALLS+PERIODIC",
     entry: "MeasureParticles",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/measure_particles+density+walls+periodic.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 46676, bytes: 14332 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8192,

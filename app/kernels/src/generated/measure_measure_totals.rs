@@ -4,7 +4,8 @@
 
 use super::{Counters, Measure, MeasureSums, StepState};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
+    Uniform, bind,
 };
 
 /// The groups' sums to one, and the 99th percentiles from the histograms. One group: a few
@@ -63,11 +64,13 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "step_state", slot: 4, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/measure_measure_totals.deflate"));
+
 static MEASURE_TOTALS: Module = Module {
     name: "MeasureTotals",
     entry: "MeasureTotals",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/measure_totals.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 8732 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 4616,

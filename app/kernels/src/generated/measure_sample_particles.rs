@@ -4,7 +4,8 @@
 
 use super::{Position, SampleParams, Velocity};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
+    Uniform, bind,
 };
 
 /// Every stride-th particle by its id, at the index id / stride: a point stays the same particle from
@@ -57,11 +58,13 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "sample_params", slot: 3, kind: BindingKind::Uniform { bytes: 16 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/measure_sample_particles.deflate"));
+
 static SAMPLE_PARTICLES: Module = Module {
     name: "SampleParticles",
     entry: "SampleParticles",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/sample_particles.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 2868 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,

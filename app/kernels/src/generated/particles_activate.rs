@@ -4,7 +4,8 @@
 
 use super::{ActivateParams, Counters, Position, StepState, Velocity};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, BufMut, Kernel, Module, Spirv, StageKind, Tier, Uniform,
+    bind,
 };
 
 /// Puts particles into inactive slots, which a sort leaves behind all others: ActivateParticles fills the slots,
@@ -104,11 +105,13 @@ static BINDINGS_1: &[BindingInfo] = &[
     BindingInfo { name: "activate", slot: 2, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/particles_activate.deflate"));
+
 static ACTIVATE_PARTICLES: Module = Module {
     name: "ActivateParticles",
     entry: "ActivateParticles",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/activate_particles.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 3540 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
@@ -121,7 +124,7 @@ static CLAIM_SLOTS: Module = Module {
     name: "ClaimSlots",
     entry: "ClaimSlots",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/claim_slots.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 3540, bytes: 2648 },
     bindings: BINDINGS_1,
     group_size: [1, 1, 1],
     shared_bytes: 0,

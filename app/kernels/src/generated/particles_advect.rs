@@ -4,7 +4,8 @@
 
 use super::{Counters, KickParams, Position, StepParams, StepState, Velocity};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
+    Uniform, bind,
 };
 
 /// Which variant of [`Advect`] runs.
@@ -130,11 +131,13 @@ static BINDINGS_1: &[BindingInfo] = &[
     BindingInfo { name: "kicks", slot: 6, kind: BindingKind::Uniform { bytes: 16 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/particles_advect.deflate"));
+
 static ADVECT: Module = Module {
     name: "Advect",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/advect.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 5056 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
@@ -147,7 +150,7 @@ static ADVECT_WITH_PERIODIC: Module = Module {
     name: "Advect+PERIODIC",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/advect+periodic.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 5056, bytes: 6040 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
@@ -160,7 +163,7 @@ static ADVECT_WITH_WALLS: Module = Module {
     name: "Advect+WALLS",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/advect+walls.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 11096, bytes: 5556 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
@@ -173,7 +176,7 @@ static ADVECT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     name: "Advect+WALLS+PERIODIC",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/advect+walls+periodic.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 16652, bytes: 6524 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
@@ -186,7 +189,7 @@ static ADVECT_WITH_ACCELERATED: Module = Module {
     name: "Advect+ACCELERATED",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/advect+accelerated.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 23176, bytes: 6024 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
@@ -199,7 +202,7 @@ static ADVECT_WITH_ACCELERATED_WITH_PERIODIC: Module = Module {
     name: "Advect+ACCELERATED+PERIODIC",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/advect+accelerated+periodic.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 29200, bytes: 6992 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
@@ -212,7 +215,7 @@ static ADVECT_WITH_ACCELERATED_WITH_WALLS: Module = Module {
     name: "Advect+ACCELERATED+WALLS",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/advect+accelerated+walls.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 36192, bytes: 6508 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
@@ -225,7 +228,7 @@ static ADVECT_WITH_ACCELERATED_WITH_WALLS_WITH_PERIODIC: Module = Module {
     name: "Advect+ACCELERATED+WALLS+PERIODIC",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/advect+accelerated+walls+periodic.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 42700, bytes: 7476 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,

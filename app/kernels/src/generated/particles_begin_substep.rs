@@ -4,7 +4,8 @@
 
 use super::{StepParams, StepState};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, BufMut, Kernel, Module, Spirv, StageKind, Tier, Uniform,
+    bind,
 };
 
 /// Opens a substep: the time it takes, and the slots it visits.
@@ -40,11 +41,13 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "step_params", slot: 1, kind: BindingKind::Uniform { bytes: 96 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/particles_begin_substep.deflate"));
+
 static BEGIN_SUBSTEP: Module = Module {
     name: "BeginSubstep",
     entry: "BeginSubstep",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/begin_substep.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 2448 },
     bindings: BINDINGS_0,
     group_size: [1, 1, 1],
     shared_bytes: 0,

@@ -4,7 +4,8 @@
 
 use super::{DeactivateParams, Position, StepState, Velocity};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, BufMut, Kernel, Module, Spirv, StageKind, Tier, Uniform,
+    bind,
 };
 
 /// Empties the slots of the particles in a box. The next sort puts them behind all others, where they can be filled.
@@ -58,11 +59,13 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "deactivate", slot: 3, kind: BindingKind::Uniform { bytes: 32 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/particles_deactivate.deflate"));
+
 static DEACTIVATE_PARTICLES: Module = Module {
     name: "DeactivateParticles",
     entry: "DeactivateParticles",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/deactivate_particles.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 3156 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,

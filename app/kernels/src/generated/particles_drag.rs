@@ -4,7 +4,8 @@
 
 use super::{DragParams, Position, StepState, Velocity};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
+    Uniform, bind,
 };
 
 /// Draws particles near a ray, the eye's through a cursor, toward a velocity:
@@ -56,11 +57,13 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "drag", slot: 3, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/particles_drag.deflate"));
+
 static DRAG: Module = Module {
     name: "Drag",
     entry: "Drag",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/drag.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 4052 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,

@@ -3,7 +3,9 @@
 //! Kernels of `particles/end_step.compute`.
 
 use super::StepState;
-use crate::{Access, BindingError, BindingInfo, BindingKind, Bound, BufMut, Kernel, Module, StageKind, Tier, bind};
+use crate::{
+    Access, BindingError, BindingInfo, BindingKind, Bound, BufMut, Kernel, Module, Spirv, StageKind, Tier, bind,
+};
 
 /// Ends a step whose substeps the GPU chose: what reads the particles now visits all of them, though the last substeps that
 /// were left over visited none.
@@ -34,11 +36,13 @@ static BINDINGS_0: &[BindingInfo] = &[BindingInfo {
     kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
 }];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/particles_end_step.deflate"));
+
 static END_STEP: Module = Module {
     name: "EndStep",
     entry: "EndStep",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/end_step.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 1544 },
     bindings: BINDINGS_0,
     group_size: [1, 1, 1],
     shared_bytes: 0,

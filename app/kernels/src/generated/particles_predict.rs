@@ -4,7 +4,8 @@
 
 use super::{Counters, Position, StepParams, StepState, Velocity};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, BufMut, Kernel, Module, Spirv, StageKind, Tier, Uniform,
+    bind,
 };
 
 /// Which variant of [`Predict`] runs.
@@ -84,11 +85,13 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "step_params", slot: 4, kind: BindingKind::Uniform { bytes: 96 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/particles_predict.deflate"));
+
 static PREDICT: Module = Module {
     name: "Predict",
     entry: "Predict",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/predict.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 5148 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
@@ -101,7 +104,7 @@ static PREDICT_WITH_PERIODIC: Module = Module {
     name: "Predict+PERIODIC",
     entry: "Predict",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/predict+periodic.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 5148, bytes: 6116 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
@@ -114,7 +117,7 @@ static PREDICT_WITH_WALLS: Module = Module {
     name: "Predict+WALLS",
     entry: "Predict",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/predict+walls.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 11264, bytes: 5632 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
@@ -127,7 +130,7 @@ static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     name: "Predict+WALLS+PERIODIC",
     entry: "Predict",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/predict+walls+periodic.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 16896, bytes: 6600 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,

@@ -4,7 +4,8 @@
 
 use super::{Counters, NoneParams, Position, StepParams, StepState, Velocity};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, BufMut, Kernel, Module, Spirv, StageKind, Tier, Uniform,
+    bind,
 };
 
 /// Which variant of [`IntegrateParticles`] runs.
@@ -92,11 +93,13 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "none", slot: 5, kind: BindingKind::Uniform { bytes: 16 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/solver_none_integrate_particles.deflate"));
+
 static INTEGRATE_PARTICLES: Module = Module {
     name: "IntegrateParticles",
     entry: "IntegrateParticles",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/integrate_particles.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 6288 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
@@ -109,7 +112,7 @@ static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
     name: "IntegrateParticles+PERIODIC",
     entry: "IntegrateParticles",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/integrate_particles+periodic.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 6288, bytes: 7240 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
@@ -122,7 +125,7 @@ static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
     name: "IntegrateParticles+WALLS",
     entry: "IntegrateParticles",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/integrate_particles+walls.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 13528, bytes: 6832 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
@@ -135,7 +138,7 @@ static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
     name: "IntegrateParticles+WALLS+PERIODIC",
     entry: "IntegrateParticles",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/integrate_particles+walls+periodic.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 20360, bytes: 7784 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,

@@ -4,7 +4,8 @@
 
 use super::{CoarseCell, CoarseGridParams};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
+    Uniform, bind,
 };
 
 /// The particles of eight coarse cells as those of one, twice as wide: what a slow mode looks like from further away.
@@ -50,11 +51,13 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "coarse", slot: 2, kind: BindingKind::Uniform { bytes: 80 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/solver_pbf_coarsen_constraint.deflate"));
+
 static COARSEN_CONSTRAINT: Module = Module {
     name: "CoarsenConstraint",
     entry: "CoarsenConstraint",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/coarsen_constraint.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 3576 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,

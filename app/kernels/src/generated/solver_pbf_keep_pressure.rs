@@ -4,7 +4,8 @@
 
 use super::{Position, PositionLambda, PrecisionKeyword, SmoothingKernelParams, StepState, WarmStart};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
+    Uniform, bind,
 };
 
 /// Which variant of [`KeepPressure`] runs.
@@ -123,11 +124,13 @@ static BINDINGS_1: &[BindingInfo] = &[
     BindingInfo { name: "kernel", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/solver_pbf_keep_pressure.deflate"));
+
 static KEEP_PRESSURE: Module = Module {
     name: "KeepPressure",
     entry: "KeepPressure",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/keep_pressure.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 5364 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
@@ -140,7 +143,7 @@ static KEEP_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     name: "KeepPressure+RELAXED_PRECISION",
     entry: "KeepPressure",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/keep_pressure+relaxed_precision.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 5364, bytes: 5116 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,

@@ -4,7 +4,8 @@
 
 use super::{CoarseGridParams, Position, PositionLambda, PrecisionKeyword, StepState};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
+    Uniform, bind,
 };
 
 /// Which variant of [`ProlongMultiplier`] runs.
@@ -104,11 +105,13 @@ static BINDINGS_1: &[BindingInfo] = &[
     BindingInfo { name: "coarse", slot: 5, kind: BindingKind::Uniform { bytes: 80 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/solver_pbf_prolong_multiplier.deflate"));
+
 static PROLONG_MULTIPLIER: Module = Module {
     name: "ProlongMultiplier",
     entry: "ProlongMultiplier",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/prolong_multiplier.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 15756 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
@@ -121,7 +124,7 @@ static PROLONG_MULTIPLIER_WITH_RELAXED_PRECISION: Module = Module {
     name: "ProlongMultiplier+RELAXED_PRECISION",
     entry: "ProlongMultiplier",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/prolong_multiplier+relaxed_precision.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 15756, bytes: 15996 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,

@@ -4,7 +4,8 @@
 
 use super::{CoarseCell, CoarseGridParams};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
+    Uniform, bind,
 };
 
 /// Which variant of [`RelaxMultiplier`] runs.
@@ -79,11 +80,13 @@ static BINDINGS_1: &[BindingInfo] = &[
     BindingInfo { name: "coarse", slot: 3, kind: BindingKind::Uniform { bytes: 80 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/solver_pbf_relax_multiplier.deflate"));
+
 static RELAX_MULTIPLIER: Module = Module {
     name: "RelaxMultiplier",
     entry: "RelaxMultiplier",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/relax_multiplier.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 25272 },
     bindings: BINDINGS_0,
     group_size: [256, 1, 1],
     shared_bytes: 4000,
@@ -96,7 +99,7 @@ static RELAX_MULTIPLIER_WITH_PROLONGED: Module = Module {
     name: "RelaxMultiplier+PROLONGED",
     entry: "RelaxMultiplier",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/relax_multiplier+prolonged.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 25272, bytes: 39876 },
     bindings: BINDINGS_1,
     group_size: [256, 1, 1],
     shared_bytes: 4000,

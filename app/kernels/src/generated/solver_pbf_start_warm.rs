@@ -7,7 +7,8 @@ use super::{
     WarmStart,
 };
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
+    Uniform, bind,
 };
 
 /// Which variant of [`StartWarm`] runs.
@@ -191,11 +192,13 @@ static BINDINGS_3: &[BindingInfo] = &[
     BindingInfo { name: "pbf", slot: 10, kind: BindingKind::Uniform { bytes: 32 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/solver_pbf_start_warm.deflate"));
+
 static START_WARM: Module = Module {
     name: "StartWarm",
     entry: "StartWarm",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/start_warm.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 6524 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
@@ -208,7 +211,7 @@ static START_WARM_WITH_RELAXED_PRECISION: Module = Module {
     name: "StartWarm+RELAXED_PRECISION",
     entry: "StartWarm",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/start_warm+relaxed_precision.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 6524, bytes: 6260 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
@@ -221,7 +224,7 @@ static START_WARM_WITH_WALLS: Module = Module {
     name: "StartWarm+WALLS",
     entry: "StartWarm",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/start_warm+walls.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 12784, bytes: 7536 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
@@ -234,7 +237,7 @@ static START_WARM_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     name: "StartWarm+WALLS+RELAXED_PRECISION",
     entry: "StartWarm",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/start_warm+walls+relaxed_precision.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 20320, bytes: 7272 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,

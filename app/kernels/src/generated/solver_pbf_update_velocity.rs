@@ -4,7 +4,8 @@
 
 use super::{Counters, Position, PrecisionKeyword, SmoothingKernelParams, StepParams, StepState, Velocity};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
+    Uniform, bind,
 };
 
 /// Which variant of [`UpdateVelocity`] runs.
@@ -201,11 +202,13 @@ static BINDINGS_2: &[BindingInfo] = &[
     BindingInfo { name: "kernel", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/solver_pbf_update_velocity.deflate"));
+
 static UPDATE_VELOCITY: Module = Module {
     name: "UpdateVelocity",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/update_velocity.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 6948 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
@@ -218,7 +221,7 @@ static UPDATE_VELOCITY_WITH_KEEP_VELOCITY: Module = Module {
     name: "UpdateVelocity+KEEP_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/update_velocity+keep_velocity.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 6948, bytes: 5064 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
@@ -231,7 +234,7 @@ static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
     name: "UpdateVelocity+PERIODIC",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/update_velocity+periodic.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 12012, bytes: 7932 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
@@ -244,7 +247,7 @@ static UPDATE_VELOCITY_WITH_PERIODIC_WITH_KEEP_VELOCITY: Module = Module {
     name: "UpdateVelocity+PERIODIC+KEEP_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/update_velocity+periodic+keep_velocity.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 19944, bytes: 6792 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
@@ -257,7 +260,7 @@ static UPDATE_VELOCITY_WITH_RELAXED_PRECISION: Module = Module {
     name: "UpdateVelocity+RELAXED_PRECISION",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/update_velocity+relaxed_precision.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 26736, bytes: 6720 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
@@ -270,7 +273,7 @@ static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_KEEP_VELOCITY: Module = Modul
     name: "UpdateVelocity+RELAXED_PRECISION+KEEP_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/update_velocity+relaxed_precision+keep_velocity.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 33456, bytes: 4836 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
@@ -283,7 +286,7 @@ static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC: Module = Module {
     name: "UpdateVelocity+RELAXED_PRECISION+PERIODIC",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/update_velocity+relaxed_precision+periodic.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 38292, bytes: 7720 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
@@ -296,7 +299,7 @@ static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC_WITH_KEEP_VELOCITY: 
     name: "UpdateVelocity+RELAXED_PRECISION+PERIODIC+KEEP_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/update_velocity+relaxed_precision+periodic+keep_velocity.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 46012, bytes: 6580 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,

@@ -4,7 +4,8 @@
 
 use super::{Counters, SphLimits, SphTimeStep, StepParams, StepState};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, BufMut, Kernel, Module, Spirv, StageKind, Tier, Uniform,
+    bind,
 };
 
 /// Which variant of [`ChooseTimeStep`] runs.
@@ -95,11 +96,13 @@ static BINDINGS_1: &[BindingInfo] = &[
     BindingInfo { name: "limits", slot: 3, kind: BindingKind::Uniform { bytes: 32 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/solver_sph_choose_time_step.deflate"));
+
 static CHOOSE_TIME_STEP: Module = Module {
     name: "ChooseTimeStep",
     entry: "ChooseTimeStep",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/choose_time_step.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 5276 },
     bindings: BINDINGS_0,
     group_size: [1, 1, 1],
     shared_bytes: 0,
@@ -112,7 +115,7 @@ static CHOOSE_TIME_STEP_WITH_ADAPTIVE: Module = Module {
     name: "ChooseTimeStep+ADAPTIVE",
     entry: "ChooseTimeStep",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/choose_time_step+adaptive.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 5276, bytes: 5156 },
     bindings: BINDINGS_1,
     group_size: [1, 1, 1],
     shared_bytes: 0,

@@ -4,7 +4,8 @@
 
 use super::{AnisotropyParams, Ellipsoid, ListHead, Position, StepState, SurfaceParams};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
+    Uniform, bind,
 };
 
 /// Each particle's ellipsoid (Yu & Turk 2013): where its neighbours lie around it is wide, along a
@@ -67,11 +68,13 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "surface", slot: 6, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/surface_anisotropy.deflate"));
+
 static ANISOTROPY: Module = Module {
     name: "Anisotropy",
     entry: "Anisotropy",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/anisotropy.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 14052 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,

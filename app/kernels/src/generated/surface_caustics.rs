@@ -4,7 +4,8 @@
 
 use super::{FrameLight, Photon, SurfaceParams, WaterStyle};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, Draw, Module, StageKind, Tier, Uniform, bind_draw,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, Draw, Module, Spirv, StageKind, Tier, Uniform,
+    bind_draw,
 };
 
 /// The light that photons bring to the floor, in the sun's map: 1 where the sun shines on it unhindered.
@@ -53,11 +54,13 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "water", slot: 3, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/surface_caustics.deflate"));
+
 static DRAW_CAUSTICS_VERTEX: Module = Module {
     name: "DrawCaustics.vertex",
     entry: "CausticsVertex",
     stage: StageKind::Vertex,
-    spirv: include_bytes!("../../spirv/draw_caustics.vertex.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 7212 },
     bindings: BINDINGS_0,
     group_size: [1, 1, 1],
     shared_bytes: 0,
@@ -70,7 +73,7 @@ static DRAW_CAUSTICS_FRAGMENT: Module = Module {
     name: "DrawCaustics.fragment",
     entry: "CausticsFragment",
     stage: StageKind::Fragment,
-    spirv: include_bytes!("../../spirv/draw_caustics.fragment.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 7212, bytes: 876 },
     bindings: &[],
     group_size: [1, 1, 1],
     shared_bytes: 0,

@@ -4,7 +4,8 @@
 
 use super::FrameView;
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, BufMut, Kernel, Module, StageKind, Tex, Tier, Uniform, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, BufMut, Kernel, Module, Spirv, StageKind, Tex, Tier,
+    Uniform, bind,
 };
 
 /// How many drawn pixels show the fluid, by one in COVERED\_STRIDE x COVERED\_STRIDE of them: what the choice between a mesh and
@@ -51,11 +52,13 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "view", slot: 2, kind: BindingKind::Uniform { bytes: 80 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/surface_count_covered.deflate"));
+
 static COUNT_COVERED: Module = Module {
     name: "CountCovered",
     entry: "CountCovered",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/count_covered.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 2520 },
     bindings: BINDINGS_0,
     group_size: [8, 8, 1],
     shared_bytes: 4,

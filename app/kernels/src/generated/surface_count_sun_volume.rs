@@ -4,7 +4,8 @@
 
 use super::{FrameLight, Position, StepState, SunVolumeParams};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
+    Uniform, bind,
 };
 
 /// First of the sun's volume: each particle's volume in the eight cells around it, as integers, whose sum does not
@@ -59,11 +60,13 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "volume", slot: 4, kind: BindingKind::Uniform { bytes: 16 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/surface_count_sun_volume.deflate"));
+
 static COUNT_SUN_VOLUME: Module = Module {
     name: "CountSunVolume",
     entry: "CountSunVolume",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/count_sun_volume.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 5052 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,

@@ -4,7 +4,8 @@
 
 use super::{Ellipsoid, FrameView, ListHead, Position, ShapeKeyword, SurfaceParams};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, Draw, Module, StageKind, Tier, Uniform, bind_draw,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, Draw, Module, Spirv, StageKind, Tier, Uniform,
+    bind_draw,
 };
 
 /// Which variant of [`DrawFluidDepth`] runs.
@@ -102,11 +103,13 @@ static BINDINGS_4: &[BindingInfo] = &[
     BindingInfo { name: "surface", slot: 2, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/surface_fluid_depth.deflate"));
+
 static DRAW_FLUID_DEPTH_VERTEX: Module = Module {
     name: "DrawFluidDepth.vertex",
     entry: "FluidDepthVertex",
     stage: StageKind::Vertex,
-    spirv: include_bytes!("../../spirv/draw_fluid_depth.vertex.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 4148 },
     bindings: BINDINGS_0,
     group_size: [1, 1, 1],
     shared_bytes: 0,
@@ -119,7 +122,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
     name: "DrawFluidDepth.fragment",
     entry: "FluidDepthFragment",
     stage: StageKind::Fragment,
-    spirv: include_bytes!("../../spirv/draw_fluid_depth.fragment.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 4148, bytes: 3348 },
     bindings: BINDINGS_1,
     group_size: [1, 1, 1],
     shared_bytes: 0,
@@ -132,7 +135,7 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     name: "DrawFluidDepth.vertex+SPRAY_SHAPE",
     entry: "FluidDepthVertex",
     stage: StageKind::Vertex,
-    spirv: include_bytes!("../../spirv/draw_fluid_depth.vertex+spray_shape.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 7496, bytes: 4768 },
     bindings: BINDINGS_2,
     group_size: [1, 1, 1],
     shared_bytes: 0,
@@ -145,7 +148,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     name: "DrawFluidDepth.fragment+SPRAY_SHAPE",
     entry: "FluidDepthFragment",
     stage: StageKind::Fragment,
-    spirv: include_bytes!("../../spirv/draw_fluid_depth.fragment+spray_shape.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 12264, bytes: 3348 },
     bindings: BINDINGS_3,
     group_size: [1, 1, 1],
     shared_bytes: 0,
@@ -158,7 +161,7 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     name: "DrawFluidDepth.vertex+ELLIPSOID_SHAPE",
     entry: "FluidDepthVertex",
     stage: StageKind::Vertex,
-    spirv: include_bytes!("../../spirv/draw_fluid_depth.vertex+ellipsoid_shape.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 15612, bytes: 5472 },
     bindings: BINDINGS_4,
     group_size: [1, 1, 1],
     shared_bytes: 0,

@@ -4,7 +4,8 @@
 
 use super::{CellSlot, Ellipsoid, MeshParams, Position, StepState};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
+    Uniform, bind,
 };
 
 /// Which variant of [`CountBins`] runs.
@@ -93,11 +94,13 @@ static BINDINGS_1: &[BindingInfo] = &[
     BindingInfo { name: "mesh", slot: 4, kind: BindingKind::Uniform { bytes: 160 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/surface_mesh_count_bins.deflate"));
+
 static COUNT_BINS: Module = Module {
     name: "CountBins",
     entry: "CountBins",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/count_bins.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 4768 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
@@ -110,7 +113,7 @@ static COUNT_BINS_WITH_ANISOTROPIC: Module = Module {
     name: "CountBins+ANISOTROPIC",
     entry: "CountBins",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/count_bins+anisotropic.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 4768, bytes: 4860 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,

@@ -4,7 +4,8 @@
 
 use super::{MeshCounts, MeshParams};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
+    Uniform, bind,
 };
 
 /// How many vertices and triangles each listed block has.
@@ -78,11 +79,13 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "mesh", slot: 6, kind: BindingKind::Uniform { bytes: 160 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/surface_mesh_count_mesh.deflate"));
+
 static COUNT_MESH: Module = Module {
     name: "CountMesh",
     entry: "CountMesh",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/count_mesh.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 14516 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 112,

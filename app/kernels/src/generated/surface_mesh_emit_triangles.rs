@@ -4,7 +4,8 @@
 
 use super::{MeshCounts, MeshParams};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
+    Uniform, bind,
 };
 
 /// The surface's triangles, as numbers of vertices. One that has no place, or a vertex that has none, is left out and
@@ -99,11 +100,13 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "mesh", slot: 8, kind: BindingKind::Uniform { bytes: 160 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/surface_mesh_emit_triangles.deflate"));
+
 static EMIT_TRIANGLES: Module = Module {
     name: "EmitTriangles",
     entry: "EmitTriangles",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/emit_triangles.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 18140 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 112,

@@ -4,7 +4,8 @@
 
 use super::{MeshCounts, MeshParams, MeshVertex};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
+    Uniform, bind,
 };
 
 /// The surface's vertices, each where the field is 0 along an edge from its thread's point. At a wall that is the wall's own
@@ -93,11 +94,13 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "mesh", slot: 8, kind: BindingKind::Uniform { bytes: 160 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/surface_mesh_emit_vertices.deflate"));
+
 static EMIT_VERTICES: Module = Module {
     name: "EmitVertices",
     entry: "EmitVertices",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/emit_vertices.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 16116 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 112,

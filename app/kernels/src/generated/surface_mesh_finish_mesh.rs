@@ -4,7 +4,8 @@
 
 use super::{MeshCounts, MeshParams};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
+    Uniform, bind,
 };
 
 /// What the mesh came to, as a draw and later dispatches read it.
@@ -64,11 +65,13 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "mesh", slot: 3, kind: BindingKind::Uniform { bytes: 160 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/surface_mesh_finish_mesh.deflate"));
+
 static FINISH_MESH: Module = Module {
     name: "FinishMesh",
     entry: "FinishMesh",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/finish_mesh.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 3580 },
     bindings: BINDINGS_0,
     group_size: [1, 1, 1],
     shared_bytes: 0,

@@ -4,7 +4,8 @@
 
 use super::{MeshCounts, MeshKernel, MeshParams, Position};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
+    Uniform, bind,
 };
 
 /// Which variant of [`GatherField`] runs.
@@ -105,11 +106,13 @@ static BINDINGS_1: &[BindingInfo] = &[
     BindingInfo { name: "mesh", slot: 6, kind: BindingKind::Uniform { bytes: 160 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/surface_mesh_gather_field.deflate"));
+
 static GATHER_FIELD: Module = Module {
     name: "GatherField",
     entry: "GatherField",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/gather_field.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 24528 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 64,
@@ -122,7 +125,7 @@ static GATHER_FIELD_WITH_ANISOTROPIC: Module = Module {
     name: "GatherField+ANISOTROPIC",
     entry: "GatherField",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/gather_field+anisotropic.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 24528, bytes: 19728 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 64,

@@ -4,7 +4,8 @@
 
 use super::{MeshCounts, MeshParams};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
+    Uniform, bind,
 };
 
 /// The listed blocks side by side, and where each of the grid's blocks is among them.
@@ -72,11 +73,13 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "mesh", slot: 5, kind: BindingKind::Uniform { bytes: 160 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/surface_mesh_list_blocks.deflate"));
+
 static LIST_BLOCKS: Module = Module {
     name: "ListBlocks",
     entry: "ListBlocks",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/list_blocks.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 4636 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,

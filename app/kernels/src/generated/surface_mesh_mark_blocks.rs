@@ -4,7 +4,8 @@
 
 use super::MeshParams;
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
+    Uniform, bind,
 };
 
 /// Which blocks the surface may cross, from how many particles there are in the bins around each: those near some, but
@@ -74,11 +75,13 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "mesh", slot: 4, kind: BindingKind::Uniform { bytes: 160 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/surface_mesh_mark_blocks.deflate"));
+
 static MARK_BLOCKS: Module = Module {
     name: "MarkBlocks",
     entry: "MarkBlocks",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/mark_blocks.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 9600 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 500,

@@ -4,7 +4,8 @@
 
 use super::{FrameView, MeshParams, MeshVertex};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, Draw, Module, StageKind, Tier, Uniform, bind_draw,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, Draw, Module, Spirv, StageKind, Tier, Uniform,
+    bind_draw,
 };
 
 /// The surface's mesh as the eye sees it: inverse depth, and the normal that the field gave each vertex. What lies in a
@@ -62,11 +63,13 @@ static BINDINGS_1: &[BindingInfo] = &[
     BindingInfo { name: "mesh", slot: 3, kind: BindingKind::Uniform { bytes: 160 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/surface_mesh_mesh_depth.deflate"));
+
 static DRAW_MESH_DEPTH_VERTEX: Module = Module {
     name: "DrawMeshDepth.vertex",
     entry: "MeshDepthVertex",
     stage: StageKind::Vertex,
-    spirv: include_bytes!("../../spirv/draw_mesh_depth.vertex.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 2576 },
     bindings: BINDINGS_0,
     group_size: [1, 1, 1],
     shared_bytes: 0,
@@ -79,7 +82,7 @@ static DRAW_MESH_DEPTH_FRAGMENT: Module = Module {
     name: "DrawMeshDepth.fragment",
     entry: "MeshDepthFragment",
     stage: StageKind::Fragment,
-    spirv: include_bytes!("../../spirv/draw_mesh_depth.fragment.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 2576, bytes: 3996 },
     bindings: BINDINGS_1,
     group_size: [1, 1, 1],
     shared_bytes: 0,

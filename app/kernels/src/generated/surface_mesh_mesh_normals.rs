@@ -4,7 +4,8 @@
 
 use super::{MeshCounts, MeshKernel, MeshParams, MeshVertex, Position};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
+    Uniform, bind,
 };
 
 /// Which variant of [`MeshNormals`] runs.
@@ -87,11 +88,13 @@ static BINDINGS_1: &[BindingInfo] = &[
     BindingInfo { name: "mesh", slot: 4, kind: BindingKind::Uniform { bytes: 160 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/surface_mesh_mesh_normals.deflate"));
+
 static MESH_NORMALS: Module = Module {
     name: "MeshNormals",
     entry: "MeshNormals",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/mesh_normals.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 10612 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
@@ -104,7 +107,7 @@ static MESH_NORMALS_WITH_ANISOTROPIC: Module = Module {
     name: "MeshNormals+ANISOTROPIC",
     entry: "MeshNormals",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/mesh_normals+anisotropic.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 10612, bytes: 9000 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,

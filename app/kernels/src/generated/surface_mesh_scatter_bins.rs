@@ -4,7 +4,8 @@
 
 use super::{CellSlot, Ellipsoid, MeshKernel, MeshParams, Position, StepState};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
+    Uniform, bind,
 };
 
 /// Which variant of [`ScatterBins`] runs.
@@ -90,11 +91,13 @@ static BINDINGS_1: &[BindingInfo] = &[
     BindingInfo { name: "mesh", slot: 5, kind: BindingKind::Uniform { bytes: 160 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/surface_mesh_scatter_bins.deflate"));
+
 static SCATTER_BINS: Module = Module {
     name: "ScatterBins",
     entry: "ScatterBins",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/scatter_bins.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 2676 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
@@ -107,7 +110,7 @@ static SCATTER_BINS_WITH_ANISOTROPIC: Module = Module {
     name: "ScatterBins+ANISOTROPIC",
     entry: "ScatterBins",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/scatter_bins+anisotropic.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 2676, bytes: 8096 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,

@@ -3,7 +3,9 @@
 //! Kernels of `surface/opaque_planes.hlsl`.
 
 use super::{FrameView, SurfaceParams};
-use crate::{BindingError, BindingInfo, BindingKind, Bound, Draw, Module, StageKind, Tex, Tier, Uniform, bind_draw};
+use crate::{
+    BindingError, BindingInfo, BindingKind, Bound, Draw, Module, Spirv, StageKind, Tex, Tier, Uniform, bind_draw,
+};
 
 /// What is opaque behind the water, as the plane that touches it in each texel of the thickness: worked out once
 /// and not for each of the discs that cover the texel.
@@ -48,11 +50,13 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "surface", slot: 2, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/surface_opaque_planes.deflate"));
+
 static DRAW_OPAQUE_PLANES_VERTEX: Module = Module {
     name: "DrawOpaquePlanes.vertex",
     entry: "OpaquePlanesVertex",
     stage: StageKind::Vertex,
-    spirv: include_bytes!("../../spirv/draw_opaque_planes.vertex.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 804 },
     bindings: &[],
     group_size: [1, 1, 1],
     shared_bytes: 0,
@@ -65,7 +69,7 @@ static DRAW_OPAQUE_PLANES_FRAGMENT: Module = Module {
     name: "DrawOpaquePlanes.fragment",
     entry: "OpaquePlanesFragment",
     stage: StageKind::Fragment,
-    spirv: include_bytes!("../../spirv/draw_opaque_planes.fragment.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 804, bytes: 6580 },
     bindings: BINDINGS_0,
     group_size: [1, 1, 1],
     shared_bytes: 0,

@@ -4,7 +4,7 @@
 
 use super::MeshSize;
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier, bind,
 };
 
 /// How many edges each vertex has to vertices of a higher number: each edge is that of its lower end.
@@ -54,11 +54,13 @@ static BINDINGS_0: &[BindingInfo] = &[
     },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/surface_refine_count_edges.deflate"));
+
 static COUNT_EDGES: Module = Module {
     name: "CountEdges",
     entry: "CountEdges",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/count_edges.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 2052 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,

@@ -4,7 +4,7 @@
 
 use super::MeshSize;
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier, bind,
 };
 
 /// How many sides start at each vertex: on a closed mesh whose triangles are oriented alike, as many as it has
@@ -61,11 +61,13 @@ static BINDINGS_0: &[BindingInfo] = &[
     },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/surface_refine_count_rings.deflate"));
+
 static COUNT_RINGS: Module = Module {
     name: "CountRings",
     entry: "CountRings",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/count_rings.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 2304 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,

@@ -4,7 +4,8 @@
 
 use super::{MeshCounts, RefineParams};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
+    Uniform, bind,
 };
 
 /// What the subdivided mesh comes to, as a draw reads it: what was lost before it counts as its triangles do.
@@ -56,11 +57,13 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "refine", slot: 3, kind: BindingKind::Uniform { bytes: 24 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/surface_refine_finish_subdivision.deflate"));
+
 static FINISH_SUBDIVISION: Module = Module {
     name: "FinishSubdivision",
     entry: "FinishSubdivision",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/finish_subdivision.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 3168 },
     bindings: BINDINGS_0,
     group_size: [1, 1, 1],
     shared_bytes: 0,

@@ -4,7 +4,7 @@
 
 use super::MeshSize;
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier, bind,
 };
 
 /// The ends of each vertex's sides, side by side.
@@ -54,11 +54,13 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "rings", slot: 4, kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/surface_refine_list_rings.deflate"));
+
 static LIST_RINGS: Module = Module {
     name: "ListRings",
     entry: "ListRings",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/list_rings.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 2472 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,

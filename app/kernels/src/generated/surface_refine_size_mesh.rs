@@ -4,7 +4,7 @@
 
 use super::{MeshCounts, MeshSize};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier, bind,
 };
 
 /// How many groups the stages take that have a thread for each of a mesh's vertices, or triangles.
@@ -40,11 +40,13 @@ static BINDINGS_0: &[BindingInfo] = &[
     },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/surface_refine_size_mesh.deflate"));
+
 static SIZE_MESH: Module = Module {
     name: "SizeMesh",
     entry: "SizeMesh",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/size_mesh.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 2212 },
     bindings: BINDINGS_0,
     group_size: [1, 1, 1],
     shared_bytes: 0,

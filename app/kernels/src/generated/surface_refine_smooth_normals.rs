@@ -4,7 +4,8 @@
 
 use super::{MeshSize, MeshVertex, RefineParams};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
+    Uniform, bind,
 };
 
 /// Normals, each the mean of its own and those of its vertex's ring, weighted by distance and by how little they differ
@@ -67,11 +68,13 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "refine", slot: 5, kind: BindingKind::Uniform { bytes: 24 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/surface_refine_smooth_normals.deflate"));
+
 static SMOOTH_NORMALS: Module = Module {
     name: "SmoothNormals",
     entry: "SmoothNormals",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/smooth_normals.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 3780 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,

@@ -4,7 +4,7 @@
 
 use super::MeshSize;
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier, bind,
 };
 
 /// Each vertex's ring, ascending: in the same order in every run, whichever of its triangles came first. A ring has 6
@@ -47,11 +47,13 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "rings", slot: 2, kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/surface_refine_sort_rings.deflate"));
+
 static SORT_RINGS: Module = Module {
     name: "SortRings",
     entry: "SortRings",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/sort_rings.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 2232 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,

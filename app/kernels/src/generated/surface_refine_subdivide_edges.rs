@@ -4,7 +4,8 @@
 
 use super::{MeshSize, MeshVertex, RefineParams};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
+    Uniform, bind,
 };
 
 /// The subdivided mesh's vertices but for those within triangles: each vertex as it is, and those on the edges to vertices
@@ -71,11 +72,13 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "refine", slot: 6, kind: BindingKind::Uniform { bytes: 24 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/surface_refine_subdivide_edges.deflate"));
+
 static SUBDIVIDE_EDGES: Module = Module {
     name: "SubdivideEdges",
     entry: "SubdivideEdges",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/subdivide_edges.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 5368 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,

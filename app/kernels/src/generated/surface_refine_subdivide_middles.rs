@@ -4,7 +4,8 @@
 
 use super::{MeshSize, MeshVertex, RefineParams};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
+    Uniform, bind,
 };
 
 /// The vertex within each triangle whose sides are cut into three parts.
@@ -66,11 +67,13 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "refine", slot: 5, kind: BindingKind::Uniform { bytes: 24 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/surface_refine_subdivide_middles.deflate"));
+
 static SUBDIVIDE_MIDDLES: Module = Module {
     name: "SubdivideMiddles",
     entry: "SubdivideMiddles",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/subdivide_middles.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 6296 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,

@@ -4,7 +4,8 @@
 
 use super::{MeshCounts, MeshSize, RefineParams};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
+    Uniform, bind,
 };
 
 /// The subdivided mesh's triangles. One that has no place, or a vertex that has none, is left out and counted; nothing is
@@ -75,11 +76,13 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "refine", slot: 7, kind: BindingKind::Uniform { bytes: 24 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/surface_refine_subdivide_triangles.deflate"));
+
 static SUBDIVIDE_TRIANGLES: Module = Module {
     name: "SubdivideTriangles",
     entry: "SubdivideTriangles",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/subdivide_triangles.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 12972 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,

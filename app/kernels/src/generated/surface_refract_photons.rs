@@ -4,7 +4,8 @@
 
 use super::{FrameLight, Photon, SurfaceParams};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, BufMut, Kernel, Module, StageKind, Tex, Tier, Uniform, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, BufMut, Kernel, Module, Spirv, StageKind, Tex, Tier,
+    Uniform, bind,
 };
 
 /// Where sunlight goes through the water: a photon for each cell of a grid over the sun's map is bent by
@@ -60,11 +61,13 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "surface", slot: 5, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/surface_refract_photons.deflate"));
+
 static REFRACT_PHOTONS: Module = Module {
     name: "RefractPhotons",
     entry: "RefractPhotons",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/refract_photons.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 19608 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,

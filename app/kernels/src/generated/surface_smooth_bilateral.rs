@@ -3,7 +3,9 @@
 //! Kernels of `surface/smooth_bilateral.hlsl`.
 
 use super::{FilterKeyword, FrameView, SurfaceParams};
-use crate::{BindingError, BindingInfo, BindingKind, Bound, Draw, Module, StageKind, Tex, Tier, Uniform, bind_draw};
+use crate::{
+    BindingError, BindingInfo, BindingKind, Bound, Draw, Module, Spirv, StageKind, Tex, Tier, Uniform, bind_draw,
+};
 
 /// Which variant of [`DrawSmoothBilateral`] runs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -67,11 +69,13 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "surface", slot: 2, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/surface_smooth_bilateral.deflate"));
+
 static DRAW_SMOOTH_BILATERAL_VERTEX_WITH_FILTER_X: Module = Module {
     name: "DrawSmoothBilateral.vertex+FILTER_X",
     entry: "SmoothBilateralVertex",
     stage: StageKind::Vertex,
-    spirv: include_bytes!("../../spirv/draw_smooth_bilateral.vertex+filter_x.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 572 },
     bindings: &[],
     group_size: [1, 1, 1],
     shared_bytes: 0,
@@ -84,7 +88,7 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_X: Module = Module {
     name: "DrawSmoothBilateral.fragment+FILTER_X",
     entry: "SmoothBilateralFragment",
     stage: StageKind::Fragment,
-    spirv: include_bytes!("../../spirv/draw_smooth_bilateral.fragment+filter_x.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 572, bytes: 4424 },
     bindings: BINDINGS_0,
     group_size: [1, 1, 1],
     shared_bytes: 0,
@@ -97,7 +101,7 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_Y: Module = Module {
     name: "DrawSmoothBilateral.fragment+FILTER_Y",
     entry: "SmoothBilateralFragment",
     stage: StageKind::Fragment,
-    spirv: include_bytes!("../../spirv/draw_smooth_bilateral.fragment+filter_y.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 4996, bytes: 4424 },
     bindings: BINDINGS_0,
     group_size: [1, 1, 1],
     shared_bytes: 0,
@@ -110,7 +114,7 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
     name: "DrawSmoothBilateral.fragment+FILTER_PLANE",
     entry: "SmoothBilateralFragment",
     stage: StageKind::Fragment,
-    spirv: include_bytes!("../../spirv/draw_smooth_bilateral.fragment+filter_plane.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 9420, bytes: 4716 },
     bindings: BINDINGS_0,
     group_size: [1, 1, 1],
     shared_bytes: 0,

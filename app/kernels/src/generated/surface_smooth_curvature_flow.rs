@@ -3,7 +3,9 @@
 //! Kernels of `surface/smooth_curvature_flow.hlsl`.
 
 use super::{FrameView, SurfaceParams};
-use crate::{BindingError, BindingInfo, BindingKind, Bound, Draw, Module, StageKind, Tex, Tier, Uniform, bind_draw};
+use crate::{
+    BindingError, BindingInfo, BindingKind, Bound, Draw, Module, Spirv, StageKind, Tex, Tier, Uniform, bind_draw,
+};
 
 /// One step of screen-space curvature flow (van der Laan, Green & Sainz 2009): the surface moves
 /// along the line of sight by its mean curvature, dz/dt = 2H, as surface tension would have it.
@@ -51,11 +53,13 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "surface", slot: 2, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/surface_smooth_curvature_flow.deflate"));
+
 static DRAW_SMOOTH_CURVATURE_FLOW_VERTEX: Module = Module {
     name: "DrawSmoothCurvatureFlow.vertex",
     entry: "SmoothCurvatureFlowVertex",
     stage: StageKind::Vertex,
-    spirv: include_bytes!("../../spirv/draw_smooth_curvature_flow.vertex.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 580 },
     bindings: &[],
     group_size: [1, 1, 1],
     shared_bytes: 0,
@@ -68,7 +72,7 @@ static DRAW_SMOOTH_CURVATURE_FLOW_FRAGMENT: Module = Module {
     name: "DrawSmoothCurvatureFlow.fragment",
     entry: "SmoothCurvatureFlowFragment",
     stage: StageKind::Fragment,
-    spirv: include_bytes!("../../spirv/draw_smooth_curvature_flow.fragment.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 580, bytes: 8232 },
     bindings: BINDINGS_0,
     group_size: [1, 1, 1],
     shared_bytes: 0,

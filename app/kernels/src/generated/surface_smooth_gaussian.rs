@@ -3,7 +3,9 @@
 //! Kernels of `surface/smooth_gaussian.hlsl`.
 
 use super::{AlongKeyword, FrameView, SurfaceParams};
-use crate::{BindingError, BindingInfo, BindingKind, Bound, Draw, Module, StageKind, Tex, Tier, Uniform, bind_draw};
+use crate::{
+    BindingError, BindingInfo, BindingKind, Bound, Draw, Module, Spirv, StageKind, Tex, Tier, Uniform, bind_draw,
+};
 
 /// Which variant of [`DrawSmoothGaussian`] runs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -64,11 +66,13 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "surface", slot: 2, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/surface_smooth_gaussian.deflate"));
+
 static DRAW_SMOOTH_GAUSSIAN_VERTEX_WITH_ALONG_X: Module = Module {
     name: "DrawSmoothGaussian.vertex+ALONG_X",
     entry: "SmoothGaussianVertex",
     stage: StageKind::Vertex,
-    spirv: include_bytes!("../../spirv/draw_smooth_gaussian.vertex+along_x.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 572 },
     bindings: &[],
     group_size: [1, 1, 1],
     shared_bytes: 0,
@@ -81,7 +85,7 @@ static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_X: Module = Module {
     name: "DrawSmoothGaussian.fragment+ALONG_X",
     entry: "SmoothGaussianFragment",
     stage: StageKind::Fragment,
-    spirv: include_bytes!("../../spirv/draw_smooth_gaussian.fragment+along_x.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 572, bytes: 4432 },
     bindings: BINDINGS_0,
     group_size: [1, 1, 1],
     shared_bytes: 0,
@@ -94,7 +98,7 @@ static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_Y: Module = Module {
     name: "DrawSmoothGaussian.fragment+ALONG_Y",
     entry: "SmoothGaussianFragment",
     stage: StageKind::Fragment,
-    spirv: include_bytes!("../../spirv/draw_smooth_gaussian.fragment+along_y.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 5004, bytes: 4432 },
     bindings: BINDINGS_0,
     group_size: [1, 1, 1],
     shared_bytes: 0,

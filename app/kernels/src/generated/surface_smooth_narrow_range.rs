@@ -3,7 +3,9 @@
 //! Kernels of `surface/smooth_narrow_range.hlsl`.
 
 use super::{FilterKeyword, FrameView, SurfaceParams};
-use crate::{BindingError, BindingInfo, BindingKind, Bound, Draw, Module, StageKind, Tex, Tier, Uniform, bind_draw};
+use crate::{
+    BindingError, BindingInfo, BindingKind, Bound, Draw, Module, Spirv, StageKind, Tex, Tier, Uniform, bind_draw,
+};
 
 /// Which variant of [`DrawSmoothNarrowRange`] runs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -68,11 +70,13 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "surface", slot: 2, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/surface_smooth_narrow_range.deflate"));
+
 static DRAW_SMOOTH_NARROW_RANGE_VERTEX_WITH_FILTER_X: Module = Module {
     name: "DrawSmoothNarrowRange.vertex+FILTER_X",
     entry: "SmoothNarrowRangeVertex",
     stage: StageKind::Vertex,
-    spirv: include_bytes!("../../spirv/draw_smooth_narrow_range.vertex+filter_x.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 572 },
     bindings: &[],
     group_size: [1, 1, 1],
     shared_bytes: 0,
@@ -85,7 +89,7 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_X: Module = Module {
     name: "DrawSmoothNarrowRange.fragment+FILTER_X",
     entry: "SmoothNarrowRangeFragment",
     stage: StageKind::Fragment,
-    spirv: include_bytes!("../../spirv/draw_smooth_narrow_range.fragment+filter_x.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 572, bytes: 5496 },
     bindings: BINDINGS_0,
     group_size: [1, 1, 1],
     shared_bytes: 0,
@@ -98,7 +102,7 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_Y: Module = Module {
     name: "DrawSmoothNarrowRange.fragment+FILTER_Y",
     entry: "SmoothNarrowRangeFragment",
     stage: StageKind::Fragment,
-    spirv: include_bytes!("../../spirv/draw_smooth_narrow_range.fragment+filter_y.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 6068, bytes: 5496 },
     bindings: BINDINGS_0,
     group_size: [1, 1, 1],
     shared_bytes: 0,
@@ -111,7 +115,7 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
     name: "DrawSmoothNarrowRange.fragment+FILTER_PLANE",
     entry: "SmoothNarrowRangeFragment",
     stage: StageKind::Fragment,
-    spirv: include_bytes!("../../spirv/draw_smooth_narrow_range.fragment+filter_plane.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 11564, bytes: 67008 },
     bindings: BINDINGS_0,
     group_size: [1, 1, 1],
     shared_bytes: 0,

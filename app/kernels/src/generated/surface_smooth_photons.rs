@@ -4,8 +4,8 @@
 
 use super::{AlongKeyword, FrameLight, Photon, SurfaceParams};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tex, Tier, Uniform,
-    bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tex, Tier,
+    Uniform, bind,
 };
 
 /// Which variant of [`SmoothPhotons`] runs.
@@ -75,11 +75,13 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "surface", slot: 4, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/surface_smooth_photons.deflate"));
+
 static SMOOTH_PHOTONS_WITH_ALONG_X: Module = Module {
     name: "SmoothPhotons+ALONG_X",
     entry: "SmoothPhotons",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/smooth_photons+along_x.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 8644 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
@@ -92,7 +94,7 @@ static SMOOTH_PHOTONS_WITH_ALONG_Y: Module = Module {
     name: "SmoothPhotons+ALONG_Y",
     entry: "SmoothPhotons",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/smooth_photons+along_y.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 8644, bytes: 8644 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,

@@ -3,7 +3,9 @@
 //! Kernels of `surface/smooth_sun_depth.hlsl`.
 
 use super::{AlongKeyword, FrameLight, SurfaceParams};
-use crate::{BindingError, BindingInfo, BindingKind, Bound, Draw, Module, StageKind, Tex, Tier, Uniform, bind_draw};
+use crate::{
+    BindingError, BindingInfo, BindingKind, Bound, Draw, Module, Spirv, StageKind, Tex, Tier, Uniform, bind_draw,
+};
 
 /// Which variant of [`DrawSmoothSunDepth`] runs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -66,11 +68,13 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "surface", slot: 2, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/surface_smooth_sun_depth.deflate"));
+
 static DRAW_SMOOTH_SUN_DEPTH_VERTEX_WITH_ALONG_X: Module = Module {
     name: "DrawSmoothSunDepth.vertex+ALONG_X",
     entry: "SmoothSunDepthVertex",
     stage: StageKind::Vertex,
-    spirv: include_bytes!("../../spirv/draw_smooth_sun_depth.vertex+along_x.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 572 },
     bindings: &[],
     group_size: [1, 1, 1],
     shared_bytes: 0,
@@ -83,7 +87,7 @@ static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_X: Module = Module {
     name: "DrawSmoothSunDepth.fragment+ALONG_X",
     entry: "SmoothSunDepthFragment",
     stage: StageKind::Fragment,
-    spirv: include_bytes!("../../spirv/draw_smooth_sun_depth.fragment+along_x.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 572, bytes: 7348 },
     bindings: BINDINGS_0,
     group_size: [1, 1, 1],
     shared_bytes: 0,
@@ -96,7 +100,7 @@ static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_Y: Module = Module {
     name: "DrawSmoothSunDepth.fragment+ALONG_Y",
     entry: "SmoothSunDepthFragment",
     stage: StageKind::Fragment,
-    spirv: include_bytes!("../../spirv/draw_smooth_sun_depth.fragment+along_y.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 7920, bytes: 7348 },
     bindings: BINDINGS_0,
     group_size: [1, 1, 1],
     shared_bytes: 0,

@@ -4,7 +4,8 @@
 
 use super::SunVolumeParams;
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, StageKind, Tier, Uniform, bind,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
+    Uniform, bind,
 };
 
 /// Second of the sun's volume: the water between the sun and the middle of each cell, m.
@@ -54,11 +55,13 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "volume", slot: 2, kind: BindingKind::Uniform { bytes: 16 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/surface_sum_sun_volume.deflate"));
+
 static SUM_SUN_VOLUME: Module = Module {
     name: "SumSunVolume",
     entry: "SumSunVolume",
     stage: StageKind::Compute,
-    spirv: include_bytes!("../../spirv/sum_sun_volume.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 2188 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,

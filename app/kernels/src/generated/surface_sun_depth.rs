@@ -4,7 +4,8 @@
 
 use super::{Ellipsoid, FrameLight, ListHead, Position, ShapeKeyword, SurfaceParams};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, Draw, Module, StageKind, Tier, Uniform, bind_draw,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, Draw, Module, Spirv, StageKind, Tier, Uniform,
+    bind_draw,
 };
 
 /// Which variant of [`DrawSunDepth`] runs.
@@ -104,11 +105,13 @@ static BINDINGS_4: &[BindingInfo] = &[
     BindingInfo { name: "surface", slot: 2, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/surface_sun_depth.deflate"));
+
 static DRAW_SUN_DEPTH_VERTEX: Module = Module {
     name: "DrawSunDepth.vertex",
     entry: "SunDepthVertex",
     stage: StageKind::Vertex,
-    spirv: include_bytes!("../../spirv/draw_sun_depth.vertex.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 4316 },
     bindings: BINDINGS_0,
     group_size: [1, 1, 1],
     shared_bytes: 0,
@@ -121,7 +124,7 @@ static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
     name: "DrawSunDepth.fragment",
     entry: "SunDepthFragment",
     stage: StageKind::Fragment,
-    spirv: include_bytes!("../../spirv/draw_sun_depth.fragment.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 4316, bytes: 3260 },
     bindings: BINDINGS_1,
     group_size: [1, 1, 1],
     shared_bytes: 0,
@@ -134,7 +137,7 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     name: "DrawSunDepth.vertex+SPRAY_SHAPE",
     entry: "SunDepthVertex",
     stage: StageKind::Vertex,
-    spirv: include_bytes!("../../spirv/draw_sun_depth.vertex+spray_shape.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 7576, bytes: 4964 },
     bindings: BINDINGS_2,
     group_size: [1, 1, 1],
     shared_bytes: 0,
@@ -147,7 +150,7 @@ static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     name: "DrawSunDepth.fragment+SPRAY_SHAPE",
     entry: "SunDepthFragment",
     stage: StageKind::Fragment,
-    spirv: include_bytes!("../../spirv/draw_sun_depth.fragment+spray_shape.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 12540, bytes: 3260 },
     bindings: BINDINGS_3,
     group_size: [1, 1, 1],
     shared_bytes: 0,
@@ -160,7 +163,7 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     name: "DrawSunDepth.vertex+ELLIPSOID_SHAPE",
     entry: "SunDepthVertex",
     stage: StageKind::Vertex,
-    spirv: include_bytes!("../../spirv/draw_sun_depth.vertex+ellipsoid_shape.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 15800, bytes: 5400 },
     bindings: BINDINGS_4,
     group_size: [1, 1, 1],
     shared_bytes: 0,

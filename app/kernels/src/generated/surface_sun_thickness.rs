@@ -4,7 +4,8 @@
 
 use super::{Ellipsoid, FrameLight, Position, SurfaceParams};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, Draw, Module, StageKind, Tier, Uniform, bind_draw,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, Draw, Module, Spirv, StageKind, Tier, Uniform,
+    bind_draw,
 };
 
 /// Which variant of [`DrawSunThickness`] runs.
@@ -75,11 +76,13 @@ static BINDINGS_2: &[BindingInfo] = &[
     BindingInfo { name: "surface", slot: 2, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/surface_sun_thickness.deflate"));
+
 static DRAW_SUN_THICKNESS_VERTEX: Module = Module {
     name: "DrawSunThickness.vertex",
     entry: "SunThicknessVertex",
     stage: StageKind::Vertex,
-    spirv: include_bytes!("../../spirv/draw_sun_thickness.vertex.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 3708 },
     bindings: BINDINGS_0,
     group_size: [1, 1, 1],
     shared_bytes: 0,
@@ -92,7 +95,7 @@ static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
     name: "DrawSunThickness.fragment",
     entry: "SunThicknessFragment",
     stage: StageKind::Fragment,
-    spirv: include_bytes!("../../spirv/draw_sun_thickness.fragment.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 3708, bytes: 1564 },
     bindings: BINDINGS_1,
     group_size: [1, 1, 1],
     shared_bytes: 0,
@@ -105,7 +108,7 @@ static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     name: "DrawSunThickness.vertex+ELLIPSOID_CENTERS",
     entry: "SunThicknessVertex",
     stage: StageKind::Vertex,
-    spirv: include_bytes!("../../spirv/draw_sun_thickness.vertex+ellipsoid_centers.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 5272, bytes: 3816 },
     bindings: BINDINGS_2,
     group_size: [1, 1, 1],
     shared_bytes: 0,

@@ -3,7 +3,9 @@
 //! Kernels of `surface/surface_normals.hlsl`.
 
 use super::{FrameView, SurfaceParams};
-use crate::{BindingError, BindingInfo, BindingKind, Bound, Draw, Module, StageKind, Tex, Tier, Uniform, bind_draw};
+use crate::{
+    BindingError, BindingInfo, BindingKind, Bound, Draw, Module, Spirv, StageKind, Tex, Tier, Uniform, bind_draw,
+};
 
 /// The surface's normals as a texture, for who wants them (measuring a filter's error); the water
 /// itself restores them where it shades. w is 1 on the fluid.
@@ -48,11 +50,13 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "surface", slot: 2, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/surface_surface_normals.deflate"));
+
 static DRAW_SURFACE_NORMALS_VERTEX: Module = Module {
     name: "DrawSurfaceNormals.vertex",
     entry: "SurfaceNormalsVertex",
     stage: StageKind::Vertex,
-    spirv: include_bytes!("../../spirv/draw_surface_normals.vertex.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 572 },
     bindings: &[],
     group_size: [1, 1, 1],
     shared_bytes: 0,
@@ -65,7 +69,7 @@ static DRAW_SURFACE_NORMALS_FRAGMENT: Module = Module {
     name: "DrawSurfaceNormals.fragment",
     entry: "SurfaceNormalsFragment",
     stage: StageKind::Fragment,
-    spirv: include_bytes!("../../spirv/draw_surface_normals.fragment.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 572, bytes: 6376 },
     bindings: BINDINGS_0,
     group_size: [1, 1, 1],
     shared_bytes: 0,

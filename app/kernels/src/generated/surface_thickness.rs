@@ -4,7 +4,8 @@
 
 use super::{Ellipsoid, FrameView, Position, SurfaceParams};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, Draw, Module, StageKind, Tex, Tier, Uniform, bind_draw,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, Draw, Module, Spirv, StageKind, Tex, Tier, Uniform,
+    bind_draw,
 };
 
 /// Which variant of [`DrawThickness`] runs.
@@ -81,11 +82,13 @@ static BINDINGS_2: &[BindingInfo] = &[
     BindingInfo { name: "surface", slot: 2, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/surface_thickness.deflate"));
+
 static DRAW_THICKNESS_VERTEX: Module = Module {
     name: "DrawThickness.vertex",
     entry: "ThicknessVertex",
     stage: StageKind::Vertex,
-    spirv: include_bytes!("../../spirv/draw_thickness.vertex.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 4100 },
     bindings: BINDINGS_0,
     group_size: [1, 1, 1],
     shared_bytes: 0,
@@ -98,7 +101,7 @@ static DRAW_THICKNESS_FRAGMENT: Module = Module {
     name: "DrawThickness.fragment",
     entry: "ThicknessFragment",
     stage: StageKind::Fragment,
-    spirv: include_bytes!("../../spirv/draw_thickness.fragment.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 4100, bytes: 2272 },
     bindings: BINDINGS_1,
     group_size: [1, 1, 1],
     shared_bytes: 0,
@@ -111,7 +114,7 @@ static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     name: "DrawThickness.vertex+ELLIPSOID_CENTERS",
     entry: "ThicknessVertex",
     stage: StageKind::Vertex,
-    spirv: include_bytes!("../../spirv/draw_thickness.vertex+ellipsoid_centers.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 6372, bytes: 4208 },
     bindings: BINDINGS_2,
     group_size: [1, 1, 1],
     shared_bytes: 0,

@@ -4,7 +4,8 @@
 
 use super::{FrameLight, FrameStyle, FrameView, SunVolumeParams, SurfaceParams, WaterStyle};
 use crate::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, Draw, Module, StageKind, Tex, Tier, Uniform, bind_draw,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, Draw, Module, Spirv, StageKind, Tex, Tier, Uniform,
+    bind_draw,
 };
 
 /// Which variant of [`DrawWater`] runs.
@@ -167,11 +168,13 @@ static BINDINGS_7: &[BindingInfo] = &[
     BindingInfo { name: "water", slot: 12, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/surface_water.deflate"));
+
 static DRAW_WATER_VERTEX: Module = Module {
     name: "DrawWater.vertex",
     entry: "WaterVertex",
     stage: StageKind::Vertex,
-    spirv: include_bytes!("../../spirv/draw_water.vertex.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 1716 },
     bindings: BINDINGS_0,
     group_size: [1, 1, 1],
     shared_bytes: 0,
@@ -184,7 +187,7 @@ static DRAW_WATER_FRAGMENT: Module = Module {
     name: "DrawWater.fragment",
     entry: "WaterFragment",
     stage: StageKind::Fragment,
-    spirv: include_bytes!("../../spirv/draw_water.fragment.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 1716, bytes: 14920 },
     bindings: BINDINGS_1,
     group_size: [1, 1, 1],
     shared_bytes: 0,
@@ -197,7 +200,7 @@ static DRAW_WATER_VERTEX_WITH_SELF_SHADOW: Module = Module {
     name: "DrawWater.vertex+SELF_SHADOW",
     entry: "WaterVertex",
     stage: StageKind::Vertex,
-    spirv: include_bytes!("../../spirv/draw_water.vertex+self_shadow.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 16636, bytes: 1716 },
     bindings: BINDINGS_2,
     group_size: [1, 1, 1],
     shared_bytes: 0,
@@ -210,7 +213,7 @@ static DRAW_WATER_FRAGMENT_WITH_SELF_SHADOW: Module = Module {
     name: "DrawWater.fragment+SELF_SHADOW",
     entry: "WaterFragment",
     stage: StageKind::Fragment,
-    spirv: include_bytes!("../../spirv/draw_water.fragment+self_shadow.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 18352, bytes: 17736 },
     bindings: BINDINGS_3,
     group_size: [1, 1, 1],
     shared_bytes: 0,
@@ -223,7 +226,7 @@ static DRAW_WATER_VERTEX_WITH_MESH_NORMALS: Module = Module {
     name: "DrawWater.vertex+MESH_NORMALS",
     entry: "WaterVertex",
     stage: StageKind::Vertex,
-    spirv: include_bytes!("../../spirv/draw_water.vertex+mesh_normals.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 36088, bytes: 1716 },
     bindings: BINDINGS_4,
     group_size: [1, 1, 1],
     shared_bytes: 0,
@@ -236,7 +239,7 @@ static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS: Module = Module {
     name: "DrawWater.fragment+MESH_NORMALS",
     entry: "WaterFragment",
     stage: StageKind::Fragment,
-    spirv: include_bytes!("../../spirv/draw_water.fragment+mesh_normals.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 37804, bytes: 11920 },
     bindings: BINDINGS_5,
     group_size: [1, 1, 1],
     shared_bytes: 0,
@@ -249,7 +252,7 @@ static DRAW_WATER_VERTEX_WITH_MESH_NORMALS_WITH_SELF_SHADOW: Module = Module {
     name: "DrawWater.vertex+MESH_NORMALS+SELF_SHADOW",
     entry: "WaterVertex",
     stage: StageKind::Vertex,
-    spirv: include_bytes!("../../spirv/draw_water.vertex+mesh_normals+self_shadow.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 49724, bytes: 1716 },
     bindings: BINDINGS_6,
     group_size: [1, 1, 1],
     shared_bytes: 0,
@@ -262,7 +265,7 @@ static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS_WITH_SELF_SHADOW: Module = Module {
     name: "DrawWater.fragment+MESH_NORMALS+SELF_SHADOW",
     entry: "WaterFragment",
     stage: StageKind::Fragment,
-    spirv: include_bytes!("../../spirv/draw_water.fragment+mesh_normals+self_shadow.spv"),
+    spirv: Spirv::Packed { pack: PACK, first: 51440, bytes: 14736 },
     bindings: BINDINGS_7,
     group_size: [1, 1, 1],
     shared_bytes: 0,

@@ -18,6 +18,7 @@ use brooklet_kernels::{
     FrameLight, MeshCounts, ShadowKeyword, SurfaceParams, Texture, WaterKeyword, WaterStyle,
 };
 
+use crate::formats;
 use crate::surface::auto::Shown;
 use crate::surface::screen_space::{self, Caustics, Shapes, SunVolume, Sunlit, Thickness, Water, sun_volume};
 use crate::surface::{MarchingCubesOptions, Particles, ScreenSpaceOptions, SmoothedSurface, SurfaceOptions, points};
@@ -135,8 +136,8 @@ pub fn record(
     init.upload(&mut uniforms.style, &[values.style]);
 
     let drawn_px = view.size_px.map(|side| side * options.supersample);
-    let radiance = resources.texture("radiance", Format::Rgba16Float, drawn_px);
-    let depth = resources.texture("depth", options.depth_format(), drawn_px);
+    let radiance = resources.texture_in("radiance", formats::LIGHT, drawn_px);
+    let depth = resources.texture_in("depth", formats::depth_buffer(options.tier), drawn_px);
     let color = resources.texture("picture", Format::Rgba8Unorm, view.size_px);
     let mut draw = resources.recording("draw");
     let mut frame = Frame { resources, recording: &mut draw, uniforms: &uniforms, options, light: values.light };

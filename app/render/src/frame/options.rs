@@ -2,11 +2,10 @@
 
 use brooklet_fluid::Scene;
 use brooklet_fluid::scene::PointColor;
-use brooklet_kernels::{Format, MeshCounts, Tier};
+use brooklet_kernels::{MeshCounts, Tier};
 
 use crate::RenderError;
 use crate::surface::marching_cubes::MeshRoom;
-use crate::surface::screen_space::depth_format;
 use crate::surface::{MarchingCubesOptions, SurfaceOptions};
 
 /// What a particle's colour tells.
@@ -103,10 +102,6 @@ impl FrameOptions {
             }
             SurfaceOptions::Points | SurfaceOptions::None => Ok(()),
         }
-    }
-
-    pub(crate) fn depth_format(&self) -> Format {
-        depth_format(self.tier)
     }
 }
 

@@ -2,7 +2,8 @@
 //!
 //! Depths and particle indices are `R32Float`, drawn to and loaded, never blended nor filtered. Thickness is `R16Float`
 //! and light `Rgba16Float`, both blended and filtered. Pictures are `Rgba8Unorm`. WebGPU's base promises all of that
-//! anywhere, and a test holds every surface against it; `brooklet_gpu::check_formats` asks the driver all the same.
+//! anywhere, and a test holds every surface against it; the driver is asked all the same, and what it lacks is drawn in
+//! another format (`formats.rs`).
 
 pub mod auto;
 pub mod marching_cubes;

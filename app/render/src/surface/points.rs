@@ -1,9 +1,10 @@
 //! The particles as balls: which one each pixel sees, then its colour, once a pixel.
 
 use brooklet_gpu::{DepthTest, DrawState, Load, Recording, Resources, Targets};
-use brooklet_kernels::{Buffer, ColorKeyword, DrawParticles, DrawShade, DrawShadeVariant, DrawShadow, Format, Texture};
+use brooklet_kernels::{Buffer, ColorKeyword, DrawParticles, DrawShade, DrawShadeVariant, DrawShadow, Texture};
 
 use super::Particles;
+use crate::formats;
 use crate::frame::options::{Coloring, FrameOptions};
 use crate::frame::uniforms::FrameUniforms;
 
@@ -18,9 +19,10 @@ pub(crate) fn record(
 ) -> Texture {
     let Particles { positions, velocities, slots, .. } = *particles;
     let (view, light, style) = (uniforms.view.uniform(), uniforms.light.uniform(), uniforms.style.uniform());
-    let shadow_map = resources.texture("shadow_map", options.depth_format(), [options.shadow_texels; 2]);
+    let shadow_map =
+        resources.texture_in("shadow_map", formats::depth_buffer(options.tier), [options.shadow_texels; 2]);
     // R32Float holds every index below 2^24 exactly, and every tier can draw to it.
-    let seen = resources.texture("seen", Format::R32Float, radiance.size_px);
+    let seen = resources.texture_in("seen", formats::DEPTH, radiance.size_px);
     let nearer = DrawState { depth_test: DepthTest::Greater, depth_write: true, ..DrawState::default() };
     slots.draw(
         recording,

@@ -1,6 +1,6 @@
 //! One shader file's kernels and draws: binding structs, variants, modules.
 
-use crate::generate::{HEADER, doc, entry_name, home};
+use crate::generate::{HEADER, doc, entry_name, file_stem, home};
 use crate::lint::format_of;
 use crate::model::{Model, ModuleModel, ProgramModel};
 use crate::naming::pascal;
@@ -30,8 +30,22 @@ pub fn file(model: &Model, source: &str) -> String {
     for (index, list) in lists.iter().enumerate() {
         body.push_str(&format!("\nstatic BINDINGS_{index}: &[BindingInfo] = &[{list}];\n"));
     }
+    let is_packed = model.known.is_none();
+    if is_packed {
+        body.push_str(&format!(
+            "\nstatic PACK: &[u8] = include_bytes!(concat!(env!(\"OUT_DIR\"), \"/{}.deflate\"));\n",
+            file_stem(source)
+        ));
+    }
+    let mut first = 0;
     for module in modules {
-        body.push_str(&module_text(module, &lists));
+        let bytes = module.stage.spirv.len();
+        let spirv = match is_packed {
+            true => format!("Spirv::Packed {{ pack: PACK, first: {first}, bytes: {bytes} }}"),
+            false => format!("Spirv::Plain(include_bytes!(\"../../spirv/{}\"))", module.file),
+        };
+        first += bytes;
+        body.push_str(&module_text(module, &lists, &spirv));
     }
     let used = |name: &str| {
         let word = regex::Regex::new(&format!(r"\b{name}\b"));
@@ -49,6 +63,7 @@ pub fn file(model: &Model, source: &str) -> String {
         "Format",
         "Kernel",
         "Module",
+        "Spirv",
         "StageKind",
         "Tex",
         "TexMut",
@@ -191,7 +206,7 @@ fn bindings_text(module: &ModuleModel) -> String {
 }
 
 /// A module; `lists` are the binding lists of its file, shared by modules that bind alike.
-fn module_text(module: &ModuleModel, lists: &[String]) -> String {
+fn module_text(module: &ModuleModel, lists: &[String], spirv: &str) -> String {
     let list = bindings_text(module);
     let bindings = match lists.iter().position(|known| *known == list) {
         Some(index) => format!("BINDINGS_{index}"),
@@ -209,12 +224,11 @@ fn module_text(module: &ModuleModel, lists: &[String]) -> String {
     };
     format!(
         "\nstatic {}: Module = Module {{ name: {:?}, entry: {:?}, stage: StageKind::{stage}, \
-         spirv: include_bytes!(\"../../spirv/{}\"), bindings: {bindings}, group_size: {:?}, shared_bytes: {}, \
+         spirv: {spirv}, bindings: {bindings}, group_size: {:?}, shared_bytes: {}, \
          tier: Tier::{tier}, source: {:?}, hash: {:?} }};\n",
         module.constant,
         module.name,
         module.stage.entry,
-        module.file,
         module.stage.reflection.group_size,
         module.stage.reflection.shared_bytes,
         module.source,

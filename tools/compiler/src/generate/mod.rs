@@ -44,6 +44,15 @@ pub fn rust_files(model: &Model, formatter: &Formatter) -> Result<BTreeMap<Strin
     formatted.into_iter().collect()
 }
 
+/// Which modules are packed together, by the file that holds them (`app/kernels/build.rs`).
+pub fn packs(model: &Model) -> String {
+    let mut packs: BTreeMap<String, Vec<&str>> = BTreeMap::new();
+    for module in &model.modules {
+        packs.entry(file_stem(&module.source)).or_default().push(&module.file);
+    }
+    packs.iter().map(|(stem, files)| format!("{stem} {}\n", files.join(" "))).collect()
+}
+
 /// `grid/count_cells.compute` to `grid_count_cells`.
 fn file_stem(source: &str) -> String {
     let path = source.rsplit_once('.').map_or(source, |(path, _)| path);

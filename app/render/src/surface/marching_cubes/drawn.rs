@@ -1,9 +1,10 @@
 //! The mesh as the eye sees it: what the water is shaded from.
 
 use brooklet_gpu::{DepthTest, DrawState, Load, Recording, Resources, Targets};
-use brooklet_kernels::{Buffer, DrawMeshDepth, Format, FrameView, Texture};
+use brooklet_kernels::{Buffer, DrawMeshDepth, FrameView, Texture, Tier};
 
 use super::SurfaceMesh;
+use crate::formats;
 
 /// Inverse depth, 1/m, and normals of a mesh; the depth buffer that both were tested against.
 pub(crate) struct DrawnMesh {
@@ -18,11 +19,11 @@ pub(crate) fn record(
     recording: &mut Recording,
     view: &Buffer<FrameView>,
     mesh: &SurfaceMesh,
-    (size_px, depth_format): ([u32; 2], Format),
+    (size_px, tier): ([u32; 2], Tier),
 ) -> DrawnMesh {
-    let inverse_depth = resources.texture("mesh_inverse_depth", Format::R32Float, size_px);
-    let normals = resources.texture("mesh_normals", Format::Rgba16Float, size_px);
-    let covered = resources.texture("mesh_depth", depth_format, size_px);
+    let inverse_depth = resources.texture_in("mesh_inverse_depth", formats::DEPTH, size_px);
+    let normals = resources.texture_in("mesh_normals", formats::LIGHT, size_px);
+    let covered = resources.texture_in("mesh_depth", formats::depth_buffer(tier), size_px);
     recording.draw_indirect(
         &DrawMeshDepth {
             mesh_indices: mesh.indices.read(),

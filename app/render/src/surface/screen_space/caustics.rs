@@ -8,12 +8,13 @@
 use brooklet_gpu::{Blend, DepthTest, DrawState, Load, Recording, Resources, Targets};
 use brooklet_kernels::{
     AlongKeyword, Buffer, DrawCaustics, DrawSmoothSunDepth, DrawSmoothSunDepthVariant, DrawSunDepth,
-    DrawSunDepthVariant, Format, FrameLight, Photon, RefractPhotons, SmoothPhotons, SmoothPhotonsVariant,
-    SurfaceParams, Texture, Tier, WaterStyle,
+    DrawSunDepthVariant, FrameLight, Photon, RefractPhotons, SmoothPhotons, SmoothPhotonsVariant, SurfaceParams,
+    Texture, Tier, WaterStyle,
 };
 
 use super::options::SUN_SMOOTHINGS;
-use super::{ON_FLUID, Shapes, depth_format};
+use super::{ON_FLUID, Shapes};
+use crate::formats;
 
 /// The light that the sun's map brings to the floor, and what it was made from.
 #[derive(Debug)]
@@ -50,11 +51,11 @@ pub(crate) fn record(
 ) -> Caustics {
     let (light, surface) = (sunlit.light.uniform(), sunlit.params.uniform());
     // R32Float is renderable on every tier, and what follows only loads it.
-    let map = |resources: &mut Resources, label| resources.texture(label, Format::R32Float, [photons; 2]);
+    let map = |resources: &mut Resources, label| resources.texture_in(label, formats::DEPTH, [photons; 2]);
     let raw = map(resources, "sun_depth");
     let half_smoothed = map(resources, "half_smoothed_sun_depth");
     let smoothed = map(resources, "smoothed_sun_depth");
-    let covered = resources.texture("sun_covered", depth_format(tier), [photons; 2]);
+    let covered = resources.texture_in("sun_covered", formats::depth_buffer(tier), [photons; 2]);
     shapes.slots().draw(
         recording,
         &DrawSunDepth {
@@ -104,7 +105,7 @@ pub(crate) fn record(
     smooth(AlongKeyword::AlongX, &bent, &mut half_smoothed);
     smooth(AlongKeyword::AlongY, &half_smoothed, &mut photons);
     // Rgba16Float blends and filters on every tier.
-    let map = resources.texture("caustics", Format::Rgba16Float, sunlit.sun_thickness.size_px);
+    let map = resources.texture_in("caustics", formats::LIGHT, sunlit.sun_thickness.size_px);
     recording.draw(
         &DrawCaustics { photons: photons.read(), light, surface, water: sunlit.water.uniform() },
         &Targets { color: vec![(&map, Load::Clear([0.0; 4]))], depth: None },

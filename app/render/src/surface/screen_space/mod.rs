@@ -15,12 +15,13 @@ mod water;
 
 use brooklet_gpu::{Blend, DepthTest, DrawState, Load, Recording, Resources, Targets};
 use brooklet_kernels::{
-    Buffer, DrawFluidDepth, DrawFluidDepthVariant, DrawSurfaceNormals, Ellipsoid, Format, FrameView, MeshCounts,
-    SurfaceParams, Texture, Tier,
+    Buffer, DrawFluidDepth, DrawFluidDepthVariant, DrawSurfaceNormals, Ellipsoid, FrameView, MeshCounts, SurfaceParams,
+    Texture, Tier,
 };
 
 use super::Particles;
 use super::marching_cubes::{self, MarchingCubesOptions};
+use crate::formats;
 pub use caustics::Caustics;
 pub(crate) use caustics::{Sunlit, record as record_caustics};
 pub use options::ScreenSpaceOptions;
@@ -78,8 +79,8 @@ pub fn record(
 ) -> SmoothedSurface {
     let (params, ellipsoids) = settings(resources, (&mut *init, &mut *recording), particles, options);
     // R32Float is renderable on every tier; nobody filters or blends it.
-    let raw = resources.texture("fluid_inverse_depth", Format::R32Float, size_px);
-    let covered = resources.texture("fluid_depth", depth_format(tier), size_px);
+    let raw = resources.texture_in("fluid_inverse_depth", formats::DEPTH, size_px);
+    let covered = resources.texture_in("fluid_depth", formats::depth_buffer(tier), size_px);
     let view = view.uniform();
     let shapes = Shapes::new(particles, ellipsoids.as_ref());
     particles.slots.draw(
@@ -96,7 +97,7 @@ pub fn record(
         DrawState { depth_test: DepthTest::Greater, depth_write: true, ..DrawState::default() },
     );
     let inverse_depth = smoothing::record(resources, recording, view, &raw, &covered, params.uniform(), options);
-    let normals = resources.texture("surface_normals", Format::Rgba32Float, size_px);
+    let normals = resources.texture_in("surface_normals", formats::PLANES, size_px);
     recording.draw(
         &DrawSurfaceNormals { inverse_depth: inverse_depth.read(), view, surface: params.uniform() },
         &Targets { color: vec![(&normals, Load::Clear([0.0; 4]))], depth: Some((&covered, Load::Keep)) },
@@ -147,7 +148,7 @@ pub fn record_meshed(
     let options = &ScreenSpaceOptions { anisotropic: options.anisotropic || mesh.anisotropic, ..*options };
     let (params, ellipsoids) = settings(resources, (&mut *init, &mut *recording), particles, options);
     let mesh = marching_cubes::record(resources, (init, recording), (particles, ellipsoids.as_ref()), mesh);
-    let drawn = marching_cubes::record_drawn(resources, recording, view, &mesh, (size_px, depth_format(tier)));
+    let drawn = marching_cubes::record_drawn(resources, recording, view, &mesh, (size_px, tier));
     SmoothedSurface {
         raw: drawn.inverse_depth.alias(),
         inverse_depth: drawn.inverse_depth,
@@ -158,8 +159,4 @@ pub fn record_meshed(
         params,
         mesh_counts: Some(mesh.counts),
     }
-}
-
-pub(crate) fn depth_format(tier: Tier) -> Format {
-    if tier == Tier::Floor { Format::Depth24Plus } else { Format::Depth32Float }
 }

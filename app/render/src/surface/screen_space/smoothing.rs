@@ -4,11 +4,12 @@ use brooklet_fluid::scene::Smoothing;
 use brooklet_gpu::{Load, Recording, Resources, Targets};
 use brooklet_kernels::{
     AlongKeyword, DrawSmoothBilateral, DrawSmoothBilateralVariant, DrawSmoothCurvatureFlow, DrawSmoothGaussian,
-    DrawSmoothGaussianVariant, DrawSmoothNarrowRange, DrawSmoothNarrowRangeVariant, FilterKeyword, Format, FrameView,
+    DrawSmoothGaussianVariant, DrawSmoothNarrowRange, DrawSmoothNarrowRangeVariant, FilterKeyword, FrameView,
     SurfaceParams, Texture, Uniform,
 };
 
 use super::{ON_FLUID, ScreenSpaceOptions};
+use crate::formats;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Pass {
@@ -51,9 +52,9 @@ pub(super) fn record(
         return raw.alias();
     }
     // Two take turns; the raw surface is kept, for whoever wants to see what smoothing changed.
-    let mut turns = vec![resources.texture("smoothed_inverse_depth", Format::R32Float, raw.size_px)];
+    let mut turns = vec![resources.texture_in("smoothed_inverse_depth", formats::DEPTH, raw.size_px)];
     if passes.len() > 1 {
-        turns.push(resources.texture("half_smoothed_inverse_depth", Format::R32Float, raw.size_px));
+        turns.push(resources.texture_in("half_smoothed_inverse_depth", formats::DEPTH, raw.size_px));
     }
     let mut from = raw.alias();
     for (number, pass) in passes.iter().enumerate() {

@@ -2,11 +2,12 @@
 
 use brooklet_gpu::{Blend, DrawState, Load, Recording, Resources, Targets};
 use brooklet_kernels::{
-    Buffer, DrawOpaquePlanes, DrawSunThickness, DrawSunThicknessVariant, DrawThickness, DrawThicknessVariant, Format,
+    Buffer, DrawOpaquePlanes, DrawSunThickness, DrawSunThicknessVariant, DrawThickness, DrawThicknessVariant,
     FrameLight, FrameView, SurfaceParams, Texture,
 };
 
 use super::Shapes;
+use crate::formats;
 
 /// How much fluid the eye and the sun look through, in spacings.
 #[derive(Debug)]
@@ -29,7 +30,7 @@ pub(crate) fn record(
     (view, scene_depth, size_px): (&Buffer<FrameView>, &Texture, [u32; 2]),
 ) -> (Texture, Texture) {
     let (positions, ellipsoids, surface) = (shapes.positions(), shapes.ellipsoids(), params.uniform());
-    let planes = resources.texture("opaque_planes", Format::Rgba32Float, size_px);
+    let planes = resources.texture_in("opaque_planes", formats::PLANES, size_px);
     recording.draw(
         &DrawOpaquePlanes { scene_depth: scene_depth.read(), view: view.uniform(), surface },
         &Targets { color: vec![(&planes, Load::Clear([0.0; 4]))], depth: None },
@@ -37,7 +38,7 @@ pub(crate) fn record(
         3,
         1,
     );
-    let eye = resources.texture("thickness", Format::R16Float, size_px);
+    let eye = resources.texture_in("thickness", formats::THICKNESS, size_px);
     let variant = DrawThicknessVariant { ellipsoid_centers: ellipsoids.is_some() };
     shapes.slots().draw(
         recording,
@@ -57,7 +58,7 @@ pub(crate) fn record_sun(
     (light, texels): (&Buffer<FrameLight>, u32),
 ) -> Texture {
     let (positions, ellipsoids, surface) = (shapes.positions(), shapes.ellipsoids(), params.uniform());
-    let sun = resources.texture("sun_thickness", Format::R16Float, [texels; 2]);
+    let sun = resources.texture_in("sun_thickness", formats::THICKNESS, [texels; 2]);
     let variant = DrawSunThicknessVariant { ellipsoid_centers: ellipsoids.is_some() };
     shapes.slots().draw(
         recording,

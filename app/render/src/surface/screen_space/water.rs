@@ -1,9 +1,10 @@
 //! The water over the scene behind it.
 
 use brooklet_gpu::{Load, Recording, Resources, Targets};
-use brooklet_kernels::{Buffer, DrawWater, DrawWaterVariant, Format, Texture, WaterStyle};
+use brooklet_kernels::{Buffer, DrawWater, DrawWaterVariant, Texture, WaterStyle};
 
 use super::{ON_FLUID, SmoothedSurface, SunVolume};
+use crate::formats;
 use crate::frame::uniforms::FrameUniforms;
 
 /// What the water is drawn from.
@@ -24,7 +25,7 @@ pub(crate) fn record(
     water: &Water<'_>,
     (scene, scene_depth): (&Texture, &Texture),
 ) -> Texture {
-    let seen = resources.texture("water", Format::Rgba16Float, scene.size_px);
+    let seen = resources.texture_in("water", formats::LIGHT, scene.size_px);
     recording.draw(
         &DrawWater {
             variant: DrawWaterVariant {
