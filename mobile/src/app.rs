@@ -109,14 +109,16 @@ impl App {
         self.show(None, size_px, pixels_per_point);
     }
 
-    /// Lets the window go, and writes what there is of the capture.
-    pub fn suspend(&mut self) {
+    /// Lets the window go, writes what there is of the capture, and waits a little for the case of a self-check or the part of
+    /// a report that is under way: drivers crash where a program is ended while they build. Whether nothing is under way then.
+    pub fn suspend(&mut self) -> bool {
         self.touches.cancel();
         self.shown = None;
-        if let Some(open) = &mut self.open {
+        let patience = self.asked.patience;
+        self.open.as_mut().is_none_or(|open| {
             open.viewer.flush_capture();
-            open.stand(true);
-        }
+            open.stand(patience)
+        })
     }
 
     /// Takes what a finger did.
@@ -322,7 +324,7 @@ impl App {
             None => self.open = Some(Open::new(gpu, &canvas, &self.paths, &self.asked)),
         }
         if let Some(open) = &self.open {
-            open.stand(false);
+            open.go_on();
         }
         Ok(Shown { window, canvas, pixels_per_point })
     }

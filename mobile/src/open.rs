@@ -100,14 +100,17 @@ impl Open {
         self.check.is_some() || self.report.is_some()
     }
 
-    /// Lets what goes on beside the frames stand after the part that is under way, or go on.
-    pub fn stand(&self, stands: bool) {
-        if let Some(check) = &self.check {
-            check.stand(stands);
-        }
-        if let Some(report) = &self.report {
-            report.worker.stand(stands);
-        }
+    /// Lets what goes on beside the frames stand, and waits for the parts that are under way, each no longer than `limit`;
+    /// whether nothing is under way then.
+    pub fn stand(&self, limit: Duration) -> bool {
+        let check = self.check.as_ref().is_none_or(|check| check.stand(limit));
+        self.report.as_ref().is_none_or(|report| report.worker.stand(limit)) && check
+    }
+
+    /// Lets it go on.
+    pub fn go_on(&self) {
+        self.check.iter().for_each(Worker::go_on);
+        self.report.iter().for_each(|report| report.worker.go_on());
     }
 
     /// Takes what the self-check or the report came to, if one is under way; whether one was.

@@ -21,6 +21,8 @@ use crate::worker::{Gate, Worker};
 const FILE: &str = "self-check.json";
 /// Time that the first start has for it; a case that is under way then still comes to its end.
 pub const LIMIT: Duration = Duration::from_secs(20);
+/// Android takes an app that does not answer for 5 s as hung.
+pub const PATIENCE: Duration = Duration::from_secs(3);
 
 /// What came of it.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -140,11 +142,13 @@ pub struct Asked {
     pub replacements: Vec<&'static Module>,
     /// After this time the first start begins no further one.
     pub limit: Duration,
+    /// So long a suspend waits for the case that is under way.
+    pub patience: Duration,
 }
 
 impl Default for Asked {
     fn default() -> Self {
-        Self { rooms: Vec::new(), replacements: Vec::new(), limit: LIMIT }
+        Self { rooms: Vec::new(), replacements: Vec::new(), limit: LIMIT, patience: PATIENCE }
     }
 }
 

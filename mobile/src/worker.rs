@@ -1,5 +1,5 @@
-//! Work on a thread of its own, part by part: it stands while the app is not in front, and whoever drops it waits for the part
-//! that is under way. Drivers crash where a program ends while they build.
+//! Work on a thread of its own, part by part: it stands while the app is not in front, and whoever lets it stand or drops it
+//! waits for the part that is under way. Drivers crash where a program ends while they build.
 
 use std::sync::mpsc::{Receiver, Sender, TryRecvError, channel};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
@@ -32,7 +32,8 @@ pub struct Gate<T> {
 
 #[derive(Default)]
 struct Pace {
-    state: Mutex<State>,
+    /// What is wanted, and whether no part is under way.
+    state: Mutex<(State, bool)>,
     changed: Condvar,
 }
 
@@ -45,14 +46,27 @@ enum State {
 }
 
 impl Pace {
-    fn lock(&self) -> MutexGuard<'_, State> {
+    fn lock(&self) -> MutexGuard<'_, (State, bool)> {
         // A state is whole whoever panicked.
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     fn set(&self, state: State) {
-        *self.lock() = state;
+        self.lock().0 = state;
         self.changed.notify_all();
+    }
+
+    fn rest(&self, rests: bool) {
+        self.lock().1 = rests;
+        self.changed.notify_all();
+    }
+}
+
+struct Rests(Arc<Pace>);
+
+impl Drop for Rests {
+    fn drop(&mut self) {
+        self.0.rest(true);
     }
 }
 
@@ -62,9 +76,13 @@ impl<T> Gate<T> {
         // Nobody listens any more only where it ends.
         let _ = self.news.send(News::Progress(progress));
         let asked = Instant::now();
-        let stands = |state: &mut State| *state == State::Stands;
+        self.pace.rest(true);
+        let stands = |(state, _): &mut (State, bool)| *state == State::Stands;
         let waited = self.pace.changed.wait_while(self.pace.lock(), stands);
-        let goes = *waited.unwrap_or_else(PoisonError::into_inner) == State::Goes;
+        let mut state = waited.unwrap_or_else(PoisonError::into_inner);
+        let goes = state.0 == State::Goes;
+        state.1 = !goes;
+        drop(state);
         self.stood += asked.elapsed();
         goes
     }
@@ -85,6 +103,8 @@ impl<T: Send + 'static> Worker<T> {
         let pace = Arc::<Pace>::default();
         let mut gate = Gate { news: sender, pace: Arc::clone(&pace), begun: Instant::now(), stood: Duration::ZERO };
         let run = move || {
+            // However it ends, also by a panic, nothing is under way then.
+            let _rests = Rests(Arc::clone(&gate.pace));
             let done = work(&mut gate);
             let _ = gate.news.send(News::Done(done));
         };
@@ -107,9 +127,18 @@ impl<T> Worker<T> {
         }
     }
 
-    /// Lets it stand after the part that is under way, or go on.
-    pub fn stand(&self, stands: bool) {
-        self.pace.set(if stands { State::Stands } else { State::Goes });
+    /// Lets it stand, and waits for the part that is under way, but no longer than `limit`; whether nothing is under way then.
+    /// What takes longer stands after it all the same.
+    pub fn stand(&self, limit: Duration) -> bool {
+        self.pace.set(State::Stands);
+        let is_under_way = |(_, rests): &mut (State, bool)| !*rests;
+        let waited = self.pace.changed.wait_timeout_while(self.pace.lock(), limit, is_under_way);
+        waited.unwrap_or_else(PoisonError::into_inner).0.1
+    }
+
+    /// Lets it go on.
+    pub fn go_on(&self) {
+        self.pace.set(State::Goes);
     }
 }
 
@@ -125,6 +154,8 @@ impl<T> Drop for Worker<T> {
 mod tests {
     use super::*;
     use std::sync::atomic::{AtomicUsize, Ordering};
+
+    const LONG: Duration = Duration::from_secs(60);
 
     /// Counts to `most`, a millisecond a part; how far it came, and how long it worked.
     fn counting(most: usize, counted: &Arc<AtomicUsize>) -> Worker<(usize, Duration)> {
@@ -163,17 +194,45 @@ mod tests {
     fn it_stands_while_it_is_told_to_and_counts_no_time_then() {
         let counted = Arc::default();
         let mut worker = counting(200, &counted);
-        worker.stand(true);
-        // Long enough for the part that was under way.
-        std::thread::sleep(Duration::from_millis(100));
+        assert!(worker.stand(LONG));
+        // Nothing is under way any more.
         let before = counted.load(Ordering::SeqCst);
         std::thread::sleep(Duration::from_millis(900));
         assert_eq!(counted.load(Ordering::SeqCst), before);
         assert!(before < 200 && worker.poll().is_none());
-        worker.stand(false);
+        worker.go_on();
         let begun = Instant::now();
         let (done, worked) = finished(&mut worker).unwrap();
         assert!(done == 200 && worked < begun.elapsed() + Duration::from_millis(500), "{worked:?}");
+    }
+
+    #[test]
+    fn who_lets_it_stand_waits_for_a_part_and_no_longer_than_the_limit() {
+        let (begins, begun) = channel();
+        let (ends, end) = channel::<()>();
+        let mut worker = Worker::begin("slow", move |gate: &mut Gate<usize>| {
+            let mut parts = 0;
+            while gate.pass([parts, 2]) && parts < 2 {
+                begins.send(()).unwrap();
+                let _ = end.recv();
+                parts += 1;
+            }
+            parts
+        })
+        .unwrap();
+        begun.recv().unwrap();
+        assert!(!worker.stand(Duration::from_millis(50)), "its part is under way");
+        ends.send(()).unwrap();
+        assert!(worker.stand(LONG) && begun.try_recv().is_err(), "it stands, and begins no other");
+        worker.go_on();
+        begun.recv().unwrap();
+        // One that ends meanwhile, or panics, has nothing under way.
+        drop(ends);
+        assert!(worker.stand(LONG));
+        worker.go_on();
+        assert_eq!(finished(&mut worker), Ok(2));
+        let broken = Worker::<()>::begin("broken", |_| panic!("on purpose")).unwrap();
+        assert!(broken.stand(LONG));
     }
 
     #[test]
@@ -181,7 +240,7 @@ mod tests {
         for stands in [false, true] {
             let counted = Arc::<AtomicUsize>::default();
             let worker = counting(1_000_000, &counted);
-            worker.stand(stands);
+            assert!(!stands || worker.stand(LONG));
             std::thread::sleep(Duration::from_millis(20));
             drop(worker);
             let at_end = counted.load(Ordering::SeqCst);

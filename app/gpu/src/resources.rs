@@ -73,6 +73,7 @@ pub fn bytes_per_pixel(format: Format) -> u64 {
 pub struct Resources {
     entries: Vec<ResourceInfo>,
     recordings: u32,
+    saves_memory: bool,
     /// Entries that a declaration of the same label and shape may yet repeat ([`Resources::repeating`]).
     repeatable: Vec<ResourceId>,
 }
@@ -81,6 +82,16 @@ impl Resources {
     /// An empty table.
     pub fn new() -> Self {
         Self::default()
+    }
+
+    /// An empty table for recordings that rather take less memory than fewer dispatches.
+    pub fn saving_memory() -> Self {
+        Self { saves_memory: true, ..Self::default() }
+    }
+
+    /// Whether its recordings rather take less memory than fewer dispatches.
+    pub fn saves_memory(&self) -> bool {
+        self.saves_memory
     }
 
     fn declare(&mut self, label: &str, shape: Shape, state: bool) -> ResourceId {

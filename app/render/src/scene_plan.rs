@@ -66,7 +66,7 @@ impl ScenePlan {
     ) -> Result<Self, ScenePlanError> {
         let options = FrameOptions::for_scene(scene, tier);
         let looks = (View::of_scene(scene), mesh_room.map_or(options, |room| options.with_mesh_room(room)));
-        Self::sweep(scene, SessionRecorder::new(scene, source), (scene.outputs.images > 0).then_some(looks))
+        Self::sweep(scene, SessionRecorder::for_tier(scene, source, tier), (scene.outputs.images > 0).then_some(looks))
     }
 
     /// Adds a picture of `scene` to what was recorded of it, if one is looked at, and sweeps.

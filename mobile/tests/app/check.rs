@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use brooklet_kernels::Module;
+use brooklet_kernels::{Module, Spirv};
 use brooklet_mobile::script::Hand;
 use brooklet_mobile::{Asked, Checked, WrongAnswer};
 
@@ -23,7 +23,7 @@ fn broken(name: &str) -> &'static Module {
     }
     assert!(exchanged > 0, "{name} adds nothing");
     let spirv = Vec::leak(words.into_iter().flat_map(u32::to_le_bytes).collect());
-    Box::leak(Box::new(Module { spirv, hash: "broken", ..*module }))
+    Box::leak(Box::new(Module { spirv: Spirv::Plain(spirv), hash: "broken", ..*module }))
 }
 
 #[test]
@@ -96,11 +96,11 @@ fn what_the_first_start_has_no_time_for_is_said_and_the_menu_asks_all() {
 #[test]
 fn a_check_stands_while_the_app_is_not_in_front() {
     let folder = tempfile::tempdir().unwrap();
-    let asked = Asked { rooms: vec!["scan".into(), "grid".into()], ..Asked::default() };
+    let asked = Asked { rooms: vec!["scan".into(), "grid".into()], patience: LONG, ..Asked::default() };
     let mut app = app(folder.path()).with_asked(asked);
     app.resume_offscreen(crate::SIZE_PX, 1.0);
-    app.suspend();
-    // Long enough for the case that was under way, and all others.
+    assert!(app.suspend(), "a case is under way that a driver may be building for");
+    // Long enough for the others.
     std::thread::sleep(Duration::from_secs(5));
     app.frame();
     assert!(app.checked().is_none(), "{:?}", app.checked());

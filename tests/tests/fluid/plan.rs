@@ -98,13 +98,7 @@ const TERMS: &[Term] = &[
         buffers: &["vorticities"],
         variant: None,
     },
-    Term {
-        without: "forces.xsph=0",
-        with: "forces.xsph=0.05",
-        stages: &["xsph"],
-        buffers: &["unsmoothed_velocities"],
-        variant: None,
-    },
+    Term { without: "forces.xsph=0", with: "forces.xsph=0.05", stages: &["xsph"], buffers: &[], variant: None },
     Term {
         without: "solver.pbf.s_corr_k=0",
         with: "solver.pbf.s_corr_k=0.1",

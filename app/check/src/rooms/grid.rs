@@ -10,8 +10,8 @@ use crate::numbers::rng;
 use crate::wrong::{OrRaise as _, Wrong, ensure, ensure_eq, skip};
 use brooklet_fluid::particles::id_of;
 use brooklet_kernels::{
-    CellSlot, CountCells, CountCellsVariant, GROUPS_PER_ROW, GridParams, Kernel, Position, PrecisionKeyword, RankById,
-    Reorder, ReorderVariant, ScatterCellMembers, Velocity,
+    CellSlot, CountCells, CountCellsVariant, GROUPS_PER_ROW, GridParams, Kernel, OnlyKeyword, Position,
+    PrecisionKeyword, RankById, Reorder, ReorderVariant, ScatterCellMembers, Velocity,
 };
 use brooklet_reference::grid::rank_by_id::rank_by_id;
 use brooklet_reference::grid::reorder::{reorder, sorted_indices};
@@ -100,6 +100,19 @@ pub(super) fn run_reorder(
     grid: GridParams,
     precision: PrecisionKeyword,
 ) -> Sorted {
+    run_reorders(device, positions, velocities, (slots, starts), grid, precision, &[OnlyKeyword::Off])
+}
+
+/// In as many dispatches as there are `parts`.
+fn run_reorders(
+    device: &Device,
+    positions: &[Position],
+    velocities: &[Velocity],
+    (slots, starts): (&[CellSlot], &[u32]),
+    grid: GridParams,
+    precision: PrecisionKeyword,
+    parts: &[OnlyKeyword],
+) -> Sorted {
     let count = positions.len();
     let mut bench = Bench::new(device);
     let at = bench.input("positions", positions);
@@ -111,21 +124,24 @@ pub(super) fn run_reorder(
     let mut quantized_positions = bench.output("quantized_positions", count);
     let params = bench.uniform("grid", grid);
     let step_state = bench.uniform("step_state", step_state(count, 0.0));
-    bench.dispatch(
-        &Reorder {
-            variant: ReorderVariant { precision },
-            positions: at.read(),
-            velocities: moving.read(),
-            cell_slots: slots.read(),
-            cell_starts: starts.read(),
-            sorted_positions: sorted_positions.write(),
-            sorted_velocities: sorted_velocities.write(),
-            quantized_positions: quantized_positions.write(),
-            step_state: step_state.uniform(),
-            grid: params.uniform(),
-        },
-        count,
-    );
+    for &only in parts {
+        let (at_all, moving_at_all) = (only != OnlyKeyword::VelocitiesOnly, only != OnlyKeyword::PositionsOnly);
+        bench.dispatch(
+            &Reorder {
+                variant: ReorderVariant { precision, only },
+                positions: at_all.then(|| at.read()),
+                velocities: moving_at_all.then(|| moving.read()),
+                cell_slots: slots.read(),
+                cell_starts: starts.read(),
+                sorted_positions: at_all.then(|| sorted_positions.write()),
+                sorted_velocities: moving_at_all.then(|| sorted_velocities.write()),
+                quantized_positions: at_all.then(|| quantized_positions.write()),
+                step_state: step_state.uniform(),
+                grid: at_all.then(|| params.uniform()),
+            },
+            count,
+        );
+    }
     let mut done = bench.run();
     Sorted {
         positions: done.read(&sorted_positions, count),
@@ -151,8 +167,12 @@ pub(crate) fn reorder_matches_its_twin(device: &Device) {
         let starts = scan::scan(&filled);
         let slots: Vec<CellSlot> = cells.iter().zip(&ranks).map(|(&cell, &rank)| CellSlot { cell, rank }).collect();
         let sorted_indices = sorted_indices(&cells, &ranks, &starts);
-        for precision in STORAGES {
-            let sorted = run_reorder(device, &case.positions, &case.velocities, &slots, &starts, grid, precision);
+        let in_two = [OnlyKeyword::VelocitiesOnly, OnlyKeyword::PositionsOnly];
+        for (precision, parts) in
+            STORAGES.iter().flat_map(|&precision| [(precision, &[OnlyKeyword::Off][..]), (precision, &in_two)])
+        {
+            let (positions, velocities) = (&case.positions, &case.velocities);
+            let sorted = run_reorders(device, positions, velocities, (&slots, &starts), grid, precision, parts);
             ensure_eq!(sorted.positions, reorder(&case.positions, &sorted_indices));
             ensure_eq!(sorted.velocities, reorder(&case.velocities, &sorted_indices));
             ensure_eq!(

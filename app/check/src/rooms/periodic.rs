@@ -14,7 +14,7 @@ use crate::wrong::{OrRaise as _, ensure, ensure_eq};
 use brooklet_kernels::{
     Counters, DensityRatios, DensityRatiosVariant, IntegrateParticles, Kernel, MeasureParticles,
     MeasureParticlesVariant, MeasureSums, Position, Predict, PredictVariant, StepParams, UpdateVelocity,
-    UpdateVelocityVariant, Velocity,
+    UpdateVelocityVariant, Velocity, VelocityKeyword,
 };
 use brooklet_reference::boundary::walls::DomainWalls;
 use brooklet_reference::grid::list_neighbours::{list_images, list_neighbours};
@@ -178,22 +178,25 @@ pub(crate) fn update_velocity_matches_its_twin(device: &Device) {
                 let step_state = bench.uniform("step_state", step_state(size, params.dt_s));
                 let mut kept_positions = bench.output("kept_positions", size);
                 let mut kept_velocities = bench.output("kept_velocities", size);
-                for keep_velocity in [false, true] {
-                    let (positions, velocities) = match keep_velocity {
-                        false => (&mut positions, &mut velocities),
-                        true => (&mut kept_positions, &mut kept_velocities),
-                    };
+                let mut moved_positions = bench.output("moved_positions", size);
+                let mut moved_velocities = bench.input("moved_velocities", &case.velocities);
+                for (velocity, positions, velocities) in [
+                    (VelocityKeyword::Off, &mut positions, &mut velocities),
+                    (VelocityKeyword::InPlaceVelocity, &mut moved_positions, &mut moved_velocities),
+                    (VelocityKeyword::KeepVelocity, &mut kept_positions, &mut kept_velocities),
+                ] {
+                    let sorted = velocity != VelocityKeyword::InPlaceVelocity;
                     bench.dispatch(
                         &UpdateVelocity {
-                            variant: UpdateVelocityVariant { precision, periodic: true, keep_velocity },
+                            variant: UpdateVelocityVariant { precision, periodic: true, velocity },
                             quantized_positions: at.read(),
                             step_state: step_state.uniform(),
                             kernel: kernel.uniform(),
                             sorted_positions: sorted_positions.read(),
-                            sorted_velocities: sorted_velocities.read(),
+                            sorted_velocities: sorted.then(|| sorted_velocities.read()),
                             positions: positions.write(),
                             velocities: velocities.write(),
-                            counters: (!keep_velocity).then(|| counters.write()),
+                            counters: (velocity != VelocityKeyword::KeepVelocity).then(|| counters.write()),
                             step_params: Some(step_params.uniform()),
                         },
                         size,
@@ -201,6 +204,8 @@ pub(crate) fn update_velocity_matches_its_twin(device: &Device) {
                 }
                 let mut done = bench.run();
                 let (positions, velocities) = (done.read(&positions, size), done.read(&velocities, size));
+                ensure_eq!(done.read::<Position>(&moved_positions, size), positions);
+                ensure_eq!(done.read::<Velocity>(&moved_velocities, size), velocities);
                 // Positions are those of the other variant, whatever velocities are.
                 ensure_eq!(done.read::<Position>(&kept_positions, size), positions);
                 ensure_eq!(done.read::<Velocity>(&kept_velocities, size), case.velocities);

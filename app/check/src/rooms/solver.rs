@@ -14,7 +14,7 @@ use crate::numbers::rng;
 use crate::wrong::{OrRaise as _, ensure, ensure_eq, note};
 use brooklet_kernels::{
     CorrectPositions, CorrectPositionsVariant, Counters, Kernel, PbfParams, Position, PositionLambda, PrecisionKeyword,
-    StepParams, UpdateVelocity, UpdateVelocityVariant, Velocity,
+    StepParams, UpdateVelocity, UpdateVelocityVariant, Velocity, VelocityKeyword,
 };
 use brooklet_reference::shared::quantized_position::Quantization;
 use brooklet_reference::solver::pbf::correct_positions::{MAX_DISPLACEMENT, correct_positions};
@@ -274,7 +274,8 @@ pub(crate) fn update_velocity_matches_its_twin(device: &Device) {
                 .map(|&at| quantization.pack(quantization.coordinates(at).map(|c| c.wrapping_add(moved_h()))))
                 .collect();
             let params = case.step_params();
-            let (positions, velocities, counters) = run_update(device, &case, &corrected, params, precision, false);
+            let (positions, velocities, counters) =
+                run_update(device, &case, &corrected, params, precision, VelocityKeyword::Off);
             let step = step_of(&params, false);
             let mut clamps = 0;
             for i in 0..size {
@@ -295,8 +296,14 @@ pub(crate) fn update_velocity_matches_its_twin(device: &Device) {
             }
             ensure_eq!(counters.speed_clamps, clamps);
             slowed += clamps;
+            // Where velocities stand already it is the same, bit for bit.
+            let in_place = VelocityKeyword::InPlaceVelocity;
+            let (moved, updated, counters) = run_update(device, &case, &corrected, params, precision, in_place);
+            ensure!(moved == positions && updated == velocities);
+            ensure_eq!(counters.speed_clamps, clamps);
             // Positions are those of the other variant, whatever velocities are.
-            let (moved, kept, counters) = run_update(device, &case, &corrected, params, precision, true);
+            let keep = VelocityKeyword::KeepVelocity;
+            let (moved, kept, counters) = run_update(device, &case, &corrected, params, precision, keep);
             ensure!(moved == positions && kept == case.velocities);
             ensure_eq!(counters.speed_clamps, 0);
         }
@@ -312,7 +319,7 @@ fn run_update(
     corrected: &[[u32; 2]],
     params: StepParams,
     precision: PrecisionKeyword,
-    keep_velocity: bool,
+    velocity: VelocityKeyword,
 ) -> (Vec<brooklet_kernels::Position>, Vec<Velocity>, Counters) {
     let mut bench = Bench::new(device);
     let corrected = bench.input("quantized_positions", corrected);
@@ -320,23 +327,27 @@ fn run_update(
     let sorted_positions = bench.input("sorted_positions", &case.positions);
     let sorted_velocities = bench.input("sorted_velocities", &case.velocities);
     let mut positions = bench.output("positions", case.count());
-    let mut velocities = bench.output("velocities", case.count());
+    let (takes, in_place) = (velocity != VelocityKeyword::KeepVelocity, velocity == VelocityKeyword::InPlaceVelocity);
+    let mut velocities = match in_place {
+        true => bench.input("velocities", &case.velocities),
+        false => bench.output("velocities", case.count()),
+    };
     let mut counters = bench.input("counters", &[Counters::default()]);
     let step_params = bench.uniform("step_params", params);
     let step_state = bench.uniform("step_state", step_state(case.count(), params.dt_s));
     let periodic = params.period_m != [0.0; 3];
     bench.dispatch(
         &UpdateVelocity {
-            variant: UpdateVelocityVariant { precision, periodic, keep_velocity },
+            variant: UpdateVelocityVariant { precision, periodic, velocity },
             quantized_positions: corrected.read(),
             step_state: step_state.uniform(),
             kernel: kernel.uniform(),
             sorted_positions: sorted_positions.read(),
-            sorted_velocities: sorted_velocities.read(),
+            sorted_velocities: (!in_place).then(|| sorted_velocities.read()),
             positions: positions.write(),
             velocities: velocities.write(),
-            counters: (!keep_velocity).then(|| counters.write()),
-            step_params: (!keep_velocity || periodic).then(|| step_params.uniform()),
+            counters: takes.then(|| counters.write()),
+            step_params: (takes || periodic).then(|| step_params.uniform()),
         },
         case.count(),
     );

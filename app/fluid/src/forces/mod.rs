@@ -18,8 +18,7 @@ use vorticity::VorticityConfinement;
 pub struct Forces {
     pub(crate) params: Buffer<ForceParams>,
     vorticity: Option<VorticityConfinement>,
-    /// Velocities before XSPH; without it they are the result.
-    unsmoothed: Option<Buffer<Velocity>>,
+    xsph: bool,
 }
 
 /// What the shaders are given.
@@ -37,7 +36,7 @@ impl Forces {
         Self {
             params: resources.persistent("force_params", 1),
             vorticity: (scene.forces.vorticity_m_s > 0.0).then(|| VorticityConfinement::declare(resources, capacity)),
-            unsmoothed: (scene.forces.xsph > 0.0).then(|| resources.buffer("unsmoothed_velocities", capacity)),
+            xsph: scene.forces.xsph > 0.0,
         }
     }
 
@@ -46,12 +45,12 @@ impl Forces {
         init.upload(&mut self.params, &[params(scene)]);
     }
 
-    /// Where the solver leaves the velocities that [`Forces::record`] begins with.
-    pub fn input<'a>(&'a mut self, velocities: &'a mut Buffer<Velocity>) -> &'a mut Buffer<Velocity> {
-        self.unsmoothed.as_mut().unwrap_or(velocities)
+    /// Whether [`Forces::record`] begins with velocities where the sort left them, and not with the particles' own.
+    pub fn smooth(&self) -> bool {
+        self.xsph
     }
 
-    /// From [`Forces::input`] to `velocities`, which are in the search's order.
+    /// From what the solver left, in the search's order, to `velocities`.
     pub fn record(
         &mut self,
         recording: &mut Recording,
@@ -59,11 +58,12 @@ impl Forces {
         search: &NeighbourSearch,
         velocities: &mut Buffer<Velocity>,
     ) {
+        let mut unsmoothed = self.xsph.then(|| search.sorted.velocities.alias());
         if let Some(vorticity) = &mut self.vorticity {
-            let input = self.unsmoothed.as_mut().unwrap_or(&mut *velocities);
+            let input = unsmoothed.as_mut().unwrap_or(&mut *velocities);
             vorticity.record(recording, &self.params, context, search, input);
         }
-        if let Some(unsmoothed) = &self.unsmoothed {
+        if let Some(unsmoothed) = &unsmoothed {
             xsph::xsph(recording, &self.params, context, search, unsmoothed, velocities);
         }
     }

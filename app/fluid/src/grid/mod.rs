@@ -17,8 +17,8 @@ pub use scan::{SCAN_GROUP, Scan};
 
 use brooklet_gpu::{Recording, Resources};
 use brooklet_kernels::{
-    Buffer, CellSlot, CountActive, CountCells, CountCellsVariant, GridParams, Position, PrecisionKeyword, RankById,
-    Reorder, ReorderVariant, ScatterCellMembers, Velocity,
+    Buffer, CellSlot, CountActive, CountCells, CountCellsVariant, GridParams, OnlyKeyword, Position, PrecisionKeyword,
+    RankById, Reorder, ReorderVariant, ScatterCellMembers, Velocity,
 };
 
 use crate::scene::{Precision, Scene};
@@ -108,6 +108,8 @@ pub struct Grid {
     pub wrapped: bool,
     /// Whether cells on either side of the domain lie side by side.
     pub periodic: bool,
+    /// Whether positions may stand where velocities stood.
+    saves_memory: bool,
 }
 
 impl Grid {
@@ -123,6 +125,7 @@ impl Grid {
             scan: Scan::declare(resources, "cell_starts", starts),
             wrapped: params.cells != params.domain_cells,
             periodic: scene.domain.is_periodic(),
+            saves_memory: resources.saves_memory(),
         }
     }
 
@@ -134,7 +137,30 @@ impl Grid {
         particles: &Particles,
         sorted: &mut Sorted,
     ) {
-        let Particles { positions, velocities } = particles;
+        self.record_slots(recording, slots, &particles.positions);
+        self.record_reorder(recording, slots, particles, sorted, OnlyKeyword::Off);
+    }
+
+    /// The same where velocities are not read until all of them are written anew: with a pass more and a buffer less, if
+    /// memory is to be saved.
+    pub fn record_sort_forgetting(
+        &mut self,
+        recording: &mut Recording,
+        slots: &mut Slots,
+        particles: &Particles,
+        sorted: &mut Sorted,
+    ) {
+        if !self.saves_memory || !slots.are_all_visited() {
+            return self.record_sort(recording, slots, particles, sorted);
+        }
+        self.record_slots(recording, slots, &particles.positions);
+        self.record_reorder(recording, slots, particles, sorted, OnlyKeyword::VelocitiesOnly);
+        recording.forget(&particles.velocities);
+        self.record_reorder(recording, slots, particles, sorted, OnlyKeyword::PositionsOnly);
+    }
+
+    /// Finds where each particle goes.
+    fn record_slots(&mut self, recording: &mut Recording, slots: &mut Slots, positions: &Buffer<Position>) {
         recording.clear(&mut self.cell_counts);
         slots.dispatch(
             recording,
@@ -178,19 +204,32 @@ impl Grid {
                 },
             );
         }
+    }
+
+    /// Moves the particles there, or their velocities or positions alone.
+    fn record_reorder(
+        &self,
+        recording: &mut Recording,
+        slots: &Slots,
+        particles: &Particles,
+        sorted: &mut Sorted,
+        only: OnlyKeyword,
+    ) {
+        let (moves_positions, moves_velocities) =
+            (only != OnlyKeyword::VelocitiesOnly, only != OnlyKeyword::PositionsOnly);
         slots.dispatch(
             recording,
             &Reorder {
-                variant: ReorderVariant { precision: sorted.precision },
-                positions: positions.read(),
-                velocities: velocities.read(),
+                variant: ReorderVariant { precision: sorted.precision, only },
+                positions: moves_positions.then(|| particles.positions.read()),
+                velocities: moves_velocities.then(|| particles.velocities.read()),
                 cell_slots: self.cell_slots.read(),
                 cell_starts: self.cell_starts.read(),
-                sorted_positions: sorted.positions.write(),
-                sorted_velocities: sorted.velocities.write(),
-                quantized_positions: sorted.quantized_positions.write(),
+                sorted_positions: moves_positions.then(|| sorted.positions.write()),
+                sorted_velocities: moves_velocities.then(|| sorted.velocities.write()),
+                quantized_positions: moves_positions.then(|| sorted.quantized_positions.write()),
                 step_state: slots.state.uniform(),
-                grid: self.params.uniform(),
+                grid: moves_positions.then(|| self.params.uniform()),
             },
         );
     }

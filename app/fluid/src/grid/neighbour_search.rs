@@ -45,6 +45,12 @@ impl NeighbourSearch {
         self.grid.record_sort(recording, &mut context.slots, particles, &mut self.sorted);
     }
 
+    /// The same where neither positions nor velocities are read until all of them are written anew.
+    pub fn sort_forgetting(&mut self, recording: &mut Recording, context: &mut StepContext, particles: &Particles) {
+        self.neighbours.forget(recording, &context.slots);
+        self.grid.record_sort_forgetting(recording, &mut context.slots, particles, &mut self.sorted);
+    }
+
     /// Lists the sorted particles' neighbours.
     pub fn list(&mut self, recording: &mut Recording, context: &mut StepContext) {
         self.neighbours.record(recording, context, &self.grid, &self.sorted);

@@ -1,6 +1,6 @@
 //! A scene's recordings and what others add to them, swept into the plan of a session.
 
-use brooklet_gpu::{Plan, PlanError, Recording, RecordingId, ResourceId, Resources};
+use brooklet_gpu::{Plan, PlanError, Recording, RecordingId, ResourceId, Resources, Tier};
 
 use super::TimeBase;
 use super::relax::plan_relaxation;
@@ -46,13 +46,25 @@ pub struct SessionRecorder {
 impl SessionRecorder {
     /// Records `scene`: its start, a step, and a measurement if the scene measures.
     pub fn new(scene: &Scene, source: ParticleSource) -> Self {
+        Self::over(Resources::new(), scene, source)
+    }
+
+    /// As [`SessionRecorder::new`] for a device of `tier`: on a phone's rather with less memory than with fewer dispatches.
+    pub fn for_tier(scene: &Scene, source: ParticleSource, tier: Tier) -> Self {
+        let resources = match tier {
+            Tier::Desktop => Resources::new(),
+            Tier::Mobile | Tier::Floor => Resources::saving_memory(),
+        };
+        Self::over(resources, scene, source)
+    }
+
+    fn over(mut resources: Resources, scene: &Scene, source: ParticleSource) -> Self {
         let is_fresh = matches!(source, ParticleSource::Scene);
         let (particles, count) = match source {
             ParticleSource::Scene => with_count(sample_lattice(scene), scene),
             ParticleSource::Given(particles) => with_count(particles, scene),
             ParticleSource::Count(count) => (None, count.max(scene.capacity.unwrap_or_default())),
         };
-        let mut resources = Resources::new();
         let recorded = record_count(&mut resources, scene, count);
         Self {
             init: vec![recorded.init.id()],

@@ -2,7 +2,7 @@
 // makes it anew from grid/reorder.compute.
 //! Kernels of `grid/reorder.compute`.
 
-use super::{CellSlot, GridParams, Position, PrecisionKeyword, StepState, Velocity};
+use super::{CellSlot, GridParams, OnlyKeyword, Position, PrecisionKeyword, StepState, Velocity};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
     Uniform, bind,
@@ -13,32 +13,36 @@ use crate::{
 pub struct ReorderVariant {
     /// Keyword `RELAXED_PRECISION` or `HALF_PRECISION`.
     pub precision: PrecisionKeyword,
+    /// Keyword `VELOCITIES_ONLY` or `POSITIONS_ONLY`.
+    pub only: OnlyKeyword,
 }
 
 /// Last pass of the counting sort: every attribute moves to its slot in cell order, so that the
-/// solver's neighbours lie close together in memory (Hoetzlein 2014; the mobile deck's "locality").
+/// solver's neighbours lie close together in memory (Hoetzlein 2014; the mobile deck's "locality"). Velocities and
+/// positions in two dispatches are in memory at one time no more than once and a half: a phone's positions then stand
+/// where its velocities stood.
 #[derive(Debug)]
 pub struct Reorder<'a> {
     /// Its variant.
     pub variant: ReorderVariant,
     /// `StructuredBuffer<Position> positions`.
-    pub positions: Buf<'a, Position>,
+    pub positions: Option<Buf<'a, Position>>,
     /// `StructuredBuffer<Velocity> velocities`.
-    pub velocities: Buf<'a, Velocity>,
+    pub velocities: Option<Buf<'a, Velocity>>,
     /// `StructuredBuffer<CellSlot> cell_slots`.
     pub cell_slots: Buf<'a, CellSlot>,
     /// `StructuredBuffer<uint> cell_starts`.
     pub cell_starts: Buf<'a, u32>,
     /// `RWStructuredBuffer<Position> sorted_positions`.
-    pub sorted_positions: BufMut<'a, Position>,
+    pub sorted_positions: Option<BufMut<'a, Position>>,
     /// `RWStructuredBuffer<Velocity> sorted_velocities`.
-    pub sorted_velocities: BufMut<'a, Velocity>,
+    pub sorted_velocities: Option<BufMut<'a, Velocity>>,
     /// `RWStructuredBuffer<uint2> quantized_positions`.
-    pub quantized_positions: BufMut<'a, [u32; 2]>,
+    pub quantized_positions: Option<BufMut<'a, [u32; 2]>>,
     /// `ConstantBuffer<StepState> step_state`.
     pub step_state: Uniform<'a, StepState>,
     /// `ConstantBuffer<GridParams> grid`.
-    pub grid: Uniform<'a, GridParams>,
+    pub grid: Option<Uniform<'a, GridParams>>,
 }
 
 impl Kernel for Reorder<'_> {
@@ -46,32 +50,48 @@ impl Kernel for Reorder<'_> {
     const GROUP_SIZE: [u32; 3] = [64, 1, 1];
 
     fn module(&self) -> &'static Module {
-        match self.variant.precision {
-            PrecisionKeyword::Off => &REORDER,
-            PrecisionKeyword::RelaxedPrecision => &REORDER_WITH_RELAXED_PRECISION,
-            PrecisionKeyword::HalfPrecision => &REORDER_WITH_RELAXED_PRECISION,
+        match (self.variant.precision, self.variant.only) {
+            (PrecisionKeyword::Off, OnlyKeyword::Off) => &REORDER,
+            (PrecisionKeyword::Off, OnlyKeyword::VelocitiesOnly) => &REORDER_WITH_VELOCITIES_ONLY,
+            (PrecisionKeyword::Off, OnlyKeyword::PositionsOnly) => &REORDER_WITH_POSITIONS_ONLY,
+            (PrecisionKeyword::RelaxedPrecision, OnlyKeyword::Off) => &REORDER_WITH_RELAXED_PRECISION,
+            (PrecisionKeyword::RelaxedPrecision, OnlyKeyword::VelocitiesOnly) => &REORDER_WITH_VELOCITIES_ONLY,
+            (PrecisionKeyword::RelaxedPrecision, OnlyKeyword::PositionsOnly) => {
+                &REORDER_WITH_RELAXED_PRECISION_WITH_POSITIONS_ONLY
+            }
+            (PrecisionKeyword::HalfPrecision, OnlyKeyword::Off) => &REORDER_WITH_RELAXED_PRECISION,
+            (PrecisionKeyword::HalfPrecision, OnlyKeyword::VelocitiesOnly) => &REORDER_WITH_VELOCITIES_ONLY,
+            (PrecisionKeyword::HalfPrecision, OnlyKeyword::PositionsOnly) => {
+                &REORDER_WITH_RELAXED_PRECISION_WITH_POSITIONS_ONLY
+            }
         }
     }
     fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
         bind(
             self.module(),
             &[
-                ("positions", Some(self.positions.id)),
-                ("velocities", Some(self.velocities.id)),
+                ("positions", self.positions.as_ref().map(|bound| bound.id)),
+                ("velocities", self.velocities.as_ref().map(|bound| bound.id)),
                 ("cell_slots", Some(self.cell_slots.id)),
                 ("cell_starts", Some(self.cell_starts.id)),
-                ("sorted_positions", Some(self.sorted_positions.id)),
-                ("sorted_velocities", Some(self.sorted_velocities.id)),
-                ("quantized_positions", Some(self.quantized_positions.id)),
+                ("sorted_positions", self.sorted_positions.as_ref().map(|bound| bound.id)),
+                ("sorted_velocities", self.sorted_velocities.as_ref().map(|bound| bound.id)),
+                ("quantized_positions", self.quantized_positions.as_ref().map(|bound| bound.id)),
                 ("step_state", Some(self.step_state.id)),
-                ("grid", Some(self.grid.id)),
+                ("grid", self.grid.as_ref().map(|bound| bound.id)),
             ],
         )
     }
 }
 
 /// The modules of this file.
-pub(super) static MODULES: &[&Module] = &[&REORDER, &REORDER_WITH_RELAXED_PRECISION];
+pub(super) static MODULES: &[&Module] = &[
+    &REORDER,
+    &REORDER_WITH_VELOCITIES_ONLY,
+    &REORDER_WITH_POSITIONS_ONLY,
+    &REORDER_WITH_RELAXED_PRECISION,
+    &REORDER_WITH_RELAXED_PRECISION_WITH_POSITIONS_ONLY,
+];
 
 static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "positions", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
@@ -97,6 +117,36 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "grid", slot: 8, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
+static BINDINGS_1: &[BindingInfo] = &[
+    BindingInfo { name: "velocities", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
+    BindingInfo { name: "cell_slots", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo { name: "cell_starts", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 } },
+    BindingInfo {
+        name: "sorted_velocities",
+        slot: 3,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
+    },
+    BindingInfo { name: "step_state", slot: 4, kind: BindingKind::Uniform { bytes: 48 } },
+];
+
+static BINDINGS_2: &[BindingInfo] = &[
+    BindingInfo { name: "positions", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
+    BindingInfo { name: "cell_slots", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo { name: "cell_starts", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 } },
+    BindingInfo {
+        name: "sorted_positions",
+        slot: 3,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
+    },
+    BindingInfo {
+        name: "quantized_positions",
+        slot: 4,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
+    },
+    BindingInfo { name: "step_state", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "grid", slot: 6, kind: BindingKind::Uniform { bytes: 64 } },
+];
+
 static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/grid_reorder.deflate"));
 
 static REORDER: Module = Module {
@@ -109,18 +159,57 @@ static REORDER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "2b58070f33aadccb695875d78a71defd67f6f1019bbbc8618acb8202fbadb577",
+    hash: "01f15b6803373bbae4c583735b6c1773dab0d567062170cc23097dc186f24b88",
+};
+
+static REORDER_WITH_VELOCITIES_ONLY: Module = Module {
+    name: "Reorder+VELOCITIES_ONLY",
+    entry: "Reorder",
+    stage: StageKind::Compute,
+    spirv: Spirv::Packed { pack: PACK, first: 4956, bytes: 2680 },
+    bindings: BINDINGS_1,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "grid/reorder.compute",
+    hash: "c5501e99a450f92db0bb80a7900a61fc48745f34900c71785f902b652b247668",
+};
+
+static REORDER_WITH_POSITIONS_ONLY: Module = Module {
+    name: "Reorder+POSITIONS_ONLY",
+    entry: "Reorder",
+    stage: StageKind::Compute,
+    spirv: Spirv::Packed { pack: PACK, first: 7636, bytes: 4348 },
+    bindings: BINDINGS_2,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "grid/reorder.compute",
+    hash: "3650a3aedc00e75044d74637cebfba5b85beace29b3b1ef2342688c78e88a608",
 };
 
 static REORDER_WITH_RELAXED_PRECISION: Module = Module {
     name: "Reorder+RELAXED_PRECISION",
     entry: "Reorder",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 4956, bytes: 4848 },
+    spirv: Spirv::Packed { pack: PACK, first: 11984, bytes: 4848 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "7b62210f78d4a4e78ba43d502f5484574ad941f4bb5c186202d6dd08fbac2b5e",
+    hash: "83f6a83a0921e04264dfa327178bc1a3ce5b6bdac9f35844752afecc6a849f38",
+};
+
+static REORDER_WITH_RELAXED_PRECISION_WITH_POSITIONS_ONLY: Module = Module {
+    name: "Reorder+RELAXED_PRECISION+POSITIONS_ONLY",
+    entry: "Reorder",
+    stage: StageKind::Compute,
+    spirv: Spirv::Packed { pack: PACK, first: 16832, bytes: 4240 },
+    bindings: BINDINGS_2,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "grid/reorder.compute",
+    hash: "a9f511cce11d1b431cb0c6bd70012b26fde43d9baa1e7a33f3791ad76a01c652",
 };

@@ -50,6 +50,18 @@ pub enum MomentumKeyword {
     RestrictedMomentum,
 }
 
+/// `#pragma multi_compile _ VELOCITIES_ONLY POSITIONS_ONLY`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum OnlyKeyword {
+    /// None of them is on.
+    #[default]
+    Off,
+    /// `VELOCITIES_ONLY` is on.
+    VelocitiesOnly,
+    /// `POSITIONS_ONLY` is on.
+    PositionsOnly,
+}
+
 /// `#pragma multi_compile _ RELAXED_PRECISION HALF_PRECISION`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum PrecisionKeyword {
@@ -86,6 +98,18 @@ pub enum ShapeKeyword {
     SprayShape,
     /// `ELLIPSOID_SHAPE` is on.
     EllipsoidShape,
+}
+
+/// `#pragma multi_compile _ KEEP_VELOCITY IN_PLACE_VELOCITY`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum VelocityKeyword {
+    /// None of them is on.
+    #[default]
+    Off,
+    /// `KEEP_VELOCITY` is on.
+    KeepVelocity,
+    /// `IN_PLACE_VELOCITY` is on.
+    InPlaceVelocity,
 }
 
 /// `#pragma multi_compile _ BEHIND_WATER BEFORE_WATER`.

@@ -2,7 +2,9 @@
 // makes it anew from solver/pbf/update_velocity.compute.
 //! Kernels of `solver/pbf/update_velocity.compute`.
 
-use super::{Counters, Position, PrecisionKeyword, SmoothingKernelParams, StepParams, StepState, Velocity};
+use super::{
+    Counters, Position, PrecisionKeyword, SmoothingKernelParams, StepParams, StepState, Velocity, VelocityKeyword,
+};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
     Uniform, bind,
@@ -15,14 +17,15 @@ pub struct UpdateVelocityVariant {
     pub precision: PrecisionKeyword,
     /// Keyword `PERIODIC`.
     pub periodic: bool,
-    /// Keyword `KEEP_VELOCITY`.
-    pub keep_velocity: bool,
+    /// Keyword `KEEP_VELOCITY` or `IN_PLACE_VELOCITY`.
+    pub velocity: VelocityKeyword,
 }
 
 /// The velocity that the corrections amount to (Macklin & Muller 2013, algorithm 1, line 21).
 /// Only what the corrections added is divided by dt: (x\* - x)/dt of the whole path would lose
 /// x's last bits to the velocity, and a particle falling freely would not fall exactly.
-/// With KEEP\_VELOCITY time stands: compression is taken out, and is to make no motion.
+/// With KEEP\_VELOCITY time stands: compression is taken out, and is to make no motion. With IN\_PLACE\_VELOCITY velocities
+/// stand where the sort left them, for a force that takes them from there.
 #[derive(Debug)]
 pub struct UpdateVelocity<'a> {
     /// Its variant.
@@ -32,7 +35,7 @@ pub struct UpdateVelocity<'a> {
     /// `StructuredBuffer<Position> sorted_positions`.
     pub sorted_positions: Buf<'a, Position>,
     /// `StructuredBuffer<Velocity> sorted_velocities`.
-    pub sorted_velocities: Buf<'a, Velocity>,
+    pub sorted_velocities: Option<Buf<'a, Velocity>>,
     /// `RWStructuredBuffer<Position> positions`.
     pub positions: BufMut<'a, Position>,
     /// `RWStructuredBuffer<Velocity> velocities`.
@@ -52,26 +55,50 @@ impl Kernel for UpdateVelocity<'_> {
     const GROUP_SIZE: [u32; 3] = [64, 1, 1];
 
     fn module(&self) -> &'static Module {
-        match (self.variant.precision, self.variant.periodic, self.variant.keep_velocity) {
-            (PrecisionKeyword::Off, false, false) => &UPDATE_VELOCITY,
-            (PrecisionKeyword::Off, false, true) => &UPDATE_VELOCITY_WITH_KEEP_VELOCITY,
-            (PrecisionKeyword::Off, true, false) => &UPDATE_VELOCITY_WITH_PERIODIC,
-            (PrecisionKeyword::Off, true, true) => &UPDATE_VELOCITY_WITH_PERIODIC_WITH_KEEP_VELOCITY,
-            (PrecisionKeyword::RelaxedPrecision, false, false) => &UPDATE_VELOCITY_WITH_RELAXED_PRECISION,
-            (PrecisionKeyword::RelaxedPrecision, false, true) => {
+        match (self.variant.precision, self.variant.periodic, self.variant.velocity) {
+            (PrecisionKeyword::Off, false, VelocityKeyword::Off) => &UPDATE_VELOCITY,
+            (PrecisionKeyword::Off, false, VelocityKeyword::KeepVelocity) => &UPDATE_VELOCITY_WITH_KEEP_VELOCITY,
+            (PrecisionKeyword::Off, false, VelocityKeyword::InPlaceVelocity) => &UPDATE_VELOCITY_WITH_IN_PLACE_VELOCITY,
+            (PrecisionKeyword::Off, true, VelocityKeyword::Off) => &UPDATE_VELOCITY_WITH_PERIODIC,
+            (PrecisionKeyword::Off, true, VelocityKeyword::KeepVelocity) => {
+                &UPDATE_VELOCITY_WITH_PERIODIC_WITH_KEEP_VELOCITY
+            }
+            (PrecisionKeyword::Off, true, VelocityKeyword::InPlaceVelocity) => {
+                &UPDATE_VELOCITY_WITH_PERIODIC_WITH_IN_PLACE_VELOCITY
+            }
+            (PrecisionKeyword::RelaxedPrecision, false, VelocityKeyword::Off) => {
+                &UPDATE_VELOCITY_WITH_RELAXED_PRECISION
+            }
+            (PrecisionKeyword::RelaxedPrecision, false, VelocityKeyword::KeepVelocity) => {
                 &UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_KEEP_VELOCITY
             }
-            (PrecisionKeyword::RelaxedPrecision, true, false) => &UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC,
-            (PrecisionKeyword::RelaxedPrecision, true, true) => {
+            (PrecisionKeyword::RelaxedPrecision, false, VelocityKeyword::InPlaceVelocity) => {
+                &UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_IN_PLACE_VELOCITY
+            }
+            (PrecisionKeyword::RelaxedPrecision, true, VelocityKeyword::Off) => {
+                &UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC
+            }
+            (PrecisionKeyword::RelaxedPrecision, true, VelocityKeyword::KeepVelocity) => {
                 &UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC_WITH_KEEP_VELOCITY
             }
-            (PrecisionKeyword::HalfPrecision, false, false) => &UPDATE_VELOCITY_WITH_RELAXED_PRECISION,
-            (PrecisionKeyword::HalfPrecision, false, true) => {
+            (PrecisionKeyword::RelaxedPrecision, true, VelocityKeyword::InPlaceVelocity) => {
+                &UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC_WITH_IN_PLACE_VELOCITY
+            }
+            (PrecisionKeyword::HalfPrecision, false, VelocityKeyword::Off) => &UPDATE_VELOCITY_WITH_RELAXED_PRECISION,
+            (PrecisionKeyword::HalfPrecision, false, VelocityKeyword::KeepVelocity) => {
                 &UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_KEEP_VELOCITY
             }
-            (PrecisionKeyword::HalfPrecision, true, false) => &UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC,
-            (PrecisionKeyword::HalfPrecision, true, true) => {
+            (PrecisionKeyword::HalfPrecision, false, VelocityKeyword::InPlaceVelocity) => {
+                &UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_IN_PLACE_VELOCITY
+            }
+            (PrecisionKeyword::HalfPrecision, true, VelocityKeyword::Off) => {
+                &UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC
+            }
+            (PrecisionKeyword::HalfPrecision, true, VelocityKeyword::KeepVelocity) => {
                 &UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC_WITH_KEEP_VELOCITY
+            }
+            (PrecisionKeyword::HalfPrecision, true, VelocityKeyword::InPlaceVelocity) => {
+                &UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC_WITH_IN_PLACE_VELOCITY
             }
         }
     }
@@ -81,7 +108,7 @@ impl Kernel for UpdateVelocity<'_> {
             &[
                 ("quantized_positions", Some(self.quantized_positions.id)),
                 ("sorted_positions", Some(self.sorted_positions.id)),
-                ("sorted_velocities", Some(self.sorted_velocities.id)),
+                ("sorted_velocities", self.sorted_velocities.as_ref().map(|bound| bound.id)),
                 ("positions", Some(self.positions.id)),
                 ("velocities", Some(self.velocities.id)),
                 ("counters", self.counters.as_ref().map(|bound| bound.id)),
@@ -97,12 +124,16 @@ impl Kernel for UpdateVelocity<'_> {
 pub(super) static MODULES: &[&Module] = &[
     &UPDATE_VELOCITY,
     &UPDATE_VELOCITY_WITH_KEEP_VELOCITY,
+    &UPDATE_VELOCITY_WITH_IN_PLACE_VELOCITY,
     &UPDATE_VELOCITY_WITH_PERIODIC,
     &UPDATE_VELOCITY_WITH_PERIODIC_WITH_KEEP_VELOCITY,
+    &UPDATE_VELOCITY_WITH_PERIODIC_WITH_IN_PLACE_VELOCITY,
     &UPDATE_VELOCITY_WITH_RELAXED_PRECISION,
     &UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_KEEP_VELOCITY,
+    &UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_IN_PLACE_VELOCITY,
     &UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC,
     &UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC_WITH_KEEP_VELOCITY,
+    &UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC_WITH_IN_PLACE_VELOCITY,
 ];
 
 static BINDINGS_0: &[BindingInfo] = &[
@@ -183,6 +214,37 @@ static BINDINGS_2: &[BindingInfo] = &[
         kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
     },
     BindingInfo {
+        name: "positions",
+        slot: 2,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
+    },
+    BindingInfo {
+        name: "velocities",
+        slot: 3,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
+    },
+    BindingInfo {
+        name: "counters",
+        slot: 4,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 32 },
+    },
+    BindingInfo { name: "step_state", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 6, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
+];
+
+static BINDINGS_3: &[BindingInfo] = &[
+    BindingInfo {
+        name: "quantized_positions",
+        slot: 0,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 },
+    },
+    BindingInfo {
+        name: "sorted_positions",
+        slot: 1,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+    },
+    BindingInfo {
         name: "sorted_velocities",
         slot: 2,
         kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
@@ -214,7 +276,7 @@ static UPDATE_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "f11bd5e5d951238292b21cf67d1428fc5196841d400d6b97b5cfb39a667dcb34",
+    hash: "0ed9a8d51e5a17a839806dce6892cfd0c41e7e9d12ad6da954f85aa740d60d89",
 };
 
 static UPDATE_VELOCITY_WITH_KEEP_VELOCITY: Module = Module {
@@ -227,83 +289,135 @@ static UPDATE_VELOCITY_WITH_KEEP_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "8eeca74f659210eee9f3284eac090f4150853449bf0659183fce700b2add7716",
+    hash: "bec21ad84bff01f0796a948910d75c01d842c628e4b11b69854aa0ac5bc01057",
+};
+
+static UPDATE_VELOCITY_WITH_IN_PLACE_VELOCITY: Module = Module {
+    name: "UpdateVelocity+IN_PLACE_VELOCITY",
+    entry: "UpdateVelocity",
+    stage: StageKind::Compute,
+    spirv: Spirv::Packed { pack: PACK, first: 12012, bytes: 6732 },
+    bindings: BINDINGS_2,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/pbf/update_velocity.compute",
+    hash: "d3b9bd036e86ecf409d1fb6df1b6cdb63952b2eb86b38c24ac5c6e26c660083f",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
     name: "UpdateVelocity+PERIODIC",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 12012, bytes: 7932 },
+    spirv: Spirv::Packed { pack: PACK, first: 18744, bytes: 7932 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "e3fa02527e3741522ef8ab19b292053e6346b89e83b495c76e2a986d53f03519",
+    hash: "999b8aa0ad3e7ba95a879a9961e9de0b96b61aa7553aa198806102af1691bcfd",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC_WITH_KEEP_VELOCITY: Module = Module {
     name: "UpdateVelocity+PERIODIC+KEEP_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 19944, bytes: 6792 },
+    spirv: Spirv::Packed { pack: PACK, first: 26676, bytes: 6792 },
+    bindings: BINDINGS_3,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/pbf/update_velocity.compute",
+    hash: "bf8fad6f7dedb679cb451d3716267ed6372188cb2964eee548a13a60368e490c",
+};
+
+static UPDATE_VELOCITY_WITH_PERIODIC_WITH_IN_PLACE_VELOCITY: Module = Module {
+    name: "UpdateVelocity+PERIODIC+IN_PLACE_VELOCITY",
+    entry: "UpdateVelocity",
+    stage: StageKind::Compute,
+    spirv: Spirv::Packed { pack: PACK, first: 33468, bytes: 7716 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "2de2b04856650a828db9ab41c996a4f36ce4a8a8baf3534f9d72e94ef309379b",
+    hash: "c6dbd30d26bf5f1e02b6e67069f8b145e39764781aed4887141e28a9288cbc1c",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION: Module = Module {
     name: "UpdateVelocity+RELAXED_PRECISION",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 26736, bytes: 6720 },
+    spirv: Spirv::Packed { pack: PACK, first: 41184, bytes: 6720 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "86600e414697e5442411743a1ce62230a5ce062e9ba16e1952268134cd8440f7",
+    hash: "1346ca445d894ee8f9b1ffdedacc80a5ed945fe7787c9dcd79418c91eef3d737",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_KEEP_VELOCITY: Module = Module {
     name: "UpdateVelocity+RELAXED_PRECISION+KEEP_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 33456, bytes: 4836 },
+    spirv: Spirv::Packed { pack: PACK, first: 47904, bytes: 4836 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "6bf224ace646ddafe6bbc5c00ad1d0dfe70a2a0f547cf5bdd29221e1f221d610",
+    hash: "bbf7a2471f82907b34b51376a484aa5f73d0e2181384e66497932f48e651e16e",
+};
+
+static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_IN_PLACE_VELOCITY: Module = Module {
+    name: "UpdateVelocity+RELAXED_PRECISION+IN_PLACE_VELOCITY",
+    entry: "UpdateVelocity",
+    stage: StageKind::Compute,
+    spirv: Spirv::Packed { pack: PACK, first: 52740, bytes: 6504 },
+    bindings: BINDINGS_2,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/pbf/update_velocity.compute",
+    hash: "f7535404c684acbb454555edd36aadd619b6acf00f870d1b0f44e8539ef3bf81",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC: Module = Module {
     name: "UpdateVelocity+RELAXED_PRECISION+PERIODIC",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 38292, bytes: 7720 },
+    spirv: Spirv::Packed { pack: PACK, first: 59244, bytes: 7720 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "3ef6e3f3cc2b200def498995194e6c57b4fa73b58de6c611be96ae9c97be3d86",
+    hash: "499c93da18a171714ebe9bf40d35df74e573ae27c0aa7f92ce7117dac870efcb",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC_WITH_KEEP_VELOCITY: Module = Module {
     name: "UpdateVelocity+RELAXED_PRECISION+PERIODIC+KEEP_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 46012, bytes: 6580 },
+    spirv: Spirv::Packed { pack: PACK, first: 66964, bytes: 6580 },
+    bindings: BINDINGS_3,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/pbf/update_velocity.compute",
+    hash: "9f9ad9623a04e00e43c95d60ed6796d0cfd83cc4a918fe879b63f6caf9c57fc3",
+};
+
+static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC_WITH_IN_PLACE_VELOCITY: Module = Module {
+    name: "UpdateVelocity+RELAXED_PRECISION+PERIODIC+IN_PLACE_VELOCITY",
+    entry: "UpdateVelocity",
+    stage: StageKind::Compute,
+    spirv: Spirv::Packed { pack: PACK, first: 73544, bytes: 7504 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "49dd604deaf085251ca32f2c9f1da114b60cdcc228f2247a0a2b86988bd995ff",
+    hash: "7910c09f314d67bf5bcc785a993be8e7545f959f195b252692527e37c902e1a7",
 };

@@ -111,7 +111,7 @@ impl Running<'_> {
             Some(Step::Hide) => self.hide(),
             Some(Step::Rebuild) => {
                 // A window has one surface at a time.
-                self.app.suspend();
+                self.suspend();
                 self.show();
             }
             None => {}
@@ -128,7 +128,7 @@ impl Running<'_> {
 
     fn hide(&mut self) {
         self.sensors = None;
-        self.app.suspend();
+        self.suspend();
     }
 
     fn take_input(&mut self) {

@@ -169,15 +169,14 @@ impl Pbf {
         particles: &mut Particles,
     ) {
         predict(recording, context, particles);
-        self.search.sort(recording, context, particles);
+        self.search.sort_forgetting(recording, context, particles);
         self.search.list(recording, context);
         self.start_warm(recording, context, particles);
         particles.forget_until_moved(recording, &context.slots);
         self.iterate(recording, context, self.s_corr);
         self.keep_pressure(recording, context);
-        let updated = self.forces.input(&mut particles.velocities);
-        let what = Velocities::TakeCorrections;
-        update_velocity(recording, context, &self.search, &mut particles.positions, updated, what);
+        let what = if self.forces.smooth() { Velocities::TakeInPlace } else { Velocities::TakeCorrections };
+        update_velocity(recording, context, &mut self.search, particles, what);
         self.forces.record(recording, context, &self.search, &mut particles.velocities);
     }
 
@@ -188,7 +187,7 @@ impl Pbf {
         context: &mut StepContext,
         particles: &mut Particles,
     ) {
-        self.search.sort(recording, context, particles);
+        self.search.sort_forgetting(recording, context, particles);
         self.search.list(recording, context);
         self.begin_cold(recording);
         particles.forget_until_moved(recording, &context.slots);
@@ -203,7 +202,7 @@ impl Pbf {
         context: &mut StepContext,
         particles: &mut Particles,
     ) {
-        self.search.sort(recording, context, particles);
+        self.search.sort_forgetting(recording, context, particles);
         self.search.list(recording, context);
         self.begin_cold(recording);
         particles.forget_until_moved(recording, &context.slots);
@@ -261,9 +260,8 @@ impl Pbf {
         Some(&self.momentum.as_ref()?.warm.as_ref()?.starts)
     }
 
-    fn move_particles(&self, recording: &mut Recording, context: &mut StepContext, particles: &mut Particles) {
-        let Particles { positions, velocities } = particles;
-        update_velocity(recording, context, &self.search, positions, velocities, Velocities::Keep);
+    fn move_particles(&mut self, recording: &mut Recording, context: &mut StepContext, particles: &mut Particles) {
+        update_velocity(recording, context, &mut self.search, particles, Velocities::Keep);
     }
 }
 
