@@ -3,8 +3,8 @@
 use crate::device::Gpu;
 use crate::draw::texture_format;
 use crate::error::{GpuError, describe};
-use crate::formats::check_formats;
 use crate::plan::Plan;
+use crate::plan_formats::check_formats;
 use crate::pool::{BufferKind, TextureKind};
 use crate::recording::{Command, Groups, Instances};
 use crate::resources::Shape;

@@ -1,7 +1,6 @@
 //! The backward sweep: which commands feed what is wanted, and which are left out.
 
-use crate::device::Gpu;
-use crate::formats::{OtherFormat, other_formats};
+use crate::formats::OtherFormat;
 use crate::plan_left_out::{LeftOut, list_left_out};
 use crate::planned::{PlannedRecording, describe, is_forgotten};
 use crate::recording::{Command, Groups, Instances, RecordError, Recording, RecordingId, Touch};
@@ -278,21 +277,6 @@ impl Plan {
             Command::Upload { .. } | Command::Clear { .. } | Command::Copy { .. } | Command::Forget { .. } => 0,
         };
         self.commands(recording).iter().map(bound).sum()
-    }
-
-    /// The plan for `gpu`: textures whose format it cannot use as they are used have another that it can, where one of those they
-    /// were declared with is.
-    pub fn with_formats_of(mut self, gpu: &Gpu) -> Plan {
-        for (id, other) in other_formats(&self, gpu.formats()) {
-            self.resources.set_format(id, other.format);
-            self.other_formats.push(other);
-        }
-        self
-    }
-
-    /// Textures that have another format for the device's sake.
-    pub fn other_formats(&self) -> &[OtherFormat] {
-        &self.other_formats
     }
 
     /// What was left out, and why: stages, then commands, buffers, textures.

@@ -2,7 +2,9 @@
 
 use std::time::Duration;
 
-use brooklet_kernels::{Module, Spirv};
+use brooklet_fluid::scene::SurfaceMethod;
+use brooklet_gpu::{FormatUse, GpuOptions};
+use brooklet_kernels::{Format, Module, Spirv};
 use brooklet_mobile::script::Hand;
 use brooklet_mobile::{Asked, Checked, WrongAnswer};
 
@@ -46,6 +48,29 @@ fn a_kernel_that_computes_wrongly_is_found_named_and_done_without() {
     let hand = started(app(folder.path()));
     assert_eq!(hand.app.checked(), Some(&checked));
     assert_eq!(current(&hand).unwrap().session.scene().surface.mesh.smooth_normals, 0);
+}
+
+#[test]
+fn a_format_that_is_missing_is_drawn_in_another_and_said() {
+    let folder = tempfile::tempdir().unwrap();
+    mark_checked(folder.path());
+    // Neither the water's depths nor the particles' indices can be drawn to what they are best in.
+    let without_formats = vec![(Format::R32Float, FormatUse::Drawn)];
+    let app = app(folder.path()).with_gpu_options(GpuOptions { without_formats, ..crate::options() });
+    let mut hand = started(app);
+    let run = current(&hand).unwrap();
+    let said_so = |text: &str| text.contains("R32Float") && text.contains("in Rg32Float");
+    assert!(run.concessions.iter().any(|concession| said_so(&concession.to_string())), "{:?}", run.concessions);
+    assert_ne!(run.session.scene().surface.method, SurfaceMethod::None);
+    assert!(said(&hand).iter().any(|text| said_so(text)), "{:?}", said(&hand));
+    hand.tap("capture").unwrap();
+    assert!(hand.steps(2, LONG));
+    hand.tap("capture").unwrap();
+    let files = std::fs::read_dir(folder.path().join("files")).unwrap().map(|entry| entry.unwrap().path());
+    let capture = files.into_iter().find(|path| path.extension().is_some_and(|ending| ending == "mcap")).unwrap();
+    let capture = std::fs::read(capture).unwrap();
+    let words = b"in Rg32Float";
+    assert!(capture.windows(words.len()).any(|found| found == words));
 }
 
 #[test]

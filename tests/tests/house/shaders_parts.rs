@@ -71,7 +71,7 @@ fn a_part_makes_its_own_and_takes_the_rest_from_the_other_crate() {
     let (product, extra) = (trial.places().out, trial.places().parts[0].out.clone());
     assert_eq!(names(&product.join("src/generated")), ["keywords.rs", "layout.rs", "mod.rs", "product.rs"]);
     assert_eq!(names(&extra.join("src/generated")), ["extra_extra.rs", "keywords.rs", "mod.rs", "structs.rs"]);
-    assert_eq!(names(&product.join("spirv")), ["product+narrow_walls.spv", "product+wide_walls.spv"]);
+    assert_eq!(names(&product.join("spirv")), ["packs.txt", "product+narrow_walls.spv", "product+wide_walls.spv"]);
     assert_eq!(names(&extra.join("spirv")).len(), 4);
     let rust = std::fs::read_to_string(extra.join("src/generated/extra_extra.rs")).unwrap();
     let uses = |from: &str| {

@@ -103,13 +103,15 @@ fn unity_files_compile_unchanged() {
 /// Puts what was generated beside the hand-written part of app/kernels and checks it as a crate.
 fn compiles_as_crate(trial: &Trial) {
     let kernels = root().join("app/kernels");
-    for name in ["lib.rs", "module.rs", "resource.rs", "binding.rs"] {
-        std::fs::copy(kernels.join("src").join(name), trial.out().join("src").join(name)).unwrap();
+    let by_hand = ["build.rs", "src/lib.rs", "src/module.rs", "src/resource.rs", "src/spirv.rs", "src/binding.rs"];
+    for name in by_hand {
+        std::fs::copy(kernels.join(name), trial.out().join(name)).unwrap();
     }
     std::fs::copy(root().join("Cargo.lock"), trial.out().join("Cargo.lock")).unwrap();
     std::fs::write(
         trial.out().join("Cargo.toml"),
-        "[package]\nname = \"trial\"\nedition = \"2024\"\n[dependencies]\nbytemuck = { version = \"1\", features = [\"derive\"] }\n[workspace]\n",
+        "[package]\nname = \"trial\"\nedition = \"2024\"\n[dependencies]\nbytemuck = { version = \"1\", features = [\"derive\"] }\n\
+         miniz_oxide = \"0.9\"\n[build-dependencies]\nminiz_oxide = \"0.9\"\n[workspace]\n",
     )
     .unwrap();
     let run = Command::new(env!("CARGO"))

@@ -131,6 +131,12 @@ impl Running<'_> {
         self.suspend();
     }
 
+    fn suspend(&mut self) {
+        if !self.app.suspend() {
+            ::log::warn!("a part of the self-check or a report takes longer than a suspend waits");
+        }
+    }
+
     fn take_input(&mut self) {
         let mut events = match self.android.input_events_iter() {
             Ok(events) => events,

@@ -3,8 +3,8 @@
 //! the fluid's kernels happen to be.
 use brooklet_gpu::{Engine, Gpu, GpuOptions, RecordingId, Tier};
 use brooklet_kernels::{
-    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Draw, Kernel, Module, ResourceId, StageKind,
-    Tex, Uniform,
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Draw, Kernel, Module, ResourceId, Spirv,
+    StageKind, Tex, Uniform,
 };
 use naga::back::spv;
 use naga::valid::{Capabilities, ValidationFlags, Validator};
