@@ -245,6 +245,11 @@ impl Engine {
     /// # Errors
     /// If the device is lost.
     pub fn take_uploads(&mut self, other: &Plan, of: &[RecordingId]) -> Result<bool, GpuError> {
+        // As this engine's own plan is.
+        let other = match self.gpu.lacks_formats() {
+            true => &other.clone().with_formats_of(&self.gpu),
+            false => other,
+        };
         let Some(changed) = self.plan.changed_uploads(other) else { return Ok(false) };
         if changed.iter().any(|upload| !of.contains(&upload.recording)) {
             return Ok(false);

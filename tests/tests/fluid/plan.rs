@@ -98,7 +98,14 @@ const TERMS: &[Term] = &[
         buffers: &["vorticities"],
         variant: None,
     },
-    Term { without: "forces.xsph=0", with: "forces.xsph=0.05", stages: &["xsph"], buffers: &[], variant: None },
+    Term {
+        without: "forces.xsph=0",
+        with: "forces.xsph=0.05",
+        stages: &["xsph"],
+        // It reads velocities where the sort left them, updated in place.
+        buffers: &[],
+        variant: Some("IN_PLACE_VELOCITY"),
+    },
     Term {
         without: "solver.pbf.s_corr_k=0",
         with: "solver.pbf.s_corr_k=0.1",

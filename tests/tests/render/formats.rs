@@ -39,6 +39,8 @@ fn picture(gpu: &Gpu, scene: &Scene) -> (Vec<u8>, Vec<Concession>) {
     assert!(same == *scene, "a format has others: no setting is given up: {concessions:?}");
     session.submit(&FrameRequest { steps: 2, then: &[passes.draw.id()], ..FrameRequest::default() }).expect("it runs");
     session.finish().expect("it ends");
+    let again = ScenePlan::new(scene, gpu.tier()).expect("a plan");
+    assert!(session.apply(&again.session).expect("it applies"), "a changed number needs no other engine");
     (session.engine_mut().read_texture(&passes.color).expect("a picture"), concessions)
 }
 

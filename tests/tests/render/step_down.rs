@@ -63,10 +63,13 @@ fn every_module_but_the_chains_own_can_be_done_without() {
     let gpu = device(&[]);
     let picture = ["DrawResolve.vertex", "DrawSky.fragment", "DrawSky.vertex"];
     let grid = ["CountCells", "ListNeighbours", "Reorder", "ReduceGroups", "ScanGroups"];
-    let solver = ["BeginSubstep", "CorrectPositions", "Predict", "UpdateVelocity"];
+    let solver = ["BeginSubstep", "CorrectPositions", "Predict"];
     let chain = || picture.into_iter().chain(grid).chain(solver).collect::<BTreeSet<_>>();
     assert_eq!(essential(&gpu, &scene("dam-break", &[])), chain());
     assert_eq!(essential(&gpu, &scene("dam-break", &["surface.method=marching-cubes"])), chain());
+    // With XSPH velocities are updated by another module than without.
+    let without_xsph = essential(&gpu, &scene("dam-break", &["forces.xsph=0"]));
+    assert_eq!(without_xsph, chain().into_iter().chain(["UpdateVelocity"]).collect());
     let all = ["forces.vorticity_m_s=0.1", "solver.pbf.warm_start=0.1", "solver.precision=half", "surface.method=auto"];
     assert!(essential(&gpu, &scene("dam-break", &all)).is_subset(&chain()), "a term makes another kernel essential");
     let particles = ["BeginSubstep", "IntegrateParticles"].into_iter().chain(picture).collect();

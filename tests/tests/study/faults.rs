@@ -66,7 +66,11 @@ impl Faulty {
                 let spirv = self.modules.get(&stem)?;
                 *exchanged.borrow_mut() += 1;
                 // Pipelines are known by their module's hash.
-                Some(Box::leak(Box::new(Module { spirv, hash: "faulty", ..*module })))
+                Some(Box::leak(Box::new(Module {
+                    spirv: brooklet_kernels::Spirv::Plain(spirv),
+                    hash: "faulty",
+                    ..*module
+                })))
             })
             .unwrap();
         assert!(*exchanged.borrow() > 0, "no module of the plan was exchanged");
