@@ -21,7 +21,7 @@ pub struct Worst {
     pub max_speed_m_s: f64,
 }
 
-/// Everything that was counted instead of hidden. The first six are sums over the run, the last
+/// Everything that was counted instead of hidden. The first seven are sums over the run, the last
 /// two are how many particles it was at the end.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Counted {
@@ -35,12 +35,27 @@ pub struct Counted {
     pub displacement_clamps: u64,
     /// Searches for neighbours among too many candidates to look at all.
     pub crowded: u64,
+    /// Substeps longer than an explicit solver's limit: what follows is unstable.
+    pub long_substeps: u64,
     /// Particles for which no slot was free.
     pub capacity_overflow: u64,
     /// Particles whose state was not finite.
     pub quarantined: u64,
     /// Particles outside an open domain.
     pub escaped: u64,
+}
+
+impl Counted {
+    /// What of it makes all other figures doubtful, in a line.
+    pub fn instability(&self) -> Option<String> {
+        (self.long_substeps > 0).then(|| {
+            format!(
+                "unstable: {} substeps were longer than the solver's limits allow (sound, viscosity, force, surface tension); \
+                 a shorter solver.dt_s, more solver.substeps or solver.sph.adaptive_substeps = true helps",
+                self.long_substeps
+            )
+        })
+    }
 }
 
 /// The measurements of a run.
@@ -75,6 +90,7 @@ impl Measured {
         self.counted.correction_clamps += u64::from(counters.correction_clamps);
         self.counted.displacement_clamps += u64::from(counters.displacement_clamps);
         self.counted.crowded += u64::from(counters.crowded);
+        self.counted.long_substeps += u64::from(counters.long_substeps);
         self.counted.capacity_overflow += u64::from(counters.capacity_overflow);
         self.counted.quarantined = u64::from(stats.quarantined);
         self.counted.escaped = u64::from(stats.escaped);
@@ -89,6 +105,7 @@ mod tests {
         let mut stats = Stats { has_density: true, max_speed_m_s: 1.0 - compression, quarantined, ..Stats::default() };
         stats.compression.max = compression;
         stats.counters.speed_clamps = speed_clamps;
+        stats.counters.long_substeps = 2;
         stats
     }
 
@@ -102,7 +119,9 @@ mod tests {
         assert_eq!(measured.last.unwrap().compression.max, 0.2);
         assert_eq!(measured.worst.compression.unwrap().max, 0.3);
         assert_eq!(measured.worst.max_speed_m_s, 0.9);
-        assert_eq!(measured.counted.speed_clamps, 15);
+        assert_eq!((measured.counted.speed_clamps, measured.counted.long_substeps), (15, 6));
         assert_eq!(measured.counted.quarantined, 12, "a state, not a sum");
+        assert!(measured.counted.instability().is_some_and(|word| word.contains("6 substeps")));
+        assert_eq!(Counted::default().instability(), None);
     }
 }

@@ -41,6 +41,8 @@ pub struct Running<'a> {
     pub troubles: Vec<String>,
     /// Whether the first picture was told.
     pub told_first: bool,
+    /// Whether it was told that what runs is unstable.
+    pub told_unstable: bool,
 }
 
 impl Running<'_> {
@@ -68,6 +70,12 @@ impl Running<'_> {
                 && !std::mem::replace(&mut self.told_first, true)
             {
                 bar.println(format!("first picture: {first}"));
+            }
+            // Nor whoever would stop it.
+            if let Some(word) = self.recorder.measured.counted.instability()
+                && !std::mem::replace(&mut self.told_unstable, true)
+            {
+                bar.println(word);
             }
             if let Some(stats) = self.recorder.measured.last {
                 bar.set_message(match stats.has_density {

@@ -350,15 +350,19 @@ impl Summary {
         );
         say!(
             "counted: {} neighbours without a slot, {} crowded searches, {} clamped speeds, {} clamped corrections, \
-             {} held displacements, {} particles without a slot, {} quarantined, {} escaped",
+             {} held displacements, {} long substeps, {} particles without a slot, {} quarantined, {} escaped",
             counted.neighbour_overflow,
             counted.crowded,
             counted.speed_clamps,
             counted.correction_clamps,
             counted.displacement_clamps,
+            counted.long_substeps,
             counted.capacity_overflow,
             counted.quarantined,
             counted.escaped,
         );
+        if let Some(word) = counted.instability() {
+            say!("{word}");
+        }
     }
 }

@@ -2,7 +2,7 @@
 //! beforehand, the figure reached. What falls short is shown as falling short.
 
 use crate::Task;
-use crate::case::{CASES, VISCOUS};
+use crate::case::{CASES, OF_SPH};
 use crate::method::default_methods;
 
 /// Part of a study.
@@ -16,10 +16,10 @@ pub fn tasks(quick: bool) -> Vec<Task> {
     let wanted = |name: &str| !quick || QUICK.contains(&name);
     // What a converged run is held against is a question of error, not of validation by others.
     let published = CASES.iter().filter(|case| case.name() != "column-collapse" && wanted(case.name()));
-    let viscous = VISCOUS.iter().filter(|case| wanted(case.name()));
-    let viscous = viscous.map(|case| crate::error::task(PART, *case, vec!["solver.method=sph".into()], 1));
+    let of_sph = OF_SPH.iter().filter(|case| wanted(case.name()));
+    let of_sph = of_sph.map(|case| crate::error::task(PART, *case, vec!["solver.method=sph".into()], 1));
     published
         .flat_map(|case| default_methods().map(|method| crate::error::task(PART, *case, vec![method.setting()], 1)))
-        .chain(viscous)
+        .chain(of_sph)
         .collect()
 }

@@ -258,310 +258,310 @@ static ACCELERATE: Module = Module {
     name: "Accelerate",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 15636 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 15808 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "2782b9862586e3ac347ae58478612077fb002126a009fa43f3a4f17f5a70e83a",
+    hash: "6b2ca6e00f584eab5eee532334894d410a6171d3c144d74735a07225163daf65",
 };
 
 static ACCELERATE_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 15636, bytes: 15000 },
+    spirv: Spirv::Packed { pack: PACK, first: 15808, bytes: 15172 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "b2c48ff57b7ff580100982dc0f5fb0b605b8f3a6532703aade272b8010446b81",
+    hash: "140e37ef55f2c89fcf745cf0bea50d4d5b733eb2cf23e8fc81398178ff095b70",
 };
 
 static ACCELERATE_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 30636, bytes: 15080 },
+    spirv: Spirv::Packed { pack: PACK, first: 30980, bytes: 15252 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "e9b277b8a05ba5e666229c4919284561cd9092cf3275f97636b945a79d30a742",
+    hash: "81b8bd866cdc0184d5090c32a191d7eb3c2aeee2393905ecfebac910c68e6c5e",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION: Module = Module {
     name: "Accelerate+SURFACE_TENSION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 45716, bytes: 17816 },
+    spirv: Spirv::Packed { pack: PACK, first: 46232, bytes: 17988 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "7f89cf9d38cc986ea36da1ccc76f74fc6cb8f1fd26e3913e5942ae5af0489274",
+    hash: "45b743bfa7d690bd524f5856d863511c2982a9df9180cb702e01504bdf5062ae",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 63532, bytes: 17180 },
+    spirv: Spirv::Packed { pack: PACK, first: 64220, bytes: 17352 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "ca316ddb37a6287c7f607acf8ee6383f23bdc3970cd4074e8f9a7e4a39ea322c",
+    hash: "c416213b84177efa943514a93893811fbe1e913bb4faa5d9a9dacdf2a1fe0ba6",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+SURFACE_TENSION+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 80712, bytes: 17260 },
+    spirv: Spirv::Packed { pack: PACK, first: 81572, bytes: 17432 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "ffa6bbd1c71fb6a7a501005c6344aa95c1ff07f992756d384ef33b2cab5e5914",
+    hash: "92b551607c5fcc0f19695499be055b41ab8d5a679cfa08300b60bf959dda3350",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS: Module = Module {
     name: "Accelerate+CHOSEN_KERNELS",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 97972, bytes: 18468 },
+    spirv: Spirv::Packed { pack: PACK, first: 99004, bytes: 18640 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "9829b82037692c56519feb0361027832f9ed149513a1b159768288b38115ade5",
+    hash: "1fcdfe7792eec7d2fa5f97f22f424ee25b4eb5bee1904193631d42f0357834fb",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+CHOSEN_KERNELS+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 116440, bytes: 17736 },
+    spirv: Spirv::Packed { pack: PACK, first: 117644, bytes: 17908 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "d2db8c32e707a5e25229e88c86b8dcb82162444c8f07135ceafb21e61db57300",
+    hash: "12e71cf8cd810a65ef5aad87a22cf3a40a5ddf4acec8387cb6cc6fa137c4f9e9",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+CHOSEN_KERNELS+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 134176, bytes: 17736 },
+    spirv: Spirv::Packed { pack: PACK, first: 135552, bytes: 17908 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "77c799913e1f66989089aed745cb8b084b26954c3c46a59e63db0798e48c4ccd",
+    hash: "ec1eda9934aa38c4ec0ed8eb447ee4a777916a259befcf8277dcfae5bd520f45",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
     name: "Accelerate+CHOSEN_KERNELS+SURFACE_TENSION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 151912, bytes: 20628 },
+    spirv: Spirv::Packed { pack: PACK, first: 153460, bytes: 20800 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "953b8f2b41a487ad4db45fb630ffe520430585269eae6afbbebc4571c828aa3c",
+    hash: "d11dbe106734a770d22ca0bb1319a7da13ef610a8b27c817e639d100d29e7f7f",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+CHOSEN_KERNELS+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 172540, bytes: 19896 },
+    spirv: Spirv::Packed { pack: PACK, first: 174260, bytes: 20068 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "398f145cf4be61b80a4ae3b11b213e5745f4b9d9ae9cb637b768d0bd4ddd0ae7",
+    hash: "ac9718e2c1e4ac461e5103f576579ee8545bc81f0eec2448472c5f40914af09a",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+CHOSEN_KERNELS+SURFACE_TENSION+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 192436, bytes: 19896 },
+    spirv: Spirv::Packed { pack: PACK, first: 194328, bytes: 20068 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "84cdc6919c5d3c554c2f3e57aaf0dcaae2fc08c31a96f6bce9692954c3b08b9e",
+    hash: "140831e8bea2145ce712635d46adb3ad062196c6e535218ca2396e65b210b358",
 };
 
 static ACCELERATE_WITH_WALLS: Module = Module {
     name: "Accelerate+WALLS",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 212332, bytes: 18380 },
+    spirv: Spirv::Packed { pack: PACK, first: 214396, bytes: 18552 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "fb5f6af9a8f98f899b6f32d3452adc081b0a6f4cca9f8e8e209143185c353402",
+    hash: "88da9860f3f1b00bb0c912e1bc53574d3dbc51a04fafbbef732a6114e3a064f1",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+WALLS+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 230712, bytes: 17744 },
+    spirv: Spirv::Packed { pack: PACK, first: 232948, bytes: 17916 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "171b9ee491716b029d12eb55f270725a5a6fe60b6c03707c14f6c7d300d87d96",
+    hash: "758c18c5d7df97d1c4c8da43ac8aabe0b940c29684c63665ead54c930b603276",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+WALLS+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 248456, bytes: 17824 },
+    spirv: Spirv::Packed { pack: PACK, first: 250864, bytes: 17996 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "71ca9f3cb5a33751e687c89fb1a69ad2a915958d91f5d4a1a74182425c86d74b",
+    hash: "6cbace4b121a228481c83a4c8bdcfec63241b4a3f6f73996caef764baa529f6e",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
     name: "Accelerate+WALLS+SURFACE_TENSION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 266280, bytes: 20560 },
+    spirv: Spirv::Packed { pack: PACK, first: 268860, bytes: 20732 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "dd51a833e57775d89cdc5f283b88fdc10b2cf17e6bd198775c4793beff810424",
+    hash: "8f05b868aab6002d9dca02e7b4ecc8fcbc5a2b742066ede6bf57f0cfb2f1725b",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+WALLS+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 286840, bytes: 19924 },
+    spirv: Spirv::Packed { pack: PACK, first: 289592, bytes: 20096 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "a760136aadcffc412a08d2ff5c2c052fd104c7689009e039fbe99fb6975b3f82",
+    hash: "4c894113cd01df7fa2640ddf661c2417bff44196a624482ecef8ec0c3cfcb9e7",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+WALLS+SURFACE_TENSION+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 306764, bytes: 20004 },
+    spirv: Spirv::Packed { pack: PACK, first: 309688, bytes: 20176 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "b2f1a913e4d53b14ddc67700be91da125e1b2e41597ebaaf207be70707d76439",
+    hash: "31bcca53680afca2374777cf566deb2f6b55fc73e9ad0e4a2eccad81ce5ca429",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 326768, bytes: 21164 },
+    spirv: Spirv::Packed { pack: PACK, first: 329864, bytes: 21336 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "87106e44acab68782d896470ae42c9ffd5179907dde274f0bd12284c9a2271f3",
+    hash: "3c0a9a7606b870c02ec4aad410ec0770a5aec1d823d173a946c359977d3e4acb",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 347932, bytes: 20432 },
+    spirv: Spirv::Packed { pack: PACK, first: 351200, bytes: 20604 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "81811c46c73d08e44eefb806698f30147686cf305f9230e4cf6e9c827f5c7e6f",
+    hash: "a147759c6c82949b66be1fb95c5e6f9a09002565ab33d479b82085e8615144d6",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 368364, bytes: 20432 },
+    spirv: Spirv::Packed { pack: PACK, first: 371804, bytes: 20604 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "65c1028afc55b62d0447b3d43965667786df9951fbff765b91655919705ca199",
+    hash: "12029ecb2b8e3036fd44f0642998174736829f63a2d3ff525cfd440ecffd37e3",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS+SURFACE_TENSION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 388796, bytes: 23324 },
+    spirv: Spirv::Packed { pack: PACK, first: 392408, bytes: 23496 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "5cb049c0ff820272adb59c54310a04e7de963c4bdf6f245bc65101c7309b6cfe",
+    hash: "de43a5ad0cef3916a11d1172b0fd5f347e84bd565aa96f6cba2ec27e2c9d0274",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 412120, bytes: 22592 },
+    spirv: Spirv::Packed { pack: PACK, first: 415904, bytes: 22764 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "368385685e94b975ac31ac3b464d88c9ee8c9d1058968b6b7755c6ff8283f0db",
+    hash: "51c9237b893dc5a6e8e609e572e71f89f87bd91a8f345caf294f1ced48c8b3fa",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS+SURFACE_TENSION+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 434712, bytes: 22592 },
+    spirv: Spirv::Packed { pack: PACK, first: 438668, bytes: 22764 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "767cad55cae93a046ce6ef9af162215c1879f702dd17d7dd9dabba886edf990d",
+    hash: "8d71835c8882df9d4883ba83f31cbbb3292965ddc9bd07e4e435134cad606932",
 };

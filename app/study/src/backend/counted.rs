@@ -17,6 +17,8 @@ pub struct Counted {
     pub correction_clamps: u64,
     /// Displacements of a substep held below the support radius.
     pub displacement_clamps: u64,
+    /// Substeps longer than an explicit solver's limit.
+    pub long_substeps: u64,
 }
 
 impl Counted {
@@ -28,6 +30,7 @@ impl Counted {
             speed_clamps: self.speed_clamps + u64::from(counters.speed_clamps),
             correction_clamps: self.correction_clamps + u64::from(counters.correction_clamps),
             displacement_clamps: self.displacement_clamps + u64::from(counters.displacement_clamps),
+            long_substeps: self.long_substeps + u64::from(counters.long_substeps),
         }
     }
 }
@@ -36,8 +39,14 @@ impl fmt::Display for Counted {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
             f,
-            "{} neighbours without a slot, {} crowded searches, {} speeds, {} corrections and {} displacements clamped",
-            self.neighbour_overflow, self.crowded, self.speed_clamps, self.correction_clamps, self.displacement_clamps
+            "{} neighbours without a slot, {} crowded searches, {} speeds, {} corrections and {} displacements clamped, \
+             {} substeps above their limit",
+            self.neighbour_overflow,
+            self.crowded,
+            self.speed_clamps,
+            self.correction_clamps,
+            self.displacement_clamps,
+            self.long_substeps
         )
     }
 }

@@ -2,6 +2,7 @@
 //! its error; a geometric height, length or area is always among them, for a density error alone can
 //! pass a wrong fluid.
 
+mod capillary_drop;
 mod channel;
 mod column_collapse;
 mod dam_break;
@@ -14,6 +15,7 @@ mod standing_wave;
 mod taylor_green;
 mod waiting;
 
+pub use capillary_drop::CapillaryDrop;
 pub use channel::{COUETTE, POISEUILLE};
 pub use column_collapse::ColumnCollapse;
 pub use dam_break::{MARTIN_MOYCE, SQUARE_COLUMN};
@@ -112,15 +114,15 @@ pub const CASES: &[&dyn Case] = &[
     &ColumnCollapse,
 ];
 
-/// Cases of a viscosity that is set, which SPH alone has.
-pub const VISCOUS: &[&dyn Case] = &[&COUETTE, &POISEUILLE];
+/// Cases of a viscosity and a surface tension that are set, which SPH alone has.
+pub const OF_SPH: &[&dyn Case] = &[&COUETTE, &POISEUILLE, &CapillaryDrop];
 
 /// Cases of maps alone.
 const OF_MAPS: &[&dyn Case] = &[&SHALLOW];
 
 /// The case of a name.
 pub fn case(name: &str) -> Option<&'static dyn Case> {
-    CASES.iter().chain(VISCOUS).chain(OF_MAPS).copied().find(|case| case.name() == name)
+    CASES.iter().chain(OF_SPH).chain(OF_MAPS).copied().find(|case| case.name() == name)
 }
 
 /// The setting's value in `settings` (the last of them counts), or `default`.

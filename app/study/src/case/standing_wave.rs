@@ -141,13 +141,13 @@ fn amplitude_error(series: &[(f64, f64)]) -> f64 {
 }
 
 /// When a series passes zero, linear between its samples.
-fn crossings_s(series: &[(f64, f64)]) -> Vec<f64> {
+pub(super) fn crossings_s(series: &[(f64, f64)]) -> Vec<f64> {
     let pairs = series.windows(2).filter(|pair| pair[0].1 * pair[1].1 < 0.0);
     pairs.map(|pair| pair[0].0 + (pair[1].0 - pair[0].0) * pair[0].1 / (pair[0].1 - pair[1].1)).collect()
 }
 
 /// From the largest size between each two crossings: the slope of its logarithm. NaN without two.
-fn decay_per_s(series: &[(f64, f64)], crossings_s: &[f64]) -> f64 {
+pub(super) fn decay_per_s(series: &[(f64, f64)], crossings_s: &[f64]) -> f64 {
     let peak = |pair: &[f64]| {
         let inside = series.iter().filter(|(t, _)| (pair[0]..pair[1]).contains(t));
         inside.map(|&(t, a)| (t, a.abs())).max_by(|a, b| a.1.total_cmp(&b.1))

@@ -59,7 +59,8 @@ impl Sph {
             let [speed_m_s, most_m_s2] = self.maxima;
             self.maxima = [speed_m_s.max(particle.velocity_m_s.length()), most_m_s2.max(acceleration_m_s2.length())];
             particle.acceleration_m_s2 = Some(acceleration_m_s2);
-            particle.velocity_m_s += acceleration_m_s2 * (self.kicks.end * step.dt_s);
+            let kicked_m_s = particle.velocity_m_s + acceleration_m_s2 * (self.kicks.end * step.dt_s);
+            particle.velocity_m_s = step.slowed(kicked_m_s).0;
         }
         step.dt_s
     }
