@@ -1,5 +1,5 @@
 //! What is timed against what, on GPU times alone: the passes of a scene and of its pictures ([`single`]), one
-//! workload at rising numbers of particles ([`scaling`]), ways to sort ([`sorting`]), ways to smooth ([`surfaces`]).
+//! workload at rising numbers of particles ([`scaling`]), the papers' rows by every solver ([`papers`]), ways to sort ([`sorting`]), ways to smooth ([`surfaces`]).
 //!
 //! A benchmark is a function of a device, some options and an [`Observer`]; what it gives is plain data.
 
@@ -8,6 +8,7 @@ mod error;
 pub mod figures;
 mod generated;
 mod observer;
+pub mod papers;
 pub mod pictures;
 mod plot;
 pub mod rates;

@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use brooklet_fluid::{FrameRequest, Session};
+use brooklet_fluid::Session;
 use brooklet_gpu::{Gpu, Passes, Timings, stages, tier_name};
 
 use crate::{
@@ -10,9 +10,9 @@ use crate::{
     bounds::Bounds,
     figures::{LeftOut, Pass, Row, Scaling},
     rates::{self, Rates},
-    stepping::Stepping,
+    stepping::{LEAST_STEPS, Paced, pace},
     targets, traffic,
-    workload::{self, EDGES, LOADS, Load},
+    workload::{EDGES, LOADS, Load},
 };
 
 /// What is timed.
@@ -76,7 +76,7 @@ impl Bencher<'_> {
         let mut step_s_per_particle = 0.0;
         for (index, &(edge, particles)) in wanted.enumerate() {
             let remaining_s = self.options.budget_s - self.begun.elapsed().as_secs_f64();
-            let least_s = step_s_per_particle * f64::from(particles) * (MIN_STEPS + 2 * WARM_UP) as f64;
+            let least_s = step_s_per_particle * f64::from(particles) * LEAST_STEPS as f64;
             let runs_left = runs - index * LOADS.len();
             if index > 0 && least_s * LOADS.len() as f64 > remaining_s {
                 let reason = format!("--budget {} leaves no time for it", self.options.budget_s);
@@ -107,20 +107,8 @@ impl Bencher<'_> {
 
     /// One load at one size in about `share_s` seconds, and how many a step took.
     fn row(&mut self, load: Load, edge: u32, share_s: f64) -> Result<(Row, f64), BenchError> {
-        let begun = Instant::now();
         let scene = load.scene(edge, &self.options.settings)?;
-        let planned = workload::plan(&scene)?;
-        let mut session = brooklet_render::start(self.gpu, planned).map_err(BenchError::input)?;
-        session.finish().map_err(BenchError::stopped)?;
-        let mut timings = Timings::new(2 * WARM_UP);
-        let request = FrameRequest { steps: 1, measure: true, ..FrameRequest::default() };
-        let mut stepping = Stepping { session: &mut session, request, observer: self.observer };
-        // The first steps also sort particles for the first time: they tell nothing of the pace.
-        stepping.run(WARM_UP, &mut timings, || ())?;
-        let step_s = stepping.run(WARM_UP, &mut timings, || ())?;
-        let left_s = share_s - begun.elapsed().as_secs_f64();
-        let steps = ((left_s / step_s) as u64).clamp(MIN_STEPS, MAX_STEPS);
-        stepping.run(steps, &mut timings, || ())?;
+        let Paced { mut session, timings, steps, step_s } = pace(self.gpu, &scene, true, share_s, self.observer)?;
 
         let heads = session.recorded().neighbours.as_ref().map(|listed| listed.heads.alias());
         let neighbours = match heads {
@@ -206,10 +194,3 @@ impl Bencher<'_> {
         })
     }
 }
-
-/// Frames before the pace is taken, and again while it is.
-const WARM_UP: u64 = 2;
-/// Fewer make no median.
-const MIN_STEPS: u64 = 5;
-/// More tell nothing new.
-const MAX_STEPS: u64 = 60;

@@ -18,7 +18,7 @@ use crate::BenchError;
 /// 16M particles.
 pub(crate) const EDGES: [u32; 12] = [16, 25, 30, 40, 50, 60, 80, 100, 126, 160, 200, 256];
 
-const SPACING_M: f64 = 0.02;
+pub(crate) const SPACING_M: f64 = 0.02;
 /// The lowest layer's compression by the column law, with 4 iterations.
 const COMPRESSION: f64 = 0.02;
 /// The column law's kappa for Wendland's C2 kernel at h = 2d.
@@ -51,26 +51,35 @@ impl Load {
 
     /// The block of `edge` particles along each edge as a scene.
     pub(crate) fn scene(self, edge: u32, settings: &[String]) -> Result<Scene, BenchError> {
-        let side_m = f64::from(edge) * SPACING_M;
-        let dt_s = (COMPRESSION * KAPPA * 0.5 * 4.0 * SPACING_M / (f64::from(edge) * 9.81)).sqrt();
         let (s_corr_k, vorticity_m_s, measured) = if self.every_term { (1e-4, 0.01, 4) } else { (0.0, 0.0, 0) };
-        let text = format!(
-            "spacing_m = {SPACING_M}\n\
-             domain = {{ min_m = [0.0, 0.0, 0.0], max_m = [{side_m}, {height_m}, {side_m}] }}\n\
-             fluid = [{{ block = {{ min_m = [0.0, 0.0, 0.0], max_m = [{side_m}, {side_m}, {side_m}] }} }}]\n\
-             [solver]\n\
-             dt_s = {dt_s}\n\
-             [solver.pbf]\n\
-             iterations = {iterations}\nrelaxation = 0.5\ns_corr_k = {s_corr_k:?}\n\
-             [forces]\n\
-             vorticity_m_s = {vorticity_m_s:?}\n\
-             [outputs]\n\
-             images = 0\nmeasure_every_steps = {measured}\n",
-            height_m = 1.25 * side_m,
-            iterations = self.iterations,
-        );
-        Scene::from_toml(&text, "block at rest", settings).map_err(BenchError::input)
+        let own = [
+            format!("solver.pbf.iterations={}", self.iterations),
+            "solver.pbf.relaxation=0.5".into(),
+            format!("solver.pbf.s_corr_k={s_corr_k:?}"),
+            format!("forces.vorticity_m_s={vorticity_m_s:?}"),
+            format!("outputs.measure_every_steps={measured}"),
+        ];
+        block([edge; 3], SPACING_M, calm_dt_s(edge), &[&own[..], settings].concat())
     }
+}
+
+/// The step at which the column law gives a block of so many layers [`COMPRESSION`].
+pub(crate) fn calm_dt_s(layers: u32) -> f64 {
+    (COMPRESSION * KAPPA * 0.5 * 4.0 * SPACING_M / (f64::from(layers) * 9.81)).sqrt()
+}
+
+/// A block of so many particles along each axis, on the floor of a box that it fills but for a fifth of its height.
+pub(crate) fn block(edges: [u32; 3], spacing_m: f64, dt_s: f64, settings: &[String]) -> Result<Scene, BenchError> {
+    let [x_m, y_m, z_m] = edges.map(|edge| f64::from(edge) * spacing_m);
+    let text = format!(
+        "spacing_m = {spacing_m}\n\
+         domain = {{ min_m = [0.0, 0.0, 0.0], max_m = [{x_m}, {height_m}, {z_m}] }}\n\
+         fluid = [{{ block = {{ min_m = [0.0, 0.0, 0.0], max_m = [{x_m}, {y_m}, {z_m}] }} }}]\n\
+         solver = {{ dt_s = {dt_s:?} }}\n\
+         outputs = {{ images = 0, measure_every_steps = 0 }}\n",
+        height_m = 1.25 * y_m,
+    );
+    Scene::from_toml(&text, "block at rest", settings).map_err(BenchError::input)
 }
 
 /// Plans `scene` with its particles off the lattice.

@@ -49,6 +49,8 @@ pub struct BenchOptions {
 /// What else `brooklet bench` times.
 #[derive(Clone, Debug, Subcommand)]
 pub enum BenchStudy {
+    /// The rows of the source papers' tables, by every solver, each beside the paper's own figure and its card
+    Papers(PapersOptions),
     /// Ways to sort the particles: the product's against others, in pairs
     Sorting(SortingOptions),
     /// The same steps in submissions of 1, 4 and 16, with and without GPU times, by the host's clock
@@ -127,6 +129,26 @@ pub struct WindowOptions {
     /// Keep the capture that was timed, with its cost in it
     #[arg(long, value_name = "FILE")]
     pub capture: Option<PathBuf>,
+    /// Print the result as JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// `brooklet bench papers`.
+#[derive(Clone, Debug, Args)]
+pub struct PapersOptions {
+    /// Change a value of the workload, as solver.neighbour_slots=40; may be given again
+    #[arg(long = "set", value_name = "PATH=VALUE")]
+    pub settings: Vec<String>,
+    /// The device.
+    #[command(flatten)]
+    pub device: DeviceOptions,
+    /// The largest number of particles; rows go on to 4194304
+    #[arg(long, value_name = "N", default_value_t = 4_194_304, value_parser = clap::value_parser!(u32).range(1024..))]
+    pub max_particles: u32,
+    /// Time for the whole table, in seconds: what would take longer is left out, and said
+    #[arg(long, value_name = "S", default_value_t = 240.0, value_parser = seconds)]
+    pub budget: f64,
     /// Print the result as JSON
     #[arg(long)]
     pub json: bool,

@@ -4,6 +4,7 @@
 mod ladder;
 #[cfg(feature = "window")]
 mod offscreen_window;
+mod papers;
 mod scaling;
 mod single;
 mod sorting;
@@ -20,7 +21,7 @@ use brooklet_gpu::Gpu;
 use serde::Serialize;
 
 use crate::{
-    bench_options::{BenchOptions, BenchStudy, SortingOptions, SubmissionsOptions, SurfacesOptions},
+    bench_options::{BenchOptions, BenchStudy, PapersOptions, SortingOptions, SubmissionsOptions, SurfacesOptions},
     commit::COMMIT,
     failure::Failure,
     job, out_dir,
@@ -31,6 +32,7 @@ use terminal::watched;
 /// Runs and prints the benchmark that is asked for.
 pub fn bench(options: &BenchOptions) -> Result<(), Failure> {
     match (&options.study, &options.scene) {
+        (Some(BenchStudy::Papers(options)), _) => bench_papers(options),
         (Some(BenchStudy::Sorting(options)), _) => bench_sorting(options),
         (Some(BenchStudy::Submissions(options)), _) => bench_submissions(options),
         (Some(BenchStudy::Surfaces(options)), _) => bench_surfaces(options),
@@ -70,6 +72,17 @@ fn bench_sizes(options: &BenchOptions) -> Result<(), Failure> {
         out_dir::write_file(path, table.to_svg()?.as_bytes())?;
     }
     show(options.json, &table, scaling::print)
+}
+
+fn bench_papers(options: &PapersOptions) -> Result<(), Failure> {
+    let gpu = open(&options.device)?;
+    let wanted = timed::papers::Options {
+        settings: options.settings.clone(),
+        max_particles: options.max_particles,
+        budget_s: options.budget,
+    };
+    let table = watched(|terminal| timed::papers::run(&gpu, &wanted, terminal))?;
+    show(options.json, &table, papers::print)
 }
 
 fn bench_sorting(options: &SortingOptions) -> Result<(), Failure> {
