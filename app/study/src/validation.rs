@@ -3,7 +3,7 @@
 
 use crate::Task;
 use crate::case::{CASES, OF_SPH};
-use crate::method::default_methods;
+use crate::method::METHODS;
 
 /// Part of a study.
 pub const PART: &str = "validation";
@@ -18,8 +18,9 @@ pub fn tasks(quick: bool) -> Vec<Task> {
     let published = CASES.iter().filter(|case| case.name() != "column-collapse" && wanted(case.name()));
     let of_sph = OF_SPH.iter().filter(|case| wanted(case.name()));
     let of_sph = of_sph.map(|case| crate::error::task(PART, *case, vec!["solver.method=sph".into()], 1));
+    let methods = || METHODS.iter().filter(|method| !quick || method.few.is_empty());
     published
-        .flat_map(|case| default_methods().map(|method| crate::error::task(PART, *case, vec![method.setting()], 1)))
+        .flat_map(|case| methods().map(|method| crate::error::task(PART, *case, vec![method.setting()], 1)))
         .chain(of_sph)
         .collect()
 }

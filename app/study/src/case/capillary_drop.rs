@@ -194,8 +194,10 @@ mod tests {
 
     #[test]
     fn a_ball_of_water_would_swing_as_rayleigh_has_it() {
-        // Two dimensions' 6 in place of three's 8.
-        let ball_s = 2.0 * PI / (8.0 * TENSION_N_M / (DENSITY_KG_M3 * RADIUS_M.powi(3))).sqrt();
-        assert!((CapillaryDrop::frequency_per_s(&setup) * ball_s / (2.0 * PI) - (6.0_f64 / 8.0).sqrt()).abs() < 1e-12);
+        let ball = CapillaryDrop.setup(&["domain.dimensions=3".into(), "spacing_m=0.0025".into()]).unwrap();
+        let radius_m = (ball.count() as f64 * 3.0 / (4.0 * PI)).cbrt() * 0.0025;
+        assert!((radius_m / RADIUS_M - 1.0).abs() < 0.05, "a ball: {radius_m}");
+        // 8 sigma / rho R^3 of a centimetre of water.
+        assert!((CapillaryDrop::frequency_per_s(&ball) - 584_000e-3_f64.sqrt()).abs() < 1e-9);
     }
 }

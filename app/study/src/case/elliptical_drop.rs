@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{Case, Converge, FLAT_SUPPORT_RATIO, Reference, setting};
+use super::{Case, Converge, FLAT_SUPPORT_RATIO, Reference, setting, with_speed};
 use crate::{Figure, Sample, Series, Setup, SetupResult};
 
 /// A disc with velocity (−A x, A y) becomes an ellipse of axes a and 1/a (Monaghan 1994):
@@ -11,6 +11,8 @@ pub struct EllipticalDrop;
 
 const SPACING_M: f64 = 1.0 / 16.0;
 const END_S: f64 = 1.0;
+/// Of the fastest particle: Ȧ falls while a falls.
+const SPEED_M_S: f64 = 1.0;
 /// A fifth of a spacing a step for what moves at 2 m/s.
 const COURANT: f64 = 0.1;
 /// From the middle to an edge of the domain.
@@ -53,7 +55,9 @@ impl Case for EllipticalDrop {
             0.5 * spacing_m,
             COURANT * spacing_m
         );
-        let mut setup = Setup::new(self.name(), &text, settings, END_S, 20)?;
+        // At the ends of the long axis.
+        let settings = with_speed(SPEED_M_S, settings);
+        let mut setup = Setup::new(self.name(), &text, &settings, END_S, 20)?;
         setup.place(|at, velocity| *velocity = DVec3::new(HALF_M - at.x, at.y - HALF_M, 0.0));
         Ok(setup.relaxed())
     }

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{Case, Converge, Reference, with_own};
+use super::{Case, Converge, Reference};
 use crate::{Figure, Sample, Setup, SetupResult};
 
 /// Symplectic Euler gives x = x0 + n v0 dt + g dt² n (n + 1) / 2 after n substeps, exactly.
@@ -36,7 +36,7 @@ impl Case for FreeFall {
             [[fluid]]
             block = { min_m = [0.2, 1.5, 1.0], max_m = [0.3, 1.55, 1.05] }
             velocity_m_s = [0.5, 1.0, -0.25]";
-        Setup::new(self.name(), text, &with_own(&[], settings), 0.5, 4)
+        Setup::new(self.name(), text, settings, 0.5, 4)
     }
 
     fn figures(&self, setup: &Setup, samples: &[Sample], _: Converge<'_>) -> Option<Vec<Figure>> {

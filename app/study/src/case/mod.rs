@@ -131,9 +131,29 @@ pub(crate) fn setting(settings: &[String], path: &str, default: f64) -> f64 {
     settings.iter().rev().find_map(of).unwrap_or(default)
 }
 
-/// `settings` behind the case's own, which they may replace.
-pub(crate) fn with_own(own: &[(&str, f64)], settings: &[String]) -> Vec<String> {
-    own.iter().map(|(path, value)| format!("{path}={value:?}")).chain(settings.iter().cloned()).collect()
+/// Speed of sound over the fastest particle: compression is about the inverse square.
+const SOUND_RATIO: f64 = 10.0;
+
+/// `settings` of a case whose particles are placed with velocities that its scene knows nothing of: an equation of state is
+/// told how fast they are, unless it is told something else.
+pub(crate) fn with_speed(speed_m_s: f64, settings: &[String]) -> Vec<String> {
+    let chosen = settings.iter().rposition(|setting| setting.starts_with("solver.method="));
+    let path = own_path(method_of(settings), "stiffness_m2_s2");
+    let (Some(at), Some(path)) = (chosen, path) else { return settings.to_vec() };
+    let mut all = settings.to_vec();
+    all.insert(at + 1, format!("{path}={:?}", (SOUND_RATIO * speed_m_s).powi(2)));
+    all
+}
+
+/// The solver that settings choose; cases are PBF's where none does.
+pub(crate) fn method_of(settings: &[String]) -> &str {
+    settings.iter().rev().find_map(|setting| setting.strip_prefix("solver.method=")).unwrap_or("pbf")
+}
+
+/// The path of a setting of a solver's own table, if it has it.
+pub(crate) fn own_path(method: &str, name: &str) -> Option<&'static str> {
+    let path = format!("solver.{method}.{name}");
+    brooklet_fluid::scene::FIELDS.iter().map(|field| field.path).find(|known| *known == path)
 }
 
 #[cfg(test)]
@@ -155,6 +175,24 @@ mod tests {
         names.dedup();
         assert_eq!(names.len(), CASES.len());
         assert!(case("no such case").is_none());
+    }
+
+    #[test]
+    fn an_equation_of_state_knows_how_fast_particles_are() {
+        for name in ["elliptical-drop", "square-patch", "taylor-green"] {
+            let with = |settings: &[&str]| {
+                let settings: Vec<String> = settings.iter().map(|&setting| setting.into()).collect();
+                case(name).unwrap().setup(&settings).unwrap()
+            };
+            let setup = with(&["solver.method=sph"]);
+            let fastest_m_s = setup.start().max_speed_m_s();
+            let sound_m_s = setup.scene.stiffness_m2_s2().sqrt();
+            assert!((9.0..40.0).contains(&(sound_m_s / fastest_m_s)), "{name}: {sound_m_s} of {fastest_m_s}");
+            let own = with(&["solver.method=sph", "solver.sph.stiffness_m2_s2=7"]);
+            assert_eq!(own.scene.stiffness_m2_s2(), 7.0);
+        }
+        assert_eq!(with_speed(2.0, &["solver.method=pbf".into()]), ["solver.method=pbf"]);
+        assert!(with_speed(2.0, &[]).is_empty());
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use brooklet_reference::norms::cloud_distance;
 use glam::DVec3;
 
-use super::{Case, Converge, FLAT_SUPPORT_RATIO, Reference, setting};
+use super::{Case, Converge, FLAT_SUPPORT_RATIO, Reference, setting, with_speed};
 use crate::{Figure, Sample, Setup, SetupResult};
 
 /// v = ω (y, −x) on a square (Colagrossi 2005): angular momentum stays, and so does the fourfold
@@ -55,7 +55,9 @@ impl Case for SquarePatch {
             0.5 * SIDE_M,
             COURANT * spacing_m
         );
-        let mut setup = Setup::new(self.name(), &text, settings, END_S, 10)?;
+        // Of its corners.
+        let settings = with_speed(OMEGA_PER_S * SIDE_M / 2.0_f64.sqrt(), settings);
+        let mut setup = Setup::new(self.name(), &text, &settings, END_S, 10)?;
         setup.place(|at, velocity| *velocity = OMEGA_PER_S * DVec3::new(at.y - HALF_M, HALF_M - at.x, 0.0));
         Ok(setup.relaxed())
     }

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use glam::DVec3;
 
 use super::hydrostatic::periodic_side_m;
-use super::{Case, Converge, FLAT_SUPPORT_RATIO, Reference, setting};
+use super::{Case, Converge, FLAT_SUPPORT_RATIO, Reference, setting, with_speed};
 use crate::{Figure, Sample, Setup, SetupResult};
 
 /// u = −cos(2πx/L) sin(2πy/L), v = sin(2πx/L) cos(2πy/L) (Taylor & Green 1937). Without viscosity it
@@ -79,7 +79,8 @@ impl Case for TaylorGreen {
             xsph = 0",
             COURANT * spacing_m
         );
-        let mut setup = Setup::new(self.name(), &text, settings, END_S, 10)?;
+        let settings = with_speed(SPEED_M_S, settings);
+        let mut setup = Setup::new(self.name(), &text, &settings, END_S, 10)?;
         let mut random = fastrand::Rng::with_seed(SEED);
         setup.place(|at, velocity| {
             // Inside of the square: half a spacing is to its edge.

@@ -19,7 +19,7 @@ use crate::backend::GpuRun;
 use crate::case::{self, CASES, Case};
 use crate::energy;
 use crate::knob::knobs;
-use crate::method::{METHODS, Method, default_methods};
+use crate::method::{METHODS, Method};
 use crate::session::{Session, StudyError, state_of};
 use crate::{Figure, Outcome, Setup, State, Task};
 
@@ -43,7 +43,7 @@ const WARM_UP: usize = 10;
 pub struct Choice {
     /// Cases by name; empty for all that can be drawn.
     pub cases: Vec<String>,
-    /// Methods by name; empty for all.
+    /// Methods by name; empty for all, of costly ones few points ([`Method::few`]).
     pub methods: Vec<String>,
     /// Knobs by name; empty for all.
     pub knobs: Vec<String>,
@@ -85,7 +85,7 @@ impl Choice {
     /// As [`Choice::cases`].
     pub fn methods(&self) -> Result<Vec<&'static Method>, StudyError> {
         if self.methods.is_empty() {
-            return Ok(default_methods().collect());
+            return Ok(METHODS.iter().collect());
         }
         let known: Vec<&str> = METHODS.iter().map(|method| method.name).collect();
         let one = |name: &String| crate::method::method(name).ok_or_else(|| unknown("--methods", name, &known));

@@ -39,18 +39,22 @@ pub struct Point {
 pub fn curves(choice: &Choice) -> Result<Vec<Curve>, StudyError> {
     let (cases, methods) = (choice.cases()?, choice.methods()?);
     choice.check_knobs(&methods)?;
-    let repeats = if choice.quick { 1 } else { 2 };
     let mut curves = Vec::new();
     for case in cases {
         for &method in &methods {
-            let wanted = |name: &str| choice.knobs.is_empty() || choice.knobs.iter().any(|knob| knob == name);
+            let named = |name: &str| choice.knobs.is_empty() || choice.knobs.iter().any(|knob| knob == name);
+            // Of a costly solver that nobody asked for, few.
+            let unasked = choice.methods.is_empty();
+            let few = choice.quick || unasked && !method.few.is_empty();
+            let wanted = |name: &str| named(name) && (!unasked || method.turns(name, choice.quick));
+            let repeats = if few { 1 } else { 2 };
             for (field, knob) in knobs(method.name).filter(|(_, knob)| wanted(knob.name)) {
-                let tasks = positions(field, &knob, case, choice.quick)
+                let tasks = positions(field, &knob, case, few)
                     .into_iter()
                     .map(|position| {
                         let mut settings = vec![method.setting()];
                         // What is as it is anyway is not another task.
-                        if !is_default(case, &position.settings) {
+                        if !is_default(case, method, &position.settings) {
                             settings.extend(position.settings);
                         }
                         (position.label, task(PART, case, settings, repeats))
@@ -63,13 +67,14 @@ pub fn curves(choice: &Choice) -> Result<Vec<Curve>, StudyError> {
     Ok(curves)
 }
 
-/// Whether settings change nothing of the case's scene.
-fn is_default(case: &dyn Case, settings: &[String]) -> bool {
+/// Whether settings change nothing of the case's scene by that solver.
+fn is_default(case: &dyn Case, method: &Method, settings: &[String]) -> bool {
     // A spacing also changes the case's text.
     if settings.iter().any(|setting| setting.starts_with("spacing_m=")) {
         return setting(settings, "spacing_m", 0.0) == case.spacing_m();
     }
-    match (case.setup(&[]), case.setup(settings)) {
+    let by = |settings: &[String]| case.setup(&[&[method.setting()], settings].concat());
+    match (by(&[]), by(settings)) {
         (Ok(plain), Ok(changed)) => plain.scene == changed.scene,
         _ => false,
     }

@@ -92,6 +92,10 @@ pub fn write(folder: &Path, study: &Study, store: &Store, facts: &Facts) -> Resu
     for (name, svg) in plots(study, store)? {
         file(&plots_folder.join(format!("{name}.svg")), |to| to.write_all(svg.as_bytes()))?;
     }
+    if let Some(choice) = &study.error {
+        let text = work_precision::solvers_markdown(choice, store)?;
+        file(&folder.join("solvers.md"), |to| to.write_all(text.as_bytes()))?;
+    }
     if study.precision {
         let text = precision::markdown(study.quick, store);
         file(&folder.join("precision.md"), |to| to.write_all(text.as_bytes()))?;

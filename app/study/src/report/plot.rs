@@ -34,6 +34,10 @@ pub const RED: RGBColor = RGBColor(190, 30, 45);
 pub enum Mark {
     /// A line with dots.
     LineDots,
+    /// A line with squares.
+    LineSquares,
+    /// A line with triangles.
+    LineTriangles,
     /// A line.
     Line,
     /// A dashed line.
@@ -149,7 +153,7 @@ impl Plot {
             let points = self.shown(line);
             let color = line.color;
             match line.mark {
-                Mark::Line | Mark::LineDots => {
+                Mark::Line | Mark::LineDots | Mark::LineSquares | Mark::LineTriangles => {
                     chart.draw_series(LineSeries::new(points.clone(), color.stroke_width(2)))?;
                 }
                 Mark::Dashed => {
@@ -160,6 +164,14 @@ impl Plot {
             match line.mark {
                 Mark::LineDots | Mark::Dots => {
                     chart.draw_series(points.iter().map(|&point| Circle::new(point, 4, color.filled())))?;
+                }
+                Mark::LineSquares => {
+                    let square = || Rectangle::new([(-4, -4), (4, 4)], color.filled());
+                    chart.draw_series(points.iter().map(|&point| EmptyElement::at(point) + square()))?;
+                }
+                Mark::LineTriangles => {
+                    let triangles = points.iter().map(|&point| TriangleMarker::new(point, 6, color.filled()));
+                    chart.draw_series(triangles)?;
                 }
                 Mark::Rings => {
                     chart.draw_series(points.iter().map(|&point| Circle::new(point, 8, color.stroke_width(2))))?;
@@ -178,7 +190,7 @@ impl Plot {
             let y = 40 + 22 * row as i32;
             let color = line.color;
             match line.mark {
-                Mark::Line | Mark::LineDots => {
+                Mark::Line | Mark::LineDots | Mark::LineSquares | Mark::LineTriangles => {
                     area.draw(&PathElement::new([(2, y + 6), (22, y + 6)], color.stroke_width(2)))?;
                 }
                 Mark::Dashed => {
@@ -188,8 +200,12 @@ impl Plot {
                 Mark::Crosses => area.draw(&Cross::new((12, y + 6), 5, color.stroke_width(3)))?,
                 Mark::Dots => {}
             }
-            if matches!(line.mark, Mark::Dots | Mark::LineDots) {
-                area.draw(&Circle::new((12, y + 6), 4, color.filled()))?;
+            let middle = (12, y + 6);
+            match line.mark {
+                Mark::Dots | Mark::LineDots => area.draw(&Circle::new(middle, 4, color.filled()))?,
+                Mark::LineSquares => area.draw(&Rectangle::new([(8, y + 2), (16, y + 10)], color.filled()))?,
+                Mark::LineTriangles => area.draw(&TriangleMarker::new(middle, 6, color.filled()))?,
+                Mark::Line | Mark::Dashed | Mark::Rings | Mark::Crosses => {}
             }
             area.draw(&Text::new(line.name.clone(), (28, y), (FONT, 13).into_font().color(&INK)))?;
         }

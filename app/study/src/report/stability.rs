@@ -53,7 +53,7 @@ pub fn section(quick: bool, store: &Store) -> Markup {
     let found = found(quick, store);
     html! {
         h2 id="stability" { "Stability" }
-        p { "Every pair of extreme case, precision, tier, order, acceleration and coarse correction meets in at least one run. SILENT would be a run that went wrong without the program's own counts or measurements saying so." }
+        p { "Of PBF every pair of extreme case, precision, tier, order, acceleration and coarse correction meets in at least one run; other solvers run each case as they are. SILENT would be a run that went wrong without the program's own counts or measurements saying so." }
         div.plots {
             (PreEscaped(heat(Map::Compression, quick, store)))
             (PreEscaped(heat(Map::Relaxation, quick, store)))

@@ -17,8 +17,10 @@ use glam::DVec3;
 
 use super::{ROWS_PART, covering};
 use crate::backend::{GpuRun, run_reference};
+use crate::case::own_path;
 use crate::energy;
 use crate::error::densities;
+use crate::method::METHODS;
 use crate::session::{Session, StudyError, state_of};
 use crate::{Figure, Outcome, Sample, Setup, SetupResult, State, Task, Verdict};
 
@@ -37,6 +39,15 @@ pub struct Row {
     pub also: Also,
     /// Particles that are not finite from the start.
     pub injected: usize,
+    /// Of solvers whose own table has this setting alone; empty: of all.
+    pub needs: &'static str,
+}
+
+impl Row {
+    /// Whether a solver runs it.
+    fn is_of(&self, method: &str) -> bool {
+        self.setup.is_some() && (self.needs.is_empty() || own_path(method, self.needs).is_some())
+    }
 }
 
 /// What a row is judged by, beside what all rows are.
@@ -66,9 +77,9 @@ const QUICK: [u32; 6] = [2, 8, 13, 14, 17, 21];
 /// Every pair of row, precision, tier, order, acceleration, whether coarse corrections are left out and whether substeps
 /// begin warm. Real f16 is of the desktop tier alone, and without an acceleration there is neither a coarse correction nor
 /// a warm start.
-pub fn row_tasks(quick: bool) -> Vec<Task> {
+fn pbf_tasks(quick: bool) -> Vec<Task> {
     let rows: Vec<&Row> =
-        ROWS.iter().filter(|row| row.setup.is_some() && (!quick || QUICK.contains(&row.number))).collect();
+        ROWS.iter().filter(|row| row.is_of(PBF) && (!quick || QUICK.contains(&row.number))).collect();
     let allowed = |row: &[Option<usize>]| {
         let has_f16 = row[1] != Some(2) || row[2].is_none_or(|tier| TIERS[tier] == Tier::Desktop);
         has_f16 && (row[4] != Some(0) || row[5] != Some(0) && row[6] != Some(1))
@@ -109,6 +120,26 @@ pub fn row_tasks(quick: bool) -> Vec<Task> {
     tasks.sort_by_key(|task| rows.iter().position(|row| row.name == task.case));
     tasks
 }
+
+/// Every row of every solver: PBF's over what it can be run with, another's as it is. A quick look leaves costly ones out.
+pub fn row_tasks(quick: bool) -> Vec<Task> {
+    let others = METHODS.iter().filter(|method| method.name != PBF && (!quick || method.few.is_empty()));
+    let mut tasks = pbf_tasks(quick);
+    tasks.extend(others.flat_map(|method| {
+        let rows = ROWS.iter().filter(|row| row.is_of(method.name) && (!quick || QUICK.contains(&row.number)));
+        rows.map(|row| Task {
+            part: ROWS_PART.into(),
+            case: row.name.into(),
+            settings: vec![method.setting()],
+            tier: tier_name(Tier::Desktop).into(),
+            repeats: 1,
+        })
+    }));
+    tasks
+}
+
+/// The solver whose settings are varied.
+const PBF: &str = "pbf";
 
 fn row(name: &str) -> Option<&'static Row> {
     ROWS.iter().find(|row| row.name == name)
@@ -267,7 +298,7 @@ mod tests {
         let numbers: Vec<u32> = ROWS.iter().map(|row| row.number).collect();
         assert_eq!(numbers, (1..=21).collect::<Vec<_>>());
         let tasks = row_tasks(false);
-        for row in ROWS.iter().filter(|row| row.setup.is_some()) {
+        for row in ROWS.iter().filter(|row| row.is_of(PBF)) {
             let of = || tasks.iter().filter(|task| task.case == row.name);
             for tier in TIERS {
                 assert!(of().any(|task| task.tier == tier_name(tier)), "{} on {tier:?}", row.name);
@@ -277,15 +308,22 @@ mod tests {
             }
         }
         assert!(row_tasks(true).len() == QUICK.len());
+        // Other solvers run all of them, and what is theirs.
+        for method in METHODS.iter().filter(|method| method.name != PBF) {
+            let of = |row: &Row| tasks.iter().any(|task| task.case == row.name && task.settings[0] == method.setting());
+            assert!(ROWS.iter().all(|row| of(row) == row.is_of(method.name)), "{}", method.name);
+        }
+        let stiff = tasks.iter().filter(|task| task.case == "stiffness-times-1000");
+        assert!(stiff.clone().count() > 0 && stiff.into_iter().all(|task| task.settings[0] != "solver.method=pbf"));
     }
 
     #[test]
     fn every_row_that_should_run_has_a_sound_setup() {
-        for row in ROWS {
-            let Some(make) = row.setup else { continue };
-            match make(&[]) {
+        for (row, method) in ROWS.iter().flat_map(|row| METHODS.iter().map(move |method| (row, method))) {
+            let (Some(make), true) = (row.setup, row.is_of(method.name)) else { continue };
+            match make(&[method.setting()]) {
                 Ok(setup) => assert!(setup.count() > 0 && setup.count() <= 6_000, "{}: {}", row.name, setup.count()),
-                Err(error) => assert!(matches!(row.also, Also::Refused), "{}: {error}", row.name),
+                Err(error) => assert!(matches!(row.also, Also::Refused), "{}, {}: {error}", row.name, method.name),
             }
         }
     }

@@ -9,11 +9,11 @@ const fn runs(
     setup: fn(&[String]) -> crate::SetupResult,
     also: Also,
 ) -> Row {
-    Row { number, name, expected, setup: Some(setup), also, injected: 0 }
+    Row { number, name, expected, setup: Some(setup), also, injected: 0, needs: "" }
 }
 
 const fn waits(number: u32, name: &'static str, needs: &'static str) -> Row {
-    Row { number, name, expected: needs, setup: None, also: Also::Waits(needs), injected: 0 }
+    Row { number, name, expected: needs, setup: None, also: Also::Waits(needs), injected: 0, needs: "" }
 }
 
 /// Every extreme case, in order.
@@ -52,17 +52,31 @@ pub const ROWS: &[Row] = &[
     runs(
         8,
         "dt-times-10",
-        "100 times the compression, by the column law, at most",
+        "100 times the compression, by the column law, at most; as before where an equation of state has it",
         setups::long_steps,
         Also::Figures(setups::within_the_law),
     ),
-    waits(9, "stiffness-times-1000", "a solver with a stiffness (SPH)"),
-    runs(10, "viscosity-times-1000", "XSPH c = 1 is bounded, and rests", setups::viscous, Also::Rests),
+    Row {
+        number: 9,
+        name: "stiffness-times-1000",
+        expected: "stable with a step by √1000 shorter",
+        setup: Some(setups::stiff),
+        also: Also::Rests,
+        injected: 0,
+        needs: "stiffness_m2_s2",
+    },
+    runs(
+        10,
+        "viscosity-times-1000",
+        "XSPH c = 1 is bounded, and rests; a viscosity takes as short steps as it needs",
+        setups::viscous,
+        Also::Rests,
+    ),
     waits(11, "density-ratio", "fluids of different densities in one scene"),
     runs(
         12,
         "tall-column",
-        "200 layers in 2-D: the column law within 20 %",
+        "200 layers in 2-D: the column law within 20 %, or the equation of state",
         setups::tall_column,
         Also::Figures(setups::law_holds),
     ),
@@ -70,7 +84,7 @@ pub const ROWS: &[Row] = &[
     runs(
         14,
         "jet",
-        "a jet at 100 m/s passes nothing; clamps counted",
+        "a jet at 100 m/s passes nothing; clamps counted where the limit is below",
         setups::jet,
         Also::Figures(setups::nothing_passes),
     ),
@@ -95,6 +109,7 @@ pub const ROWS: &[Row] = &[
         setup: Some(setups::not_finite),
         also: Also::Rests,
         injected: 3,
+        needs: "",
     },
     runs(
         18,
