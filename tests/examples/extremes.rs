@@ -56,7 +56,9 @@ fn trials(method: &Method, scene: &Scene) -> Vec<Trial> {
         true => "solver.sph.stiffness_m2_s2=1e5".into(),
         false => "solver.sph.viscosity_m2_s=1e3".into(),
     };
-    all.into_iter().map(|(name, setting)| Trial { name, settings: vec![setting.unwrap_or_else(|| none(name))] }).collect()
+    all.into_iter()
+        .map(|(name, setting)| Trial { name, settings: vec![setting.unwrap_or_else(|| none(name))] })
+        .collect()
 }
 
 /// What a run does and says.
@@ -76,7 +78,11 @@ fn outcome(settings: &[String]) -> Result<String, String> {
         for stats in session.finish().map_err(|error| failed(&error))?.into_iter().filter_map(|frame| frame.stats) {
             counted = counted.and(&stats.counters);
             // f64::max would drop a NaN.
-            speed_m_s = if stats.max_speed_m_s > speed_m_s || stats.max_speed_m_s.is_nan() { stats.max_speed_m_s } else { speed_m_s };
+            speed_m_s = if stats.max_speed_m_s > speed_m_s || stats.max_speed_m_s.is_nan() {
+                stats.max_speed_m_s
+            } else {
+                speed_m_s
+            };
             worst = worst.max(stats.compression.p99);
             last = Some(stats);
         }
@@ -90,7 +96,8 @@ fn outcome(settings: &[String]) -> Result<String, String> {
         (0, false) => told(&counted.to_string()),
         _ => format!("unstable: {}", told(&counted.to_string())),
     };
-    let cut = if steps < wanted { format!(" (until {:.3} s)", steps as f64 * scene.solver.dt_s) } else { String::new() };
+    let cut =
+        if steps < wanted { format!(" (until {:.3} s)", steps as f64 * scene.solver.dt_s) } else { String::new() };
     Ok(format!(
         "{says} | {} of {:.2e} s{cut} | {speed_m_s:.2} of {:.2} | {:.1} % | {:.2} m/s, {:.1} % | {}, {} quarantined",
         scene.substeps(),

@@ -46,7 +46,13 @@ fn ours(scene: &Scene, steps: usize) -> Result<(Vec<f64>, f64), String> {
 }
 
 /// The same of the other, and its number of particles.
-fn theirs(python: &OsString, spacing_m: f64, dt_s: f64, steps: usize, sound_m_s: f64) -> Result<(Vec<f64>, f64, u64), String> {
+fn theirs(
+    python: &OsString,
+    spacing_m: f64,
+    dt_s: f64,
+    steps: usize,
+    sound_m_s: f64,
+) -> Result<(Vec<f64>, f64, u64), String> {
     let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
     let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("step_splishsplash.py");
     let ended = Command::new(python)
@@ -80,8 +86,7 @@ fn run(python: &OsString, turns: usize, steps: usize) -> Result<(), String> {
     for spacing_m in SPACINGS_M {
         let free = scene(spacing_m, &["solver.sph.adaptive_substeps=false".into()])?;
         let dt_s = OF_THE_LIMIT * free.sound_limit_s().min(free.steady_limit_s());
-        let fixed =
-            scene(spacing_m, &["solver.sph.adaptive_substeps=false".into(), format!("solver.dt_s={dt_s:?}")])?;
+        let fixed = scene(spacing_m, &["solver.sph.adaptive_substeps=false".into(), format!("solver.dt_s={dt_s:?}")])?;
         let chosen = scene(spacing_m, &[])?;
         let sound_m_s = free.stiffness_m2_s2().sqrt();
         let (mut own, mut other, mut ratios, mut a_second) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());

@@ -7,7 +7,12 @@ use brooklet_fluid::scene::{Method, Scene};
 use brooklet_gpu::{Gpu, Quantiles, tier_name};
 use serde::Serialize;
 
-use crate::{BenchError, Observer, figures::LeftOut, stepping::{LEAST_STEPS, pace}, workload};
+use crate::{
+    BenchError, Observer,
+    figures::LeftOut,
+    stepping::{LEAST_STEPS, pace},
+    workload,
+};
 
 /// A figure of a paper's.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]

@@ -83,7 +83,7 @@ pub fn run(options: &RunOptions) -> Result<(), Failure> {
         files: Files::default(),
         troubles: Vec::new(),
         told_first: false,
-            told_unstable: false,
+        told_unstable: false,
     };
     let begun = Instant::now();
     let bar = progress::bar(steps, "steps");

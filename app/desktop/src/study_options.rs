@@ -104,6 +104,9 @@ pub struct TuneOptions {
     /// shortest step within it is searched
     #[arg(long, value_name = "E", group = "goal", value_parser = positive, allow_negative_numbers = true)]
     pub max_error: Option<f64>,
+    /// Search these solvers alone, whatever is known of them, as sph,pbf; all that may move the scene, if not given
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    pub methods: Vec<String>,
     /// Simulated time of each run
     #[arg(long, value_name = "S", default_value_t = 0.5, value_parser = seconds)]
     pub seconds: f64,

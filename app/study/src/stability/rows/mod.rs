@@ -60,7 +60,7 @@ pub enum Also {
     /// Particles where another run has them, in spacings, within a limit. The other's setup, and how many
     /// of its lengths one of this is.
     Equals(fn(&[String]) -> SetupResult, f64, f64),
-    /// Particles where the f64 twin has them, in spacings, within a limit.
+    /// Particles where the f64 twin has them, in spacings, within a limit a step of one substep.
     EqualsTwin(f64),
     /// Refused with a reason.
     Refused,
@@ -78,8 +78,7 @@ const QUICK: [u32; 6] = [2, 8, 13, 14, 17, 21];
 /// begin warm. Real f16 is of the desktop tier alone, and without an acceleration there is neither a coarse correction nor
 /// a warm start.
 fn pbf_tasks(quick: bool) -> Vec<Task> {
-    let rows: Vec<&Row> =
-        ROWS.iter().filter(|row| row.is_of(PBF) && (!quick || QUICK.contains(&row.number))).collect();
+    let rows: Vec<&Row> = ROWS.iter().filter(|row| row.is_of(PBF) && (!quick || QUICK.contains(&row.number))).collect();
     let allowed = |row: &[Option<usize>]| {
         let has_f16 = row[1] != Some(2) || row[2].is_none_or(|tier| TIERS[tier] == Tier::Desktop);
         has_f16 && (row[4] != Some(0) || row[5] != Some(0) && row[6] != Some(1))
@@ -191,6 +190,8 @@ pub fn run_row(session: &Session<'_>, task: &Task) -> Result<Option<Outcome>, St
         }
         Also::EqualsTwin(limit) => {
             let Some(twin) = run_reference(&setup, &|| session.stops()) else { return Ok(None) };
+            // Roundings of substeps add up as a random walk.
+            let limit = limit * f64::from(setup.scene.substeps()).sqrt();
             figures.push(difference(&setup, &run.samples, &twin, 1.0, limit));
         }
     }

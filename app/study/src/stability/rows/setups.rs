@@ -105,12 +105,13 @@ fn dam(name: &str, settings: &[String], more: &[String], end_s: f64, samples: u3
     Setup::new(name, &text, &[settings, more].concat(), end_s, samples)
 }
 
-/// A second of it takes some ten thousand substeps.
+/// A column at rest between its walls: a second of it would take a hundred thousand substeps.
 pub(super) fn stiff(settings: &[String]) -> SetupResult {
-    let name = "stiffness-times-1000";
-    let plain = dam(name, settings, &[], 1.0, 1)?;
+    let text = pool([0.16, 0.5, 0.16], [0.16, 0.32, 0.16], "");
+    let plain = Setup::new("stiffness-times-1000", &text, settings, 1.0, 1)?;
     let path = own_path(method_of(settings), "stiffness_m2_s2").unwrap_or_default();
-    dam(name, settings, &[format!("{path}={:?}", 1000.0 * plain.scene.stiffness_m2_s2())], 0.15, 6)
+    let stiff = format!("{path}={:?}", 1000.0 * plain.scene.stiffness_m2_s2());
+    Setup::new("stiffness-times-1000", &text, &[settings, &[stiff]].concat(), 0.15, 6)
 }
 
 /// Of a viscosity that is set, a thousand times what the solver has without: it creeps, so a tenth of a second will do.
