@@ -5,6 +5,7 @@ use std::process::ExitCode;
 
 use brooklet_fluid::scene::FIELDS;
 use brooklet_fluid::{Scene, Session};
+use brooklet_study::backend::Counted;
 use brooklet_study::method::{METHODS, Method};
 
 const DAM: &str = "
@@ -24,7 +25,7 @@ const MOST_SUBSTEPS: u64 = 24_000;
 
 /// A way to run a solver that changes how it answers, beside its default.
 const WAYS: &[(&str, &str, &[&str])] =
-    &[("sph", "fixed substeps", &["solver.sph.adaptive_substeps=false", "solver.substeps=8"])];
+    &[("sph", "fixed substeps", &["solver.sph.adaptive_substeps=false", "solver.substeps=16"])];
 
 /// What is turned.
 struct Trial {
@@ -70,7 +71,7 @@ fn outcome(settings: &[String]) -> Result<String, String> {
     let steps = wanted.min(MOST_SUBSTEPS / u64::from(scene.substeps())).max(4);
     let mut speed_m_s = 0.0_f64;
     let mut worst = 0.0_f64;
-    let mut counted = brooklet_study::backend::Counted::default();
+    let mut counted = Counted::default();
     let mut last = None;
     for _ in 0..steps {
         session.step().map_err(|error| failed(&error))?;
@@ -91,11 +92,7 @@ fn outcome(settings: &[String]) -> Result<String, String> {
     let particles = session.read_particles().map_err(|error| failed(&error))?;
     let finite = particles.positions.iter().all(|p| p.position_m.iter().all(|x| x.is_finite()))
         && particles.velocities.iter().all(|v| v.velocity_m_s.iter().all(|x| x.is_finite()));
-    let says = match (counted.long_substeps, counted == brooklet_study::backend::Counted::default()) {
-        (0, true) => "nothing".into(),
-        (0, false) => told(&counted.to_string()),
-        _ => format!("unstable: {}", told(&counted.to_string())),
-    };
+    let says = told(&counted);
     let cut =
         if steps < wanted { format!(" (until {:.3} s)", steps as f64 * scene.solver.dt_s) } else { String::new() };
     Ok(format!(
@@ -112,9 +109,22 @@ fn outcome(settings: &[String]) -> Result<String, String> {
 }
 
 /// The counts that are not 0.
-fn told(counts: &str) -> String {
-    let parts = counts.split(", ").flat_map(|part| part.split(" and "));
-    parts.filter(|part| !part.starts_with("0 ")).collect::<Vec<_>>().join(", ")
+fn told(counted: &Counted) -> String {
+    let all = [
+        (counted.long_substeps, "substeps above their limit"),
+        (counted.speed_clamps, "speeds clamped"),
+        (counted.correction_clamps, "corrections clamped"),
+        (counted.displacement_clamps, "displacements held"),
+        (counted.neighbour_overflow, "neighbours without a slot"),
+        (counted.crowded, "crowded searches"),
+    ];
+    let parts: Vec<String> =
+        all.into_iter().filter(|(count, _)| *count > 0).map(|(count, what)| format!("{count} {what}")).collect();
+    match (counted.long_substeps, parts.is_empty()) {
+        (_, true) => "nothing".into(),
+        (0, _) => parts.join(", "),
+        _ => format!("unstable: {}", parts.join(", ")),
+    }
 }
 
 fn main() -> ExitCode {

@@ -153,6 +153,9 @@ fn steps_above_their_limit_are_honoured_and_said() {
         let mut session = Session::new(&gpu(), &scene).unwrap();
         let history = run(&mut session, 12, 12);
         assert!((session.simulated_s() - 12.0 * scene.solver.dt_s).abs() < 1e-12);
+        // However unstable, no faster than allowed: rounded three times.
+        let most_m_s = scene.max_speed_m_s() * (1.0 + 1e-6);
+        assert!(history[0].max_speed_m_s <= most_m_s, "{} of {most_m_s}", history[0].max_speed_m_s);
         (history[0].counters.long_substeps, history[0].particles)
     };
     let within = ["solver.dt_s=0.0005", "solver.substeps=1"];

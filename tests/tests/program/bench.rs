@@ -59,6 +59,32 @@ fn the_table_has_every_load_and_its_figures_belong_together() {
 }
 
 #[test]
+fn the_papers_rows_are_timed_by_every_solver_beside_their_figures() {
+    let workshop = Workshop::new();
+    let table = workshop.succeed(&["bench", "papers", "--max-particles", "1024", "--budget", "10", "--json"]).json();
+    let rows = table["rows"].as_array().unwrap();
+    let solvers: Vec<&str> = rows.iter().map(|row| row["method"].as_str().unwrap()).collect();
+    assert!(solvers.contains(&"pbf") && solvers.contains(&"sph") && !solvers.contains(&"none"), "{solvers:?}");
+    for row in rows {
+        assert_eq!(row["particles"], 1024);
+        let (ms, dt_s) = (number(&row["step_ms"]["median"]), number(&row["dt_s"]));
+        assert!((number(&row["s_per_s"]) * dt_s * 1e3 / ms - 1.0).abs() < 1e-9 && ms > 0.0, "{row}");
+        assert!((100.0..400.0).contains(&number(&row["bytes_per_particle"])), "{row}");
+        let published = row["published"].as_array().unwrap();
+        match row["method"].as_str() {
+            Some("sph") => assert_eq!((published.len(), number(&published[0]["step_ms"])), (1, 3.9)),
+            _ => assert!(published.is_empty(), "{row}"),
+        }
+    }
+    // What does not fit the time is said.
+    let table = workshop.succeed(&["bench", "papers", "--max-particles", "4096", "--budget", "0.001"]);
+    assert!(table.stdout.contains("left out: 4096 particles: pbf: --budget 0.001 leaves no time"), "{}", table.stdout);
+    let wrong = workshop.run(&["bench", "papers", "--set", "solver.substeps=0"]);
+    assert_eq!(wrong.code, Some(2), "{}", wrong.stderr);
+    assert!(wrong.stderr.contains("solver.substeps = 0: must be"), "{}", wrong.stderr);
+}
+
+#[test]
 fn a_picture_is_timed_pass_by_pass() {
     let workshop = Workshop::new();
     let arguments = ["bench", "scene.toml", "--steps", "2", "--warm-up", "1", "--pictures", "3", "--json"];

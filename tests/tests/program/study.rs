@@ -39,6 +39,8 @@ fn a_report_is_whole_and_is_kept() {
     }
     let mut table = fs::read_to_string(workshop.path("s/results.csv")).unwrap();
     assert!(table.lines().count() > 10 && table.contains("axis error"));
+    let solvers = fs::read_to_string(workshop.path("s/solvers.md")).unwrap();
+    assert!(solvers.contains("| elliptical-drop | ") && solvers.contains("| pbf | precision "), "{solvers}");
     let runs = fs::read(workshop.path("s/runs.mcap")).unwrap();
     let messages: Vec<_> = mcap::MessageStream::new(&runs).unwrap().map(|message| message.unwrap()).collect();
     let of = |topic: &str| messages.iter().filter(|message| message.channel.topic == topic).count();
@@ -157,6 +159,9 @@ fn a_tuned_scene_is_written_and_runs() {
     // The same particles in the same order of arithmetic, but for atomics' order within a cell.
     let (chosen, checked) = (found["chosen"]["error"].as_f64().unwrap(), found["checked"]["error"].as_f64().unwrap());
     assert!((chosen - checked).abs() < 0.02, "{chosen} {checked}");
+    assert_eq!(found["chosen"]["solver"], "pbf");
+    let over = &found["passed_over"][0];
+    assert!(over["solver"] == "sph" && over["times_of_pbf"].as_f64().unwrap() > 3.0, "{found}");
     let plan = workshop.run(&["plan", "scene-tuned.toml", "--json"]);
     assert_eq!(plan.code, Some(0), "{}", plan.stderr);
     let again = workshop.run(&arguments);
@@ -174,7 +179,8 @@ fn a_goal_that_cannot_be_met_is_no_success_and_bad_input_is_said() {
     assert_eq!(hard.code, Some(1), "{}", hard.stderr);
     assert!(hard.stderr.contains("cannot be met") && hard.stdout.contains("checked"), "{}", hard.stderr);
     fs::write(workshop.path("dry.toml"), brooklet_tests::program::without_fluid()).unwrap();
-    let wrong: [(&[&str], &str); 5] = [
+    let wrong: [(&[&str], &str); 6] = [
+        (&["scene.toml", "--max-error", "1", "--methods", "mpm"], "--methods mpm: what moves scene may be pbf, sph"),
         (&["scene.toml"], "--budget-ms"),
         (&["scene.toml", "--budget-ms", "1", "--max-error", "1"], "cannot be used with"),
         (&["scene.toml", "--budget-ms", "-1"], "must be a positive number"),

@@ -2,3 +2,4 @@
 
 mod faults;
 mod many_iterations;
+mod rows;

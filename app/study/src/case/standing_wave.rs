@@ -101,8 +101,8 @@ impl Case for StandingWave {
                 "period error",
                 period_s / Self::period_s() - 1.0,
                 "",
-                0.05,
-                "of T = 1.1818 s; the finite amplitude makes .1 %, two spacings of amplitude do not give more than some %",
+                0.03,
+                "of T = 1.1818 s; the finite amplitude makes .1 %",
             ),
             Figure::told("decay", decay_per_s, "1/s", "of the amplitude, from peak to peak"),
             Figure::told(
