@@ -43,7 +43,7 @@ impl Rung {
     pub fn apply(&self, scene: &Scene) -> Result<Scene, Box<SceneError>> {
         let method = format!("solver.method={}", self.method);
         let with = |settings: &[String]| Scene::from_toml(&scene.to_toml(), &scene.name, settings).map_err(Box::new);
-        let by = with(&[method.clone()])?;
+        let by = with(std::slice::from_ref(&method))?;
         with(&[&[method][..], &(self.settings)(&by)].concat())
     }
 }
