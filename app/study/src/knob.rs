@@ -41,11 +41,16 @@ pub fn positions(field: &Field, knob: &Knob, case: &dyn Case, quick: bool) -> Ve
 mod tests {
     use super::*;
     use crate::case::CASES;
+    use crate::method::METHODS;
 
     #[test]
     fn a_quick_look_takes_some_of_the_positions() {
         let all: Vec<_> = knobs("pbf").collect();
-        assert!(all.len() > 8 && all.len() <= crate::report::PALETTE.len(), "two curves of one colour");
+        let mut names: Vec<&str> =
+            METHODS.iter().flat_map(|method| knobs(method.name)).map(|(_, knob)| knob.name).collect();
+        names.sort_unstable();
+        names.dedup();
+        assert!(all.len() > 8 && names.len() <= crate::report::PALETTE.len(), "two knobs of one colour: {names:?}");
         for (field, knob) in all {
             let [whole, quick] = [false, true].map(|quick| positions(field, &knob, CASES[1], quick));
             assert!(quick.len() == knob.quick.len() && quick.iter().all(|at| whole.contains(at)), "{}", knob.name);

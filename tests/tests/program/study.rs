@@ -180,7 +180,10 @@ fn a_goal_that_cannot_be_met_is_no_success_and_bad_input_is_said() {
     assert!(hard.stderr.contains("cannot be met") && hard.stdout.contains("checked"), "{}", hard.stderr);
     fs::write(workshop.path("dry.toml"), brooklet_tests::program::without_fluid()).unwrap();
     let wrong: [(&[&str], &str); 6] = [
-        (&["scene.toml", "--max-error", "1", "--methods", "mpm", "--out", "x.toml"], "--methods mpm: what moves scene may be pbf, sph"),
+        (
+            &["scene.toml", "--max-error", "1", "--methods", "mpm", "--out", "x.toml"],
+            "--methods mpm: what moves scene may be pbf, sph",
+        ),
         (&["scene.toml"], "--budget-ms"),
         (&["scene.toml", "--budget-ms", "1", "--max-error", "1"], "cannot be used with"),
         (&["scene.toml", "--budget-ms", "-1"], "must be a positive number"),

@@ -10,8 +10,8 @@ use plotters::prelude::*;
 pub const INK: RGBColor = RGBColor(40, 44, 52);
 const GRID_LINE: RGBColor = RGBColor(228, 230, 234);
 const FONT: &str = "sans-serif";
-/// Told apart by most people, the colour-blind too (Okabe & Ito 2008, and more: as many as any method has knobs).
-pub const PALETTE: [RGBColor; 13] = [
+/// Told apart by most people, the colour-blind too (Okabe & Ito 2008, and more: as many as all solvers have knobs).
+pub const PALETTE: [RGBColor; 17] = [
     RGBColor(0, 114, 178),
     RGBColor(213, 94, 0),
     RGBColor(0, 158, 115),
@@ -25,6 +25,10 @@ pub const PALETTE: [RGBColor; 13] = [
     RGBColor(141, 160, 50),
     RGBColor(30, 30, 30),
     RGBColor(240, 128, 110),
+    RGBColor(0, 150, 190),
+    RGBColor(110, 60, 190),
+    RGBColor(200, 180, 90),
+    RGBColor(90, 150, 90),
 ];
 /// What failed.
 pub const RED: RGBColor = RGBColor(190, 30, 45);
