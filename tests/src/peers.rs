@@ -22,7 +22,7 @@ pub struct Snapshot {
     pub height_m: f64,
 }
 
-/// The scene at a spacing, with `settings` (`path=value`) on top: dt 1/240 s and 4 iterations.
+/// The scene at a spacing, with `settings` (`path=value`) on top: dt 1/240 s and, of PBF, its default of 4 iterations.
 ///
 /// # Errors
 /// If a setting is not allowed.
@@ -30,7 +30,7 @@ pub fn scene(spacing_m: f64, settings: &[String]) -> Result<Scene, String> {
     let text = format!(
         "spacing_m = {spacing_m}\n[domain]\nmin_m = [0, 0, 0]\nmax_m = [2, 1, 1]\n\
          [[fluid]]\nblock = {{ min_m = [0, 0, 0], max_m = [0.5, 0.5, 1.0] }}\n\
-         [solver]\ndt_s = {}\n[solver.pbf]\niterations = 4\n[outputs]\nmeasure_every_steps = 0\n",
+         [solver]\ndt_s = {}\n[outputs]\nmeasure_every_steps = 0\n",
         1.0 / 240.0
     );
     Scene::from_toml(&text, "peers.toml", settings).map_err(|error| error.to_string())

@@ -40,6 +40,17 @@ macro_rules! for_each_known_answer {
             count_covered {
                 what_is_covered_is_counted: ["count_covered"],
             }
+            dfsph {
+                factor_pressure_matches_its_twin: ["factor_pressure"],
+                correct_pressure_matches_its_twin: ["correct_pressure"],
+                a_wrong_setting_of_a_solve_is_told_apart: ["correct_pressure"],
+                apply_pressure_matches_its_twin: ["apply_pressure"],
+                pressure_keeps_momentum_in_free_space: ["apply_pressure"],
+            }
+            dfsph_solves {
+                carry_pressure_and_apply_gravity_are_exact: ["carry_pressure", "apply_gravity"],
+                solves_end_when_little_is_left_or_nothing_is_left_to_try: ["begin_solve", "end_iteration"],
+            }
             drag {
                 drag_matches_its_twin: ["drag"],
                 a_drag_of_another_radius_or_velocity_fails: ["drag"],

@@ -21,8 +21,8 @@ pub struct Worst {
     pub max_speed_m_s: f64,
 }
 
-/// Everything that was counted instead of hidden. The first seven are sums over the run, the last
-/// two are how many particles it was at the end.
+/// Everything that was counted instead of hidden. All but the last two are sums over the run, the last
+/// two, which are how many particles it was at the end.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Counted {
     /// Neighbours that had no slot.
@@ -37,6 +37,12 @@ pub struct Counted {
     pub crowded: u64,
     /// Substeps longer than an explicit solver's limit: what follows is unstable.
     pub long_substeps: u64,
+    /// Iterations of pressure solves that hold the density.
+    pub density_iterations: u64,
+    /// Of those that hold its change.
+    pub divergence_iterations: u64,
+    /// Pressure solves that ended above their tolerance.
+    pub unsolved: u64,
     /// Particles for which no slot was free.
     pub capacity_overflow: u64,
     /// Particles whose state was not finite.
@@ -91,6 +97,9 @@ impl Measured {
         self.counted.displacement_clamps += u64::from(counters.displacement_clamps);
         self.counted.crowded += u64::from(counters.crowded);
         self.counted.long_substeps += u64::from(counters.long_substeps);
+        self.counted.density_iterations += u64::from(counters.density_iterations);
+        self.counted.divergence_iterations += u64::from(counters.divergence_iterations);
+        self.counted.unsolved += u64::from(counters.unsolved);
         self.counted.capacity_overflow += u64::from(counters.capacity_overflow);
         self.counted.quarantined = u64::from(stats.quarantined);
         self.counted.escaped = u64::from(stats.escaped);

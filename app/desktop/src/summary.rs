@@ -364,5 +364,13 @@ impl Summary {
         if let Some(word) = counted.instability() {
             say!("{word}");
         }
+        if counted.density_iterations + counted.divergence_iterations + counted.unsolved > 0 {
+            say!(
+                "pressure solves: {} iterations for divergence, {} for density; {} ended above their tolerance",
+                counted.divergence_iterations,
+                counted.density_iterations,
+                counted.unsolved,
+            );
+        }
     }
 }

@@ -74,6 +74,15 @@ pub const STAT_FIELDS: &[StatField] = &[
     field("long_substeps", "1", "Substeps longer than an explicit solver's limit since the last measurement", |s| {
         f64::from(s.counters.long_substeps)
     }),
+    field("density_iterations", "1", "Iterations of density solves since the last measurement", |s| {
+        f64::from(s.counters.density_iterations)
+    }),
+    field("divergence_iterations", "1", "Iterations of divergence solves since the last measurement", |s| {
+        f64::from(s.counters.divergence_iterations)
+    }),
+    field("unsolved", "1", "Pressure solves that ended above their tolerance since the last measurement", |s| {
+        f64::from(s.counters.unsolved)
+    }),
     field("capacity_overflow", "1", "Particles for which no slot was free since the last measurement", |s| {
         f64::from(s.counters.capacity_overflow)
     }),

@@ -35,6 +35,8 @@ pub struct Recorded {
     pub neighbours: Option<Neighbours>,
     /// What a substep begins with of the last one's pressure; none of scenes that begin cold.
     pub warm_starts: Option<Buffer<WarmStart>>,
+    /// With which pressures a substep's solves begin; none of solvers that begin cold.
+    pub pressures: Vec<Buffer<f32>>,
     /// What a substep takes of the last one's acceleration; none of solvers that keep none.
     pub accelerations: Option<Buffer<[f32; 4]>>,
     /// What the shaders are told of a step, gravity among it.
@@ -172,6 +174,7 @@ pub fn record_count(resources: &mut Resources, scene: &Scene, capacity: u32) -> 
         relaxation,
         neighbours: solver.search().map(|search| search.neighbours.alias()),
         warm_starts: solver.warm_starts().map(Buffer::alias),
+        pressures: solver.pressures(),
         accelerations: solver.accelerations().map(Buffer::alias),
         densities: solver.search().map(|search| Densities::of(&context, search)),
         step_params: context.step.alias(),

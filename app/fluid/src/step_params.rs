@@ -3,7 +3,7 @@
 use brooklet_kernels::StepParams;
 
 use crate::grid;
-use crate::scene::Scene;
+use crate::scene::{Method, Scene};
 
 /// What the shaders are given.
 pub fn step_params(scene: &Scene) -> StepParams {
@@ -14,7 +14,7 @@ pub fn step_params(scene: &Scene) -> StepParams {
         gravity_m_s2: scene.gravity_m_s2.map(|g| g as f32),
         dt_s: scene.substep_s() as f32,
         domain_size_m: size_m.map(|size_m| size_m as f32),
-        wall_offset_m: (WALL_OFFSET_RATIO * scene.fitted_spacing_m()) as f32,
+        wall_offset_m: (wall_offset_ratio(scene) * scene.fitted_spacing_m()) as f32,
         wall_min_m,
         max_speed_m_s: scene.max_speed_m_s() as f32,
         wall_max_m,
@@ -30,4 +30,10 @@ const FAR_M: f64 = 1.0e30;
 
 /// How near a wall a particle's middle may come, over the spacing. The lattice starts at a half. Nearer, the layer
 /// there would make room for more fluid than there is; what comes nearer the walls' density alone did not hold back.
-const WALL_OFFSET_RATIO: f64 = 0.5;
+/// Fluid mirrored in walls holds itself back, and a stop at a half would bear what its lowest layer swings by.
+fn wall_offset_ratio(scene: &Scene) -> f64 {
+    match scene.solver.method {
+        Method::Dfsph => 0.25,
+        Method::Pbf | Method::Sph | Method::None => 0.5,
+    }
+}

@@ -14,6 +14,7 @@ pub struct Method {
 pub const METHODS: &[Method] = &[
     Method { name: "pbf", few: &[] },
     Method { name: "sph", few: &["stiffness", "spacing", "artificial viscosity", "h/d"] },
+    Method { name: "dfsph", few: &["density tolerance", "spacing"] },
 ];
 
 /// The method of a name.

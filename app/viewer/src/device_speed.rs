@@ -33,6 +33,9 @@ const MESHED_PX: f64 = 30.0;
 const PHOTON_PX: f64 = 1.0;
 const THICKNESS_PX: f64 = 0.5;
 
+/// Iterations of both of DFSPH's solves that a substep ends with, as dam breaks have them.
+const DFSPH_ROUNDS: f64 = 6.0;
+
 impl Work {
     /// Of `scene` as it was chosen, in a window of `window_px`, on `rung`.
     pub fn of(rung: &Rung, scene: &Scene, tier: Tier, window_px: [u32; 2]) -> Self {
@@ -41,6 +44,7 @@ impl Work {
         let particles = run.particle_count().max(1) as f64;
         let rounds = match run.solver.method {
             Method::None => 1.0,
+            Method::Dfsph => DFSPH_ROUNDS + OTHER_ROUNDS,
             _ => f64::from(run.solver.iterations().unwrap_or(1)) + OTHER_ROUNDS,
         };
         let picture_px: f64 = rung.picture_px(window_px).into_iter().map(f64::from).product();

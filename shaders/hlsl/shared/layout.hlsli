@@ -213,6 +213,10 @@ struct Counters
     uint capacity_overflow;     // particles that were to be activated when no slot was left
     uint long_substeps;         // that were longer than an explicit solver's limit
     uint reserved1;
+    uint density_iterations;    // of pressure solves that end by their residual: that hold the density
+    uint divergence_iterations; // and that hold its change
+    uint unsolved;              // such solves that did all iterations there were and had a residual left above tolerance
+    uint reserved2;
 };
 
 // Sums and extremes of one group of particles; the last stage reduces them to one of these.

@@ -5,6 +5,7 @@ mod column_law;
 mod comparators;
 mod dam_break_front;
 mod determinism;
+mod dfsph;
 mod domains;
 mod domains_lists;
 mod extreme_capacity;

@@ -139,7 +139,17 @@ fn committed_pair_kernels_have_nine_tenths_of_their_arithmetic_decorated() {
         let spoilt = decorated_share(&lowered, &half).unwrap();
         assert!(spoilt < 0.9, "{}: {spoilt:.2} is still decorated", module.name);
     }
-    let expected =
-        ["Accelerate", "ComputeDensity", "ConfineVorticity", "ConstrainDensity", "CorrectPositions", "Curl", "Xsph"];
+    let expected = [
+        "Accelerate",
+        "ApplyPressure",
+        "ComputeDensity",
+        "ConfineVorticity",
+        "ConstrainDensity",
+        "CorrectPositions",
+        "CorrectPressure",
+        "Curl",
+        "FactorPressure",
+        "Xsph",
+    ];
     assert!(kernels.iter().eq(expected), "{kernels:?}");
 }

@@ -93,5 +93,5 @@ static CONSTRAIN_DENSITY_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/constrain_density_by_index.compute",
-    hash: "62afc9bf377c0d83708cf7b856177232a9321463ba5873eff5f8271e850ffb79",
+    hash: "0d28eeef515734b095907c891b5efe6b74b4cd227a3a4f425046b9c41063c8a7",
 };

@@ -57,5 +57,5 @@ static COPY_ELEMENTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/copy.compute",
-    hash: "cc2990dd9360c7c756bc49c522255ea76e9bea77a10bb6bf68add754a80e26eb",
+    hash: "f804f6dd5a205488c2775ad8653c757c6cfd2055bbfd4632520223dc0d829723",
 };

@@ -74,5 +74,5 @@ static COUNT_CELLS_AGGREGATED: Module = Module {
     shared_bytes: 512,
     tier: Tier::Floor,
     source: "bench/count_cells_aggregated.compute",
-    hash: "9c9587312ed3b8e8b3f42372bf37a8b8dac05f937cb84ddfdfd7b0bdd51b7feb",
+    hash: "cc6f178c85d7b286e678e4177b71e30dc65ff5c456b6d408fc43fc0c6296aa2a",
 };

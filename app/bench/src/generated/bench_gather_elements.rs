@@ -55,5 +55,5 @@ static GATHER_ELEMENTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/gather_elements.compute",
-    hash: "07602489b2d7ff27915776ac705d3baf4c57ca41c09e2710707321a5ea1e3002",
+    hash: "515d86da2708489d3c3c068aa806b2233eede21beca7b66eadb9798e38bf946e",
 };

@@ -94,5 +94,5 @@ static LIST_NEIGHBOURS_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/list_neighbours_by_index.compute",
-    hash: "52a55de4c2c48878f7073d32cc9d1da0b78980bede6ddaa0a3c288de7fc528b7",
+    hash: "73a430d57491f43ae24a4c64f150d0b3a337849d66526e32c43bb0937f4a735f",
 };

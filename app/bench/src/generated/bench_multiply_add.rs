@@ -45,5 +45,5 @@ static MULTIPLY_ADD: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/multiply_add.compute",
-    hash: "40998c1b63db22fb96f4de659e023a7920d61e060a37cc6ee10f443c2b4a41ea",
+    hash: "8ba34b9376fdfac480fb8a6633ed5ea133664660f67fae37ba1e383ef77e4309",
 };

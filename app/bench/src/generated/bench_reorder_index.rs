@@ -82,5 +82,5 @@ static REORDER_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/reorder_index.compute",
-    hash: "c6c1a7cad168b81dd0637168d40ea433acf5f5df8c399bfc28cbcfa8c9b0dfd8",
+    hash: "d078514c5a2b6db55758be164e9980d8bc5f142da5bc87ff06b67896211c7312",
 };

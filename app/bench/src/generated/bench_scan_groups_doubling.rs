@@ -74,7 +74,7 @@ static SCAN_GROUPS_DOUBLING: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "bench/scan_groups_doubling.compute",
-    hash: "80b80c91863669471b7ff86e0d5ce636ccd75e96ae1dd068e1997482ff99c917",
+    hash: "5b71338d71ef5f50467080bfbc9644332b148a199abb295c8b8d59484c4c7cc7",
 };
 
 static SCAN_GROUPS_DOUBLING_WITH_GROUP_OFFSETS: Module = Module {
@@ -87,5 +87,5 @@ static SCAN_GROUPS_DOUBLING_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "bench/scan_groups_doubling.compute",
-    hash: "1670c01640a7150cd1b0b1b5ab8c98d68e5391a960d5f70e4f66992f82cc3edd",
+    hash: "f9927849dd46c9d455846d5a191b8463121dca3a2592ed0eb2b130f4c3d1e15f",
 };

@@ -87,7 +87,7 @@ static SCAN_GROUPS_TREE: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "89d8c85265240b80de8fa29b73eb40bebf2815ef7b1b1e8b72aa98f3ce9be209",
+    hash: "51a58849f2103227ccb88257cc4239fe497d09a14e17a40b9a602caeb6235184",
 };
 
 static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
@@ -100,7 +100,7 @@ static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "7e2046ac93e14dccbe152758b766719cc018d4ac2f4d5c9fb3836be2c5fc38b0",
+    hash: "64d31422ec3a33888f428dd846cdfff7f798b19205fde9c769de19b87a31fc39",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
@@ -113,7 +113,7 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "765d37e0c2b21925a335202fd68501597f661560ceb9d3cc71e45e1cb2597997",
+    hash: "642b83dfa25719e2a71a135c736ab13d8b3263a380e78462a715ba5566dff57b",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
@@ -126,5 +126,5 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "3ad676a94bb1064550c60d10d8d4fcff72026585e8e11f53ba13433efee29fad",
+    hash: "07607fd1266b0c14cc3f8705ec34a6b370a96dbed64acc29838b07a201954268",
 };

@@ -54,5 +54,5 @@ static SCAN_STEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/scan_step.compute",
-    hash: "223832ee6cd43eeab06bfff8ce6a966a6d1399b970e3c191714d74b5de581cc2",
+    hash: "7ed4fe8cc8443c45fb4c6dbe71448cdfa9a0a339e999d6b9d54f9df096692217",
 };

@@ -37,7 +37,7 @@ pub fn wall_faces(scene: &Scene) -> [WallFace; 6] {
 fn viscosity_m2_s(scene: &Scene) -> f64 {
     match scene.solver.method {
         Method::Sph => scene.sph_viscosity_m2_s(),
-        Method::Pbf | Method::None => 0.0,
+        Method::Pbf | Method::Dfsph | Method::None => 0.0,
     }
 }
 

@@ -109,6 +109,15 @@ impl Scene {
                 self.check_warm_start(&check)?;
             }
             Method::Sph => self.check_sph(&check)?,
+            Method::Dfsph => {
+                let settings = &self.solver.dfsph;
+                for (most, field) in [
+                    (settings.max_divergence_iterations, "solver.dfsph.max_divergence_iterations"),
+                    (settings.max_density_iterations, "solver.dfsph.max_density_iterations"),
+                ] {
+                    self.check_iterations(&check, most, field)?;
+                }
+            }
             Method::None => check.require(
                 self.surface.color_by != PointColor::Density,
                 "surface.color_by",

@@ -33,11 +33,12 @@ const RESET: UpdateRule = UpdateRule::Always(Update::Reset);
 
 const PBF: &[&str] = &["pbf"];
 const SPH: &[&str] = &["sph"];
+const DFSPH: &[&str] = &["dfsph"];
 const NONE: &[&str] = &["none"];
 /// Methods whose particles know their neighbours.
-const WITH_NEIGHBOURS: &[&str] = &["pbf", "sph"];
-/// Those whose velocities get forces of their own at a substep's end.
-const WITH_FORCES: &[&str] = &["pbf"];
+const WITH_NEIGHBOURS: &[&str] = &["pbf", "sph", "dfsph"];
+/// Those whose velocities get forces of their own in a substep.
+const WITH_FORCES: &[&str] = &["pbf", "dfsph"];
 
 const fn face(path: &'static str) -> Field {
     Field::new(path, Kind::Table, REBUILD).of(WITH_NEIGHBOURS)
@@ -201,6 +202,34 @@ pub const FIELDS: &[Field] = &[
         &[0, 1],
     ),
     Field::new("solver.sph.adaptive_substeps", Kind::Switch, REBUILD).of(SPH),
+    Field::new("solver.dfsph", Kind::Table, REBUILD).of(DFSPH),
+    Field::new("solver.dfsph.density_tolerance", number(0.0, 1.0, ""), LIVE).of(DFSPH).logarithmic(1e-5, 0.01).knob(
+        "density tolerance",
+        &["0.0001", "0.0003", "0.001", "0.003"],
+        &[0, 2],
+    ),
+    Field::new("solver.dfsph.divergence_tolerance", number(0.0, 1.0, ""), LIVE).of(DFSPH).logarithmic(1e-5, 0.01).knob(
+        "divergence tolerance",
+        &["0.0001", "0.0003", "0.001", "0.003"],
+        &[0, 1],
+    ),
+    Field::new("solver.dfsph.max_divergence_iterations", whole(1.0, 1000.0, ""), REBUILD).of(DFSPH).slider(1.0, 50.0),
+    Field::new("solver.dfsph.max_density_iterations", whole(0.0, 1000.0, ""), REBUILD)
+        .of(DFSPH)
+        .slider(0.0, 50.0)
+        .term_called("0", "20", "no density solve")
+        .knob("density iterations", &["0", "1", "5", "20"], &[0, 3]),
+    Field::new("solver.dfsph.warm_start", Kind::Switch, REBUILD).of(DFSPH).term("false", "true").knob(
+        "warm pressures",
+        &["false", "true"],
+        &[0, 1],
+    ),
+    Field::new("solver.dfsph.fixed_iterations", Kind::Switch, REBUILD).of(DFSPH),
+    Field::new("solver.dfsph.momentum", number(0.0, 0.95, ""), LIVE).of(DFSPH).slider(0.0, 0.9).knob(
+        "momentum",
+        &["0", "0.2", "0.4", "0.6"],
+        &[0, 2],
+    ),
     Field::new("solver.none", Kind::Table, REBUILD).of(NONE),
     Field::new("solver.none.lifetime_s", number(0.0, 1.0e6, "s"), LIVE).of(NONE).slider(0.0, 10.0),
     Field::new("solver.none.lifetime_variation", number(0.0, 1.0, ""), LIVE).of(NONE).slider(0.0, 1.0),

@@ -132,7 +132,7 @@ pub(super) mod tests {
 
     #[test]
     fn methods_that_interact_are_those_with_neighbours() {
-        let all = [Method::Pbf, Method::Sph, Method::None];
+        let all = [Method::Pbf, Method::Sph, Method::Dfsph, Method::None];
         assert_eq!(all.map(Method::name), Method::NAMES);
         let slots = FIELDS.iter().find(|field| field.path == "solver.neighbour_slots").unwrap();
         for method in all {

@@ -3,6 +3,7 @@
 
 mod change;
 mod check;
+mod dfsph;
 mod domain;
 mod error;
 mod explain;
@@ -33,6 +34,7 @@ mod tests;
 mod update;
 
 pub use change::Change;
+pub use dfsph::DfsphSettings;
 pub use domain::Domain;
 pub use error::SceneError;
 pub(crate) use explain::shortened;

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{NoneSettings, PbfSettings, SphSettings};
+use super::{DfsphSettings, NoneSettings, PbfSettings, SphSettings};
 
 /// Which solver.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -14,19 +14,22 @@ pub enum Method {
     Pbf,
     /// Smoothed particle hydrodynamics with an equation of state (Müller, Charypar & Gross 2003).
     Sph,
+    /// Divergence-free SPH (Bender & Koschier 2015).
+    Dfsph,
     /// None: particles that do not interact, as sparks or dust.
     None,
 }
 
 impl Method {
     /// Every method by its name.
-    pub const NAMES: &[&str] = &["pbf", "sph", "none"];
+    pub const NAMES: &[&str] = &["pbf", "sph", "dfsph", "none"];
 
     /// Its name in scenes and summaries.
     pub fn name(self) -> &'static str {
         match self {
             Method::Pbf => "pbf",
             Method::Sph => "sph",
+            Method::Dfsph => "dfsph",
             Method::None => "none",
         }
     }
@@ -34,17 +37,18 @@ impl Method {
     /// Whether particles know their neighbours: what has lists, densities and a surface that they shape.
     pub fn interacts(self) -> bool {
         match self {
-            Method::Pbf | Method::Sph => true,
+            Method::Pbf | Method::Sph | Method::Dfsph => true,
             Method::None => false,
         }
     }
 
     /// Whether compression that a start or a change of settings leaves over is taken out while time stands: where
-    /// corrections would make it velocity. An equation of state makes pressure of it.
+    /// corrections would make it velocity. An equation of state makes pressure of it, a density solve moves
+    /// positions alone.
     pub fn relaxes(self) -> bool {
         match self {
             Method::Pbf => true,
-            Method::Sph | Method::None => false,
+            Method::Sph | Method::Dfsph | Method::None => false,
         }
     }
 }
@@ -117,6 +121,8 @@ pub struct Solver {
     pub pbf: PbfSettings,
     /// What SPH takes.
     pub sph: SphSettings,
+    /// What divergence-free SPH takes.
+    pub dfsph: DfsphSettings,
     /// What `method = "none"` takes.
     pub none: NoneSettings,
 }
@@ -126,7 +132,7 @@ impl Solver {
     pub fn iterations(&self) -> Option<u32> {
         match self.method {
             Method::Pbf => Some(self.pbf.iterations),
-            Method::Sph | Method::None => None,
+            Method::Sph | Method::Dfsph | Method::None => None,
         }
     }
 }
@@ -144,6 +150,7 @@ impl Default for Solver {
             precision: Precision::Full,
             pbf: PbfSettings::default(),
             sph: SphSettings::default(),
+            dfsph: DfsphSettings::default(),
             none: NoneSettings::default(),
         }
     }

@@ -305,6 +305,9 @@ impl Session {
         if let Some(warm_starts) = &self.recorded.warm_starts {
             self.engine.write(warm_starts, &vec![WarmStart::default(); warm_starts.len as usize]);
         }
+        for pressures in &self.recorded.pressures {
+            self.engine.write(pressures, &vec![0.0; pressures.len as usize]);
+        }
         if let Some(accelerations) = &self.recorded.accelerations {
             self.engine.write(accelerations, &vec![[0.0; 4]; accelerations.len as usize]);
         }

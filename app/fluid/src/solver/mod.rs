@@ -1,6 +1,7 @@
 //! What moves the particles of a substep. A solver is an arm of [`Solver`] that records its own substep out of the
 //! shared stages (`predict`, `sort`, `list`, `forces`) and its own.
 
+pub mod dfsph;
 pub mod none;
 pub mod pbf;
 pub mod sph;
@@ -11,6 +12,7 @@ use brooklet_kernels::{Buffer, PbfParams, WarmStart};
 use crate::grid::NeighbourSearch;
 use crate::scene::{Method, Scene};
 use crate::step_context::{Particles, StepContext};
+use dfsph::Dfsph;
 use none::NonInteracting;
 use pbf::Pbf;
 use sph::Sph;
@@ -21,6 +23,8 @@ pub enum Solver {
     Pbf(Box<Pbf>),
     /// Smoothed particle hydrodynamics with an equation of state.
     Sph(Box<Sph>),
+    /// Divergence-free SPH.
+    Dfsph(Box<Dfsph>),
     /// None: particles that do not interact.
     None(NonInteracting),
 }
@@ -31,6 +35,7 @@ impl Solver {
         match scene.solver.method {
             Method::Pbf => Self::Pbf(Box::new(Pbf::declare(resources, scene, capacity))),
             Method::Sph => Self::Sph(Box::new(Sph::declare(resources, scene, capacity))),
+            Method::Dfsph => Self::Dfsph(Box::new(Dfsph::declare(resources, scene, capacity))),
             Method::None => Self::None(NonInteracting::declare(resources)),
         }
     }
@@ -40,6 +45,7 @@ impl Solver {
         match self {
             Self::Pbf(pbf) => pbf.record_init(init, scene),
             Self::Sph(sph) => sph.record_init(init, scene),
+            Self::Dfsph(dfsph) => dfsph.record_init(init, scene),
             Self::None(none) => none.record_init(init, scene),
         }
     }
@@ -48,7 +54,7 @@ impl Solver {
     pub fn begin_substep(&mut self, recording: &mut Recording, context: &mut StepContext) {
         match self {
             Self::Sph(sph) => sph.begin_substep(recording, context),
-            Self::Pbf(_) | Self::None(_) => context.slots.begin_substep(recording, &context.step),
+            Self::Pbf(_) | Self::Dfsph(_) | Self::None(_) => context.slots.begin_substep(recording, &context.step),
         }
     }
 
@@ -57,6 +63,7 @@ impl Solver {
         match self {
             Self::Pbf(pbf) => pbf.record_substep(recording, context, particles),
             Self::Sph(sph) => sph.record_substep(recording, context, particles),
+            Self::Dfsph(dfsph) => dfsph.record_substep(recording, context, particles),
             Self::None(none) => none.record_substep(recording, context, particles),
         }
     }
@@ -79,7 +86,15 @@ impl Solver {
     pub fn warm_starts(&self) -> Option<&Buffer<WarmStart>> {
         match self {
             Self::Pbf(pbf) => pbf.warm_starts(),
-            Self::Sph(_) | Self::None(_) => None,
+            Self::Sph(_) | Self::Dfsph(_) | Self::None(_) => None,
+        }
+    }
+
+    /// With which pressures the next substep's solves begin, by slot; none of what has no such solves, or begins cold.
+    pub fn pressures(&self) -> Vec<Buffer<f32>> {
+        match self {
+            Self::Dfsph(dfsph) => dfsph.pressures(),
+            Self::Pbf(_) | Self::Sph(_) | Self::None(_) => Vec::new(),
         }
     }
 
@@ -87,7 +102,7 @@ impl Solver {
     pub fn accelerations(&self) -> Option<&Buffer<[f32; 4]>> {
         match self {
             Self::Sph(sph) => Some(sph.accelerations()),
-            Self::Pbf(_) | Self::None(_) => None,
+            Self::Pbf(_) | Self::Dfsph(_) | Self::None(_) => None,
         }
     }
 
@@ -95,7 +110,7 @@ impl Solver {
     pub fn pbf_params(&self) -> Option<&Buffer<PbfParams>> {
         match self {
             Self::Pbf(pbf) => Some(pbf.params()),
-            Self::Sph(_) | Self::None(_) => None,
+            Self::Sph(_) | Self::Dfsph(_) | Self::None(_) => None,
         }
     }
 
@@ -104,6 +119,7 @@ impl Solver {
         match self {
             Self::Pbf(pbf) => Some(&pbf.search),
             Self::Sph(sph) => Some(&sph.search),
+            Self::Dfsph(dfsph) => Some(&dfsph.search),
             Self::None(_) => None,
         }
     }

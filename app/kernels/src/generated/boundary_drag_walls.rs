@@ -80,5 +80,5 @@ static DRAG_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/drag_walls.compute",
-    hash: "09ee54355b21daa61c1182409f235aa61bf86b848ac5a313f5192dfa90e8f201",
+    hash: "a54865fa1d60fb0134b942a66423e0961a8ba92f262dc1120d3482c4f007b171",
 };

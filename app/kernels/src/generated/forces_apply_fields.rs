@@ -72,5 +72,5 @@ static APPLY_FIELDS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/apply_fields.compute",
-    hash: "47faa398395a9aeb2d1a7c5853af81e526ee60b7c1d278eafb723aa0810bb399",
+    hash: "ebc350b8e869c986c249a50074c926366377acccc55c44b6b4ce495517474696",
 };

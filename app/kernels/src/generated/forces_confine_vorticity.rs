@@ -102,7 +102,7 @@ static CONFINE_VORTICITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/confine_vorticity.compute",
-    hash: "58eef46911ca4d8f3451d9a583f4d475e29b6014f55c26de90e139046d58f434",
+    hash: "24182ba206cd6202a84ac9af5d224c52c6d473dc0dc685e088f351df496ee7c8",
 };
 
 static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -115,7 +115,7 @@ static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/confine_vorticity.compute",
-    hash: "219f914720cbea8b0442b2a4a0af65e640d54895d6016225b01c88faa1f28b5e",
+    hash: "51533d265516d77259c6324c07841c3f471f4ae3ed22cf9328495e5108f1f5ef",
 };
 
 static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
@@ -128,5 +128,5 @@ static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/confine_vorticity.compute",
-    hash: "166b97ea310921ad50813b022f67f86fc917e7bfcc6cb505a10cd70cb6429b80",
+    hash: "d34c5301a17ab591d0a9b03041f8061b97f9cc13d8edeb70e541ec2e23c568c9",
 };

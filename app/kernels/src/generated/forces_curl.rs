@@ -100,7 +100,7 @@ static CURL: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/curl.compute",
-    hash: "144a6689c8993ad21ec7af99e21f3d0408d9b66d81207d45b2b2a350ec9cbbcd",
+    hash: "34b786c75ea5eb65687d0a4793b6f81cb6035eeb6a4567a3c9579de9f88cd10e",
 };
 
 static CURL_WITH_RELAXED_PRECISION: Module = Module {
@@ -113,7 +113,7 @@ static CURL_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/curl.compute",
-    hash: "91607fb55bb176983841472903ebd9a7dce6ea3a93b8450ce44cdba7fc2ef6aa",
+    hash: "2f54e9d4956dfb27a08ec3f46905441b2733a4c0665127805190ac55eb80ed22",
 };
 
 static CURL_WITH_HALF_PRECISION: Module = Module {
@@ -126,5 +126,5 @@ static CURL_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/curl.compute",
-    hash: "5242a95f98ef79385595235012b365d49c9b655e882ce97dc3106f1b79a92378",
+    hash: "5c7fe61cd1f18ebc8907b78b8ab98fb2bdcf2ac07b80d4c34052b3598181797c",
 };

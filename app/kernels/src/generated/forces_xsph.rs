@@ -105,7 +105,7 @@ static XSPH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/xsph.compute",
-    hash: "f3240c2d84b4cc8b29d94dc89c591010f2e32786de3f400582a408e52a17f526",
+    hash: "fb6becc0ff906f0352204858b53c8c285c718b72489faba96a939ba73b73d5d5",
 };
 
 static XSPH_WITH_RELAXED_PRECISION: Module = Module {
@@ -118,7 +118,7 @@ static XSPH_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/xsph.compute",
-    hash: "93730287fbf989f70a06e7b521f72edca71c97a726b3513d87ea31727ce84a1e",
+    hash: "c0e446f990be1f9da50fb7b9843794da89291f0c1806de64d24f6c1eee0dab55",
 };
 
 static XSPH_WITH_HALF_PRECISION: Module = Module {
@@ -131,5 +131,5 @@ static XSPH_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/xsph.compute",
-    hash: "692bfb394f8fb75894ca5496dfdc28cad3cf3e73cb53c7c3becf32dca64de9d8",
+    hash: "66d79cc266a5c5836cb3e8381eb23f09ff0802c7d8d714b65c245834bd77e928",
 };

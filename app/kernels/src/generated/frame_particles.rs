@@ -65,7 +65,7 @@ static DRAW_PARTICLES_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "928ef71f1dde8586d9af150b7449f2e7e45f203c6748eea792fb13e99af633a9",
+    hash: "a6c1e8fc1e83cf2351f0c5eb1e788a43bfe23369f235eb439afa7936692cb3e2",
 };
 
 static DRAW_PARTICLES_FRAGMENT: Module = Module {
@@ -78,5 +78,5 @@ static DRAW_PARTICLES_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "cb1ca793f048d01d97990d10041dad4e52f8a8d0fe2c6981fbcdcfcc719fc6a5",
+    hash: "5509081076359ab104b3d292134b61b265f60fd6e20a24ed25697d6c304eb925",
 };

@@ -133,7 +133,7 @@ static DRAW_SHADE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "8a93df7e2f5b91790ed1d93239c71544f2046d1f3a94574ffec123b9e5a79c95",
+    hash: "0ff66b39970d9fa64924083e5ea7f50a58a7433b062d623e623151787bddb790",
 };
 
 static DRAW_SHADE_FRAGMENT: Module = Module {
@@ -146,7 +146,7 @@ static DRAW_SHADE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "c8b77724fd18ac13961b14e2aeed02593bf967d0dea8569027efc3a694074324",
+    hash: "b9aa27e487ca28b28a196886732bcb24d02e68696f7e0b0ade61ede1a2e30aea",
 };
 
 static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
@@ -159,7 +159,7 @@ static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "8641edddbd9d2126d7bfcad678c8c0a77bf3ae96028ea4407828c202ead1a4de",
+    hash: "cc7312e97e9fdd7262069f4c7826822a3867af4fd1189982a74784ecdaa50cdb",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
@@ -172,7 +172,7 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "0b40424ef2dc7f40f68c52aef3dbf7a6758dc3a45a48d3d2c57625ab8a8742bf",
+    hash: "3869d1745fad002874d6964bd9b8b44c18bafb5b8ddc9a6fba8c3e8dd87b3874",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
@@ -185,5 +185,5 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "bd0b59aa37dfbc1d9ee14a9b9e552c33fbd804edce522c95934713bbc48ebea2",
+    hash: "267a80a28edd136a72b23332e632d44faa9ce3bcef8411b8ef589510ddf1fbf2",
 };

@@ -58,7 +58,7 @@ static DRAW_SHADOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "cba674996c1e2b0d07f7e4edfb7b3ae7b1a2e6e17c933fc32dcff3525a0a4173",
+    hash: "a55bf2582ae7b7368c8b211d012744167b94de8252272344ba42b101b7305ba8",
 };
 
 static DRAW_SHADOW_FRAGMENT: Module = Module {
@@ -71,5 +71,5 @@ static DRAW_SHADOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "08a33f349fcc52ce351f12fa73c352b8ad43cc2311666c4df575bc12d065c426",
+    hash: "46ec15f45782a19804bb4e42f5fd307d55f0a7d0e65bf1acf15c1f5643194267",
 };

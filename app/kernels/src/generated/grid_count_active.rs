@@ -63,5 +63,5 @@ static COUNT_ACTIVE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_active.compute",
-    hash: "aa6dcb9cb62c2a1fe27fc1e7613150eb12cc7304206081dc36d0d7789275eae8",
+    hash: "8b19a8d4ae63cc89f002feaf455ed1e8ee39f814926346de53216657e1dcc5ba",
 };

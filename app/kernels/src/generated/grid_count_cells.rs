@@ -93,7 +93,7 @@ static COUNT_CELLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "5823c8585bde59774972e64793aa8406d07c0ef6263e66235d94995a2e340fef",
+    hash: "00f3a700251ca7d2a24075e70fff9311214dee46b37e4bde261250257e1be081",
 };
 
 static COUNT_CELLS_WITH_PERIODIC: Module = Module {
@@ -106,7 +106,7 @@ static COUNT_CELLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "3e4900345d8a2c7df5b87c3cf111ce08258c118d725382a9c22e612d41f83dfa",
+    hash: "a86eef55b7f4da23c6e4c577e05c30696f2476362ba7df3f8c7d490e446f3d26",
 };
 
 static COUNT_CELLS_WITH_WRAPPED: Module = Module {
@@ -119,7 +119,7 @@ static COUNT_CELLS_WITH_WRAPPED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "c9f098b791b3be1117500a300679cb1e100b0eb901cdc65a2eac5a53aaf47605",
+    hash: "b48d16de979194117fe1c8258aec3df862a40173656ed91eb83bf1ca3e5c3550",
 };
 
 static COUNT_CELLS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
@@ -132,5 +132,5 @@ static COUNT_CELLS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "75d069834edaeb25271e51a829767f75e321aae7ce70ce9e5ca94808973872a8",
+    hash: "e47af226a576aff71b1af1f9d751f3d2c12bf1cf3ce33269290462e62883b6a6",
 };

@@ -120,7 +120,7 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo {
         name: "counters",
         slot: 5,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 32 },
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
     },
     BindingInfo { name: "step_state", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "grid", slot: 7, kind: BindingKind::Uniform { bytes: 64 } },
@@ -132,102 +132,102 @@ static LIST_NEIGHBOURS: Module = Module {
     name: "ListNeighbours",
     entry: "ListNeighbours",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 14916 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 15128 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "3fed45f04c6287fa8bba023a99fdca11bda1da4051c25f0717893b3f9f620522",
+    hash: "11f80465750d815bbb44e8babda85dc1edf2fd636634fdcc8f406e12db780479",
 };
 
 static LIST_NEIGHBOURS_WITH_RELAXED_PRECISION: Module = Module {
     name: "ListNeighbours+RELAXED_PRECISION",
     entry: "ListNeighbours",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 14916, bytes: 14568 },
+    spirv: Spirv::Packed { pack: PACK, first: 15128, bytes: 14780 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "a2eeae7072ece60bf4102ad50e3561daf983dee48452e77e54b504fa2f324b10",
+    hash: "22a4035fb97ca4613d1c25cca6e6c1572960646c35bba5e077bb418b8fcaae54",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
     name: "ListNeighbours+PERIODIC",
     entry: "ListNeighbours",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 29484, bytes: 16984 },
+    spirv: Spirv::Packed { pack: PACK, first: 29908, bytes: 17196 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "27ebf3dc25b7bbbf8d77302fc390259c7b9df723d3ab9720232613a87a0d2387",
+    hash: "80ff97f6726ddeef9325f169cabd3e52483d094e5dd3785a40e2e2d94dc8c5d8",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
     name: "ListNeighbours+PERIODIC+RELAXED_PRECISION",
     entry: "ListNeighbours",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 46468, bytes: 16636 },
+    spirv: Spirv::Packed { pack: PACK, first: 47104, bytes: 16848 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "9bc9ad6fd19421b090c0494bf4607b0a7855700f8c8bbed416f1421aa587b3c4",
+    hash: "d4dc2131a2ef9e9af53d625e2d18293214269bbbcdb34b7783f56217a27d1678",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
     name: "ListNeighbours+WRAPPED",
     entry: "ListNeighbours",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 63104, bytes: 17900 },
+    spirv: Spirv::Packed { pack: PACK, first: 63952, bytes: 18112 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "da698d81af44de1e4b80e6244e3a31914b683cc3a999bf1e4b299f9ca341e44d",
+    hash: "1733c3ed9e994354a59db8a846721ac175825ed652a7f0a5bedf0b990eda84a0",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_RELAXED_PRECISION: Module = Module {
     name: "ListNeighbours+WRAPPED+RELAXED_PRECISION",
     entry: "ListNeighbours",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 81004, bytes: 17552 },
+    spirv: Spirv::Packed { pack: PACK, first: 82064, bytes: 17764 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "6f35afab28f335316643e3d8948a1fce38df1ad73ff05ef6224f7c4cfac499ad",
+    hash: "83f28c59838047474469e0f0e6b5dd554f530c3893a09cab42f12b2feb100a39",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
     name: "ListNeighbours+WRAPPED+PERIODIC",
     entry: "ListNeighbours",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 98556, bytes: 19308 },
+    spirv: Spirv::Packed { pack: PACK, first: 99828, bytes: 19520 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "053d29ba28e11d0a06f426f6f6deac26ec70591933807912798c91a07125caa4",
+    hash: "6e76e2fd511f268d6f5e97ed4a5c81fb4f302dea662309971b05823b5437c31e",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
     name: "ListNeighbours+WRAPPED+PERIODIC+RELAXED_PRECISION",
     entry: "ListNeighbours",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 117864, bytes: 18960 },
+    spirv: Spirv::Packed { pack: PACK, first: 119348, bytes: 19172 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "5ef85ed9bc2df068e4e4cc7141b1b6fcecd0ba93627a125bad6a83c23f633527",
+    hash: "9c19914cf2398b7555195e04eb78e9514e538c622366edef9d888193b7e96950",
 };

@@ -80,5 +80,5 @@ static RANK_BY_ID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/rank_by_id.compute",
-    hash: "1552213e53ae9c2dd09fa3240232dde75129b00b357ae97939e9d458bc0f7094",
+    hash: "7291ecfc66a88dbbb665a7de37a7e4a64be9b865da2be2366f112de3ee344d49",
 };

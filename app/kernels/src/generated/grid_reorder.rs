@@ -159,7 +159,7 @@ static REORDER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "01f15b6803373bbae4c583735b6c1773dab0d567062170cc23097dc186f24b88",
+    hash: "fbd74bd6a97aabca70ecdd288daf3c4e815cd5d621b9110309bce9b7695dad79",
 };
 
 static REORDER_WITH_VELOCITIES_ONLY: Module = Module {
@@ -172,7 +172,7 @@ static REORDER_WITH_VELOCITIES_ONLY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "c5501e99a450f92db0bb80a7900a61fc48745f34900c71785f902b652b247668",
+    hash: "ee971dd6c6d0f0266777f0742ab1ca7b44b7e566055ec58db416ddb2ed7341a5",
 };
 
 static REORDER_WITH_POSITIONS_ONLY: Module = Module {
@@ -185,7 +185,7 @@ static REORDER_WITH_POSITIONS_ONLY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "3650a3aedc00e75044d74637cebfba5b85beace29b3b1ef2342688c78e88a608",
+    hash: "bbde5708bf24029f8002250c7526354994aa9b0b3566dc0e210e448a56a638b5",
 };
 
 static REORDER_WITH_RELAXED_PRECISION: Module = Module {
@@ -198,7 +198,7 @@ static REORDER_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "83f6a83a0921e04264dfa327178bc1a3ce5b6bdac9f35844752afecc6a849f38",
+    hash: "99647be841835cee4057410dec37b24fc406d75e1e139822d3f561d3be71673f",
 };
 
 static REORDER_WITH_RELAXED_PRECISION_WITH_POSITIONS_ONLY: Module = Module {
@@ -211,5 +211,5 @@ static REORDER_WITH_RELAXED_PRECISION_WITH_POSITIONS_ONLY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "a9f511cce11d1b431cb0c6bd70012b26fde43d9baa1e7a33f3791ad76a01c652",
+    hash: "53ab1b6a19b3d3634d9bfe4806124315c1c740ab4a04e356be2fee2195923e04",
 };

@@ -111,7 +111,7 @@ static REDUCE_GROUPS: Module = Module {
     shared_bytes: 576,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "856030badf5bd55a8e0ff3b6e20e8df38ce9928e84b9a85d5129be5c4ce1f49e",
+    hash: "f67484363c82167f512d82dcf7c602f6317dff4da8e8bb46fefe69e5c7e825e1",
 };
 
 static SCAN_GROUPS: Module = Module {
@@ -124,7 +124,7 @@ static SCAN_GROUPS: Module = Module {
     shared_bytes: 576,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "0837cf98834c54fc5d60deadf51c79541362ab85897f76544efdd09fe44c532c",
+    hash: "c0b9a2867f37472b8900680d59698116dc9c6d581c9838257b04b5f43b32714e",
 };
 
 static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
@@ -137,5 +137,5 @@ static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 576,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "2872f9d668e67c80f5de5e5c7141b85aa50d797fd302116b08a3abf3ba9b4f49",
+    hash: "b5747f7c3d8587e4e4fa3dae8ad27329089843911d6d44e910c3cef3792b5ad9",
 };

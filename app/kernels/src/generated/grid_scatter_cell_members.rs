@@ -68,5 +68,5 @@ static SCATTER_CELL_MEMBERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/scatter_cell_members.compute",
-    hash: "253c6ad2f75f0e09411692d7daa4ef52f996ff3ffb44bc7dd1cc7a8bce8a2596",
+    hash: "7f93f786aaea80bd7b60557848bd57ee169d44e8f9ae2948cf4fcd8e9b6806c5",
 };

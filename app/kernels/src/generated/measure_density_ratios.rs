@@ -100,7 +100,7 @@ static DENSITY_RATIOS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "9e2e52017e5021dfd0257961e75e57dbcb9689f3166f30ebced1fe01b749f2bd",
+    hash: "47965648b0bdfc145b3614750850cdac421eb4b84f60b6dc6d5db8581bdcf589",
 };
 
 static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
@@ -113,7 +113,7 @@ static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "1bcff21d859a3994629244531527c86dc2a5268a07a2df6fca1e8e037ecfd063",
+    hash: "3451b402da780037932254a03ddc655fc39399adc0eab2fe7da2c506f9400249",
 };
 
 static DENSITY_RATIOS_WITH_WALLS: Module = Module {
@@ -126,7 +126,7 @@ static DENSITY_RATIOS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "89a59699f4462b1a7b1b34a6be62e3f8fd575cd850ca3dfd084510d430e2f64b",
+    hash: "f33c776638f3fb83441f0c32ad61142be0eb419f3b54336e76d9fcd2ecb8328b",
 };
 
 static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -139,5 +139,5 @@ static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "9def8b7172f50626aa7605661377644b35941141a131f988449f3b0ee4faa999",
+    hash: "439de062e8c564db71b4a414a939ba4ac9e5ed4751509c61585ebee846e07500",
 };

@@ -135,7 +135,7 @@ static MEASURE_PARTICLES: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "7ec586aa4ddb78dac38a961e93c0eeae8edac7dff842e6f55018ead7d9b07bf7",
+    hash: "b791df255c20ddc9bd195e8bd72dea9b5ee08f021995ddf8c5a69ba227deb504",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
@@ -148,7 +148,7 @@ static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "553341acd5093962683c6aa486cd73a989d0570cb08ec155dc6ea92c7e5a1f2e",
+    hash: "3831343dff45eedcd69ec6ed63e5b5e2e8788011fd06a588f7f55ef7dc1af2bd",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
@@ -161,7 +161,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "d51c6e67d404428fbe45bb28b40803a2c450d9757aaa07a0f8a6f6d4578e75fd",
+    hash: "93b42182dcf7616d90a0fe50719f9c4794934cf4372c86da0c679a14fe3568b5",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
@@ -174,7 +174,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "7f063d398db79186de9cff3ecaab7dcfb84a94b457a16d87bb0e7395e3802c1d",
+    hash: "34d3a6d5a2748c665f54e6fb1a83cb2849712a9dfbe316cbaa1e3130ebb086d2",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -187,5 +187,5 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module 
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "8328db985ffa9ed54c09baf4793e8354e87295560a595b2de111decb5e15f493",
+    hash: "986640ffa0e55713dc0332179da48a458049e8684d7c43b9aa11a049f6a960b4",
 };

@@ -55,11 +55,11 @@ static BINDINGS_0: &[BindingInfo] = &[
         kind: BindingKind::Storage { access: Access::Read, stride_bytes: 64 },
     },
     BindingInfo { name: "histograms", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 } },
-    BindingInfo { name: "counters", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 32 } },
+    BindingInfo { name: "counters", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 48 } },
     BindingInfo {
         name: "measure",
         slot: 3,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 112 },
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 128 },
     },
     BindingInfo { name: "step_state", slot: 4, kind: BindingKind::Uniform { bytes: 48 } },
 ];
@@ -70,11 +70,11 @@ static MEASURE_TOTALS: Module = Module {
     name: "MeasureTotals",
     entry: "MeasureTotals",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 8732 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 8944 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 4616,
     tier: Tier::Floor,
     source: "measure/measure_totals.compute",
-    hash: "8fb038044359545f8a250623e6db878b693715945a22e6ac1029789e539e0857",
+    hash: "ddd09d18f6d971abe91d3576268e8c441db10892cb040336a3cb068944a937dc",
 };

@@ -70,5 +70,5 @@ static SAMPLE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/sample_particles.compute",
-    hash: "0617d52c5d427a46605d2429bed3a235403bac3b00ceb6dab7934e9a9089e400",
+    hash: "ea23444c1ef45e8b18023c4e5cfabc6f9f94d1f0da6e18e87d1d37255c8d7016",
 };

@@ -37,6 +37,14 @@ mod particles_drag;
 mod particles_end_step;
 mod particles_predict;
 mod shared_layout;
+mod solver_dfsph_apply_gravity;
+mod solver_dfsph_apply_pressure;
+mod solver_dfsph_carry_pressure;
+mod solver_dfsph_correct_pressure;
+mod solver_dfsph_factor_pressure;
+mod solver_dfsph_layout;
+mod solver_dfsph_shift_positions;
+mod solver_dfsph_solve_state;
 mod solver_none_integrate_particles;
 mod solver_none_layout;
 mod solver_pbf_coarsen_constraint;
@@ -131,6 +139,14 @@ pub use particles_drag::*;
 pub use particles_end_step::*;
 pub use particles_predict::*;
 pub use shared_layout::*;
+pub use solver_dfsph_apply_gravity::*;
+pub use solver_dfsph_apply_pressure::*;
+pub use solver_dfsph_carry_pressure::*;
+pub use solver_dfsph_correct_pressure::*;
+pub use solver_dfsph_factor_pressure::*;
+pub use solver_dfsph_layout::*;
+pub use solver_dfsph_shift_positions::*;
+pub use solver_dfsph_solve_state::*;
 pub use solver_none_integrate_particles::*;
 pub use solver_none_layout::*;
 pub use solver_pbf_coarsen_constraint::*;
@@ -224,6 +240,13 @@ pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
         particles_drag::MODULES,
         particles_end_step::MODULES,
         particles_predict::MODULES,
+        solver_dfsph_apply_gravity::MODULES,
+        solver_dfsph_apply_pressure::MODULES,
+        solver_dfsph_carry_pressure::MODULES,
+        solver_dfsph_correct_pressure::MODULES,
+        solver_dfsph_factor_pressure::MODULES,
+        solver_dfsph_shift_positions::MODULES,
+        solver_dfsph_solve_state::MODULES,
         solver_none_integrate_particles::MODULES,
         solver_pbf_coarsen_constraint::MODULES,
         solver_pbf_constrain_density::MODULES,

@@ -95,7 +95,7 @@ static BINDINGS_1: &[BindingInfo] = &[
     BindingInfo {
         name: "counters",
         slot: 0,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 32 },
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
     },
     BindingInfo {
         name: "claimed_state",
@@ -117,18 +117,18 @@ static ACTIVATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/activate.compute",
-    hash: "bc0d12035ee735f6c66a094bfc8f0dde6ff3738b2ef1a2f544947b6e8da8025b",
+    hash: "9abbb7d7dfcff5b6308d183b7d9961704c8d654d0728e96c617c4665066931c0",
 };
 
 static CLAIM_SLOTS: Module = Module {
     name: "ClaimSlots",
     entry: "ClaimSlots",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 3540, bytes: 2648 },
+    spirv: Spirv::Packed { pack: PACK, first: 3540, bytes: 2860 },
     bindings: BINDINGS_1,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/activate.compute",
-    hash: "7703bbc383ca9438c003d508f1b000fbba1503ac033e92a51c9d72c3bf5c0db8",
+    hash: "39393f892d17f027c2b7d29df3b16f9e6fa42179ce9f30fe1027a562bdc82070",
 };

@@ -99,7 +99,7 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo {
         name: "counters",
         slot: 2,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 32 },
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
     },
     BindingInfo { name: "step_state", slot: 3, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "step_params", slot: 4, kind: BindingKind::Uniform { bytes: 96 } },
@@ -124,7 +124,7 @@ static BINDINGS_1: &[BindingInfo] = &[
     BindingInfo {
         name: "counters",
         slot: 3,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 32 },
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
     },
     BindingInfo { name: "step_state", slot: 4, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "step_params", slot: 5, kind: BindingKind::Uniform { bytes: 96 } },
@@ -137,102 +137,102 @@ static ADVECT: Module = Module {
     name: "Advect",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 5056 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 5268 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "ced5e0da8dafd7b2cb0db010df255fb73a494323e7c7cb59cd17e202dbf17a45",
+    hash: "0d31e5ec5fc61b9fb5ac09b5986f080a0eb14a50a46b4dfd4af34e9cce13c09b",
 };
 
 static ADVECT_WITH_PERIODIC: Module = Module {
     name: "Advect+PERIODIC",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 5056, bytes: 6040 },
+    spirv: Spirv::Packed { pack: PACK, first: 5268, bytes: 6252 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "a85474a995820e22e82b7046f8130d7014ed7cbcbae6eccd14b27288913e8862",
+    hash: "ab567347c5a9e00aa337cb05c8b6e4e71949aa751950ba7057b8d751033f6738",
 };
 
 static ADVECT_WITH_WALLS: Module = Module {
     name: "Advect+WALLS",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 11096, bytes: 5556 },
+    spirv: Spirv::Packed { pack: PACK, first: 11520, bytes: 5768 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "188fbb80e434e21f1131f222c2e21a127b77fec1cea84d4aeac76563da79f571",
+    hash: "bab5d0c1ce1bdb540fa18cb4af58967a81634dbee17b93d422b63fdf5e1d8c11",
 };
 
 static ADVECT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     name: "Advect+WALLS+PERIODIC",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 16652, bytes: 6524 },
+    spirv: Spirv::Packed { pack: PACK, first: 17288, bytes: 6736 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "7668f81ddce3f283a1fadaf6543cf257c878a6dc0300b97aad7b791de5da8809",
+    hash: "a68f2dbcd9a58f7c7f27b21a79410ffa99ffa6a6c456a15588b9954733dce934",
 };
 
 static ADVECT_WITH_ACCELERATED: Module = Module {
     name: "Advect+ACCELERATED",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 23176, bytes: 6024 },
+    spirv: Spirv::Packed { pack: PACK, first: 24024, bytes: 6236 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "75cdadbdf7fac901471e6007d01b97519e50d05b0b3324961338e90707b78a3d",
+    hash: "c83f0d0a625e8f3fb1038a8a6c9720cf1c60df76f480eee10e7561df1a424fe3",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_PERIODIC: Module = Module {
     name: "Advect+ACCELERATED+PERIODIC",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 29200, bytes: 6992 },
+    spirv: Spirv::Packed { pack: PACK, first: 30260, bytes: 7204 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "9d67b85f8b2c515cc4d11e917c56cbc5a162512b7f7b890e34ccc92fd13ca53a",
+    hash: "975739dced15a2d513cafce16a0f4216e0d1a5735a50e8f4a583f498da1f7798",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_WALLS: Module = Module {
     name: "Advect+ACCELERATED+WALLS",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 36192, bytes: 6508 },
+    spirv: Spirv::Packed { pack: PACK, first: 37464, bytes: 6720 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "e901db659bbd40d925358614a26d4477fec3c114f314c3a814f2f9c169f8e217",
+    hash: "22835c9ccfeaca5d9c092224534823c205a33c644d850f46517329f1f8d09efb",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_WALLS_WITH_PERIODIC: Module = Module {
     name: "Advect+ACCELERATED+WALLS+PERIODIC",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 42700, bytes: 7476 },
+    spirv: Spirv::Packed { pack: PACK, first: 44184, bytes: 7688 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "0b8b19eb4967ee41eca01133efc9e7dba665fdb59feae338f054d0d037df1c0b",
+    hash: "e76bcba319378265bdd2d0a3009b1066e8487a7e7922f8e4e1776aa4ad4f44e1",
 };

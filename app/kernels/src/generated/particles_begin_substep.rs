@@ -53,5 +53,5 @@ static BEGIN_SUBSTEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/begin_substep.compute",
-    hash: "07e8949439ae5dbc5f88a2bccdbf327be5a277ff4fc79f5534c7e30940cccd9f",
+    hash: "3b30bd5f0eda0ea9ec07f7e10ca56250415b78284025ca60c5d3c3a14794c2af",
 };

@@ -71,5 +71,5 @@ static DEACTIVATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/deactivate.compute",
-    hash: "a41ae5dc28f48d45dc2e60bfb05381c26a7bd46c09d0e7d9cca4995f259fc44c",
+    hash: "0bc3ab30d79e7f9122ab0b77dfff8109c359e95d205a298ec4070c94d8235adf",
 };

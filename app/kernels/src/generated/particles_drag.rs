@@ -69,5 +69,5 @@ static DRAG: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/drag.compute",
-    hash: "7ad139d719a06cd63c8c581f31ee5e48371ceaedc8921d2cb8ca3072ff7f8c7d",
+    hash: "c2d6f443882c521c0a77941dd1dd869e7f0a35ab099a9d4e45c4dc3f94dd1b1e",
 };

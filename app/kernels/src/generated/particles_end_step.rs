@@ -48,5 +48,5 @@ static END_STEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/end_step.compute",
-    hash: "c42f0a7b3842d3f9c91045515845ae98cec3b6e03b55c4cfe36e539df8c11937",
+    hash: "bb440b0b64410329c0aba400c82d0b5c821f9c9e409cf172e02f007095c6dbf5",
 };

@@ -79,7 +79,7 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo {
         name: "counters",
         slot: 2,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 32 },
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
     },
     BindingInfo { name: "step_state", slot: 3, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "step_params", slot: 4, kind: BindingKind::Uniform { bytes: 96 } },
@@ -91,50 +91,50 @@ static PREDICT: Module = Module {
     name: "Predict",
     entry: "Predict",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 5148 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 5360 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "dd8429c2f351c1f754b1cb0c37c0614dc569da0d6e6fc733a4b9c370875a1ec8",
+    hash: "a4f7b33d56eba178e046858353793028eedc79e6f0e5597e8f87cdb231116442",
 };
 
 static PREDICT_WITH_PERIODIC: Module = Module {
     name: "Predict+PERIODIC",
     entry: "Predict",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 5148, bytes: 6116 },
+    spirv: Spirv::Packed { pack: PACK, first: 5360, bytes: 6328 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "ac9a599c75b725ed8274d1cd2cdb6610fb366108824bd2b3c856748515d0b07d",
+    hash: "f3d329d778c03d0161edad48f383eaa48fcc77301c50a774d66e92858d968069",
 };
 
 static PREDICT_WITH_WALLS: Module = Module {
     name: "Predict+WALLS",
     entry: "Predict",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 11264, bytes: 5632 },
+    spirv: Spirv::Packed { pack: PACK, first: 11688, bytes: 5844 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "300d1d660e80ecc49b9120c1a2d98366019c8fc8e7bccd5023913fd5e62980e1",
+    hash: "d3b37277912d48ec05c6106ee9e09b6f7b939e31337f124df57b49ce0e18231b",
 };
 
 static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     name: "Predict+WALLS+PERIODIC",
     entry: "Predict",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 16896, bytes: 6600 },
+    spirv: Spirv::Packed { pack: PACK, first: 17532, bytes: 6812 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "4721205fced6fb362f750609b58ff480803caece3cebcb3f8efdef96fad1409c",
+    hash: "7e0b23ec76a7e4eb95de0a9a4335048d13dd730d2cdebf0bc4bc31e69103f6aa",
 };

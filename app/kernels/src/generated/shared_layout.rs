@@ -477,6 +477,14 @@ pub struct Counters {
     pub long_substeps: u32,
     /// `uint`.
     pub reserved1: u32,
+    /// of pressure solves that end by their residual: that hold the density
+    pub density_iterations: u32,
+    /// and that hold its change
+    pub divergence_iterations: u32,
+    /// such solves that did all iterations there were and had a residual left above tolerance
+    pub unsolved: u32,
+    /// `uint`.
+    pub reserved2: u32,
 }
 const _: () = {
     assert!(offset_of!(Counters, neighbour_overflow) == 0);
@@ -487,7 +495,11 @@ const _: () = {
     assert!(offset_of!(Counters, capacity_overflow) == 20);
     assert!(offset_of!(Counters, long_substeps) == 24);
     assert!(offset_of!(Counters, reserved1) == 28);
-    assert!(size_of::<Counters>() == 32);
+    assert!(offset_of!(Counters, density_iterations) == 32);
+    assert!(offset_of!(Counters, divergence_iterations) == 36);
+    assert!(offset_of!(Counters, unsolved) == 40);
+    assert!(offset_of!(Counters, reserved2) == 44);
+    assert!(size_of::<Counters>() == 48);
 };
 
 /// Sums and extremes of one group of particles; the last stage reduces them to one of these.
@@ -559,7 +571,7 @@ const _: () = {
     assert!(offset_of!(Measure, reserved0) == 72);
     assert!(offset_of!(Measure, reserved1) == 76);
     assert!(offset_of!(Measure, counters) == 80);
-    assert!(size_of::<Measure>() == 112);
+    assert!(size_of::<Measure>() == 128);
 };
 
 /// A drag through the fluid: what is near a ray is drawn toward a velocity.

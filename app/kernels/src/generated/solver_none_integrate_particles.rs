@@ -86,7 +86,7 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo {
         name: "counters",
         slot: 2,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 32 },
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
     },
     BindingInfo { name: "step_state", slot: 3, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "step_params", slot: 4, kind: BindingKind::Uniform { bytes: 96 } },
@@ -99,50 +99,50 @@ static INTEGRATE_PARTICLES: Module = Module {
     name: "IntegrateParticles",
     entry: "IntegrateParticles",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 6288 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 6500 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "e5e6bab0ee187ba067e47e868b3ceeb11b8d2d27505e132465181c33eba5252b",
+    hash: "2e75109fca7aebf82b211f20e2232de863e0bd1783e01896d5136407ba468ce9",
 };
 
 static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
     name: "IntegrateParticles+PERIODIC",
     entry: "IntegrateParticles",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 6288, bytes: 7240 },
+    spirv: Spirv::Packed { pack: PACK, first: 6500, bytes: 7452 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "4a7fcae24d7be9736fd28ae35c5a9014fda2ceaf2f683bf200a42c6e3772131d",
+    hash: "8cc7b7973a46d38209d759b11d84e243a65346fea4dda19ab1e7e19d869639c6",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
     name: "IntegrateParticles+WALLS",
     entry: "IntegrateParticles",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 13528, bytes: 6832 },
+    spirv: Spirv::Packed { pack: PACK, first: 13952, bytes: 7044 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "6e92350ccb32d1d50e0966003960e80df9ebb122e746ee802fd62be51fbbe485",
+    hash: "85da29015eb416d7a37cd9117bba925b3693daf3f877797ad2f5050b54c1b70d",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
     name: "IntegrateParticles+WALLS+PERIODIC",
     entry: "IntegrateParticles",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 20360, bytes: 7784 },
+    spirv: Spirv::Packed { pack: PACK, first: 20996, bytes: 7996 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "ec8a42b1f3ab28d97352dccb3e16fe286aa35529143642841b1781ca1169ebdf",
+    hash: "887d902b56012c0864eaceb75547e77d1b73cd47b6b525e2a6e7ddf3fa4b58bd",
 };

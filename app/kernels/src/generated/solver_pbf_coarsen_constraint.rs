@@ -63,5 +63,5 @@ static COARSEN_CONSTRAINT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/coarsen_constraint.compute",
-    hash: "cda592fcea3e6fb8f0557c3cbaeecd5c0dfac7a39838c3fd36381bf0b04fd5df",
+    hash: "2061c7b86a9b9698c8f9f0d9331eb736f2f41aec2490ce8e40dceb1be7792598",
 };

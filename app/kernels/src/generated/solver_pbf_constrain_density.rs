@@ -488,7 +488,7 @@ static CONSTRAIN_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "513ff3a7b397d97f31502a6ecb2a5d0e19946c5725da613d805fcba744258326",
+    hash: "a7ec841b468e4a5f2926e16b58a57cce5030774dbb0419ae2faa13ebf04926b7",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -501,7 +501,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "b8dd1162a1bd50e9c1d60f253763c30ba2697da51ef8ad1f9159277226574728",
+    hash: "062b911b221da0ccb573c7d3042bfd53830a1001ca30388f99ef93834c95a8e3",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -514,7 +514,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "21fa727c2f1daa25e6d4d19da1861dbabedd7e4dc82fd894b3841f7e7b87b160",
+    hash: "7f52b109207c41585b5dd327681e69226abe7d835f55e184bd959b80da08b1e6",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
@@ -527,7 +527,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "06615472fd9903d8fa6113c80526debaa6e6156e0b1fe7ea03ec4923cccf8902",
+    hash: "62e1edf84c6153cad2ee427ee5cd4f72f860ac38421f8738298a5dea3ecebbe7",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -540,7 +540,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "bfda54ff3fbaa927b2be337b7bcd54cb7996eae24844fa6d02497be88e903d65",
+    hash: "ffb345abbe6d483c00a0ef2764bddfcd605d271184f2bc8dd88ba936e409a081",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -553,7 +553,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "e69a6dbd5d9cec7783f9fa9849c58add0bdc3d0ae7c495767ff55af19ae568df",
+    hash: "4810539093218251f7d619daea4a236cbfc5aee0508b2c55c0f3c2047376ba08",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -566,7 +566,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "876c618f82df4a3b519cf45f436bf79b3d277f2dd8a09093a6d514d0e51e421b",
+    hash: "cb3653b1ca92be0ad6793d005026eb46eeb6d997597e7e5937bf236b5cc26c5a",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -579,7 +579,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "488f095917b138514a6c117fb0c4d21613da18da98f9544d4b48629b297f9774",
+    hash: "7de48c155eaf4306d0ea6f411dfb808cb0537e44d4886926837f6f083c427f60",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -592,7 +592,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "65438bb4ce212937f1aeb394b0bfdfdab25d8e531e7302bf3b2d7163126c5311",
+    hash: "db4ee9d76f8970cc4676a201095d67ea47c4d34e92b448ee29e3beef185b618b",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -605,7 +605,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "22faa94b22987e8284bdf2ce18e8570b039ef200c0e9244cedad5713a1ee2ee5",
+    hash: "01e5a1160bdd7a8f52f3000f50fa16d6e774de800dac93413c5b1650ca592db6",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -618,7 +618,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "d7d7a004a057f750bc29f454561cf070d8da9714f6a1f930ae69c20ada5fe20b",
+    hash: "d5b0e57b62252f1ee102c7a6cb1bd992091bd7d1f14eefa674d27fff7a2108f1",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -631,7 +631,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "02a8ab7e368df48e515c3ee126ac3723e71d3343362cc188e06f2beab9aac049",
+    hash: "8f07a1c43d45f3ff7da47b45c82503eaf13eb9eec8c56f8155e55d49ec1ab048",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
@@ -644,7 +644,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "a6eff54819b935594cb210870aa6ebad29948118bc02aae0a14de144faa1689a",
+    hash: "bf2cfa56c9b00e66334ec2a6777d69e44890323c6d02ed11c4f8d26a2cfcd727",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -657,7 +657,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "7f32a9d55cf43ac4c7a1f912d673df8cd242e3e7ca1f0c3d6e1013125f89abdc",
+    hash: "5b2a1dae28812d36dc0fe4041fc91d46cd8a6d5a94c9f81598dc1061279f8800",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -670,7 +670,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "ef4471e03617f15e1bd4aac7903d63ff11d917ce164f8695d9894d61a9c6948b",
+    hash: "3228e22cc7e58ef08b38aaaeb48d4f0723073144ddc4faf59f1315d34c1ad523",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
@@ -683,7 +683,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "2f0353fc2a42126fbab9ddca35ec9a56f9674a8953bb3d8727b684e443142b1a",
+    hash: "6663e09660f06032f00c49d4703ef6913fd0bb2c4eadbc444478adf1313a7878",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -696,7 +696,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "675845d872d468c06eca4bc73029d3dfa74f341d769de34ea21539a62dd9b4ff",
+    hash: "ce60276605022727a3bb574cc98f900b22149a8104753d298f097e2e0d3b41a7",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -709,7 +709,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "66f2f4ed23ecf4cab9eb75f8934bc6ce0a7e032c5e86a561f001ca543e987c85",
+    hash: "354e29684e22485c79f102131c4b8007186dbfe6085a2107e37e98d6200dc670",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -722,7 +722,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "bcd6c2b554f8a73e3b50c3c62c36fffbe975ee44e4243ccd712682cd115f05cf",
+    hash: "1782ab919807ca746a694f4ebe91cdb73056f021ab98394750bf665542382dfd",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -735,7 +735,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECI
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "9fac87b84451122576e981064fc584cde8a4016da190cbc8f7e00e8eefe378c6",
+    hash: "9692e11e13d2d6c65e63f76e721a174c490d4b8b060e050c50e2763714dffd02",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -748,7 +748,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISIO
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "18ca4e03afa9e16920b721596f33b255c62c8af41dca6f1d95574831e8d38135",
+    hash: "5429b6caceb763ea67f7399971790d0798f0cf697978b24b387210f92f4f1faf",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -761,7 +761,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "264efa7de0c1c8b9c5dcfb8fc4f7dbec1ec539e9be6b98a28acbd57fceb7df30",
+    hash: "9383a0de7ea2624d0febdb09dc8a24083b94a68fdb89f795bd13cf3ae61560bd",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -774,7 +774,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECIS
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "fe54f45f54fd20cd52cfa2b36f4e2fdb6d34b4c58942751817ee959cbbed6f82",
+    hash: "ca21ca76c86ef350423947d6ff07a1a59c19320ca9337852eabe9ca4063199a1",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -787,5 +787,5 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "d1a34ebbb9a0d90f9cc5a3c96d083aa458deb77c8114db51a2e722e64f8e84ae",
+    hash: "eeca121d420d26fb734d02f7bb7418f48a0cc1f2b53c33df93f6505d579a17b5",
 };

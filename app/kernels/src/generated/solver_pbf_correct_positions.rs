@@ -134,7 +134,7 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo {
         name: "counters",
         slot: 5,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 32 },
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
     },
     BindingInfo { name: "step_state", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "step_params", slot: 7, kind: BindingKind::Uniform { bytes: 96 } },
@@ -163,7 +163,7 @@ static BINDINGS_1: &[BindingInfo] = &[
     BindingInfo {
         name: "counters",
         slot: 5,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 32 },
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
     },
     BindingInfo { name: "step_state", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "step_params", slot: 7, kind: BindingKind::Uniform { bytes: 96 } },
@@ -177,154 +177,154 @@ static CORRECT_POSITIONS: Module = Module {
     name: "CorrectPositions",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 14764 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 14976 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "b250b96d8e1478c2ee3a8753e87685c7e66b7c1cfea2515512b7e393dc7b16f1",
+    hash: "87f563f542a828b5f69843da5e7a15268bc9de549f59d39ba98ac9d09fdb0172",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPositions+RELAXED_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 14764, bytes: 14240 },
+    spirv: Spirv::Packed { pack: PACK, first: 14976, bytes: 14452 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "1ab71afbb5abe4224f48287bfa8a28d2e1db74185fd516e37ddca8eb5ec10ec0",
+    hash: "ceb500a11e90f93b46cbd2fd7aebc4b14a46b7ec302d7d6f69cb37f52e625d7c",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPositions+HALF_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 29004, bytes: 14328 },
+    spirv: Spirv::Packed { pack: PACK, first: 29428, bytes: 14540 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "2278c21fe992d56870c627153f9fc227ebe36d1359ba85a6f660c378bb62fd93",
+    hash: "6c2ed34a6c24ad98721b467df57c20b7a4ff037478a51e55bb005d655baed21c",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
     name: "CorrectPositions+S_CORR",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 43332, bytes: 15760 },
+    spirv: Spirv::Packed { pack: PACK, first: 43968, bytes: 15972 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "e1583a06cb818c1bec8c23def290b199c91c2b01dd2803a6bb5a137b5b524506",
+    hash: "3fc68a9834c993a99c64f96f68c994bff5434fc608301caba5698d5960c1b752",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPositions+S_CORR+RELAXED_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 59092, bytes: 15428 },
+    spirv: Spirv::Packed { pack: PACK, first: 59940, bytes: 15640 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "ebbc17d31d3669be5d38a8921c1645f461e9d63154f8e4867b2b3063f38b9976",
+    hash: "336cc238a9b8f334dccb6632235e961f510116b22a06f1764f01a7a192470ca5",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPositions+S_CORR+HALF_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 74520, bytes: 15536 },
+    spirv: Spirv::Packed { pack: PACK, first: 75580, bytes: 15748 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "b45d2ab85f043b880527c650b6160add5f90bcbc7c04d0b305a4b687452dd35d",
+    hash: "9625cc1fe368c98f8ff6491b7d79538635bfbedb63f397f5b6b9a081840a08ea",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
     name: "CorrectPositions+WALLS",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 90056, bytes: 17056 },
+    spirv: Spirv::Packed { pack: PACK, first: 91328, bytes: 17268 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "c8acf5a022956120c725a3138aa81de62946867c62b686ee52c9e99a83519540",
+    hash: "88c8fa26b9cafd2d1a78137060a95c2bc8a58c31d174277d10c7658c170cace9",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPositions+WALLS+RELAXED_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 107112, bytes: 16532 },
+    spirv: Spirv::Packed { pack: PACK, first: 108596, bytes: 16744 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "24f4b237c3c5a8033b1bf82b1ff7f3bb378b50775407332da08b2b3bba187e4a",
+    hash: "9db5037dce035219ffaf632a6e680351a5bc756b50e02e18cdbc50257481e887",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPositions+WALLS+HALF_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 123644, bytes: 16620 },
+    spirv: Spirv::Packed { pack: PACK, first: 125340, bytes: 16832 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "bb4d4af2fb9e6879e03b6ebd9a8a25958227e9d54911ad0f8b300cd6475ef9cb",
+    hash: "8ec8534f72bc43e40244cf80bd56c523ac2874fdb6d313edd226f0ec0565dc19",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
     name: "CorrectPositions+WALLS+S_CORR",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 140264, bytes: 18036 },
+    spirv: Spirv::Packed { pack: PACK, first: 142172, bytes: 18248 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "6de81f2a8c23d70a9b357a10f3aa3509c3b196306b685b466c8c18a0d02b644d",
+    hash: "22080b3d391afe444c49b576b504885e61090cf1cd4344a15118a1b67c1a9aa2",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPositions+WALLS+S_CORR+RELAXED_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 158300, bytes: 17704 },
+    spirv: Spirv::Packed { pack: PACK, first: 160420, bytes: 17916 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "2f2630e18ffff70240137b98032a3c37069b27853fcc469835be780a42640fb2",
+    hash: "91602e1bc2e4cfb3b171482a7c13c9f563b39999ff09b5e35f0efdb664f3b6c4",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPositions+WALLS+S_CORR+HALF_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 176004, bytes: 17828 },
+    spirv: Spirv::Packed { pack: PACK, first: 178336, bytes: 18040 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "74fa0cfe0c4ee6a4b84b4d9a1e14ec0bc47c6243ce851694097c90b61b132d42",
+    hash: "75898793a4e3eb56273525e6d67ed5312ffc479fa6df45e0a5b8a654e57021dc",
 };

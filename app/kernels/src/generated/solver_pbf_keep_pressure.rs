@@ -136,7 +136,7 @@ static KEEP_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/keep_pressure.compute",
-    hash: "288d6aa978397655caad298f7ad2ba2f85051fe3c36922cabdccfe5dffb07aeb",
+    hash: "03e0d4d35e8c6dc757f5ecd267b447a7e1d9c6914c617fe8ea0b4d31052f0980",
 };
 
 static KEEP_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
@@ -149,5 +149,5 @@ static KEEP_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/keep_pressure.compute",
-    hash: "8232a1e154980b6fd99d7adbc12aa9f738aae9f0cbd1fad5b83f059918b6a7d9",
+    hash: "5ec39a4b0d0004c39b21a439e14f9f5288ac2cbfaee06e285024dc9cab4bfa2f",
 };

@@ -117,7 +117,7 @@ static PROLONG_MULTIPLIER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/prolong_multiplier.compute",
-    hash: "6e6dd7afa17e6fcae9307fef2895e4025ab65461ab9a6b5209f78e1d5da0d3fa",
+    hash: "4e949f44866d5dcafe0d9c99735e99d0573651950f60ffa53c01aedf61e4e020",
 };
 
 static PROLONG_MULTIPLIER_WITH_RELAXED_PRECISION: Module = Module {
@@ -130,5 +130,5 @@ static PROLONG_MULTIPLIER_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/prolong_multiplier.compute",
-    hash: "4eb04398923292b1265a63993fcd2b9af735b186830408efae1faeebf8c4d8e5",
+    hash: "c16822b01f88097351c0df113a8d6fd3e4fa363e0beaef0ce949f24a4cdb9fc7",
 };

@@ -92,7 +92,7 @@ static RELAX_MULTIPLIER: Module = Module {
     shared_bytes: 4000,
     tier: Tier::Floor,
     source: "solver/pbf/relax_multiplier.compute",
-    hash: "3d4d7387be59d672f321b338d3e92aa9af578be1df00f0e5749c711c3465a11a",
+    hash: "d4812395c5ef6f496aa1a781e03c205db38eed1b81d15c799d82c80a10b3c439",
 };
 
 static RELAX_MULTIPLIER_WITH_PROLONGED: Module = Module {
@@ -105,5 +105,5 @@ static RELAX_MULTIPLIER_WITH_PROLONGED: Module = Module {
     shared_bytes: 4000,
     tier: Tier::Floor,
     source: "solver/pbf/relax_multiplier.compute",
-    hash: "770c67f1e543e645fa5db94b0f60623b320d4cbb4e2abd05599e8be178828e63",
+    hash: "53350001f73a830363e367b198f83fd6a0480ba57241df4a2bd20639eacfbfcc",
 };

@@ -204,7 +204,7 @@ static START_WARM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "9c8549c3b7c20c99f2110f70c80c65621151282dfc9aaf807f70f69a84cb3650",
+    hash: "0276ebcdcb5aed106d351eca81356cdc96ea829a77af6e4293c838cf8df5ad7f",
 };
 
 static START_WARM_WITH_RELAXED_PRECISION: Module = Module {
@@ -217,7 +217,7 @@ static START_WARM_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "08370e5a04c32d37fa1767d981432755d397ffbaeb241429776a67c0f1586670",
+    hash: "f399b0379a4a309bca805c8064b85b984a9ba74379c6f3909783d04697c5ccf4",
 };
 
 static START_WARM_WITH_WALLS: Module = Module {
@@ -230,7 +230,7 @@ static START_WARM_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "20b32ce90aa3bbd56784b5842714570e2b5c9d0b4571dee85332c4eb183356c6",
+    hash: "a5bc0c101a4418e932b425a1b7d91aed52fc3313fe90d02b3f05699cfdef0dfa",
 };
 
 static START_WARM_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -243,5 +243,5 @@ static START_WARM_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "01de27e509d899d79036679c6136ea182211c9519a884a618a9697e8e3295da3",
+    hash: "6aed8140adaf5ed69a35a7d810a3b39a2fe2762fa9195a558a2d1b1ad3272d70",
 };

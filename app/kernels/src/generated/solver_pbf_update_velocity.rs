@@ -165,7 +165,7 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo {
         name: "counters",
         slot: 5,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 32 },
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
     },
     BindingInfo { name: "step_state", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "step_params", slot: 7, kind: BindingKind::Uniform { bytes: 96 } },
@@ -226,7 +226,7 @@ static BINDINGS_2: &[BindingInfo] = &[
     BindingInfo {
         name: "counters",
         slot: 4,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 32 },
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
     },
     BindingInfo { name: "step_state", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "step_params", slot: 6, kind: BindingKind::Uniform { bytes: 96 } },
@@ -270,154 +270,154 @@ static UPDATE_VELOCITY: Module = Module {
     name: "UpdateVelocity",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 6948 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 7160 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "0ed9a8d51e5a17a839806dce6892cfd0c41e7e9d12ad6da954f85aa740d60d89",
+    hash: "3326b70b774902b7e7ae6bedc158621c8500b7f71fabf7b1f5619746421e30f8",
 };
 
 static UPDATE_VELOCITY_WITH_KEEP_VELOCITY: Module = Module {
     name: "UpdateVelocity+KEEP_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 6948, bytes: 5064 },
+    spirv: Spirv::Packed { pack: PACK, first: 7160, bytes: 5064 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "bec21ad84bff01f0796a948910d75c01d842c628e4b11b69854aa0ac5bc01057",
+    hash: "e90d527672e1ed9ef1a5015c8efdffb08facb26dfee80f302fedba0216460141",
 };
 
 static UPDATE_VELOCITY_WITH_IN_PLACE_VELOCITY: Module = Module {
     name: "UpdateVelocity+IN_PLACE_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 12012, bytes: 6732 },
+    spirv: Spirv::Packed { pack: PACK, first: 12224, bytes: 6944 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "d3b9bd036e86ecf409d1fb6df1b6cdb63952b2eb86b38c24ac5c6e26c660083f",
+    hash: "bfc1a551b89fdfcdbb4d48614a370cad49506dfaedaedf44801a830912d96fa7",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
     name: "UpdateVelocity+PERIODIC",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 18744, bytes: 7932 },
+    spirv: Spirv::Packed { pack: PACK, first: 19168, bytes: 8144 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "999b8aa0ad3e7ba95a879a9961e9de0b96b61aa7553aa198806102af1691bcfd",
+    hash: "6e6d5ee86e7d7ddc3a6984f10cefd99501606c9300895d481a86b4c12b474d8b",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC_WITH_KEEP_VELOCITY: Module = Module {
     name: "UpdateVelocity+PERIODIC+KEEP_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 26676, bytes: 6792 },
+    spirv: Spirv::Packed { pack: PACK, first: 27312, bytes: 6792 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "bf8fad6f7dedb679cb451d3716267ed6372188cb2964eee548a13a60368e490c",
+    hash: "09e5a79bc2590da430d1520c542bbb0b86a92974f5fc51f1b54e2066103b66f0",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC_WITH_IN_PLACE_VELOCITY: Module = Module {
     name: "UpdateVelocity+PERIODIC+IN_PLACE_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 33468, bytes: 7716 },
+    spirv: Spirv::Packed { pack: PACK, first: 34104, bytes: 7928 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "c6dbd30d26bf5f1e02b6e67069f8b145e39764781aed4887141e28a9288cbc1c",
+    hash: "44f1a789977a92ec7113bb01591a45b318d835e1cd616bb3069ac0b14c2e2879",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION: Module = Module {
     name: "UpdateVelocity+RELAXED_PRECISION",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 41184, bytes: 6720 },
+    spirv: Spirv::Packed { pack: PACK, first: 42032, bytes: 6932 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "1346ca445d894ee8f9b1ffdedacc80a5ed945fe7787c9dcd79418c91eef3d737",
+    hash: "283fe53a11186ba99b3466802fe9ac6bf7ad772c0179d3850e8b29e9a8c10515",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_KEEP_VELOCITY: Module = Module {
     name: "UpdateVelocity+RELAXED_PRECISION+KEEP_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 47904, bytes: 4836 },
+    spirv: Spirv::Packed { pack: PACK, first: 48964, bytes: 4836 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "bbf7a2471f82907b34b51376a484aa5f73d0e2181384e66497932f48e651e16e",
+    hash: "e4a223d8c9c9bb9708c1ddb9c24a6a28a7f2bf895c197096ac3ae2ebb52a96df",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_IN_PLACE_VELOCITY: Module = Module {
     name: "UpdateVelocity+RELAXED_PRECISION+IN_PLACE_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 52740, bytes: 6504 },
+    spirv: Spirv::Packed { pack: PACK, first: 53800, bytes: 6716 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "f7535404c684acbb454555edd36aadd619b6acf00f870d1b0f44e8539ef3bf81",
+    hash: "d07a3f466aabc7e8aec4fd722e1ba173756ffc443f299469fd9aac14ecb3c469",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC: Module = Module {
     name: "UpdateVelocity+RELAXED_PRECISION+PERIODIC",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 59244, bytes: 7720 },
+    spirv: Spirv::Packed { pack: PACK, first: 60516, bytes: 7932 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "499c93da18a171714ebe9bf40d35df74e573ae27c0aa7f92ce7117dac870efcb",
+    hash: "b1b9b039521edf12c07236512c146753cfab5de208bed9dbe87f82bcca38b898",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC_WITH_KEEP_VELOCITY: Module = Module {
     name: "UpdateVelocity+RELAXED_PRECISION+PERIODIC+KEEP_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 66964, bytes: 6580 },
+    spirv: Spirv::Packed { pack: PACK, first: 68448, bytes: 6580 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "9f9ad9623a04e00e43c95d60ed6796d0cfd83cc4a918fe879b63f6caf9c57fc3",
+    hash: "ce4c10221c1ead5f79a98d7dddc233e395e864ffd90d63cb567b3ae8a0f37cfc",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC_WITH_IN_PLACE_VELOCITY: Module = Module {
     name: "UpdateVelocity+RELAXED_PRECISION+PERIODIC+IN_PLACE_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 73544, bytes: 7504 },
+    spirv: Spirv::Packed { pack: PACK, first: 75028, bytes: 7716 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "7910c09f314d67bf5bcc785a993be8e7545f959f195b252692527e37c902e1a7",
+    hash: "e1e17a157b45cb0fe2e7c537ffc1d8c1b9f9963d8f9fabc7742cfc8e9f60981c",
 };

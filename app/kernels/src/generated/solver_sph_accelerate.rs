@@ -264,7 +264,7 @@ static ACCELERATE: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "6b2ca6e00f584eab5eee532334894d410a6171d3c144d74735a07225163daf65",
+    hash: "25365677e080a1d85e954d7ee095f745e214f7fe8db6c6e0877eeedb2418def0",
 };
 
 static ACCELERATE_WITH_RELAXED_PRECISION: Module = Module {
@@ -277,7 +277,7 @@ static ACCELERATE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "140e37ef55f2c89fcf745cf0bea50d4d5b733eb2cf23e8fc81398178ff095b70",
+    hash: "37ebabf29f84968cc354f2ec6ddeeb32cbb9cda51c42aa2ffe48ac856bf6c6b4",
 };
 
 static ACCELERATE_WITH_HALF_PRECISION: Module = Module {
@@ -290,7 +290,7 @@ static ACCELERATE_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "81b8bd866cdc0184d5090c32a191d7eb3c2aeee2393905ecfebac910c68e6c5e",
+    hash: "03e28522170c1d9d48b78b6a10a7da51761dbdc60a929b236fb7227d35dfab49",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION: Module = Module {
@@ -303,7 +303,7 @@ static ACCELERATE_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "45b743bfa7d690bd524f5856d863511c2982a9df9180cb702e01504bdf5062ae",
+    hash: "94d5e62ed5dcecb1614bca1f7c12e1d125db786ebe05a4c4530f6fa4a2445e13",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -316,7 +316,7 @@ static ACCELERATE_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "c416213b84177efa943514a93893811fbe1e913bb4faa5d9a9dacdf2a1fe0ba6",
+    hash: "a1e0f0223470b51cce3fc19240ac538c3ea3f723400fb7a9b4c11295536a5816",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -329,7 +329,7 @@ static ACCELERATE_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "92b551607c5fcc0f19695499be055b41ab8d5a679cfa08300b60bf959dda3350",
+    hash: "80b233901fce9c03f12295054082172f6121dd0761aedbec55d9cd9a023b4258",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS: Module = Module {
@@ -342,7 +342,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "1fcdfe7792eec7d2fa5f97f22f424ee25b4eb5bee1904193631d42f0357834fb",
+    hash: "9267ef39dd1d7c9729794c737f6ddd78bd9a0d382c494618409e5e56ab1c869f",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -355,7 +355,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "12e71cf8cd810a65ef5aad87a22cf3a40a5ddf4acec8387cb6cc6fa137c4f9e9",
+    hash: "dfed6f6e8f6a9939712fb12f42c6e74a0e61f4262ee49a5788024c66b4317683",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -368,7 +368,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "ec1eda9934aa38c4ec0ed8eb447ee4a777916a259befcf8277dcfae5bd520f45",
+    hash: "c5b21c79b450aafc528d47748d5157f7d7460a67936bae0fb555ca523f4338ad",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -381,7 +381,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "d11dbe106734a770d22ca0bb1319a7da13ef610a8b27c817e639d100d29e7f7f",
+    hash: "8614892f3ec0d962e7d6130a7036389df6fb532882fa12426b9d067f707bdb84",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -394,7 +394,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISIO
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "ac9718e2c1e4ac461e5103f576579ee8545bc81f0eec2448472c5f40914af09a",
+    hash: "8a9db22dbd4908d115abb3c9f9921d818ae693545952b14d268d915d1416e549",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -407,7 +407,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: 
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "140831e8bea2145ce712635d46adb3ad062196c6e535218ca2396e65b210b358",
+    hash: "5641544cc0fa994840fdd0a2c5d11177bad4d81586fb58946efbd48ae12d501c",
 };
 
 static ACCELERATE_WITH_WALLS: Module = Module {
@@ -420,7 +420,7 @@ static ACCELERATE_WITH_WALLS: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "88da9860f3f1b00bb0c912e1bc53574d3dbc51a04fafbbef732a6114e3a064f1",
+    hash: "78dac002fe39a51ad57d31b340fc7440adc96dd43e6409215f05aa9070cd6181",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -433,7 +433,7 @@ static ACCELERATE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "758c18c5d7df97d1c4c8da43ac8aabe0b940c29684c63665ead54c930b603276",
+    hash: "b14bcfc4c286d9800228fbfa51d909d95e980251427d7b7a6c7a4a3d20172a0e",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -446,7 +446,7 @@ static ACCELERATE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "6cbace4b121a228481c83a4c8bdcfec63241b4a3f6f73996caef764baa529f6e",
+    hash: "443a731b7ded9741c6120fb0c96f3e16b1fcdee16bed30320f633339c13c3f68",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
@@ -459,7 +459,7 @@ static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "8f05b868aab6002d9dca02e7b4ecc8fcbc5a2b742066ede6bf57f0cfb2f1725b",
+    hash: "ff31e392ca4f951bf55b25902ec6c2b18c18c246926f305a0f3a050484669cbb",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -472,7 +472,7 @@ static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "4c894113cd01df7fa2640ddf661c2417bff44196a624482ecef8ec0c3cfcb9e7",
+    hash: "8f7e3ba50ed7d20ca86d67678ece57bd136c302d4efbd254ff94176e72958f00",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -485,7 +485,7 @@ static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = 
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "31bcca53680afca2374777cf566deb2f6b55fc73e9ad0e4a2eccad81ce5ca429",
+    hash: "33e479daf831441b6023ce8dd391a8d4598a36f32ffd6271b076940fddc8bcb6",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
@@ -498,7 +498,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "3c0a9a7606b870c02ec4aad410ec0770a5aec1d823d173a946c359977d3e4acb",
+    hash: "03fec6d98211c250b28cd8dcbf053c39e87654f43dcd9b91cf95da592a74c293",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -511,7 +511,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module 
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "a147759c6c82949b66be1fb95c5e6f9a09002565ab33d479b82085e8615144d6",
+    hash: "0c8400a10815f52874c36f19e2d4232d4904187fd940c19f871dabc8ead864b4",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -524,7 +524,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = M
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "12029ecb2b8e3036fd44f0642998174736829f63a2d3ff525cfd440ecffd37e3",
+    hash: "d1ae567d66af331a6b0a5ac0b1c5d0f4912db4bd061fa8a65cdf1fabaaa96b54",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -537,7 +537,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = 
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "de43a5ad0cef3916a11d1172b0fd5f347e84bd565aa96f6cba2ec27e2c9d0274",
+    hash: "fe34562e669f57bb161519bdc6420f22c5a4e9bb4940d6b15b9acc0d7834cbcb",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -550,7 +550,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAX
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "51c9237b893dc5a6e8e609e572e71f89f87bd91a8f345caf294f1ced48c8b3fa",
+    hash: "7660513277108a378b7ee09f94a8784e84ced2a2f2e51f44ec396e659daed74e",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -563,5 +563,5 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "8d71835c8882df9d4883ba83f31cbbb3292965ddc9bd07e4e435134cad606932",
+    hash: "eb122690254db9fb252d65863cea1f462e766c007045fb28c559ba1e9641e19e",
 };

@@ -71,7 +71,7 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo {
         name: "counters",
         slot: 2,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 32 },
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
     },
     BindingInfo { name: "step_params", slot: 3, kind: BindingKind::Uniform { bytes: 96 } },
     BindingInfo { name: "limits", slot: 4, kind: BindingKind::Uniform { bytes: 32 } },
@@ -91,7 +91,7 @@ static BINDINGS_1: &[BindingInfo] = &[
     BindingInfo {
         name: "counters",
         slot: 2,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 32 },
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
     },
     BindingInfo { name: "limits", slot: 3, kind: BindingKind::Uniform { bytes: 32 } },
 ];
@@ -102,24 +102,24 @@ static CHOOSE_TIME_STEP: Module = Module {
     name: "ChooseTimeStep",
     entry: "ChooseTimeStep",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 5276 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 5488 },
     bindings: BINDINGS_0,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/choose_time_step.compute",
-    hash: "58fcdb0d8b0800ba1e705622e9595cd7d9c0ef988feaa267dd80b46c64347e07",
+    hash: "b54c508b7b025eb4232bd4b9a1551b3d5540d3bff2832f1bd2892c1289c0e7f4",
 };
 
 static CHOOSE_TIME_STEP_WITH_ADAPTIVE: Module = Module {
     name: "ChooseTimeStep+ADAPTIVE",
     entry: "ChooseTimeStep",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 5276, bytes: 5156 },
+    spirv: Spirv::Packed { pack: PACK, first: 5488, bytes: 5368 },
     bindings: BINDINGS_1,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/choose_time_step.compute",
-    hash: "cedba2dc9fa31541934941960ea1354ad9d3c90c854cfbdf7d000c2468205ba9",
+    hash: "0e72615c62f68639676463b07589a9456752830138cdfeb5e92a20ef1de7edc4",
 };

@@ -341,7 +341,7 @@ static COMPUTE_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "980d479aa45a6a25c8cf2903319011d6617aa2aa69504b4cc52b80a9149ea2b6",
+    hash: "241562ef1c958e295fe2ff709587631d17534a72e89c9f2624f2560a8c222e12",
 };
 
 static COMPUTE_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -354,7 +354,7 @@ static COMPUTE_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "14df4cc2c016b344a2e3526291abe904d280d14a64ef2c6b37d9bd34aabece47",
+    hash: "2fbd263a9a0f833c8349cb2a7d156ceb3e3d125f4605c00915193431426f8688",
 };
 
 static COMPUTE_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -367,7 +367,7 @@ static COMPUTE_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "090aafa6075eb4975cdd86ec1ea9e5694dc878e52661a4aa7ba6406b96ef447f",
+    hash: "b508b57a4e6e0c2595a2d22b884a708f3ec2f26cd0962fcf565727b6ea510a4f",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION: Module = Module {
@@ -380,7 +380,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "d10fe828b871d7de36a25c4dc2107d942c08b48a854d0877782fb8de1726fdd3",
+    hash: "9ed73bc8aa4821ca9f6297f3fccaf8b6096d613bff71ba34bcf90de28fd39d9b",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -393,7 +393,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Mod
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "ddc83bd0f54015edfed02da2be4a48b3beadd0f9330d6ea724abb1378e0365ee",
+    hash: "25891d86101c648cae97246be746e30ccc823c741b7b2921d4a730b2774a3b66",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -406,7 +406,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "a04b408e62cfa40121d1b7463b44d4b03287dba69e4a2685e02af63456ace7ff",
+    hash: "396cdaab720a9b3ec1b14b45aa540d5ddeda02c95adc2914a0871b0633aaa83f",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS: Module = Module {
@@ -419,7 +419,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "eac6e362604ad8e00bb8b7849c6d655e109756203701107faa7a5d1b1fd503e7",
+    hash: "69aedf6525b7d8eaa3b2461b643106bc90dfa9247c9b69a0f89b10349d561516",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -432,7 +432,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Modu
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "42e503ba6237580cf0d2754088884a597e2ad516fe342ea895cce59fe5831e94",
+    hash: "578d7bacb19cf9661c9fa3d73339d2645cc2858d154f37a1c4a98b30240514a9",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -445,7 +445,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "ae597ebcc359e99ef101257be6629f9b16bae3fd248455ba6f18b4d8ef6444a1",
+    hash: "cded74ee21646355e2035d03495f00d0d432cf06046627fff1c3a897ca4c2dbf",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -458,7 +458,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "3b422979ccceff11bfe0fb0e9f1f7b594c28c2e20a885b946906a1974e2be42d",
+    hash: "b6f0ed621592cbcfee1d2deaa43629a5c04b203421221b1c6eb0464ce47545b8",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -471,7 +471,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRE
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "682e093a9940aae81b3ebc96ec91c97d37ce29e5660194630e236747e83fe4a5",
+    hash: "0bd7cfa33d0f9e65ef6afcebcd19d85f1a179d2ae9e9162775c0e38c265b5fab",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -484,7 +484,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECIS
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "febf302ec104f8bc9ae83ea57c0ba3832e543fe01e644d985f9de88b1504c8e6",
+    hash: "7fa6830fe0d45a0cfe13d411c67f7a30a965c7480ed6fc0b90bd144f17d0da73",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS: Module = Module {
@@ -497,7 +497,7 @@ static COMPUTE_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "4528ae57c83aaa206677eec1fb7980ce9c2d9b2cae48dce013e4e75d35762dad",
+    hash: "11d0435b6c92ee193ee4a9eafda7f27cc1b3583e703dc305ec524475d1d155e8",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -510,7 +510,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "cf8d8392ca5c9e62449a2079848f3c5ccc0b74a8256f4a8c6fb6dcfc1d0d72f4",
+    hash: "c4768bbfdc1bf42d3818cd82e17db90b2b50c080ecd1c6be9a8009f62ae20cfe",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -523,7 +523,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "c28ddcf98d1745b6dae862f8155ffca9907c3e74d386845a56522ce290def07a",
+    hash: "83edadf9ab2d8a30b7409ef66d4bd94b9d9672d3293a977c87bdc91d1b029024",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
@@ -536,7 +536,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "890d58c0abf0f41df00a99e0d5f23fd0870c1daac23e0cbd9e5ccdc1bf591e80",
+    hash: "be31d1301fba93c4a554c7e19f55c20bbc53b870a27166ab54cfaa9aac2e8eaa",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -549,7 +549,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: M
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "48abbac97b175b16515961dcd3af244528ba67062b81f674c1a3d3cc195bc72a",
+    hash: "c219a90f121e98a5bc89221f4d61be5cbd343387d9009c2635de9a823bf78c58",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -562,7 +562,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Modu
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "036db1811c56a15262a31800a927502575b9507f9bc8a9a95e9a73d377a4e40c",
+    hash: "696f2e792b5be57285e9ec033391fefe514d0f5f337b786b8b4207090c1a50ed",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
@@ -575,7 +575,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "124fa5972ea63a045eed9e7b22361d7d9d66fc5d9c4638398aa8727fd376c870",
+    hash: "fd698b92bc0463a4fab5b67fc5b96b1b2fe16e424b064044c84efcb6cfd563bc",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -588,7 +588,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Mo
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "125e95f1455a5009a90d9c9bf81a4ac3ccfd9eba9043e7cc0af45c541360b0cf",
+    hash: "efa717180cf967b73e6c13a051c73ed732d1cfa635af9b43b7ff121ef872c6e5",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -601,7 +601,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "2e08ac67cd4191b849b4282674f828004103bceac9c245befe128947d64fe648",
+    hash: "76b133bfb57c8ec865566bb4c70f4115d0b37191bcb3d8c804419827e87b2179",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -614,7 +614,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Modu
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "df663475f9a6cf3d3f3a9c25b400c0edd57617fb1d05a68cffbe886b24ef246d",
+    hash: "b5337921c090f7a2aaf96610a3764c27badc60b9deda1595eb55ac24f2b019d1",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -627,7 +627,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "38cd97d94535584e510d58f14aef21d96a33119ed60737a84662999b4a189ba9",
+    hash: "2513a217b9ed26a0244b03b1725c093d30d51860e8a33ea77c5234d80271a072",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -640,5 +640,5 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "94ac9c9b9f31b2dea829944694848b45329dcebf6b6561dc27a7254fe555a263",
+    hash: "942f65d8f1211ff13ff7c2f732355daf1b5c161bb1d13f280940ad36c601f084",
 };

@@ -80,5 +80,5 @@ static ANISOTROPY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/anisotropy.compute",
-    hash: "a2babb24fef40b625eceed77aa27f07194fef283aec596898769e0e73a134ede",
+    hash: "842a70750d17aedc03d495d5e719b8affccc279558a049b18f76b3fb0cdd2f4a",
 };

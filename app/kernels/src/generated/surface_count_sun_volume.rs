@@ -72,5 +72,5 @@ static COUNT_SUN_VOLUME: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/count_sun_volume.compute",
-    hash: "90019be4e084359987acdc5b2c7a7ddddd991f284c8b6aeed2550b00a555ea91",
+    hash: "79f11999e1cecba4bfd477118cfc963b213a8b15b602bc4e2f799cb886bfb454",
 };

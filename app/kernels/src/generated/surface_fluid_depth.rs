@@ -115,7 +115,7 @@ static DRAW_FLUID_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "70f4dd5305be9d87cea52b96c613181c5ac0bac92cf1d25d8c109ba6c7eb17dc",
+    hash: "5bdba90ca3055e65b439effb90d98e164e3205ca15263285fc274921f2d42a09",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
@@ -128,7 +128,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "1281802e6e2d14e599d5ab875b7a7e6a221ce2ba104b270b167a0a20ef87785b",
+    hash: "a66911ba2e58849948e1a07ada4df0e2ba931179c7eb80eb83035c3efdf31abe",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -141,7 +141,7 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "7f68c763dc3a66abe5a1a1eb85fe47d689dfe17e759f9c2880a67b1d67039daa",
+    hash: "94d25627bd4ac14bd665c470f5e9e12178fa79f1daaded0844123bff83710e90",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -154,7 +154,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "c5f4f4db440e203d585de3e6b2a4bc9da8d97682591962262f38f908bcb316aa",
+    hash: "f054a2c327c440c433911511fae6b9e627e0cbdefc64033391bd854a48a1506b",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -167,5 +167,5 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "a19a468b62ac3489e396c69f0c0e367598956ed81938508f92b5ec40f0154fd6",
+    hash: "fe76a9f876d17b0e6112c18f4fe6beb96963e154480556b58c242163164625ab",
 };

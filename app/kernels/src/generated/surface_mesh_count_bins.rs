@@ -106,7 +106,7 @@ static COUNT_BINS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/count_bins.compute",
-    hash: "d503b3e5866edea489fab5df8c5388587a910023adf5d1e3d0dc5aa1aaaf835c",
+    hash: "3a27c7cd83d7e48ccd442b0f4d9ed7e993d2530e22f8bafe2f59976e47a7a695",
 };
 
 static COUNT_BINS_WITH_ANISOTROPIC: Module = Module {
@@ -119,5 +119,5 @@ static COUNT_BINS_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/count_bins.compute",
-    hash: "a1b67dc41749fb78a0b5a7414017c32d6feb1f9811785cff16b883686d3d5ae7",
+    hash: "f8ddf74d84b31bb2341f3dea8999a05bf8aab62e065597181182f190e0630584",
 };

@@ -91,5 +91,5 @@ static COUNT_MESH: Module = Module {
     shared_bytes: 112,
     tier: Tier::Floor,
     source: "surface/mesh/count_mesh.compute",
-    hash: "4056abfa738262c18002472cdcecfe22f29d733f16bd3eb73567a9cde9235f64",
+    hash: "842702914c9ecdeb30017f09ceeeaf5b7abf8be4c23df6dc8ed877acf7ee2918",
 };

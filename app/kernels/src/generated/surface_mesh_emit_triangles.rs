@@ -112,5 +112,5 @@ static EMIT_TRIANGLES: Module = Module {
     shared_bytes: 112,
     tier: Tier::Floor,
     source: "surface/mesh/emit_triangles.compute",
-    hash: "6f2e46dcd49544b8534a6ee114e5c1378e650880217d7acc901d6d0a79ba687b",
+    hash: "a403eeddaea133a35eead666a855b6eca86036b4ce6fe032ba910aa3070de6e0",
 };

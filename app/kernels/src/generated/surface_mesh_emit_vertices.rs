@@ -106,5 +106,5 @@ static EMIT_VERTICES: Module = Module {
     shared_bytes: 112,
     tier: Tier::Floor,
     source: "surface/mesh/emit_vertices.compute",
-    hash: "2526849cea0d3a361759fdeb4a04a4684f97552db5e78dc844c050b7b2b67505",
+    hash: "ab064a55de1eddade91b303c1cbafe51c6e479b95567136a34402374554600bf",
 };

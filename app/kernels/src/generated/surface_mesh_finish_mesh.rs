@@ -77,5 +77,5 @@ static FINISH_MESH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/finish_mesh.compute",
-    hash: "b3abb75d1ec4ea092b3a145f2ff20ca4af59c669341588e8e53a0ecc0ccd153d",
+    hash: "58b78dbc4a6d6e1d5de870e6873a002f2838d5c0fcbb54d019ab4717a35cde58",
 };

@@ -118,7 +118,7 @@ static GATHER_FIELD: Module = Module {
     shared_bytes: 64,
     tier: Tier::Floor,
     source: "surface/mesh/gather_field.compute",
-    hash: "34f6f58f1e699c4b6dc232c5ce76c54e49c70c138a2db7f092c490e14f72e187",
+    hash: "bbe94129eb01e4b8aa00587b507e55ec95472e0f90159d335d01b2ff6240c3c8",
 };
 
 static GATHER_FIELD_WITH_ANISOTROPIC: Module = Module {
@@ -131,5 +131,5 @@ static GATHER_FIELD_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 64,
     tier: Tier::Floor,
     source: "surface/mesh/gather_field.compute",
-    hash: "9077a77605d9dba59842eae5ec505fd09537b2e0f2336c408c382dcf7971866a",
+    hash: "2e82bd80c3ab9c4b2a979c07ef18f4e372ec40fea5b6e3a1ba8672d0c6c7d68e",
 };

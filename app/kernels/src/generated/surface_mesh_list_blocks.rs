@@ -85,5 +85,5 @@ static LIST_BLOCKS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/list_blocks.compute",
-    hash: "687f1015cc75befbd25e12f2e268339798e5e3bd8d37fb8b5df0f81b74ad6a87",
+    hash: "ce2fa3539cf725af5a065f8018a9a1730094a55c152fbff3e1099566c8722141",
 };

@@ -87,5 +87,5 @@ static MARK_BLOCKS: Module = Module {
     shared_bytes: 500,
     tier: Tier::Floor,
     source: "surface/mesh/mark_blocks.compute",
-    hash: "38018cbc9ad8ca747b2590d2cdcad04028c1b9c044d2d188a0f1d963284d9c2c",
+    hash: "1318a8a2d6881795b01de9d7b1df1ab2677c52e8dc2777009251c59618d05c5d",
 };

@@ -75,7 +75,7 @@ static DRAW_MESH_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_depth.hlsl",
-    hash: "d8c787fd9d2d0112205f69291e950daa38c2c62d9b29c01cb05daa6f61dce56a",
+    hash: "d4e21d7e1c3bd418f90eefd9c61c349f659a09948d497361517b26d101680d69",
 };
 
 static DRAW_MESH_DEPTH_FRAGMENT: Module = Module {
@@ -88,5 +88,5 @@ static DRAW_MESH_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_depth.hlsl",
-    hash: "1fd3eefc656bb76306006e7235b15a53a7ea54dedd4f4f58bcdc350f38677f00",
+    hash: "599396dc7a656093390da7ff33c9682b30e009054f72a11e8f86d8df0c38a74c",
 };

@@ -100,7 +100,7 @@ static MESH_NORMALS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_normals.compute",
-    hash: "e356e74e470d76e4503bf79d51ddc3d75c1da553ee5dfd946f677f62cab6e784",
+    hash: "780dba00224ffa31fc49ef916887fa149f95498b57eb93e78a447bcb96968d3d",
 };
 
 static MESH_NORMALS_WITH_ANISOTROPIC: Module = Module {
@@ -113,5 +113,5 @@ static MESH_NORMALS_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_normals.compute",
-    hash: "eae1e557f3105f12f374be16398dc73228373357c69cf5a766ca73fc690556a1",
+    hash: "8e7c2804baff5e169440169fce2b21ec86eb6a36daa63c8a24239e470d0b9437",
 };

@@ -103,7 +103,7 @@ static SCATTER_BINS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/scatter_bins.compute",
-    hash: "ec69621f897747cf10ba186764d98c4db6234cadfa8e258adebcb609d2650e76",
+    hash: "a7bd66377a28dbe2a4484db575183da8007a282bdb08ae6615489cc7070f39fa",
 };
 
 static SCATTER_BINS_WITH_ANISOTROPIC: Module = Module {
@@ -116,5 +116,5 @@ static SCATTER_BINS_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/scatter_bins.compute",
-    hash: "7d6422695400ea1ecc8dd079c1336a026addaf315a8e0a127abaa3a096c76044",
+    hash: "fff069d9c6653f8e399ff45295954b54fecdaf1c221fb651f5ca83b5f7f1e6bf",
 };

@@ -66,5 +66,5 @@ static COUNT_EDGES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/count_edges.compute",
-    hash: "9f8b75f5a3947b2f08f2cbfb0d822e9dfd2eaa59cae4d4a866fc4b556fda0be9",
+    hash: "66bce6d794648b9ee0c5c3e9f1abcc13f4f40417c8418cd91415562566cff52a",
 };

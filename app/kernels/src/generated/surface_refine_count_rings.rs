@@ -73,5 +73,5 @@ static COUNT_RINGS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/count_rings.compute",
-    hash: "762c998f2c100e2adda618e5d7384cfbdd159af4f3a16206867b9825550b8287",
+    hash: "b72e4b1473f0be8291cd2722fee5be19a34dc61cd1324b81ddf6a102f6d0fd49",
 };

@@ -69,5 +69,5 @@ static FINISH_SUBDIVISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/finish_subdivision.compute",
-    hash: "def9085a95dcc548a18c228a3ec053ea3e965c8afb0afdf72b9252dcaed1e7aa",
+    hash: "9a25116cfc44d3f108f558d5a730950b16a16f9a312039923894115737204a6c",
 };

@@ -66,5 +66,5 @@ static LIST_RINGS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/list_rings.compute",
-    hash: "a69c9ed23afa8efdf3647ee01007e811d28ce3e0e0598b7ad5e5563fc961aff6",
+    hash: "60899116875b34f94153f9ee82eea70a3edd6be4361e3f9edce911768b575be8",
 };

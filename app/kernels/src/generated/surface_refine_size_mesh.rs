@@ -52,5 +52,5 @@ static SIZE_MESH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/size_mesh.compute",
-    hash: "8316f91534edb87d4f4da1428e71fafcbd5258718e4adae5405a79d7edc52afd",
+    hash: "56eec46ba0c15d8ffc4d8e5f4b58c4fff6a6d41394b036886c07a51c6aa63aa0",
 };

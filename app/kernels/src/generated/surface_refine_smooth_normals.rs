@@ -80,5 +80,5 @@ static SMOOTH_NORMALS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/smooth_normals.compute",
-    hash: "4c5365f1e2163ee71f2ce8b85d4770195c95cabd288f301f07b8e5764e8b60f6",
+    hash: "803a2617fcca2e31363e8c4baeb211586870500913c74111bd9164c98bb508f8",
 };

@@ -59,5 +59,5 @@ static SORT_RINGS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/sort_rings.compute",
-    hash: "4667f956bc3c863416273b5fd8ed7e0d916857c3ecdca0dceb149e94e8c8957c",
+    hash: "50bd285c9f49dc961453d2ce1c143dc271625a13d5dd711c729c252f9e385f4a",
 };

@@ -84,5 +84,5 @@ static SUBDIVIDE_EDGES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/subdivide_edges.compute",
-    hash: "2d019f24660cfab4586973c8fc96e7be73e360aaf901318ba604028155239671",
+    hash: "9a256497b4630a838bcbd9298ce42bd0768f4189e784e2904f2d85236371d2ca",
 };

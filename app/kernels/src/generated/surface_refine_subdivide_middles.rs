@@ -79,5 +79,5 @@ static SUBDIVIDE_MIDDLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/subdivide_middles.compute",
-    hash: "05f8157cbedacf9d860acb849bdf215242c95d317c0601f74812b4409c7279d9",
+    hash: "b1f201739e3fad29a78e746c90d30e31ea38683fb6c8e5583a5bcb101049f68b",
 };

@@ -88,5 +88,5 @@ static SUBDIVIDE_TRIANGLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/subdivide_triangles.compute",
-    hash: "37a007c1c23b50bf938d9266bb09c5f706dd8a15c08cdb3b00cf242dc550514c",
+    hash: "84075b8902e4757bfb8622bf847d08382b016e3eede9519c7d31aab2acf8bd40",
 };

@@ -73,5 +73,5 @@ static REFRACT_PHOTONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refract_photons.compute",
-    hash: "765b174a226db29b53b80952a2442dba8ddce79c6d2e984cd80781d6d2873f2a",
+    hash: "151b057d14e0a86d614780f6024672a8435ba02ca027ef45a28b2c9ed4cccccc",
 };

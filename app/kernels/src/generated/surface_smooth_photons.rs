@@ -87,7 +87,7 @@ static SMOOTH_PHOTONS_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_photons.compute",
-    hash: "87ff301c9e769ccedf43ed9bc77bce31f4eedb4fbff1df9e438c246bf99d4f53",
+    hash: "104a8c642f5d1ba970a46d84b219f0db54cd34c5b622b8268650c58e7a33a8de",
 };
 
 static SMOOTH_PHOTONS_WITH_ALONG_Y: Module = Module {
@@ -100,5 +100,5 @@ static SMOOTH_PHOTONS_WITH_ALONG_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_photons.compute",
-    hash: "04baf4f1b525b260e1c351624967de3eca7842d2439a8b377a962c9508269d19",
+    hash: "f1f4ef386fb2f19dfb24c6c9d65ee77139d1bb04e69e6401141493cb6346d7ac",
 };

@@ -67,5 +67,5 @@ static SUM_SUN_VOLUME: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sum_sun_volume.compute",
-    hash: "a338b91ba043f5c96ec928cfbb24d69283ac51f87dc7ec5c9871bb13b7076303",
+    hash: "db6fe27f3a1ceb9362bd64b7633ed8ef94a0231f91b6efd9c6c372ac4b3a1e61",
 };

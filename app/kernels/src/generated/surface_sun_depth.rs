@@ -117,7 +117,7 @@ static DRAW_SUN_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "757182c151f012983a94f92b2c93f21b9797f00bfe5b29e54f355903bd87e856",
+    hash: "e6f8aeee776cef0a4db0c812a958e127395afd08b2328d2b9522a0935c6e0caf",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
@@ -130,7 +130,7 @@ static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "48cc3a8603e67a52d87b94fa6c3a62f9f323cbb87d6b3c38394585ea110e696f",
+    hash: "fc091de67abf94a8296abd15178f5f3e412670a907093cdfb6889d81a377b803",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -143,7 +143,7 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "f4f76aafc2334d64bd0cdd3452cf8f55cd61f1bc621cd2655305efc42c44ba00",
+    hash: "84d14b08a4fe77750b3646fafa28ffa3202bd195ff94b0abf8c47b4ab7728ff4",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -156,7 +156,7 @@ static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "0a29a4e65dfdea68c7527bd7c5d144a4b4f6920e7e6cbe8b03152d68f036d457",
+    hash: "7562726471a1bba1090228e5c04c8e07e0269b6d3b7a02178f0fba5844506f6b",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -169,5 +169,5 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "0c91080bae19030f8ff274b265d33ab015366b4d4c7ed6d3fc33c05e1052dedb",
+    hash: "a5791996c17d3865dc7f7b5a4f2efa1aa18b8d5d9426834ed3976d7235c3915e",
 };

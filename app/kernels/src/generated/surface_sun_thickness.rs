@@ -88,7 +88,7 @@ static DRAW_SUN_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "d2dd7b5d0e436e9a7756cc958c4fc468824a510bd0242a892d463c93e12c3945",
+    hash: "f41e7ee4c9b4c6b9d3b4c770d28657a89be5c2d27d889180ab64329c3a6af3f6",
 };
 
 static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
@@ -101,7 +101,7 @@ static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "c0c34ece9f76f60a84edd566d0c14b1e871d42ec083bdbc2fb14610588641381",
+    hash: "5b66be44334363c976bb29851cc112e7a744c3a5102b0bff74d2e244446d3d66",
 };
 
 static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -114,5 +114,5 @@ static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "69e0b7fbe017c92d5a20190023fbf4118070764601dc32613269297e8bd3d319",
+    hash: "e0a152848f749147e97c29ed511c81f98860b313f27b0c9b61df51c30eab1a44",
 };

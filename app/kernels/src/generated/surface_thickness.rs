@@ -94,7 +94,7 @@ static DRAW_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "8ac95c49a993ecee5d41dcb7840902c0b4d284602b3c91c48e3e4b066a0c8ce8",
+    hash: "f696610b57e887689bde1b478304ecdcb975f036b89d0309522c2c57cc635c33",
 };
 
 static DRAW_THICKNESS_FRAGMENT: Module = Module {
@@ -107,7 +107,7 @@ static DRAW_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "79397114e84889a118103e96e6fe9f678996e1f25c013863c42d34fefbf8c737",
+    hash: "6cedceb8dc1ba6d422f37a19df335204332ec641cae61d27967ab1a891e68ab4",
 };
 
 static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -120,5 +120,5 @@ static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "79aaf4404e0a48ff1bd27706d264b3d22e7a7c15756f94475dd094db2be49ae2",
+    hash: "e6e30fe7d34dbb7c3dbce6522b801f8fa10c5f775b56221e2e3370d337eac293",
 };

@@ -2,6 +2,7 @@
 //! answer; in an open domain nothing is added, scaled or confined.
 
 pub mod drag_walls;
+pub mod mirror;
 pub mod wall_integrals;
 pub mod walls;
 

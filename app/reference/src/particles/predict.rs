@@ -23,6 +23,8 @@ pub struct Particle {
     pub acceleration_m_s2: Option<DVec3>,
     /// Of its last substep, where the solver begins the next one with a share of it.
     pub pressure: Pressure,
+    /// With which DFSPH's divergence and density solve of its last substep ended: multipliers without unit.
+    pub multipliers: [f64; 2],
 }
 
 /// What the corrections of a substep came to.

@@ -1,5 +1,6 @@
 //! Solvers: each an arm of [`Solver`] that moves particles by a substep of its own.
 
+pub mod dfsph;
 pub mod none;
 pub mod pbf;
 pub mod sph;
@@ -7,6 +8,7 @@ pub mod sph;
 use crate::boundary::walls::DomainWalls;
 use crate::params::{NonInteracting, Step};
 use crate::particles::predict::Particle;
+use dfsph::substep::Dfsph;
 use none::integrate_particles::integrate_particles;
 use pbf::substep::Pbf;
 use sph::substep::Sph;
@@ -18,6 +20,8 @@ pub enum Solver {
     Pbf(Pbf),
     /// Smoothed particle hydrodynamics.
     Sph(Box<Sph>),
+    /// Divergence-free SPH.
+    Dfsph(Dfsph),
     /// Particles that do not interact; their ids are their indices.
     None(NonInteracting),
 }
@@ -28,6 +32,9 @@ impl Solver {
         match self {
             Self::Pbf(pbf) => pbf.substep(particles, step, walls),
             Self::Sph(sph) => return sph.substep(particles, step),
+            Self::Dfsph(dfsph) => {
+                dfsph.substep(particles, step, walls);
+            }
             Self::None(settings) => {
                 for (id, particle) in particles.iter_mut().enumerate() {
                     *particle = integrate_particles(id as u32, *particle, step, settings).particle;

@@ -8,6 +8,7 @@ use brooklet_fluid::measure::Summary;
 use brooklet_fluid::scene::{Method, Scene, SmoothingKernel};
 use brooklet_fluid::session::{MOST_ROUNDS, NO_COMPRESSION};
 use brooklet_fluid::smoothing_kernel_params;
+use brooklet_fluid::solver::dfsph::{self, Solve};
 use brooklet_fluid::solver::pbf::{self, IterationWeights};
 use brooklet_fluid::solver::sph;
 use brooklet_kernels::SmoothingKernelParams;
@@ -17,6 +18,8 @@ use brooklet_reference::params::{self, Forces, NonInteracting, Smoothing, Step};
 use brooklet_reference::particles::advect::Kicks;
 use brooklet_reference::particles::predict::Particle;
 use brooklet_reference::solver::Solver;
+use brooklet_reference::solver::dfsph::correct_pressure::PressureSolve;
+use brooklet_reference::solver::dfsph::substep::Dfsph;
 use brooklet_reference::solver::pbf::coarse_correction::CoarseGrid;
 use brooklet_reference::solver::pbf::momentum::Weights;
 use brooklet_reference::solver::pbf::substep::{Iterations, Pbf};
@@ -50,13 +53,19 @@ pub fn reference_fluid(setup: &Setup) -> Fluid {
             domain_size_m: size_m,
             walls: axes,
             period_m,
-            wall_offset_m: 0.5 * scene.fitted_spacing_m(),
+            wall_offset_m: wall_offset_m(scene),
             max_speed_m_s: scene.max_speed_m_s(),
         },
         solver: solver_of(scene),
         walls: walls_of(scene, &smoothing_kernel_params(scene)),
         faces: domain.has_dragging_walls().then(|| wall_faces(scene).map(|face| WallFace::of(&face))),
     }
+}
+
+/// How near a wall particles may come: half a spacing, or a quarter where walls mirror the fluid.
+fn wall_offset_m(scene: &Scene) -> f64 {
+    let spacings = if scene.solver.method == Method::Dfsph { 0.25 } else { 0.5 };
+    spacings * scene.fitted_spacing_m()
 }
 
 /// The walls of a scene as a kernel counts them; none of an open domain.
@@ -107,14 +116,11 @@ fn sph_of(scene: &Scene) -> Sph {
 fn solver_of(scene: &Scene) -> Solver {
     match scene.solver.method {
         Method::Pbf => {
-            let (kernel, weights) = (smoothing_kernel_params(scene), IterationWeights::of(scene));
+            let weights = IterationWeights::of(scene);
             let coarse_grid = CoarseGrid::of(&pbf::coarse_grid_params(scene, &weights));
             let pbf = pbf::params(scene, &weights);
             Solver::Pbf(Pbf {
-                smoothing: Smoothing {
-                    period_m: DVec3::from_array(scene.period_m()),
-                    ..Smoothing::new(scene.support_m(), f64::from(kernel.weight))
-                },
+                smoothing: smoothing_of(scene),
                 params: params::Pbf {
                     relaxation: f64::from(pbf.relaxation),
                     cfm: f64::from(pbf.cfm),
@@ -132,6 +138,31 @@ fn solver_of(scene: &Scene) -> Solver {
             })
         }
         Method::Sph => Solver::Sph(Box::new(sph_of(scene))),
+        Method::Dfsph => {
+            let settings = &scene.solver.dfsph;
+            let solve = |which: Solve| {
+                let [first, next] = dfsph::params(scene, which);
+                PressureSolve {
+                    tolerance: f64::from(first.tolerance),
+                    first_step: f64::from(first.step),
+                    step: f64::from(next.step),
+                    momentum: f64::from(next.momentum),
+                    guarded_step: f64::from(first.guarded_step),
+                    room_share: f64::from(first.room_share),
+                    excess_share: f64::from(first.excess_share),
+                    warm_share: if settings.warm_start { f64::from(first.warm_share) } else { 0.0 },
+                    most_iterations: first.most_iterations as usize,
+                    is_fixed: settings.fixed_iterations,
+                }
+            };
+            Solver::Dfsph(Dfsph {
+                smoothing: smoothing_of(scene),
+                divergence: solve(Solve::Divergence),
+                density: (settings.max_density_iterations > 0).then(|| solve(Solve::Density)),
+                forces: Forces { xsph: scene.forces.xsph, vorticity_m_s: scene.forces.vorticity_m_s },
+                grid_ends_at_domain: true,
+            })
+        }
         Method::None => {
             let settings = &scene.solver.none;
             Solver::None(NonInteracting {
@@ -141,6 +172,14 @@ fn solver_of(scene: &Scene) -> Solver {
                 restitution: settings.restitution,
             })
         }
+    }
+}
+
+fn smoothing_of(scene: &Scene) -> Smoothing {
+    let kernel = smoothing_kernel_params(scene);
+    Smoothing {
+        period_m: DVec3::from_array(scene.period_m()),
+        ..Smoothing::new(scene.support_m(), f64::from(kernel.weight))
     }
 }
 

@@ -1,0 +1,164 @@
+//! Divergence-free SPH (Bender & Koschier 2015, 2017): pressure that lets no particle grow denser than at rest, found by
+//! iterations that end on the GPU when little is left. What compression steps leave over goes out of the positions alone
+//! (implicit density projection, Kugelstadt, Longva, Thuerey & Bender 2021): the 2015 paper's density solve makes velocities of
+//! it, which shook a pool at rest and took 27 iterations of it where these two take 5. Walls mirror the fluid
+//! (`boundary/mirror.hlsli`). (Shaders: `solver/dfsph/`.)
+//!
+//! A substep moves particles first, with velocities that the last one made fit for it, and then makes the next ones: lists
+//! are of the positions that a measurement sees, but for what takes out compression.
+
+mod pressure_solve;
+mod weights;
+
+pub use pressure_solve::{Solve, params};
+pub use weights::Weights;
+
+use brooklet_gpu::{Recording, Resources};
+use brooklet_kernels::{
+    ApplyGravity, Buffer, FactorPressure, FactorPressureVariant, Kernel, PressureFactors, ShiftPositions,
+    ShiftPositionsVariant, SolveState, Velocity,
+};
+
+use crate::forces::Forces;
+use crate::grid::NeighbourSearch;
+use crate::particles::advect;
+use crate::scene::Scene;
+use crate::step_context::{Particles, StepContext};
+use pressure_solve::PressureSolving;
+
+/// The solver's buffers.
+pub struct Dfsph {
+    /// Neighbours.
+    pub search: NeighbourSearch,
+    forces: Forces,
+    shared: Shared,
+    divergence: PressureSolving,
+    /// None where it does no iterations.
+    density: Option<Shifting>,
+}
+
+/// The density solve, and what it moves particles by, over dt.
+struct Shifting {
+    solving: PressureSolving,
+    shifts: Buffer<Velocity>,
+}
+
+/// What both solves use in turn.
+pub(super) struct Shared {
+    factors: Buffer<PressureFactors>,
+    /// What an iteration adds to pressures, or, before the first, what a solve begins with.
+    changes: Buffer<f32>,
+    /// What tells when to end; none where the number of iterations is fixed.
+    measured: Option<Measured>,
+}
+
+/// What ends a solve on the GPU.
+pub(super) struct Measured {
+    state: Buffer<SolveState>,
+    group_residuals: Buffer<f32>,
+}
+
+impl Dfsph {
+    /// Declares the buffers of what `scene` has.
+    pub fn declare(resources: &mut Resources, scene: &Scene, capacity: u32) -> Self {
+        let settings = &scene.solver.dfsph;
+        let measured = (!settings.fixed_iterations).then(|| Measured {
+            state: resources.buffer("solve_state", 1),
+            group_residuals: resources
+                .buffer("group_residuals", capacity.div_ceil(FactorPressure::GROUP_SIZE[0]).max(1)),
+        });
+        Self {
+            search: NeighbourSearch::declare(resources, scene, capacity),
+            forces: Forces::declare(resources, scene, capacity),
+            shared: Shared {
+                factors: resources.buffer("pressure_factors", capacity),
+                changes: resources.buffer("pressure_changes", capacity),
+                measured,
+            },
+            divergence: PressureSolving::declare(resources, scene, Solve::Divergence, capacity),
+            density: (settings.max_density_iterations > 0).then(|| Shifting {
+                solving: PressureSolving::declare(resources, scene, Solve::Density, capacity),
+                shifts: resources.buffer("shifts", capacity),
+            }),
+        }
+    }
+
+    /// What lasts from substep to substep of both solves; nothing where they begin cold.
+    pub(super) fn pressures(&self) -> Vec<Buffer<f32>> {
+        let density = self.density.as_ref().map(|density| &density.solving);
+        [&self.divergence].into_iter().chain(density).filter_map(PressureSolving::kept).collect()
+    }
+
+    pub(super) fn record_init(&mut self, init: &mut Recording, scene: &Scene) {
+        self.search.record_init(init, scene);
+        self.forces.record_init(init, scene);
+        self.divergence.record_init(init, scene);
+        if let Some(Shifting { solving, .. }) = &mut self.density {
+            solving.record_init(init, scene);
+        }
+    }
+
+    pub(super) fn record_substep(
+        &mut self,
+        recording: &mut Recording,
+        context: &mut StepContext,
+        particles: &mut Particles,
+    ) {
+        let Self { search, forces, shared, divergence, density } = self;
+        advect(recording, context, particles, None);
+        search.sort(recording, context, particles);
+        search.list(recording, context);
+        for solving in [&mut *divergence].into_iter().chain(density.as_mut().map(|density| &mut density.solving)) {
+            solving.carry(recording, context, &search.grid, &particles.positions);
+        }
+        let Particles { positions, velocities } = particles;
+        // XSPH reads velocities where the sort left them.
+        let mut sorted_velocities = search.sorted.velocities.alias();
+        let input = match forces.smooth() {
+            true => &mut sorted_velocities,
+            false => {
+                recording.copy(&search.sorted.velocities, velocities);
+                &mut *velocities
+            }
+        };
+        context.slots.dispatch(
+            recording,
+            &FactorPressure {
+                variant: FactorPressureVariant { walls: context.walls, precision: search.sorted.precision },
+                quantized_positions: search.sorted.quantized_positions.read(),
+                sorted_positions: search.sorted.positions.read(),
+                neighbours: search.neighbours.deltas.read(),
+                list_heads: search.neighbours.heads.read(),
+                positions: positions.write(),
+                pressure_factors: shared.factors.write(),
+                step_state: context.slots.state.uniform(),
+                step_params: context.step.uniform(),
+                kernel: search.smoothing_kernel.uniform(),
+            },
+        );
+        context.slots.dispatch(
+            recording,
+            &ApplyGravity {
+                positions: positions.read(),
+                velocities: input.write(),
+                step_state: context.slots.state.uniform(),
+                step_params: context.step.uniform(),
+            },
+        );
+        forces.record(recording, context, search, velocities);
+        divergence.record(recording, context, search, shared, velocities);
+        let Some(Shifting { solving, shifts }) = density else { return };
+        recording.clear(shifts);
+        solving.record(recording, context, search, shared, shifts);
+        context.slots.dispatch(
+            recording,
+            &ShiftPositions {
+                variant: ShiftPositionsVariant { walls: context.walls, periodic: context.periodic },
+                positions: positions.write(),
+                shifts: shifts.read(),
+                step_state: context.slots.state.uniform(),
+                step_params: context.step.uniform(),
+            },
+        );
+    }
+}

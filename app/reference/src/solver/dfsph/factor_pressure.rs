@@ -1,0 +1,56 @@
+//! Density ratio and stiffness of a particle where it is.
+
+use crate::boundary::mirror::{Mirrors, mirrored};
+use crate::params::Smoothing;
+use crate::shared::wendland;
+use crate::solver::pbf::constrain_density::STIFFNESS_FLOOR;
+use glam::DVec3;
+
+/// What the iterations of both solves ask of a particle.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct PressureFactors {
+    /// Where walls mirror the fluid.
+    pub mirrors: Mirrors,
+    /// Density ratio − 1.
+    pub excess: f64,
+    /// 1/α of the papers: |Σ ∇W|² + Σ |∇W|², a neighbour and its images being one.
+    pub stiffness: f64,
+    /// Whether it takes part.
+    pub is_simulated: bool,
+}
+
+/// Those of particle `i`.
+pub fn factor_pressure(
+    i: usize,
+    positions_m: &[DVec3],
+    neighbours: &[usize],
+    smoothing: &Smoothing,
+    mirrors: Mirrors,
+    is_simulated: bool,
+) -> PressureFactors {
+    let slope = |seen: DVec3| wendland::gradient(seen) * smoothing.weight;
+    let (mut density, mut own, mut others) = (smoothing.weight, DVec3::ZERO, 0.0);
+    for flipped in mirrors.images().skip(1) {
+        let seen = mirrors.offset(DVec3::ZERO, flipped);
+        density += wendland::kernel(seen.length()) * smoothing.weight;
+        // It comes nearer twice as fast as the particle does.
+        own += 2.0 * slope(seen);
+    }
+    for &j in neighbours {
+        let offset = smoothing.offset(positions_m[i], positions_m[j]);
+        let mut pushed = DVec3::ZERO;
+        for flipped in mirrors.images() {
+            let seen = mirrors.offset(offset, flipped);
+            density += wendland::kernel(seen.length()) * smoothing.weight;
+            own += slope(seen);
+            pushed += mirrored(slope(seen), flipped);
+        }
+        others += pushed.length_squared();
+    }
+    PressureFactors {
+        mirrors,
+        excess: density - 1.0,
+        stiffness: (own.length_squared() + others).max(STIFFNESS_FLOOR),
+        is_simulated,
+    }
+}
