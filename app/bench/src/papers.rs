@@ -199,6 +199,12 @@ fn scene(particles: u32, method: &str, settings: &[String]) -> Result<Scene, Ben
     let own: &[&str] = match method {
         "pbf" => &["solver.pbf.iterations=6", "solver.pbf.relaxation=0.5"],
         "sph" => &["solver.sph.adaptive_substeps=false"],
+        // As a phone runs it: as many iterations a step at any size.
+        "dfsph" => &[
+            "solver.dfsph.fixed_iterations=true",
+            "solver.dfsph.max_divergence_iterations=2",
+            "solver.dfsph.max_density_iterations=1",
+        ],
         _ => &[],
     };
     let all: Vec<String> = std::iter::once(format!("solver.method={method}"))

@@ -124,7 +124,7 @@ mod tests {
         assert_eq!(constrain.gathered_bytes, 4 * 27 * n * 8);
         // Nothing is gathered where nothing is listed.
         let update = of(&planned.plan, step, "update_velocity", 27 * n);
-        assert_eq!(update, Traffic { compulsory_bytes: n * 72 + size_of::<Counters>() as u64, gathered_bytes: 0 });
+        assert_eq!(update, Traffic { compulsory_bytes: n * 56 + size_of::<Counters>() as u64, gathered_bytes: 0 });
         assert!(of(&planned.plan, measure, "measure_particles", 27 * n).gathered_bytes > 0);
         assert_eq!(of(&planned.plan, measure, "constrain_density", 27 * n), Traffic::default());
     }

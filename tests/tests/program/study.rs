@@ -182,7 +182,7 @@ fn a_goal_that_cannot_be_met_is_no_success_and_bad_input_is_said() {
     let wrong: [(&[&str], &str); 6] = [
         (
             &["scene.toml", "--max-error", "1", "--methods", "mpm", "--out", "x.toml"],
-            "--methods mpm: what moves scene may be pbf, sph",
+            "--methods mpm: what moves scene may be pbf, sph, dfsph",
         ),
         (&["scene.toml"], "--budget-ms"),
         (&["scene.toml", "--budget-ms", "1", "--max-error", "1"], "cannot be used with"),

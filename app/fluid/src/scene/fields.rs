@@ -217,19 +217,10 @@ pub const FIELDS: &[Field] = &[
     Field::new("solver.dfsph.max_density_iterations", whole(0.0, 1000.0, ""), REBUILD)
         .of(DFSPH)
         .slider(0.0, 50.0)
-        .term_called("0", "20", "no density solve")
-        .knob("density iterations", &["0", "1", "5", "20"], &[0, 3]),
-    Field::new("solver.dfsph.warm_start", Kind::Switch, REBUILD).of(DFSPH).term("false", "true").knob(
-        "warm pressures",
-        &["false", "true"],
-        &[0, 1],
-    ),
+        .term_called("0", "20", "no density solve"),
+    Field::new("solver.dfsph.warm_start", Kind::Switch, REBUILD).of(DFSPH).term("false", "true"),
     Field::new("solver.dfsph.fixed_iterations", Kind::Switch, REBUILD).of(DFSPH),
-    Field::new("solver.dfsph.momentum", number(0.0, 0.95, ""), LIVE).of(DFSPH).slider(0.0, 0.9).knob(
-        "momentum",
-        &["0", "0.2", "0.4", "0.6"],
-        &[0, 2],
-    ),
+    Field::new("solver.dfsph.momentum", number(0.0, 0.95, ""), LIVE).of(DFSPH).slider(0.0, 0.9),
     Field::new("solver.none", Kind::Table, REBUILD).of(NONE),
     Field::new("solver.none.lifetime_s", number(0.0, 1.0e6, "s"), LIVE).of(NONE).slider(0.0, 10.0),
     Field::new("solver.none.lifetime_variation", number(0.0, 1.0, ""), LIVE).of(NONE).slider(0.0, 1.0),

@@ -270,7 +270,7 @@ mod tests {
         };
         assert_eq!((names(&[]).as_str(), names(&["pbf", "sph"]).as_str()), ("pbf", "pbf sph"));
         let all = curves(&Choice { quick: false, ..choice() }).unwrap();
-        assert_eq!(solvers(&all), ["pbf", "sph"]);
+        assert_eq!(solvers(&all), ["pbf", "sph", "dfsph"]);
         assert_eq!(look(&all[0], &all).1, look(&all[1], &all).1, "one knob, one colour");
         assert_ne!(look(&all[0], &all).0, look(&all[1], &all).0, "two solvers, two marks");
         let (_folder, empty) = store(&[]);

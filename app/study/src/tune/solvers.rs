@@ -29,10 +29,28 @@ pub const RUNGS: &[Rung] = &[
     Rung { method: "sph", name: "stiffness x 1", settings: |scene| stiffness(scene, 1.0) },
     Rung { method: "sph", name: "stiffness x 4", settings: |scene| stiffness(scene, 4.0) },
     Rung { method: "sph", name: "stiffness x 16", settings: |scene| stiffness(scene, 16.0) },
+    Rung { method: "dfsph", name: "2 + 1 iterations", settings: |_| fixed() },
+    Rung { method: "dfsph", name: "tolerance x 3", settings: |scene| tolerances(scene, 3.0) },
+    Rung { method: "dfsph", name: "tolerance x 1", settings: |scene| tolerances(scene, 1.0) },
+    Rung { method: "dfsph", name: "tolerance / 3", settings: |scene| tolerances(scene, 1.0 / 3.0) },
+    Rung { method: "dfsph", name: "tolerance / 10", settings: |scene| tolerances(scene, 0.1) },
 ];
 
 fn stiffness(scene: &Scene, times: f64) -> Vec<String> {
     vec![format!("solver.sph.stiffness_m2_s2={:?}", times * scene.stiffness_m2_s2())]
+}
+
+fn fixed() -> Vec<String> {
+    ["fixed_iterations=true", "max_divergence_iterations=2", "max_density_iterations=1"]
+        .map(|setting| format!("solver.dfsph.{setting}"))
+        .to_vec()
+}
+
+fn tolerances(scene: &Scene, times: f64) -> Vec<String> {
+    let dfsph = &scene.solver.dfsph;
+    [("divergence", dfsph.divergence_tolerance), ("density", dfsph.density_tolerance)]
+        .map(|(solve, tolerance)| format!("solver.dfsph.{solve}_tolerance={:?}", times * tolerance))
+        .to_vec()
 }
 
 impl Rung {
@@ -75,6 +93,8 @@ const TABLE: &[Known] = &[
     known("sph", 0.0064, 7.5),
     known("sph", 0.0017, 13.0),
     known("sph", 0.00045, 25.0),
+    known("dfsph", 0.0211, 1.5),
+    known("dfsph", 0.0045, 3.0),
 ];
 
 /// What a step by a solver takes at an error, by the table: between its lines and beyond them straight in logarithms.
@@ -129,8 +149,13 @@ mod tests {
     #[test]
     fn rungs_are_scenes_that_are_allowed() {
         let scene = Scene::load("dam-break", &["spacing_m=0.05".into()]).unwrap();
-        let stiffnesses: Vec<f64> = RUNGS.iter().map(|rung| rung.apply(&scene).unwrap().stiffness_m2_s2()).collect();
+        let of = |method: &'static str| {
+            RUNGS.iter().filter(move |rung| rung.method == method).map(|rung| rung.apply(&scene).unwrap())
+        };
+        let stiffnesses: Vec<f64> = of("sph").map(|scene| scene.stiffness_m2_s2()).collect();
         assert!(stiffnesses.windows(2).all(|pair| (pair[1] / pair[0] - 4.0).abs() < 1e-9), "{stiffnesses:?}");
+        let tolerances: Vec<f64> = of("dfsph").skip(1).map(|scene| scene.solver.dfsph.density_tolerance).collect();
+        assert!(tolerances.windows(2).all(|pair| pair[1] < 0.5 * pair[0]), "{tolerances:?}");
     }
 
     #[test]
