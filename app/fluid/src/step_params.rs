@@ -19,6 +19,7 @@ pub fn step_params(scene: &Scene) -> StepParams {
         max_speed_m_s: scene.max_speed_m_s() as f32,
         wall_max_m,
         period_m: period_m.map(|period_m| period_m as f32),
+        mirrors: u32::from(scene.solver.method == Method::Dfsph),
         list_chunks: grid::list_chunks(scene),
         inverse_period_per_m: period_m.map(|period_m| if period_m > 0.0 { (1.0 / period_m) as f32 } else { 0.0 }),
         ..StepParams::default()

@@ -10,7 +10,6 @@
 #define BROOKLET_MIRROR
 
 #include "../shared/layout.hlsli"
-#include "../shared/quantized_position.hlsli"
 
 // Further than any image reaches, in h.
 static const float NO_WALL = 2.0;
@@ -18,7 +17,7 @@ static const float NO_WALL = 2.0;
 // The images of what a particle sees: those in the nearest wall of each axis, and in two and three of them.
 struct Mirrors
 {
-    float3 twice_to_wall;   // from the wall, signed, in units of a pair
+    float3 twice_to_wall;   // from the wall, signed, in the units of offsets
     uint3 bits;             // of an image's number, that are set where it is mirrored along the axis; 0 where no wall is near
     uint count;             // with the particle itself, which is image 0
 };
@@ -33,11 +32,12 @@ float3 FromWalls(float3 position_m, StepParams step, SmoothingKernelParams kerne
     return low <= high ? low : -high;
 }
 
-Mirrors MirrorsAt(float3 from_walls)
+// Offsets are in units of which `supports_per_unit` make h.
+Mirrors MirrorsAt(float3 from_walls, float supports_per_unit)
 {
     uint3 near = abs(from_walls) < 1.0 ? 1u : 0u;
     Mirrors mirrors;
-    mirrors.twice_to_wall = from_walls * (2.0 / SUPPORTS_PER_UNIT);
+    mirrors.twice_to_wall = from_walls * (2.0 / supports_per_unit);
     mirrors.bits = near << uint3(0, near.x, near.x + near.y);
     mirrors.count = 1u << (near.x + near.y + near.z);
     return mirrors;
@@ -62,7 +62,7 @@ float3 FromWalls(float3 position_m, StepParams step, SmoothingKernelParams kerne
     return NO_WALL;
 }
 
-Mirrors MirrorsAt(float3 from_walls)
+Mirrors MirrorsAt(float3 from_walls, float supports_per_unit)
 {
     Mirrors mirrors;
     mirrors.twice_to_wall = 0.0;

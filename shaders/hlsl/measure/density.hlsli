@@ -1,12 +1,32 @@
-// A particle's density ratio where a step left it: itself, its neighbours, the walls. Includers
+// A particle's density ratio where a step left it: itself, its neighbours, the walls as its solver has them. Includers
 // declare `positions`, the lists, `step_params` and `kernel`, and include boundary/boundary.hlsli, and
 // with PERIODIC shared/periodic.hlsli.
 #ifndef BROOKLET_DENSITY
 #define BROOKLET_DENSITY
 
+#include "../boundary/mirror.hlsli"
+
+#if defined(WALLS)
+
+// What images of x_j add, the first of them not being it.
+float ImageDensity(float3 offset, Mirrors mirrors, uint images)
+{
+    float density = 0.0;
+    [loop]
+    for (uint image = 1; image < images; ++image)
+        density += WendlandW(length(ImageOffset(offset, mirrors, image)));
+    return density;
+}
+
+#endif
+
 float DensityRatio(uint i, float3 x_i_m)
 {
     float density = 1.0; // W(0) of itself
+#if defined(WALLS)
+    Mirrors mirrors = MirrorsAt(step_params.mirrors != 0 ? FromWalls(x_i_m, step_params, kernel) : NO_WALL, 1.0);
+    density += ImageDensity(0.0, mirrors, mirrors.count);
+#endif
     for (NeighbourCursor cursor = BeginNeighbours(i, list_heads[i], step_params.list_chunks); HasNeighbours(cursor);
          NextChunk(cursor))
     {
@@ -19,12 +39,15 @@ float DensityRatio(uint i, float3 x_i_m)
 #if defined(PERIODIC)
             offset_m = NearestImage(offset_m, step_params);
 #endif
-            float q = length(offset_m) * kernel.inverse_support_per_m;
-            density += deltas[k] == LIST_ESCAPE ? 0.0 : WendlandW(q);
+            float3 offset = offset_m * kernel.inverse_support_per_m;
+            density += deltas[k] == LIST_ESCAPE ? 0.0 : WendlandW(length(offset));
+#if defined(WALLS)
+            density += ImageDensity(offset, mirrors, deltas[k] == LIST_ESCAPE ? 0 : mirrors.count);
+#endif
         }
     }
     density *= kernel.weight;
-    density += SampleBoundary(x_i_m, step_params, kernel).density;
+    density += step_params.mirrors != 0 ? 0.0 : SampleBoundary(x_i_m, step_params, kernel).density;
     return density;
 }
 

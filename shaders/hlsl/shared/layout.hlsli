@@ -80,7 +80,7 @@ struct StepParams
     float3 wall_min_m;      // where walls stand; too far to matter along axes that have none
     float max_speed_m_s;
     float3 wall_max_m;
-    uint reserved0;
+    uint mirrors;           // whether walls count as the solver counts them: 1 as mirrors, 0 by their wall-weight function
     float3 period_m;        // the domain's side along axes that are periodic, 0 along others
     uint list_chunks;       // room for neighbours a particle, in LIST_CHUNKs
     float3 inverse_period_per_m;    // 0 along axes that are not

@@ -93,5 +93,5 @@ static CONSTRAIN_DENSITY_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/constrain_density_by_index.compute",
-    hash: "0d28eeef515734b095907c891b5efe6b74b4cd227a3a4f425046b9c41063c8a7",
+    hash: "5a7242a941698979ee4e1e7f27040a64e8524aec662763051d7afa596513bd40",
 };

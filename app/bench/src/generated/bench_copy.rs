@@ -57,5 +57,5 @@ static COPY_ELEMENTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/copy.compute",
-    hash: "f804f6dd5a205488c2775ad8653c757c6cfd2055bbfd4632520223dc0d829723",
+    hash: "275d0169c2206d32e0a475f5659bdc0ef3b9d44a377a398d6494053c9535f00e",
 };

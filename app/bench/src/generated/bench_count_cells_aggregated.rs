@@ -74,5 +74,5 @@ static COUNT_CELLS_AGGREGATED: Module = Module {
     shared_bytes: 512,
     tier: Tier::Floor,
     source: "bench/count_cells_aggregated.compute",
-    hash: "cc6f178c85d7b286e678e4177b71e30dc65ff5c456b6d408fc43fc0c6296aa2a",
+    hash: "cb867121cb1d71d1437205922cb3096dac8fea8c607a2a7c3398dc3c51a47d85",
 };

@@ -55,5 +55,5 @@ static GATHER_ELEMENTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/gather_elements.compute",
-    hash: "515d86da2708489d3c3c068aa806b2233eede21beca7b66eadb9798e38bf946e",
+    hash: "94bf1903488768aebb07e9c93a52b922f9bb3d48f28d972e2fe96f0dc0bd6e68",
 };

@@ -94,5 +94,5 @@ static LIST_NEIGHBOURS_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/list_neighbours_by_index.compute",
-    hash: "73a430d57491f43ae24a4c64f150d0b3a337849d66526e32c43bb0937f4a735f",
+    hash: "e1218a2aa54907c6229ccedb19aa089cdd6476dfb12b313e63e8f516512aedab",
 };

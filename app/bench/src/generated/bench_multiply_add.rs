@@ -45,5 +45,5 @@ static MULTIPLY_ADD: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/multiply_add.compute",
-    hash: "8ba34b9376fdfac480fb8a6633ed5ea133664660f67fae37ba1e383ef77e4309",
+    hash: "7658d882a277fc525df5c19182dc8e2412d78f646123c66e07bed0da621d72a3",
 };

@@ -82,5 +82,5 @@ static REORDER_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/reorder_index.compute",
-    hash: "d078514c5a2b6db55758be164e9980d8bc5f142da5bc87ff06b67896211c7312",
+    hash: "5cfc7d7708c0d6a8e52436e1a2b891fa981d14181686a758047b9388a0286f40",
 };

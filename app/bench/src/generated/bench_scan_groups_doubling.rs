@@ -74,7 +74,7 @@ static SCAN_GROUPS_DOUBLING: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "bench/scan_groups_doubling.compute",
-    hash: "5b71338d71ef5f50467080bfbc9644332b148a199abb295c8b8d59484c4c7cc7",
+    hash: "7fd44c33d2f774e69b0a53e733b0d5ba7b1433cd64ff97c281ac6220a8700ce1",
 };
 
 static SCAN_GROUPS_DOUBLING_WITH_GROUP_OFFSETS: Module = Module {
@@ -87,5 +87,5 @@ static SCAN_GROUPS_DOUBLING_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "bench/scan_groups_doubling.compute",
-    hash: "f9927849dd46c9d455846d5a191b8463121dca3a2592ed0eb2b130f4c3d1e15f",
+    hash: "1a16caa00b56390795470cebb21993ca5508e2f6e33d1e182877a85bb8736498",
 };

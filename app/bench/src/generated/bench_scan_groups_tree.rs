@@ -87,7 +87,7 @@ static SCAN_GROUPS_TREE: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "51a58849f2103227ccb88257cc4239fe497d09a14e17a40b9a602caeb6235184",
+    hash: "04faaf54d577b908823d28b0fef02934b92dcdf1aec46ee954077b45630a1528",
 };
 
 static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
@@ -100,7 +100,7 @@ static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "64d31422ec3a33888f428dd846cdfff7f798b19205fde9c769de19b87a31fc39",
+    hash: "43160439cf19a5efe6b29dd8a7be31ea46468bce970d7f0beef4672f5b356815",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
@@ -113,7 +113,7 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "642b83dfa25719e2a71a135c736ab13d8b3263a380e78462a715ba5566dff57b",
+    hash: "81cc0e880f49001ea55c8a9b6016e4956238d2569e158a7c47591eb6107983b9",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
@@ -126,5 +126,5 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "07607fd1266b0c14cc3f8705ec34a6b370a96dbed64acc29838b07a201954268",
+    hash: "fd357dc03b6fbb6bad07705e4bc88d76097b84d80047745d79e811a8830b71d9",
 };

@@ -54,5 +54,5 @@ static SCAN_STEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/scan_step.compute",
-    hash: "7ed4fe8cc8443c45fb4c6dbe71448cdfa9a0a339e999d6b9d54f9df096692217",
+    hash: "dd05e7db2727d21b191c6f7845196cf4c0e59acef68990194ba12180dc0078bf",
 };

@@ -144,7 +144,7 @@ fn samples(case: &Case, walls: Option<&DomainWalls>) -> Vec<Sample> {
 pub(crate) fn density_ratios_are_their_twins(device: &Device) {
     let mut worst = device.worst(DensityRatios::STAGE, TOLERANCE);
     let mut rng = rng(53);
-    for walls in Around::ALL {
+    for (walls, mirrors) in [(Around::Nothing, 0), (Around::Walls, 0), (Around::NarrowWalls, 0), (Around::Walls, 1)] {
         for size in sizes(device, GROUP) {
             let case = disturbed(&mut rng, size);
             let mut bench = Bench::new(device);
@@ -157,7 +157,7 @@ pub(crate) fn density_ratios_are_their_twins(device: &Device) {
             }
             let (neighbours, list_heads) = (bench.input("neighbours", &lists), bench.input("list_heads", &heads));
             let mut density_ratios = bench.output("density_ratios", size);
-            let step_params = bench.uniform("step_params", case.step_params());
+            let step_params = bench.uniform("step_params", StepParams { mirrors, ..case.step_params() });
             let kernel = bench.uniform("kernel", kernel_params());
             let step_state = bench.uniform("step_state", step_state(size, case.step_params().dt_s));
             bench.dispatch(
@@ -178,7 +178,7 @@ pub(crate) fn density_ratios_are_their_twins(device: &Device) {
             let smoothing = smoothing_of(&kernel_params());
             let twin = |walls: Option<&DomainWalls>| {
                 let quarantined = |i: usize| case.positions[i].tag >> 31 == 1;
-                density_ratios_twin(&case.positions_m(), &case.neighbours, quarantined, &smoothing, walls)
+                density_ratios_twin(&case.positions_m(), &case.neighbours, quarantined, &smoothing, walls, mirrors == 1)
             };
             let expected = twin(walls.has_walls().then_some(&box_walls));
             for (i, (&got, &expected)) in got.iter().zip(&expected).enumerate() {

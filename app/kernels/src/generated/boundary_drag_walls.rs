@@ -74,11 +74,11 @@ static DRAG_WALLS: Module = Module {
     name: "DragWalls",
     entry: "DragWalls",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 8840 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 8836 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/drag_walls.compute",
-    hash: "a54865fa1d60fb0134b942a66423e0961a8ba92f262dc1120d3482c4f007b171",
+    hash: "899b47d7787c714e9689839d6e2b7b6794f30476890e5079368e42d616b3f5d8",
 };

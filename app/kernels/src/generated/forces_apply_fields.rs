@@ -72,5 +72,5 @@ static APPLY_FIELDS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/apply_fields.compute",
-    hash: "ebc350b8e869c986c249a50074c926366377acccc55c44b6b4ce495517474696",
+    hash: "6d57e9098ab8c5bac33aff6ccc72573b748345711350a08a1c9d13aa2f890c05",
 };

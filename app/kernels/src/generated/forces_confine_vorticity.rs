@@ -96,37 +96,37 @@ static CONFINE_VORTICITY: Module = Module {
     name: "ConfineVorticity",
     entry: "ConfineVorticity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 8192 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 8188 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/confine_vorticity.compute",
-    hash: "24182ba206cd6202a84ac9af5d224c52c6d473dc0dc685e088f351df496ee7c8",
+    hash: "6eddc733e07bb73f6ffca3abb332a5dcd60150f1a38947437a999f55d4e0f39e",
 };
 
 static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
     name: "ConfineVorticity+RELAXED_PRECISION",
     entry: "ConfineVorticity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 8192, bytes: 7640 },
+    spirv: Spirv::Packed { pack: PACK, first: 8188, bytes: 7636 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/confine_vorticity.compute",
-    hash: "51533d265516d77259c6324c07841c3f471f4ae3ed22cf9328495e5108f1f5ef",
+    hash: "ef95ff5b69606c3d288dc1a291531e0d01c8372a31b1f7d467dcce514a8e35b4",
 };
 
 static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
     name: "ConfineVorticity+HALF_PRECISION",
     entry: "ConfineVorticity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 15832, bytes: 7720 },
+    spirv: Spirv::Packed { pack: PACK, first: 15824, bytes: 7716 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/confine_vorticity.compute",
-    hash: "d34c5301a17ab591d0a9b03041f8061b97f9cc13d8edeb70e541ec2e23c568c9",
+    hash: "000a0673a4bfdaf1aa9b244f5d31938ae34a30c2e8abae0074ab88c5664ba7d2",
 };

@@ -94,37 +94,37 @@ static CURL: Module = Module {
     name: "Curl",
     entry: "Curl",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 8208 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 8204 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/curl.compute",
-    hash: "34b786c75ea5eb65687d0a4793b6f81cb6035eeb6a4567a3c9579de9f88cd10e",
+    hash: "6df9aad6dc206a51718f1cbbbd7d8208d73e0d61153c7bbc4ce1943ac7e081ad",
 };
 
 static CURL_WITH_RELAXED_PRECISION: Module = Module {
     name: "Curl+RELAXED_PRECISION",
     entry: "Curl",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 8208, bytes: 7656 },
+    spirv: Spirv::Packed { pack: PACK, first: 8204, bytes: 7652 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/curl.compute",
-    hash: "2f54e9d4956dfb27a08ec3f46905441b2733a4c0665127805190ac55eb80ed22",
+    hash: "0b5dfa58f5bc9a093fcd33cacbb8b7ef753786d5c351ad442df6adbd222a82db",
 };
 
 static CURL_WITH_HALF_PRECISION: Module = Module {
     name: "Curl+HALF_PRECISION",
     entry: "Curl",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 15864, bytes: 7736 },
+    spirv: Spirv::Packed { pack: PACK, first: 15856, bytes: 7732 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/curl.compute",
-    hash: "5c7fe61cd1f18ebc8907b78b8ab98fb2bdcf2ac07b80d4c34052b3598181797c",
+    hash: "6e723be09ef15e0ba9b905722ead096f32c7146e9b3ccc088b485ebfb07dbc1e",
 };

@@ -99,37 +99,37 @@ static XSPH: Module = Module {
     name: "Xsph",
     entry: "Xsph",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 8528 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 8524 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/xsph.compute",
-    hash: "fb6becc0ff906f0352204858b53c8c285c718b72489faba96a939ba73b73d5d5",
+    hash: "291e99a5b2c7417a08fc6dae05ba3d47dc738c6982d9bb8856f30af862f0191e",
 };
 
 static XSPH_WITH_RELAXED_PRECISION: Module = Module {
     name: "Xsph+RELAXED_PRECISION",
     entry: "Xsph",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 8528, bytes: 8120 },
+    spirv: Spirv::Packed { pack: PACK, first: 8524, bytes: 8116 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/xsph.compute",
-    hash: "c0e446f990be1f9da50fb7b9843794da89291f0c1806de64d24f6c1eee0dab55",
+    hash: "209269324359b6910dbc9804797199dabcc8e4b86fefc74d68708d16df4bf9af",
 };
 
 static XSPH_WITH_HALF_PRECISION: Module = Module {
     name: "Xsph+HALF_PRECISION",
     entry: "Xsph",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 16648, bytes: 8056 },
+    spirv: Spirv::Packed { pack: PACK, first: 16640, bytes: 8052 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/xsph.compute",
-    hash: "66d79cc266a5c5836cb3e8381eb23f09ff0802c7d8d714b65c245834bd77e928",
+    hash: "11ed9121721fc1579aa09720f9b63308fb8f19eb438fa864f6f8d13ea2182e13",
 };

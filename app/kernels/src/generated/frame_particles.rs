@@ -65,7 +65,7 @@ static DRAW_PARTICLES_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "a6c1e8fc1e83cf2351f0c5eb1e788a43bfe23369f235eb439afa7936692cb3e2",
+    hash: "007718f8d61dec01910416b0b65279c31caf12cdcc64ededac76e8324afb077d",
 };
 
 static DRAW_PARTICLES_FRAGMENT: Module = Module {
@@ -78,5 +78,5 @@ static DRAW_PARTICLES_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "5509081076359ab104b3d292134b61b265f60fd6e20a24ed25697d6c304eb925",
+    hash: "0011adc2c809e089ba56eb9b06e2221ba62868ef84971734fb1882276a8af389",
 };

@@ -133,7 +133,7 @@ static DRAW_SHADE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "0ff66b39970d9fa64924083e5ea7f50a58a7433b062d623e623151787bddb790",
+    hash: "f85a69685e60810d46deb6e92312164775a6e1ef8326f2ee06b2466f7c980385",
 };
 
 static DRAW_SHADE_FRAGMENT: Module = Module {
@@ -146,7 +146,7 @@ static DRAW_SHADE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "b9aa27e487ca28b28a196886732bcb24d02e68696f7e0b0ade61ede1a2e30aea",
+    hash: "83c25561f1ecdf05c9814e88323cfac54267bc434be44c7062895e23411da1e6",
 };
 
 static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
@@ -159,7 +159,7 @@ static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "cc7312e97e9fdd7262069f4c7826822a3867af4fd1189982a74784ecdaa50cdb",
+    hash: "0a845c94229fc27e83fc573ef48fa91f0e8c41baf1f8582efe26b7bde001a39e",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
@@ -172,7 +172,7 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "3869d1745fad002874d6964bd9b8b44c18bafb5b8ddc9a6fba8c3e8dd87b3874",
+    hash: "a4d8a4dadbab0fd8b32f8c90018ccd66d86c89e20cf2779fd66344ea8c378551",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
@@ -185,5 +185,5 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "267a80a28edd136a72b23332e632d44faa9ce3bcef8411b8ef589510ddf1fbf2",
+    hash: "a4dcb15f2bb58498bdb1a288dd24f94cc987df5802d13d76e61dba4714dc72c9",
 };

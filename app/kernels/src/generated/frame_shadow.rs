@@ -58,7 +58,7 @@ static DRAW_SHADOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "a55bf2582ae7b7368c8b211d012744167b94de8252272344ba42b101b7305ba8",
+    hash: "aa51245310b8a952eb599ef449eb4565d161fe9483feb421c7a18dc0c80d831a",
 };
 
 static DRAW_SHADOW_FRAGMENT: Module = Module {
@@ -71,5 +71,5 @@ static DRAW_SHADOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "46ec15f45782a19804bb4e42f5fd307d55f0a7d0e65bf1acf15c1f5643194267",
+    hash: "b36c2ec48337351e636dbaa9897ef8c876195802ad2064938dfa37ec27dc21db",
 };

@@ -63,5 +63,5 @@ static COUNT_ACTIVE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_active.compute",
-    hash: "8b19a8d4ae63cc89f002feaf455ed1e8ee39f814926346de53216657e1dcc5ba",
+    hash: "24ad278f93c90702ddaa07e9581daeaa9c3bc9de51d2cfd8ebb517f95ae304b4",
 };

@@ -93,7 +93,7 @@ static COUNT_CELLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "00f3a700251ca7d2a24075e70fff9311214dee46b37e4bde261250257e1be081",
+    hash: "7203be4fa696aea1f22a5597cfbddc45f68288c1462e63be38785064cd4def3d",
 };
 
 static COUNT_CELLS_WITH_PERIODIC: Module = Module {
@@ -106,7 +106,7 @@ static COUNT_CELLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "a86eef55b7f4da23c6e4c577e05c30696f2476362ba7df3f8c7d490e446f3d26",
+    hash: "0646cf5e5e6ee124d788a24765893c623510ffa575d5b516a076f49600cbbef5",
 };
 
 static COUNT_CELLS_WITH_WRAPPED: Module = Module {
@@ -119,7 +119,7 @@ static COUNT_CELLS_WITH_WRAPPED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "b48d16de979194117fe1c8258aec3df862a40173656ed91eb83bf1ca3e5c3550",
+    hash: "3deeda6605f1fc8356c8820e171244c5ee5c537054ce61d597cd866c3fe7bc1c",
 };
 
 static COUNT_CELLS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
@@ -132,5 +132,5 @@ static COUNT_CELLS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "e47af226a576aff71b1af1f9d751f3d2c12bf1cf3ce33269290462e62883b6a6",
+    hash: "c19d46cc4c9f0fb124acc554d0b526f62796c8e1b3bfa05db403dfd614c8edee",
 };

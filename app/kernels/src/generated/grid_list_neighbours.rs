@@ -138,7 +138,7 @@ static LIST_NEIGHBOURS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "11f80465750d815bbb44e8babda85dc1edf2fd636634fdcc8f406e12db780479",
+    hash: "13e6aa3de99a185ad9458c9e99e33024e4274a00fbd7ee336004be76fc3cca92",
 };
 
 static LIST_NEIGHBOURS_WITH_RELAXED_PRECISION: Module = Module {
@@ -151,7 +151,7 @@ static LIST_NEIGHBOURS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "22a4035fb97ca4613d1c25cca6e6c1572960646c35bba5e077bb418b8fcaae54",
+    hash: "07b33921f422cd00eeeaa88eee58add12436f0d6a7ead4580402468175120023",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
@@ -164,7 +164,7 @@ static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "80ff97f6726ddeef9325f169cabd3e52483d094e5dd3785a40e2e2d94dc8c5d8",
+    hash: "b0775d7c0aac77f4b67f0243810c5e81f9b7b49bce7a0bef2364b5f6e897bb84",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
@@ -177,7 +177,7 @@ static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "d4dc2131a2ef9e9af53d625e2d18293214269bbbcdb34b7783f56217a27d1678",
+    hash: "e6d0433ccc7c6a19facf9367217debea581138f20cd7c9918a9788b1be51e8cf",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
@@ -190,7 +190,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "1733c3ed9e994354a59db8a846721ac175825ed652a7f0a5bedf0b990eda84a0",
+    hash: "e7d9c11d861e9f88a0e5ccb40106ec83f0427f4779f04c0bbf35e107e1fbbac6",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_RELAXED_PRECISION: Module = Module {
@@ -203,7 +203,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "83f28c59838047474469e0f0e6b5dd554f530c3893a09cab42f12b2feb100a39",
+    hash: "bd3d8866ecca38afde10f8105474a676e825b7a5c17c89ffd56276338f016b42",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
@@ -216,7 +216,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "6e76e2fd511f268d6f5e97ed4a5c81fb4f302dea662309971b05823b5437c31e",
+    hash: "e5038aa8ba35fd6de7ab52b4f8dc921e18f4c9dd1efe2acc8d20baf985044237",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
@@ -229,5 +229,5 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "9c19914cf2398b7555195e04eb78e9514e538c622366edef9d888193b7e96950",
+    hash: "e7c9b6d9f49134400166bfc6e1bd3575c4a99f1ddf319fd7b2e2ec1423eb6080",
 };

@@ -80,5 +80,5 @@ static RANK_BY_ID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/rank_by_id.compute",
-    hash: "7291ecfc66a88dbbb665a7de37a7e4a64be9b865da2be2366f112de3ee344d49",
+    hash: "df30f2b23c8c6ff58308e5ef805486c3230fb6b82820b3c45d5bb140d24dec44",
 };

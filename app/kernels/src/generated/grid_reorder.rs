@@ -159,7 +159,7 @@ static REORDER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "fbd74bd6a97aabca70ecdd288daf3c4e815cd5d621b9110309bce9b7695dad79",
+    hash: "47cb86dc5f0e653608158cde8f6b5b6a64f00ba40fe1167c999e16eeef905a54",
 };
 
 static REORDER_WITH_VELOCITIES_ONLY: Module = Module {
@@ -172,7 +172,7 @@ static REORDER_WITH_VELOCITIES_ONLY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "ee971dd6c6d0f0266777f0742ab1ca7b44b7e566055ec58db416ddb2ed7341a5",
+    hash: "f17d7bf26184870610c3dfef031fc933d39b70d21d1740c39000594db0cc6cdb",
 };
 
 static REORDER_WITH_POSITIONS_ONLY: Module = Module {
@@ -185,7 +185,7 @@ static REORDER_WITH_POSITIONS_ONLY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "bbde5708bf24029f8002250c7526354994aa9b0b3566dc0e210e448a56a638b5",
+    hash: "8ef2e57184f9effe99eb68ec2c9c572e89096c1f3dddb4c894d07669836dec9b",
 };
 
 static REORDER_WITH_RELAXED_PRECISION: Module = Module {
@@ -198,7 +198,7 @@ static REORDER_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "99647be841835cee4057410dec37b24fc406d75e1e139822d3f561d3be71673f",
+    hash: "4bf799d3abc3822e1aac0b3a7e670c698fa844c16dacb620ac8e4c47a201346b",
 };
 
 static REORDER_WITH_RELAXED_PRECISION_WITH_POSITIONS_ONLY: Module = Module {
@@ -211,5 +211,5 @@ static REORDER_WITH_RELAXED_PRECISION_WITH_POSITIONS_ONLY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "53ab1b6a19b3d3634d9bfe4806124315c1c740ab4a04e356be2fee2195923e04",
+    hash: "c997fbf1a4dd955cea76fabd78c1b71a1cc0edf4d5865b10189b1e9baf8e6f97",
 };

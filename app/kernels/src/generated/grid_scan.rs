@@ -111,7 +111,7 @@ static REDUCE_GROUPS: Module = Module {
     shared_bytes: 576,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "f67484363c82167f512d82dcf7c602f6317dff4da8e8bb46fefe69e5c7e825e1",
+    hash: "7832f7f250d9b87fb3c16e48ff27c7c8b0602f42d02eea0bf9ad4d6bdbe1adf0",
 };
 
 static SCAN_GROUPS: Module = Module {
@@ -124,7 +124,7 @@ static SCAN_GROUPS: Module = Module {
     shared_bytes: 576,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "c0b9a2867f37472b8900680d59698116dc9c6d581c9838257b04b5f43b32714e",
+    hash: "13ad2da480de694eb2cdf24a495daf16486c63b44326fb825744d1fce0f4d17d",
 };
 
 static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
@@ -137,5 +137,5 @@ static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 576,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "b5747f7c3d8587e4e4fa3dae8ad27329089843911d6d44e910c3cef3792b5ad9",
+    hash: "e2210e3f17107d197b9ef2a8a4e8944e46d13f5dfaa2d0727d0cf3fc1a9e7039",
 };

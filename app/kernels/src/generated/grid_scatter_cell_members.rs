@@ -68,5 +68,5 @@ static SCATTER_CELL_MEMBERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/scatter_cell_members.compute",
-    hash: "7f93f786aaea80bd7b60557848bd57ee169d44e8f9ae2948cf4fcd8e9b6806c5",
+    hash: "7113f8f8df5ab7831f3a3775cbaf24ad9e0e79d66e248905d7a855744b6e4507",
 };

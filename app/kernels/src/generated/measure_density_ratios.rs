@@ -94,50 +94,50 @@ static DENSITY_RATIOS: Module = Module {
     name: "DensityRatios",
     entry: "DensityRatios",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 6920 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 6916 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "47965648b0bdfc145b3614750850cdac421eb4b84f60b6dc6d5db8581bdcf589",
+    hash: "ee44564cf1a86e871aedc3ef1c735006dce57e2eb09156cee687beb5844bfb82",
 };
 
 static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
     name: "DensityRatios+PERIODIC",
     entry: "DensityRatios",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 6920, bytes: 7360 },
+    spirv: Spirv::Packed { pack: PACK, first: 6916, bytes: 7356 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "3451b402da780037932254a03ddc655fc39399adc0eab2fe7da2c506f9400249",
+    hash: "b074f1b6e5bd714a1c305d5bb8ce5163783ec18970d0a79d196d3abb67225209",
 };
 
 static DENSITY_RATIOS_WITH_WALLS: Module = Module {
     name: "DensityRatios+WALLS",
     entry: "DensityRatios",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 14280, bytes: 8380 },
+    spirv: Spirv::Packed { pack: PACK, first: 14272, bytes: 9324 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "f33c776638f3fb83441f0c32ad61142be0eb419f3b54336e76d9fcd2ecb8328b",
+    hash: "01d3e37d2ab67921c9b3e7111c837ffe34cc43bc1a87f3db1fa297912e7a1659",
 };
 
 static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     name: "DensityRatios+WALLS+PERIODIC",
     entry: "DensityRatios",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 22660, bytes: 8804 },
+    spirv: Spirv::Packed { pack: PACK, first: 23596, bytes: 9496 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "439de062e8c564db71b4a414a939ba4ac9e5ed4751509c61585ebee846e07500",
+    hash: "21c78c20719289c0b89e3dd91b92b70e49910c77ac1b44953f8926e94d4f204a",
 };

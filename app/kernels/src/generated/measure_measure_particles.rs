@@ -129,63 +129,63 @@ static MEASURE_PARTICLES: Module = Module {
     name: "MeasureParticles",
     entry: "MeasureParticles",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 7384 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 7380 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "b791df255c20ddc9bd195e8bd72dea9b5ee08f021995ddf8c5a69ba227deb504",
+    hash: "71197929804df967ec1f075a175a3fd776d3fedd420d5f01ec278e27456b8faf",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
     name: "MeasureParticles+DENSITY",
     entry: "MeasureParticles",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 7384, bytes: 12472 },
+    spirv: Spirv::Packed { pack: PACK, first: 7380, bytes: 12468 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "3831343dff45eedcd69ec6ed63e5b5e2e8788011fd06a588f7f55ef7dc1af2bd",
+    hash: "c5bb214d3529ec01a70b18ba88d8417cb004de20dbb4a4d29dce2e0008c32701",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
     name: "MeasureParticles+DENSITY+PERIODIC",
     entry: "MeasureParticles",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 19856, bytes: 12912 },
+    spirv: Spirv::Packed { pack: PACK, first: 19848, bytes: 12908 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "93b42182dcf7616d90a0fe50719f9c4794934cf4372c86da0c679a14fe3568b5",
+    hash: "7fd064ff67fde9dbc20a8af86d0d1c652da3bb48031487ebe2fc03a6211d1261",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
     name: "MeasureParticles+DENSITY+WALLS",
     entry: "MeasureParticles",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 32768, bytes: 13908 },
+    spirv: Spirv::Packed { pack: PACK, first: 32756, bytes: 14836 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "34d3a6d5a2748c665f54e6fb1a83cb2849712a9dfbe316cbaa1e3130ebb086d2",
+    hash: "e8055f7eab1eaacecb6729affb1d78d586ccb70e0a2f8873baac248295a2a59b",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module {
     name: "MeasureParticles+DENSITY+WALLS+PERIODIC",
     entry: "MeasureParticles",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 46676, bytes: 14332 },
+    spirv: Spirv::Packed { pack: PACK, first: 47592, bytes: 15008 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "986640ffa0e55713dc0332179da48a458049e8684d7c43b9aa11a049f6a960b4",
+    hash: "49295764559db0f6471461f2d607fcb07f3c2fc609937450f868441f37a5f20a",
 };

@@ -76,5 +76,5 @@ static MEASURE_TOTALS: Module = Module {
     shared_bytes: 4616,
     tier: Tier::Floor,
     source: "measure/measure_totals.compute",
-    hash: "ddd09d18f6d971abe91d3576268e8c441db10892cb040336a3cb068944a937dc",
+    hash: "a4018114ec2b71cb482167e664c0e376237907d5e486a4905ce9fc92812b6b3e",
 };

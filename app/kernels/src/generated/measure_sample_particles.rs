@@ -70,5 +70,5 @@ static SAMPLE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/sample_particles.compute",
-    hash: "ea23444c1ef45e8b18023c4e5cfabc6f9f94d1f0da6e18e87d1d37255c8d7016",
+    hash: "ca80102e2ca05f6bd86e4e071b3892fab4d69c86b6ce81cb57a572341b6781a3",
 };

@@ -117,7 +117,7 @@ static ACTIVATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/activate.compute",
-    hash: "9abbb7d7dfcff5b6308d183b7d9961704c8d654d0728e96c617c4665066931c0",
+    hash: "e86ea5544db6d7e08353c15639f763809752f34b403b38cb052e7ae14ae04b31",
 };
 
 static CLAIM_SLOTS: Module = Module {
@@ -130,5 +130,5 @@ static CLAIM_SLOTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/activate.compute",
-    hash: "39393f892d17f027c2b7d29df3b16f9e6fa42179ce9f30fe1027a562bdc82070",
+    hash: "ee77168cdcf2659ad94f4f844bd8fdd248a2d14bcb2130d35f6407fa1a56b880",
 };

@@ -137,102 +137,102 @@ static ADVECT: Module = Module {
     name: "Advect",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 5268 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 5264 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "0d31e5ec5fc61b9fb5ac09b5986f080a0eb14a50a46b4dfd4af34e9cce13c09b",
+    hash: "119dbad76773a72e977471097e0e6bd65f8da659c175b542eb87eab03767c960",
 };
 
 static ADVECT_WITH_PERIODIC: Module = Module {
     name: "Advect+PERIODIC",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 5268, bytes: 6252 },
+    spirv: Spirv::Packed { pack: PACK, first: 5264, bytes: 6248 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "ab567347c5a9e00aa337cb05c8b6e4e71949aa751950ba7057b8d751033f6738",
+    hash: "566b78f07f7751011325943eee8436df32a2936e999bff299ae42799daf83286",
 };
 
 static ADVECT_WITH_WALLS: Module = Module {
     name: "Advect+WALLS",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 11520, bytes: 5768 },
+    spirv: Spirv::Packed { pack: PACK, first: 11512, bytes: 5764 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "bab5d0c1ce1bdb540fa18cb4af58967a81634dbee17b93d422b63fdf5e1d8c11",
+    hash: "1f3af2ef628a5da04737167d6244e55a759dd1192694acf93381a730d03ea369",
 };
 
 static ADVECT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     name: "Advect+WALLS+PERIODIC",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 17288, bytes: 6736 },
+    spirv: Spirv::Packed { pack: PACK, first: 17276, bytes: 6732 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "a68f2dbcd9a58f7c7f27b21a79410ffa99ffa6a6c456a15588b9954733dce934",
+    hash: "28b48b78058e7a831d6a309b91ec0a680e069fac89e49cbf6dfec34d0bb98786",
 };
 
 static ADVECT_WITH_ACCELERATED: Module = Module {
     name: "Advect+ACCELERATED",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 24024, bytes: 6236 },
+    spirv: Spirv::Packed { pack: PACK, first: 24008, bytes: 6232 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "c83f0d0a625e8f3fb1038a8a6c9720cf1c60df76f480eee10e7561df1a424fe3",
+    hash: "735b337f592d68370944b5854c6586a361789c111e57ea8bfcda97bed2941763",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_PERIODIC: Module = Module {
     name: "Advect+ACCELERATED+PERIODIC",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 30260, bytes: 7204 },
+    spirv: Spirv::Packed { pack: PACK, first: 30240, bytes: 7200 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "975739dced15a2d513cafce16a0f4216e0d1a5735a50e8f4a583f498da1f7798",
+    hash: "11c09d8fa18ac3140d9213ded82cd427a437c2a29c4dbf395178c66053b7de0f",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_WALLS: Module = Module {
     name: "Advect+ACCELERATED+WALLS",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 37464, bytes: 6720 },
+    spirv: Spirv::Packed { pack: PACK, first: 37440, bytes: 6716 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "22835c9ccfeaca5d9c092224534823c205a33c644d850f46517329f1f8d09efb",
+    hash: "c66186884218ea9784bb0f927069d8f289c3e6043b8fb54d1948955a49c134b0",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_WALLS_WITH_PERIODIC: Module = Module {
     name: "Advect+ACCELERATED+WALLS+PERIODIC",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 44184, bytes: 7688 },
+    spirv: Spirv::Packed { pack: PACK, first: 44156, bytes: 7684 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "e76bcba319378265bdd2d0a3009b1066e8487a7e7922f8e4e1776aa4ad4f44e1",
+    hash: "115972b3ad25771a56d54fcdb859ec0b512d48b1f81f3396309d8f818a0e095d",
 };

@@ -47,11 +47,11 @@ static BEGIN_SUBSTEP: Module = Module {
     name: "BeginSubstep",
     entry: "BeginSubstep",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 2448 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 2444 },
     bindings: BINDINGS_0,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/begin_substep.compute",
-    hash: "3b30bd5f0eda0ea9ec07f7e10ca56250415b78284025ca60c5d3c3a14794c2af",
+    hash: "46977b2d9588b6c630eeb5640eb78c4a5f28ffd9b9bd42b44d65a7ad6596aefa",
 };

@@ -71,5 +71,5 @@ static DEACTIVATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/deactivate.compute",
-    hash: "0bc3ab30d79e7f9122ab0b77dfff8109c359e95d205a298ec4070c94d8235adf",
+    hash: "44520fb01e4aafc108786d8d44d135a635ea1d38e0bd3eaa287418795d72e391",
 };

@@ -69,5 +69,5 @@ static DRAG: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/drag.compute",
-    hash: "c2d6f443882c521c0a77941dd1dd869e7f0a35ab099a9d4e45c4dc3f94dd1b1e",
+    hash: "3af4c65ba054fc9edb7eacfe840460ade2479f42846226cfa6288a3b8269bcae",
 };

@@ -48,5 +48,5 @@ static END_STEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/end_step.compute",
-    hash: "bb440b0b64410329c0aba400c82d0b5c821f9c9e409cf172e02f007095c6dbf5",
+    hash: "35393260bb1e22814ba562a763b3ed981490016fe0f0bacb7588f9d827316493",
 };

@@ -91,50 +91,50 @@ static PREDICT: Module = Module {
     name: "Predict",
     entry: "Predict",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 5360 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 5356 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "a4f7b33d56eba178e046858353793028eedc79e6f0e5597e8f87cdb231116442",
+    hash: "a5a534f8024a6cdee3f0000aaa76b5780089c623acba67496fb681783b1a432d",
 };
 
 static PREDICT_WITH_PERIODIC: Module = Module {
     name: "Predict+PERIODIC",
     entry: "Predict",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 5360, bytes: 6328 },
+    spirv: Spirv::Packed { pack: PACK, first: 5356, bytes: 6324 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "f3d329d778c03d0161edad48f383eaa48fcc77301c50a774d66e92858d968069",
+    hash: "8b885065051b26dd2bddd1985ba59893f7728e7aaa666d46a4851f2648e5ba29",
 };
 
 static PREDICT_WITH_WALLS: Module = Module {
     name: "Predict+WALLS",
     entry: "Predict",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 11688, bytes: 5844 },
+    spirv: Spirv::Packed { pack: PACK, first: 11680, bytes: 5840 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "d3b37277912d48ec05c6106ee9e09b6f7b939e31337f124df57b49ce0e18231b",
+    hash: "e13d7e2a95f8e85d18c566dcd07562b1bbfc2ba26c16543c391f232966ea032c",
 };
 
 static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     name: "Predict+WALLS+PERIODIC",
     entry: "Predict",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 17532, bytes: 6812 },
+    spirv: Spirv::Packed { pack: PACK, first: 17520, bytes: 6808 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "7e0b23ec76a7e4eb95de0a9a4335048d13dd730d2cdebf0bc4bc31e69103f6aa",
+    hash: "e714160b728080edee338e42cace66d81ba98e74179ed1a6afccccd537d1e2fc",
 };

@@ -152,8 +152,8 @@ pub struct StepParams {
     pub max_speed_m_s: f32,
     /// `float3`.
     pub wall_max_m: [f32; 3],
-    /// `uint`.
-    pub reserved0: u32,
+    /// whether walls count as the solver counts them: 1 as mirrors, 0 by their wall-weight function
+    pub mirrors: u32,
     /// the domain's side along axes that are periodic, 0 along others
     pub period_m: [f32; 3],
     /// room for neighbours a particle, in LIST\_CHUNKs
@@ -171,7 +171,7 @@ const _: () = {
     assert!(offset_of!(StepParams, wall_min_m) == 32);
     assert!(offset_of!(StepParams, max_speed_m_s) == 44);
     assert!(offset_of!(StepParams, wall_max_m) == 48);
-    assert!(offset_of!(StepParams, reserved0) == 60);
+    assert!(offset_of!(StepParams, mirrors) == 60);
     assert!(offset_of!(StepParams, period_m) == 64);
     assert!(offset_of!(StepParams, list_chunks) == 76);
     assert!(offset_of!(StepParams, inverse_period_per_m) == 80);

@@ -61,11 +61,11 @@ static APPLY_GRAVITY: Module = Module {
     name: "ApplyGravity",
     entry: "ApplyGravity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 3376 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 3372 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_gravity.compute",
-    hash: "63199fc9dba0a422e1db950cf1672bc3c13df0eae3ade7b2d0bc02fd137371d4",
+    hash: "9e5cd4cabb60162b7897b4818d6f3a50236f9b5beb28b44d03ed0b363e32b3bf",
 };

@@ -155,76 +155,76 @@ static APPLY_PRESSURE: Module = Module {
     name: "ApplyPressure",
     entry: "ApplyPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 8360 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 8356 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "547eebe3eb9863f1b798c06b74472d9bf6f350d7af56a9f3edf345bb3e9e2c7a",
+    hash: "b9266d58b0b5e716c3ebc207d7c361abd6169afaa710f3d379a97bec0e26ebce",
 };
 
 static APPLY_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     name: "ApplyPressure+RELAXED_PRECISION",
     entry: "ApplyPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 8360, bytes: 7808 },
+    spirv: Spirv::Packed { pack: PACK, first: 8356, bytes: 7804 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "ee708e85b90b1dba5529cf404261d554469499dea64323786cbbde07c3ab8dd8",
+    hash: "a8344a35d315c76bfb4f5ea6a1cf17498935ee6e5113119e9a7316e93221a27a",
 };
 
 static APPLY_PRESSURE_WITH_HALF_PRECISION: Module = Module {
     name: "ApplyPressure+HALF_PRECISION",
     entry: "ApplyPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 16168, bytes: 7888 },
+    spirv: Spirv::Packed { pack: PACK, first: 16160, bytes: 7884 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "a469c4f19a8e09d289a41d4f8f3bc5ddeb3a1df328af22526abf90c8d7d8df64",
+    hash: "ce2172b439f715ba0819425fe25325520e410cee7cc6bd522125e404ef52037a",
 };
 
 static APPLY_PRESSURE_WITH_WALLS: Module = Module {
     name: "ApplyPressure+WALLS",
     entry: "ApplyPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 24056, bytes: 12076 },
+    spirv: Spirv::Packed { pack: PACK, first: 24044, bytes: 12072 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "136aa0c724a35e7dfc8c334278ec3dbba3c9236211e20ef798f949d5cf493a3c",
+    hash: "f4a070897b78df8b9fe0949c015942931028ff278adf9251b9d8198dfe2a89c8",
 };
 
 static APPLY_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     name: "ApplyPressure+WALLS+RELAXED_PRECISION",
     entry: "ApplyPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 36132, bytes: 11472 },
+    spirv: Spirv::Packed { pack: PACK, first: 36116, bytes: 11468 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "d42adf73c954aa757d0b587daef56152c5f9dbbb9c3355c3a5e0174c7345809a",
+    hash: "d23bccfd2b51f571f7084a801ddb339085a9b79192673e1f84516142f8a0cd7f",
 };
 
 static APPLY_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     name: "ApplyPressure+WALLS+HALF_PRECISION",
     entry: "ApplyPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 47604, bytes: 11568 },
+    spirv: Spirv::Packed { pack: PACK, first: 47584, bytes: 11564 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "2160711f3589e061c7525205a8b3c3b10938a5310c51b2bef1049c64ba137e88",
+    hash: "ca909ba385ac28d83467bf2f53a8989ac7aa8356caa0fd0194d44f3dc4405fa3",
 };

@@ -82,5 +82,5 @@ static CARRY_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/carry_pressure.compute",
-    hash: "83a5a818757effee410ac94e5f608e4d5fb6f717b9b5a06152c8bfbd7aeed696",
+    hash: "69244911a5c37c5a8915cc1bb9209f4fe2289d4f7e6629bc96068611743bf838",
 };

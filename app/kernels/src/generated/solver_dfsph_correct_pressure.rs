@@ -179,154 +179,154 @@ static CORRECT_PRESSURE: Module = Module {
     name: "CorrectPressure",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 10128 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 10124 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "158d07d0d5e57144fec9c27e2cc862dd10c430a80f1a653959c63083e1c98fd2",
+    hash: "53ad7b9d779afa6f5295aa0c2639822b265686a711371c39482c808ab5615e45",
 };
 
 static CORRECT_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPressure+RELAXED_PRECISION",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 10128, bytes: 9576 },
+    spirv: Spirv::Packed { pack: PACK, first: 10124, bytes: 9572 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "93ad293568611f07e7c0f90b6d9c85b2fbd1aaabec9be75b7ad6e9f62600c8d2",
+    hash: "cff1f9db2e05a8574f5e88185ec96d2bd838dd4e8c8b817c0e6bb65080d6b6f9",
 };
 
 static CORRECT_PRESSURE_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPressure+HALF_PRECISION",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 19704, bytes: 9656 },
+    spirv: Spirv::Packed { pack: PACK, first: 19696, bytes: 9652 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "2fa2e050437faf2b4cba1eb4e3be2069510a045bfa6ccfb9ec17278dc824ea88",
+    hash: "d16e775a3b78c2ab75ead42903bc3cb27e635f67bca01645cefaabda39c73a14",
 };
 
 static CORRECT_PRESSURE_WITH_MEASURED: Module = Module {
     name: "CorrectPressure+MEASURED",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 29360, bytes: 11088 },
+    spirv: Spirv::Packed { pack: PACK, first: 29348, bytes: 11084 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "e55546082307bbf4eb1eaff2a8a084fee5cdf884c1764ceeed45a05c8b04ae58",
+    hash: "24dbb3974ab0bd823f3a4fe1e173e88bcb80a4b53bba537509de3b5e97ae84d8",
 };
 
 static CORRECT_PRESSURE_WITH_MEASURED_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPressure+MEASURED+RELAXED_PRECISION",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 40448, bytes: 10536 },
+    spirv: Spirv::Packed { pack: PACK, first: 40432, bytes: 10532 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "9b7e7a9882144ab9f66351f80aa61d269438c5a6e16bafc7fc55e89de9e84818",
+    hash: "1d7c415eadcc108b4e32535ec0ad6fc3a56b65372c0cff7ab89be2e03cdb555d",
 };
 
 static CORRECT_PRESSURE_WITH_MEASURED_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPressure+MEASURED+HALF_PRECISION",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 50984, bytes: 10616 },
+    spirv: Spirv::Packed { pack: PACK, first: 50964, bytes: 10612 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 256,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "5346ae9406b107f29e4e363cc4f6ed0e9a389b61cb85e6a81fd71c7ebdffc011",
+    hash: "6588de7e901877bf2409265f42a37eb68f00778c07d281bda6900f37f2cc2202",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS: Module = Module {
     name: "CorrectPressure+WALLS",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 61600, bytes: 13340 },
+    spirv: Spirv::Packed { pack: PACK, first: 61576, bytes: 13336 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "d6712f8dc33ae791965afa990b97c9883a7935967ac51abcac0248c1d9c3afcf",
+    hash: "c0ae63f00c8556d7847f4beebee8095bc4ae12d1749b80922cec28b924b319d2",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPressure+WALLS+RELAXED_PRECISION",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 74940, bytes: 12736 },
+    spirv: Spirv::Packed { pack: PACK, first: 74912, bytes: 12732 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "d4f024402bbd842b93bfeed926777dc812ef22c711f456b7085669b8fbf0e597",
+    hash: "59b8a8ca48540819fad0266a29fb078be6fe728ce1831b055b324d2bc1f03951",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPressure+WALLS+HALF_PRECISION",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 87676, bytes: 12832 },
+    spirv: Spirv::Packed { pack: PACK, first: 87644, bytes: 12828 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "e3acb5b7de1e28bb391a81dd7e6cf8e470afc8f038d57b353fe8188fc6ce150f",
+    hash: "71e34845ed84235f1525c9500a19536213c875a39a49d83b4d25b4a9e59b78df",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED: Module = Module {
     name: "CorrectPressure+WALLS+MEASURED",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 100508, bytes: 14300 },
+    spirv: Spirv::Packed { pack: PACK, first: 100472, bytes: 14296 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "83b5bd6c1c63d20939806c5546133dd09727527f88705ecb574cf56e2bf6280e",
+    hash: "f2d59603f4e50c1a6cf72babe84e192e5bb971092b2e0a92d9f09092fcd100b8",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPressure+WALLS+MEASURED+RELAXED_PRECISION",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 114808, bytes: 13696 },
+    spirv: Spirv::Packed { pack: PACK, first: 114768, bytes: 13692 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "8f92aa1e85b95efc2284b808ba44191c472564b969f6184fce0ce3de390797b5",
+    hash: "a6d4b6f841934b0582d8c99bd59fa908d4919f3222477b978b89534d4115cd02",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPressure+WALLS+MEASURED+HALF_PRECISION",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 128504, bytes: 13792 },
+    spirv: Spirv::Packed { pack: PACK, first: 128460, bytes: 13788 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 256,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "b492a8f7fd57ffb845e9b3cda65be895817df0267765e013e4a404c4e6fa19e2",
+    hash: "8ffbeb0f0fdc5f39e67e6268c14f508e2c9a1a2f6b4253c2bec50b5a6e628c0c",
 };

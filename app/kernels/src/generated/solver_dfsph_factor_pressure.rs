@@ -119,76 +119,76 @@ static FACTOR_PRESSURE: Module = Module {
     name: "FactorPressure",
     entry: "FactorPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 9568 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 9564 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "94b0bc11af60767fb2fcd7b712275a6b219d5c7fe910b70487d0d878ae7229c4",
+    hash: "2153cba4705bf3a4243b41349455a4592c96567a9da30ca702cc3fd17cca1acc",
 };
 
 static FACTOR_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     name: "FactorPressure+RELAXED_PRECISION",
     entry: "FactorPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 9568, bytes: 9208 },
+    spirv: Spirv::Packed { pack: PACK, first: 9564, bytes: 9204 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "7d7d8d75a33dd15869f6000016a67bda70645e9e553f02435d320695bff590dd",
+    hash: "fe66ed8d12ff1ffe838e015948faf84d9f70dbd5ed46d6f2607beca3d64ad0b7",
 };
 
 static FACTOR_PRESSURE_WITH_HALF_PRECISION: Module = Module {
     name: "FactorPressure+HALF_PRECISION",
     entry: "FactorPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 18776, bytes: 9160 },
+    spirv: Spirv::Packed { pack: PACK, first: 18768, bytes: 9156 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "6fb05ff66124cf5a79e48dd9599192eaf370a05ffc34f29ee2073e496227ba87",
+    hash: "385581a442eaff1fd9d761d1f524ec92a928593315b0a057d8966551c137ab8b",
 };
 
 static FACTOR_PRESSURE_WITH_WALLS: Module = Module {
     name: "FactorPressure+WALLS",
     entry: "FactorPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 27936, bytes: 13444 },
+    spirv: Spirv::Packed { pack: PACK, first: 27924, bytes: 13440 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "1b197337c8643e36372840b678bf8a0a0983e40e71762708c52ef319da2d0b7d",
+    hash: "a5f76f4219a1312e0f8d10a23d0024f4d85ae9e09d3d0aaca77efd6c1b6579ff",
 };
 
 static FACTOR_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     name: "FactorPressure+WALLS+RELAXED_PRECISION",
     entry: "FactorPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 41380, bytes: 13128 },
+    spirv: Spirv::Packed { pack: PACK, first: 41364, bytes: 13124 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "f0598c4fff6c7eb87c60725a1af95185b1635ac77a2f2355476b4757d7ccf6e0",
+    hash: "25432e5d56ddb3e45a06368766e1330b39976351c7c9ae746e1fa93ef5a930fd",
 };
 
 static FACTOR_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     name: "FactorPressure+WALLS+HALF_PRECISION",
     entry: "FactorPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 54508, bytes: 13032 },
+    spirv: Spirv::Packed { pack: PACK, first: 54488, bytes: 13028 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "303707753344a4ef9e7ea8cdad13b101366236172ef4dd3e856a1c2d52143a17",
+    hash: "929a812d1ea34dd57554bd5a7f0f9fda57dbc58041c61d9ac6b2ce9d4110f276",
 };

@@ -85,50 +85,50 @@ static SHIFT_POSITIONS: Module = Module {
     name: "ShiftPositions",
     entry: "ShiftPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 3580 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 3576 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "f8ff9cb7a2c000b2c815941352a03a61bd881bf15883fdf6a78c4ed5777e79ee",
+    hash: "079884b2f87e07b3fcc0c1fa601e78a3e34815c83590bf8ce9ca2fa3e011ab9a",
 };
 
 static SHIFT_POSITIONS_WITH_PERIODIC: Module = Module {
     name: "ShiftPositions+PERIODIC",
     entry: "ShiftPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 3580, bytes: 4564 },
+    spirv: Spirv::Packed { pack: PACK, first: 3576, bytes: 4560 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "b5e7c239459fac37aa919e6adbe1226dd971e2e631db2aa1d055a8d9860c9fb6",
+    hash: "86e67c8377cca08573542b08487dbd19efe06056490b53f9baa2c245f218ed35",
 };
 
 static SHIFT_POSITIONS_WITH_WALLS: Module = Module {
     name: "ShiftPositions+WALLS",
     entry: "ShiftPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 8144, bytes: 3832 },
+    spirv: Spirv::Packed { pack: PACK, first: 8136, bytes: 3828 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "48aec49561b19d14e9c3ea23abb125421e77d260bfa7688983cfe335a151a10d",
+    hash: "510b9e4334ab1116acc8c6983fe7cba518515b4eac28e2a4b08ffb40ae462204",
 };
 
 static SHIFT_POSITIONS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     name: "ShiftPositions+WALLS+PERIODIC",
     entry: "ShiftPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 11976, bytes: 4816 },
+    spirv: Spirv::Packed { pack: PACK, first: 11964, bytes: 4812 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "71d46daa9150b0434c58c8857608aa207b5dd9c6428494e916e84ac199147f1b",
+    hash: "a07ebb88885654442a29cd787d8289657c3456eda4ad63509b247a8f45b44acf",
 };

@@ -110,7 +110,7 @@ static BEGIN_SOLVE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/solve_state.compute",
-    hash: "6a9d6e01e9f24d72660bb4ee4dc8b6b0849f696d1d3da9fb4c1383bea24611fd",
+    hash: "161c0c33409c9e920652d99c705fffd97b670dfba9f826890991fb6366ed0c54",
 };
 
 static END_ITERATION: Module = Module {
@@ -123,5 +123,5 @@ static END_ITERATION: Module = Module {
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/solve_state.compute",
-    hash: "35b7a7bd5a6087ae9a64e0a812b31a0e8d10f34f1625cb0951312e22c6994f0f",
+    hash: "3a20f9792452abb2332ae5ff0a007c4d648c7b12c856059d7c8b5212dea925bd",
 };

@@ -99,50 +99,50 @@ static INTEGRATE_PARTICLES: Module = Module {
     name: "IntegrateParticles",
     entry: "IntegrateParticles",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 6500 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 6496 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "2e75109fca7aebf82b211f20e2232de863e0bd1783e01896d5136407ba468ce9",
+    hash: "8cc972407812be5d784aea9e3ef77b012fb7d865c48bf56e00472f8a28a57da0",
 };
 
 static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
     name: "IntegrateParticles+PERIODIC",
     entry: "IntegrateParticles",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 6500, bytes: 7452 },
+    spirv: Spirv::Packed { pack: PACK, first: 6496, bytes: 7448 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "8cc7b7973a46d38209d759b11d84e243a65346fea4dda19ab1e7e19d869639c6",
+    hash: "99510002c9197a96281de890a1148290ea2e2142ba905d632378add02fa87d86",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
     name: "IntegrateParticles+WALLS",
     entry: "IntegrateParticles",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 13952, bytes: 7044 },
+    spirv: Spirv::Packed { pack: PACK, first: 13944, bytes: 7040 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "85da29015eb416d7a37cd9117bba925b3693daf3f877797ad2f5050b54c1b70d",
+    hash: "b533969d1fee23224ae4a6339558234a1186b619638b64a5c16e7f73159d38b0",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
     name: "IntegrateParticles+WALLS+PERIODIC",
     entry: "IntegrateParticles",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 20996, bytes: 7996 },
+    spirv: Spirv::Packed { pack: PACK, first: 20984, bytes: 7992 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "887d902b56012c0864eaceb75547e77d1b73cd47b6b525e2a6e7ddf3fa4b58bd",
+    hash: "0ae11e44b0f5e4f3d6d942f8ff0ccb2b9ae365c590347867afa11a835c93413d",
 };

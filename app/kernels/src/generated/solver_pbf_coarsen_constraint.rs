@@ -63,5 +63,5 @@ static COARSEN_CONSTRAINT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/coarsen_constraint.compute",
-    hash: "2061c7b86a9b9698c8f9f0d9331eb736f2f41aec2490ce8e40dceb1be7792598",
+    hash: "84fb198c0efd7a64e5c60ab861330bbbc1ca13a89c9f777146fdbbc6084f3948",
 };

@@ -482,310 +482,310 @@ static CONSTRAIN_DENSITY: Module = Module {
     name: "ConstrainDensity",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 9216 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 9212 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "a7ec841b468e4a5f2926e16b58a57cce5030774dbb0419ae2faa13ebf04926b7",
+    hash: "65f3c8e420aeca75aabdcfc92b6acfa48c81f71b7787752265f9ebbc57b79c30",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     name: "ConstrainDensity+RELAXED_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 9216, bytes: 8748 },
+    spirv: Spirv::Packed { pack: PACK, first: 9212, bytes: 8744 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "062b911b221da0ccb573c7d3042bfd53830a1001ca30388f99ef93834c95a8e3",
+    hash: "ff82d630246146b3e724d9f13ddb4b26afd622880e7396b3c234b188e1e870f1",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
     name: "ConstrainDensity+HALF_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 17964, bytes: 8700 },
+    spirv: Spirv::Packed { pack: PACK, first: 17956, bytes: 8696 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "7f52b109207c41585b5dd327681e69226abe7d835f55e184bd959b80da08b1e6",
+    hash: "3f5f239d2805d88634759b346e57d4c2ed6baabadd99ad3e7eacb915ba3a3ff5",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
     name: "ConstrainDensity+MOMENTUM",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 26664, bytes: 10140 },
+    spirv: Spirv::Packed { pack: PACK, first: 26652, bytes: 10136 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "62e1edf84c6153cad2ee427ee5cd4f72f860ac38421f8738298a5dea3ecebbe7",
+    hash: "0eee35b9b1e3db957f692125fffff7c3556443dfb78cd96dabc34a0bf0f94e7e",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
     name: "ConstrainDensity+MOMENTUM+RELAXED_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 36804, bytes: 9752 },
+    spirv: Spirv::Packed { pack: PACK, first: 36788, bytes: 9748 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "ffb345abbe6d483c00a0ef2764bddfcd605d271184f2bc8dd88ba936e409a081",
+    hash: "3f964754eaa6fced4dd3fec54b427a0679e881462906feffb93460429158be2d",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
     name: "ConstrainDensity+MOMENTUM+HALF_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 46556, bytes: 9704 },
+    spirv: Spirv::Packed { pack: PACK, first: 46536, bytes: 9700 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "4810539093218251f7d619daea4a236cbfc5aee0508b2c55c0f3c2047376ba08",
+    hash: "53312c189071d678779387e6e91be6b29f15cbde0e70c667e9332f4a6b2f1a67",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     name: "ConstrainDensity+ACCUMULATED_MOMENTUM",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 56260, bytes: 10256 },
+    spirv: Spirv::Packed { pack: PACK, first: 56236, bytes: 10252 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "cb3653b1ca92be0ad6793d005026eb46eeb6d997597e7e5937bf236b5cc26c5a",
+    hash: "e85e98d39bdd5b08471eb49221710f4e81a65a8b167d47910dd74570d9beb2b6",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
     name: "ConstrainDensity+ACCUMULATED_MOMENTUM+RELAXED_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 66516, bytes: 10100 },
+    spirv: Spirv::Packed { pack: PACK, first: 66488, bytes: 10096 },
     bindings: BINDINGS_4,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "7de48c155eaf4306d0ea6f411dfb808cb0537e44d4886926837f6f083c427f60",
+    hash: "240f9b755e9fdf8fb405be8f375ff870d4b00b5f6b4d3bf4cc60eabcd77e4f26",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
     name: "ConstrainDensity+ACCUMULATED_MOMENTUM+HALF_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 76616, bytes: 10052 },
+    spirv: Spirv::Packed { pack: PACK, first: 76584, bytes: 10048 },
     bindings: BINDINGS_4,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "db4ee9d76f8970cc4676a201095d67ea47c4d34e92b448ee29e3beef185b618b",
+    hash: "03eaad7703178f033c86335cb321bc3972e1a446f18af766c6e4bfa60ddc9003",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM: Module = Module {
     name: "ConstrainDensity+RESTRICTED_MOMENTUM",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 86668, bytes: 13180 },
+    spirv: Spirv::Packed { pack: PACK, first: 86632, bytes: 13176 },
     bindings: BINDINGS_5,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "01e5a1160bdd7a8f52f3000f50fa16d6e774de800dac93413c5b1650ca592db6",
+    hash: "835ac1008e67ef7285a403a7ccc039c2764af03f4e4a0e4b336311521b2bbba8",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
     name: "ConstrainDensity+RESTRICTED_MOMENTUM+RELAXED_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 99848, bytes: 13008 },
+    spirv: Spirv::Packed { pack: PACK, first: 99808, bytes: 13004 },
     bindings: BINDINGS_6,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "d5b0e57b62252f1ee102c7a6cb1bd992091bd7d1f14eefa674d27fff7a2108f1",
+    hash: "1e41b955e7623868dbde4492b73b482ff2d299e79e5d645c0a99aba305a9a5c1",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
     name: "ConstrainDensity+RESTRICTED_MOMENTUM+HALF_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 112856, bytes: 12960 },
+    spirv: Spirv::Packed { pack: PACK, first: 112812, bytes: 12956 },
     bindings: BINDINGS_6,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "8f07a1c43d45f3ff7da47b45c82503eaf13eb9eec8c56f8155e55d49ec1ab048",
+    hash: "cd028478192713a84d31a7d0e462992d2418fc6bc962b486120e138aa818e3e4",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
     name: "ConstrainDensity+WALLS",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 125816, bytes: 12668 },
+    spirv: Spirv::Packed { pack: PACK, first: 125768, bytes: 12664 },
     bindings: BINDINGS_7,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "bf2cfa56c9b00e66334ec2a6777d69e44890323c6d02ed11c4f8d26a2cfcd727",
+    hash: "45e048fea41ed5225dac6b59ca689a75504fa177a525d2adbb2d2adb4beddeec",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     name: "ConstrainDensity+WALLS+RELAXED_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 138484, bytes: 12164 },
+    spirv: Spirv::Packed { pack: PACK, first: 138432, bytes: 12160 },
     bindings: BINDINGS_8,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "5b2a1dae28812d36dc0fe4041fc91d46cd8a6d5a94c9f81598dc1061279f8800",
+    hash: "c9a62063144750d8b1717720f81f083ab0f139cd02a6b0dc5f6ba96a1c7494bf",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     name: "ConstrainDensity+WALLS+HALF_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 150648, bytes: 12148 },
+    spirv: Spirv::Packed { pack: PACK, first: 150592, bytes: 12144 },
     bindings: BINDINGS_8,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "3228e22cc7e58ef08b38aaaeb48d4f0723073144ddc4faf59f1315d34c1ad523",
+    hash: "0d0ccf3ba657d0db7f1e6547e9cb6fd3cf6a4814c81e5c057ae459fddb630653",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
     name: "ConstrainDensity+WALLS+MOMENTUM",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 162796, bytes: 13592 },
+    spirv: Spirv::Packed { pack: PACK, first: 162736, bytes: 13588 },
     bindings: BINDINGS_9,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "6663e09660f06032f00c49d4703ef6913fd0bb2c4eadbc444478adf1313a7878",
+    hash: "1c515c668ae2d8a07a887f193270c38a5f1a9a9405bfcdab52d630567b585c90",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
     name: "ConstrainDensity+WALLS+MOMENTUM+RELAXED_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 176388, bytes: 13168 },
+    spirv: Spirv::Packed { pack: PACK, first: 176324, bytes: 13164 },
     bindings: BINDINGS_10,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "ce60276605022727a3bb574cc98f900b22149a8104753d298f097e2e0d3b41a7",
+    hash: "28cf7ea05578d3ac56a8e75e778a92cc9de5612bf67ae76e6b4dda2543a885a0",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
     name: "ConstrainDensity+WALLS+MOMENTUM+HALF_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 189556, bytes: 13152 },
+    spirv: Spirv::Packed { pack: PACK, first: 189488, bytes: 13148 },
     bindings: BINDINGS_10,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "354e29684e22485c79f102131c4b8007186dbfe6085a2107e37e98d6200dc670",
+    hash: "dd968a013ae0b3c18a89824d8a94ffb90b7f03659f09b7f60a6fbbc1e65c3579",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     name: "ConstrainDensity+WALLS+ACCUMULATED_MOMENTUM",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 202708, bytes: 13708 },
+    spirv: Spirv::Packed { pack: PACK, first: 202636, bytes: 13704 },
     bindings: BINDINGS_9,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "1782ab919807ca746a694f4ebe91cdb73056f021ab98394750bf665542382dfd",
+    hash: "8b892987eb7e9c2d1b68e12c38eca2c45dc483b497df87e5a2e1a448d6201eaf",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
     name: "ConstrainDensity+WALLS+ACCUMULATED_MOMENTUM+RELAXED_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 216416, bytes: 13516 },
+    spirv: Spirv::Packed { pack: PACK, first: 216340, bytes: 13512 },
     bindings: BINDINGS_11,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "9692e11e13d2d6c65e63f76e721a174c490d4b8b060e050c50e2763714dffd02",
+    hash: "116770634bd5443d870696790a625bf87473775dd6d5bbfe6b266b5b0eccaebd",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
     name: "ConstrainDensity+WALLS+ACCUMULATED_MOMENTUM+HALF_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 229932, bytes: 13500 },
+    spirv: Spirv::Packed { pack: PACK, first: 229852, bytes: 13496 },
     bindings: BINDINGS_11,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "5429b6caceb763ea67f7399971790d0798f0cf697978b24b387210f92f4f1faf",
+    hash: "06e80748cee203293f9301cf8b60d45529c1b6f681e0a5373c86fde3b59553ec",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
     name: "ConstrainDensity+WALLS+RESTRICTED_MOMENTUM",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 243432, bytes: 16264 },
+    spirv: Spirv::Packed { pack: PACK, first: 243348, bytes: 16260 },
     bindings: BINDINGS_5,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "9383a0de7ea2624d0febdb09dc8a24083b94a68fdb89f795bd13cf3ae61560bd",
+    hash: "cd7dcd2c223088c1148dce0bc0db66a3a8ba63e6a33ab9ae1e814eaeb8ef81cd",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
     name: "ConstrainDensity+WALLS+RESTRICTED_MOMENTUM+RELAXED_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 259696, bytes: 16056 },
+    spirv: Spirv::Packed { pack: PACK, first: 259608, bytes: 16052 },
     bindings: BINDINGS_6,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "ca21ca76c86ef350423947d6ff07a1a59c19320ca9337852eabe9ca4063199a1",
+    hash: "76981ab507b68a7908d6e0e604fba716f04da3dc180a42feeb8a084d2982493d",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
     name: "ConstrainDensity+WALLS+RESTRICTED_MOMENTUM+HALF_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 275752, bytes: 16040 },
+    spirv: Spirv::Packed { pack: PACK, first: 275660, bytes: 16036 },
     bindings: BINDINGS_6,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "eeca121d420d26fb734d02f7bb7418f48a0cc1f2b53c33df93f6505d579a17b5",
+    hash: "cbc21317fd6bb4648400fd183ded831579f6d9d9e0b468dac86505ccc7d50fa9",
 };

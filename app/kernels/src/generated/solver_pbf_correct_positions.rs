@@ -177,154 +177,154 @@ static CORRECT_POSITIONS: Module = Module {
     name: "CorrectPositions",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 14976 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 14972 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "87f563f542a828b5f69843da5e7a15268bc9de549f59d39ba98ac9d09fdb0172",
+    hash: "da2bb1179540b1e3eca12744c8d2de4118c964d199cc0dced3ad6174f741f624",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPositions+RELAXED_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 14976, bytes: 14452 },
+    spirv: Spirv::Packed { pack: PACK, first: 14972, bytes: 14448 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "ceb500a11e90f93b46cbd2fd7aebc4b14a46b7ec302d7d6f69cb37f52e625d7c",
+    hash: "0c8f86e89577fb54a83a5349d04469ca6125868c56c3b1e0f5fb8f31a91f35cb",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPositions+HALF_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 29428, bytes: 14540 },
+    spirv: Spirv::Packed { pack: PACK, first: 29420, bytes: 14536 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "6c2ed34a6c24ad98721b467df57c20b7a4ff037478a51e55bb005d655baed21c",
+    hash: "20f4776350b01c26131c848ed0959650953521545effd8d0b41a4c55d84f4dc3",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
     name: "CorrectPositions+S_CORR",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 43968, bytes: 15972 },
+    spirv: Spirv::Packed { pack: PACK, first: 43956, bytes: 15968 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "3fc68a9834c993a99c64f96f68c994bff5434fc608301caba5698d5960c1b752",
+    hash: "500c21fa2b09cfe034a53f56bdc612ba506a4c2761e1fb471c3cd9cb1753b946",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPositions+S_CORR+RELAXED_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 59940, bytes: 15640 },
+    spirv: Spirv::Packed { pack: PACK, first: 59924, bytes: 15636 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "336cc238a9b8f334dccb6632235e961f510116b22a06f1764f01a7a192470ca5",
+    hash: "51c7ee1ab406f1b433f062c54ddb1a9c891423189f0f0046c030ed9ac0691d62",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPositions+S_CORR+HALF_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 75580, bytes: 15748 },
+    spirv: Spirv::Packed { pack: PACK, first: 75560, bytes: 15744 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "9625cc1fe368c98f8ff6491b7d79538635bfbedb63f397f5b6b9a081840a08ea",
+    hash: "78742484b64e2e0cdb8787baa2f3b870d7ac94529457521622d3bf04ee512972",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
     name: "CorrectPositions+WALLS",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 91328, bytes: 17268 },
+    spirv: Spirv::Packed { pack: PACK, first: 91304, bytes: 17264 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "88c8fa26b9cafd2d1a78137060a95c2bc8a58c31d174277d10c7658c170cace9",
+    hash: "d91054b3d344765350620f2d685805db578fc1ca74b37543494f1bac386982e5",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPositions+WALLS+RELAXED_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 108596, bytes: 16744 },
+    spirv: Spirv::Packed { pack: PACK, first: 108568, bytes: 16740 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "9db5037dce035219ffaf632a6e680351a5bc756b50e02e18cdbc50257481e887",
+    hash: "b23fe0c1ad1062bc7dbc0e2e14cb77f8ba6d7920e062d902d5d739318537d450",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPositions+WALLS+HALF_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 125340, bytes: 16832 },
+    spirv: Spirv::Packed { pack: PACK, first: 125308, bytes: 16828 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "8ec8534f72bc43e40244cf80bd56c523ac2874fdb6d313edd226f0ec0565dc19",
+    hash: "637b45a9c4a4102724b2abdf34e7de19aaea55b26e36a2ac142ffe753eb631dc",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
     name: "CorrectPositions+WALLS+S_CORR",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 142172, bytes: 18248 },
+    spirv: Spirv::Packed { pack: PACK, first: 142136, bytes: 18244 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "22080b3d391afe444c49b576b504885e61090cf1cd4344a15118a1b67c1a9aa2",
+    hash: "9e0c1bd84bd81817c6a7098142b17023e750b79af239804a261b19199e523533",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPositions+WALLS+S_CORR+RELAXED_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 160420, bytes: 17916 },
+    spirv: Spirv::Packed { pack: PACK, first: 160380, bytes: 17912 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "91602e1bc2e4cfb3b171482a7c13c9f563b39999ff09b5e35f0efdb664f3b6c4",
+    hash: "aa9e17d983ea55a7f0121b22b3f3b630d797840cdb95b772410fd7d95f134189",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPositions+WALLS+S_CORR+HALF_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 178336, bytes: 18040 },
+    spirv: Spirv::Packed { pack: PACK, first: 178292, bytes: 18036 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "75898793a4e3eb56273525e6d67ed5312ffc479fa6df45e0a5b8a654e57021dc",
+    hash: "f738fbe6af3f08c7a238bc33d3b5e9b02ae60eaa670538a0f66434d6608a6776",
 };

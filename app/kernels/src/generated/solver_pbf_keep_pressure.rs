@@ -136,7 +136,7 @@ static KEEP_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/keep_pressure.compute",
-    hash: "03e0d4d35e8c6dc757f5ecd267b447a7e1d9c6914c617fe8ea0b4d31052f0980",
+    hash: "743c390785dc9a46d482ad511ab7ec337c67c639752af5bbae03039d6165da39",
 };
 
 static KEEP_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
@@ -149,5 +149,5 @@ static KEEP_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/keep_pressure.compute",
-    hash: "5ec39a4b0d0004c39b21a439e14f9f5288ac2cbfaee06e285024dc9cab4bfa2f",
+    hash: "f0748dc5a39974c0e9210e415c7bcb2dc3593d95c62a61cd8a56d1a409e7b4e2",
 };

@@ -117,7 +117,7 @@ static PROLONG_MULTIPLIER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/prolong_multiplier.compute",
-    hash: "4e949f44866d5dcafe0d9c99735e99d0573651950f60ffa53c01aedf61e4e020",
+    hash: "d5e8d9211a4319fb31d7b7fade8d23503595bab55bea3e021ee06a31dfa72f0a",
 };
 
 static PROLONG_MULTIPLIER_WITH_RELAXED_PRECISION: Module = Module {
@@ -130,5 +130,5 @@ static PROLONG_MULTIPLIER_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/prolong_multiplier.compute",
-    hash: "c16822b01f88097351c0df113a8d6fd3e4fa363e0beaef0ce949f24a4cdb9fc7",
+    hash: "af5abb728bd37ab3bbc95261d206fbbe51f44f7fbc9878d4bb6f82669946fa44",
 };

@@ -92,7 +92,7 @@ static RELAX_MULTIPLIER: Module = Module {
     shared_bytes: 4000,
     tier: Tier::Floor,
     source: "solver/pbf/relax_multiplier.compute",
-    hash: "d4812395c5ef6f496aa1a781e03c205db38eed1b81d15c799d82c80a10b3c439",
+    hash: "1981c5a3e9af1029d078fd89bb99edfc05a036bb8e824a7845a24cf9361ff942",
 };
 
 static RELAX_MULTIPLIER_WITH_PROLONGED: Module = Module {
@@ -105,5 +105,5 @@ static RELAX_MULTIPLIER_WITH_PROLONGED: Module = Module {
     shared_bytes: 4000,
     tier: Tier::Floor,
     source: "solver/pbf/relax_multiplier.compute",
-    hash: "53350001f73a830363e367b198f83fd6a0480ba57241df4a2bd20639eacfbfcc",
+    hash: "dfb16b3e97aa619232d90c0076fd8871def623e685fb97167f63ad4c528dbfbc",
 };

@@ -204,7 +204,7 @@ static START_WARM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "0276ebcdcb5aed106d351eca81356cdc96ea829a77af6e4293c838cf8df5ad7f",
+    hash: "088eddeb384c9f8ac3decf0ab42cb5fd4c64657be14a224c6338bc87dc09894d",
 };
 
 static START_WARM_WITH_RELAXED_PRECISION: Module = Module {
@@ -217,31 +217,31 @@ static START_WARM_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "f399b0379a4a309bca805c8064b85b984a9ba74379c6f3909783d04697c5ccf4",
+    hash: "1e9ddaaa62deba1d83426b614e4c45688769c9cc7f7cf43751999d2cca71859a",
 };
 
 static START_WARM_WITH_WALLS: Module = Module {
     name: "StartWarm+WALLS",
     entry: "StartWarm",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 12784, bytes: 7536 },
+    spirv: Spirv::Packed { pack: PACK, first: 12784, bytes: 7532 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "a5bc0c101a4418e932b425a1b7d91aed52fc3313fe90d02b3f05699cfdef0dfa",
+    hash: "8a9383bb636b005b720371f463da5ad31758ed71426cbb0051457d0395568767",
 };
 
 static START_WARM_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     name: "StartWarm+WALLS+RELAXED_PRECISION",
     entry: "StartWarm",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 20320, bytes: 7272 },
+    spirv: Spirv::Packed { pack: PACK, first: 20316, bytes: 7268 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "6aed8140adaf5ed69a35a7d810a3b39a2fe2762fa9195a558a2d1b1ad3272d70",
+    hash: "6c728a206c2d046312e0fe33370c419c3ee075e3bbb31b52fbf519351282988f",
 };

@@ -270,154 +270,154 @@ static UPDATE_VELOCITY: Module = Module {
     name: "UpdateVelocity",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 7160 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 7156 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "3326b70b774902b7e7ae6bedc158621c8500b7f71fabf7b1f5619746421e30f8",
+    hash: "9081b7ffeb3b6c41270ce345b66a97f42e9a5574e066f36d8a47ac921ed68199",
 };
 
 static UPDATE_VELOCITY_WITH_KEEP_VELOCITY: Module = Module {
     name: "UpdateVelocity+KEEP_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 7160, bytes: 5064 },
+    spirv: Spirv::Packed { pack: PACK, first: 7156, bytes: 5064 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "e90d527672e1ed9ef1a5015c8efdffb08facb26dfee80f302fedba0216460141",
+    hash: "8ceacac443dee4ff452859f479d0537217f81fa93b85bb4237032437bd630b19",
 };
 
 static UPDATE_VELOCITY_WITH_IN_PLACE_VELOCITY: Module = Module {
     name: "UpdateVelocity+IN_PLACE_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 12224, bytes: 6944 },
+    spirv: Spirv::Packed { pack: PACK, first: 12220, bytes: 6940 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "bfc1a551b89fdfcdbb4d48614a370cad49506dfaedaedf44801a830912d96fa7",
+    hash: "4b99761205f498dfed137980a078cad37911309e61b37ae806fd05eab28563c2",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
     name: "UpdateVelocity+PERIODIC",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 19168, bytes: 8144 },
+    spirv: Spirv::Packed { pack: PACK, first: 19160, bytes: 8140 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "6e6d5ee86e7d7ddc3a6984f10cefd99501606c9300895d481a86b4c12b474d8b",
+    hash: "2b3eff1e79f635ea925e6854cfb7b0053a7c706680376c87972fea3250aab16f",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC_WITH_KEEP_VELOCITY: Module = Module {
     name: "UpdateVelocity+PERIODIC+KEEP_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 27312, bytes: 6792 },
+    spirv: Spirv::Packed { pack: PACK, first: 27300, bytes: 6788 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "09e5a79bc2590da430d1520c542bbb0b86a92974f5fc51f1b54e2066103b66f0",
+    hash: "b4ed8051ad9a664e80a2c64d3bb9a06ed80fa5a556315f63d1e4e476c76011af",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC_WITH_IN_PLACE_VELOCITY: Module = Module {
     name: "UpdateVelocity+PERIODIC+IN_PLACE_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 34104, bytes: 7928 },
+    spirv: Spirv::Packed { pack: PACK, first: 34088, bytes: 7924 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "44f1a789977a92ec7113bb01591a45b318d835e1cd616bb3069ac0b14c2e2879",
+    hash: "42d6da6cb03ac50adc5b99b778c76b00e886a303ec027aea1d6eeb7b132a08f5",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION: Module = Module {
     name: "UpdateVelocity+RELAXED_PRECISION",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 42032, bytes: 6932 },
+    spirv: Spirv::Packed { pack: PACK, first: 42012, bytes: 6928 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "283fe53a11186ba99b3466802fe9ac6bf7ad772c0179d3850e8b29e9a8c10515",
+    hash: "243eae12370a727fd6427a7950f9c99f937ab3960caa8e98b74d1966ef92a76d",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_KEEP_VELOCITY: Module = Module {
     name: "UpdateVelocity+RELAXED_PRECISION+KEEP_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 48964, bytes: 4836 },
+    spirv: Spirv::Packed { pack: PACK, first: 48940, bytes: 4836 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "e4a223d8c9c9bb9708c1ddb9c24a6a28a7f2bf895c197096ac3ae2ebb52a96df",
+    hash: "c6e11fe38d1fa1d041d956081e622e510194d994306976fff7bb56a6163e04c4",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_IN_PLACE_VELOCITY: Module = Module {
     name: "UpdateVelocity+RELAXED_PRECISION+IN_PLACE_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 53800, bytes: 6716 },
+    spirv: Spirv::Packed { pack: PACK, first: 53776, bytes: 6712 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "d07a3f466aabc7e8aec4fd722e1ba173756ffc443f299469fd9aac14ecb3c469",
+    hash: "e13e881746f0f50cfc737594a7afde7a8d7d69e86230a020d546d7f7dd1eb17d",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC: Module = Module {
     name: "UpdateVelocity+RELAXED_PRECISION+PERIODIC",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 60516, bytes: 7932 },
+    spirv: Spirv::Packed { pack: PACK, first: 60488, bytes: 7928 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "b1b9b039521edf12c07236512c146753cfab5de208bed9dbe87f82bcca38b898",
+    hash: "ec0994f719a8a4f1723228ffb8cc170004a806fd5beb09c66c4e140e6122f2df",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC_WITH_KEEP_VELOCITY: Module = Module {
     name: "UpdateVelocity+RELAXED_PRECISION+PERIODIC+KEEP_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 68448, bytes: 6580 },
+    spirv: Spirv::Packed { pack: PACK, first: 68416, bytes: 6576 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "ce4c10221c1ead5f79a98d7dddc233e395e864ffd90d63cb567b3ae8a0f37cfc",
+    hash: "1a3ed5168b930cc67773492ac92c79884e876047ad7e5e38fa366ed709ac5511",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC_WITH_IN_PLACE_VELOCITY: Module = Module {
     name: "UpdateVelocity+RELAXED_PRECISION+PERIODIC+IN_PLACE_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 75028, bytes: 7716 },
+    spirv: Spirv::Packed { pack: PACK, first: 74992, bytes: 7712 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "e1e17a157b45cb0fe2e7c537ffc1d8c1b9f9963d8f9fabc7742cfc8e9f60981c",
+    hash: "5473ce2d3b2d488541245a6abb956fb3627623e0923b27723c4cd94034d1d556",
 };

@@ -258,310 +258,310 @@ static ACCELERATE: Module = Module {
     name: "Accelerate",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 15808 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 15804 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "25365677e080a1d85e954d7ee095f745e214f7fe8db6c6e0877eeedb2418def0",
+    hash: "79322c7ae7c9f6d7c79ef31affce2eb460cf55585c4cff6d0856e93fe1a60b16",
 };
 
 static ACCELERATE_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 15808, bytes: 15172 },
+    spirv: Spirv::Packed { pack: PACK, first: 15804, bytes: 15168 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "37ebabf29f84968cc354f2ec6ddeeb32cbb9cda51c42aa2ffe48ac856bf6c6b4",
+    hash: "03f9b3133c93149bf1f4d75e7820bfd5f638e96c9e55dfb00dd97b9db8dec485",
 };
 
 static ACCELERATE_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 30980, bytes: 15252 },
+    spirv: Spirv::Packed { pack: PACK, first: 30972, bytes: 15248 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "03e28522170c1d9d48b78b6a10a7da51761dbdc60a929b236fb7227d35dfab49",
+    hash: "3d82c1e41ba55149a8f474e109c81c9a88821f0273495370bd82e639367b2446",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION: Module = Module {
     name: "Accelerate+SURFACE_TENSION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 46232, bytes: 17988 },
+    spirv: Spirv::Packed { pack: PACK, first: 46220, bytes: 17984 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "94d5e62ed5dcecb1614bca1f7c12e1d125db786ebe05a4c4530f6fa4a2445e13",
+    hash: "e2a9a91d2eec3c7f9edbad1657e3074ccf3b1cffb6e2db8cb6a3e482100bae83",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 64220, bytes: 17352 },
+    spirv: Spirv::Packed { pack: PACK, first: 64204, bytes: 17348 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "a1e0f0223470b51cce3fc19240ac538c3ea3f723400fb7a9b4c11295536a5816",
+    hash: "e345c935484c95b25ac66c7dbd533cba9533c9a5bb3bcac537d5de366b4eb8e9",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+SURFACE_TENSION+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 81572, bytes: 17432 },
+    spirv: Spirv::Packed { pack: PACK, first: 81552, bytes: 17428 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "80b233901fce9c03f12295054082172f6121dd0761aedbec55d9cd9a023b4258",
+    hash: "a20f4bc226a45f976e24e6c949e63033c55dd19c1746936d38377225c7edd12f",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS: Module = Module {
     name: "Accelerate+CHOSEN_KERNELS",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 99004, bytes: 18640 },
+    spirv: Spirv::Packed { pack: PACK, first: 98980, bytes: 18636 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "9267ef39dd1d7c9729794c737f6ddd78bd9a0d382c494618409e5e56ab1c869f",
+    hash: "a1a9413e65f4da7e3879e36e372ef0772c82c3e97b8bf59b7f8f6e2c559bcc19",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+CHOSEN_KERNELS+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 117644, bytes: 17908 },
+    spirv: Spirv::Packed { pack: PACK, first: 117616, bytes: 17904 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "dfed6f6e8f6a9939712fb12f42c6e74a0e61f4262ee49a5788024c66b4317683",
+    hash: "646c156798e84939cf577f603d1c1d44061d710dbb83c7e1ae2b2c604f19e58c",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+CHOSEN_KERNELS+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 135552, bytes: 17908 },
+    spirv: Spirv::Packed { pack: PACK, first: 135520, bytes: 17904 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "c5b21c79b450aafc528d47748d5157f7d7460a67936bae0fb555ca523f4338ad",
+    hash: "73483ff3b42b9bce506a90d2b29f8a65f18f46b00077bf3476177e18683124ea",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
     name: "Accelerate+CHOSEN_KERNELS+SURFACE_TENSION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 153460, bytes: 20800 },
+    spirv: Spirv::Packed { pack: PACK, first: 153424, bytes: 20796 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "8614892f3ec0d962e7d6130a7036389df6fb532882fa12426b9d067f707bdb84",
+    hash: "3ed5b127af6c130ff61dc75bcc7e3633ea3755154295484ae115525f369b3cf5",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+CHOSEN_KERNELS+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 174260, bytes: 20068 },
+    spirv: Spirv::Packed { pack: PACK, first: 174220, bytes: 20064 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "8a9db22dbd4908d115abb3c9f9921d818ae693545952b14d268d915d1416e549",
+    hash: "cd90b86a63a9bfb8a37acb18645d5f0776be5d1ad910101b63b1ce0ed2e17160",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+CHOSEN_KERNELS+SURFACE_TENSION+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 194328, bytes: 20068 },
+    spirv: Spirv::Packed { pack: PACK, first: 194284, bytes: 20064 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "5641544cc0fa994840fdd0a2c5d11177bad4d81586fb58946efbd48ae12d501c",
+    hash: "fca1abb78118e6ac4c7bc167138128d717bf9ca1f0bfa7035b479472fd11a0dc",
 };
 
 static ACCELERATE_WITH_WALLS: Module = Module {
     name: "Accelerate+WALLS",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 214396, bytes: 18552 },
+    spirv: Spirv::Packed { pack: PACK, first: 214348, bytes: 18548 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "78dac002fe39a51ad57d31b340fc7440adc96dd43e6409215f05aa9070cd6181",
+    hash: "45bb3f557ede89275d48cda1865a5c9520a4dd031e523873ee10dc07ee27a6d8",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+WALLS+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 232948, bytes: 17916 },
+    spirv: Spirv::Packed { pack: PACK, first: 232896, bytes: 17912 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "b14bcfc4c286d9800228fbfa51d909d95e980251427d7b7a6c7a4a3d20172a0e",
+    hash: "f3e3871d1a98494a52ae482e0f48e712093ee23325b103ea9f6a22ee5e177d37",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+WALLS+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 250864, bytes: 17996 },
+    spirv: Spirv::Packed { pack: PACK, first: 250808, bytes: 17992 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "443a731b7ded9741c6120fb0c96f3e16b1fcdee16bed30320f633339c13c3f68",
+    hash: "0990b6cb70925da091776b388eb580b9060cefb7a2e406ba5167bdb5e4b38121",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
     name: "Accelerate+WALLS+SURFACE_TENSION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 268860, bytes: 20732 },
+    spirv: Spirv::Packed { pack: PACK, first: 268800, bytes: 20728 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "ff31e392ca4f951bf55b25902ec6c2b18c18c246926f305a0f3a050484669cbb",
+    hash: "38de51c88048c8074308b3d39e53029317b93305c9421f65cdb1358548cdf6d0",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+WALLS+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 289592, bytes: 20096 },
+    spirv: Spirv::Packed { pack: PACK, first: 289528, bytes: 20092 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "8f7e3ba50ed7d20ca86d67678ece57bd136c302d4efbd254ff94176e72958f00",
+    hash: "a8724e93d7c2738668f05b9fd0a947c1f38ab4740de053e35c2cc9028913e1a1",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+WALLS+SURFACE_TENSION+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 309688, bytes: 20176 },
+    spirv: Spirv::Packed { pack: PACK, first: 309620, bytes: 20172 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "33e479daf831441b6023ce8dd391a8d4598a36f32ffd6271b076940fddc8bcb6",
+    hash: "267b67853660a4cd69d33a8c6765ee150c62ad8bf4e082f25e779676031e38e2",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 329864, bytes: 21336 },
+    spirv: Spirv::Packed { pack: PACK, first: 329792, bytes: 21332 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "03fec6d98211c250b28cd8dcbf053c39e87654f43dcd9b91cf95da592a74c293",
+    hash: "e80e0ecb1353e38467afd5bc1b47b21f0a0a21e34c6108e75884452a44e8148e",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 351200, bytes: 20604 },
+    spirv: Spirv::Packed { pack: PACK, first: 351124, bytes: 20600 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "0c8400a10815f52874c36f19e2d4232d4904187fd940c19f871dabc8ead864b4",
+    hash: "de3438ef6ef641f58f62e5cb5d82ed2d74aa98868bdc3994c22261cb4a52b548",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 371804, bytes: 20604 },
+    spirv: Spirv::Packed { pack: PACK, first: 371724, bytes: 20600 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "d1ae567d66af331a6b0a5ac0b1c5d0f4912db4bd061fa8a65cdf1fabaaa96b54",
+    hash: "cc9835b9e8db80b80d38c51b099c7e3028f1504ef225293c7fc97fd5d96fd63d",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS+SURFACE_TENSION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 392408, bytes: 23496 },
+    spirv: Spirv::Packed { pack: PACK, first: 392324, bytes: 23492 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "fe34562e669f57bb161519bdc6420f22c5a4e9bb4940d6b15b9acc0d7834cbcb",
+    hash: "4a71798694909fe9ab75a2239d10d8ed0e56aaac9cb4c2016293393a148896b4",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 415904, bytes: 22764 },
+    spirv: Spirv::Packed { pack: PACK, first: 415816, bytes: 22760 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "7660513277108a378b7ee09f94a8784e84ced2a2f2e51f44ec396e659daed74e",
+    hash: "9869fc19582e69286081e89de12b3aaee9c71c54a0c001666f5e574a0f44dd57",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS+SURFACE_TENSION+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 438668, bytes: 22764 },
+    spirv: Spirv::Packed { pack: PACK, first: 438576, bytes: 22760 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "eb122690254db9fb252d65863cea1f462e766c007045fb28c559ba1e9641e19e",
+    hash: "83bc646a808cd0a68b3845b7f8593217235d1a3491f06c99f11895360c7aaad1",
 };

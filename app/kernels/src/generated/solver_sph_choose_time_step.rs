@@ -102,24 +102,24 @@ static CHOOSE_TIME_STEP: Module = Module {
     name: "ChooseTimeStep",
     entry: "ChooseTimeStep",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 5488 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 5484 },
     bindings: BINDINGS_0,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/choose_time_step.compute",
-    hash: "b54c508b7b025eb4232bd4b9a1551b3d5540d3bff2832f1bd2892c1289c0e7f4",
+    hash: "e731303916957b9ce8214363e99aea1ac6c0690c0eb87f38362f1d61293e6e6e",
 };
 
 static CHOOSE_TIME_STEP_WITH_ADAPTIVE: Module = Module {
     name: "ChooseTimeStep+ADAPTIVE",
     entry: "ChooseTimeStep",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 5488, bytes: 5368 },
+    spirv: Spirv::Packed { pack: PACK, first: 5484, bytes: 5368 },
     bindings: BINDINGS_1,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/choose_time_step.compute",
-    hash: "0e72615c62f68639676463b07589a9456752830138cdfeb5e92a20ef1de7edc4",
+    hash: "96cb22088e6f2893eb2e6316355ee4c58fe8b665b2905fde6f97384c33e0a605",
 };

@@ -335,310 +335,310 @@ static COMPUTE_DENSITY: Module = Module {
     name: "ComputeDensity",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 10380 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 10376 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "241562ef1c958e295fe2ff709587631d17534a72e89c9f2624f2560a8c222e12",
+    hash: "69fec3e9e63873f21c0f15d7488394b292fc2b45c17b767ad7a948775dbeb38b",
 };
 
 static COMPUTE_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     name: "ComputeDensity+RELAXED_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 10380, bytes: 9972 },
+    spirv: Spirv::Packed { pack: PACK, first: 10376, bytes: 9968 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "2fbd263a9a0f833c8349cb2a7d156ceb3e3d125f4605c00915193431426f8688",
+    hash: "69451fa2619e87ef7c2ea5d23c2adf2ae8f08d8b20db241d9403020623796013",
 };
 
 static COMPUTE_DENSITY_WITH_HALF_PRECISION: Module = Module {
     name: "ComputeDensity+HALF_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 20352, bytes: 9908 },
+    spirv: Spirv::Packed { pack: PACK, first: 20344, bytes: 9904 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "b508b57a4e6e0c2595a2d22b884a708f3ec2f26cd0962fcf565727b6ea510a4f",
+    hash: "eaa14b772e55442c14ace07c3a9b6642f86bbe71c150ef44597346aa3f726ce1",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION: Module = Module {
     name: "ComputeDensity+SURFACE_TENSION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 30260, bytes: 11076 },
+    spirv: Spirv::Packed { pack: PACK, first: 30248, bytes: 11072 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "9ed73bc8aa4821ca9f6297f3fccaf8b6096d613bff71ba34bcf90de28fd39d9b",
+    hash: "0edc31a2555488ae08ef1acb1b59bfbcc5655150732dcd5d06575921a4deeb00",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "ComputeDensity+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 41336, bytes: 10716 },
+    spirv: Spirv::Packed { pack: PACK, first: 41320, bytes: 10712 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "25891d86101c648cae97246be746e30ccc823c741b7b2921d4a730b2774a3b66",
+    hash: "ba5c7536df9cc7b3c81c9ae8de7aaefe3ffeb38d891757f0e85d9fd1692821a8",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "ComputeDensity+SURFACE_TENSION+HALF_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 52052, bytes: 10668 },
+    spirv: Spirv::Packed { pack: PACK, first: 52032, bytes: 10664 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "396cdaab720a9b3ec1b14b45aa540d5ddeda02c95adc2914a0871b0633aaa83f",
+    hash: "d408e6cf8a3059148a022c5a72cbd7312cdf0b4370e6be50086f1d40cb05050d",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS: Module = Module {
     name: "ComputeDensity+CHOSEN_KERNELS",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 62720, bytes: 11440 },
+    spirv: Spirv::Packed { pack: PACK, first: 62696, bytes: 11436 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "69aedf6525b7d8eaa3b2461b643106bc90dfa9247c9b69a0f89b10349d561516",
+    hash: "fe7a5af8ab3fb7dc2b9aa94fba580da9c61981ca416ace6d5b106efe6d77d4c2",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
     name: "ComputeDensity+CHOSEN_KERNELS+RELAXED_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 74160, bytes: 10792 },
+    spirv: Spirv::Packed { pack: PACK, first: 74132, bytes: 10788 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "578d7bacb19cf9661c9fa3d73339d2645cc2858d154f37a1c4a98b30240514a9",
+    hash: "23fd8d5ffff72170c6ff92c85807f2af3cdb6dadbf12cd135ad6052318fb5248",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
     name: "ComputeDensity+CHOSEN_KERNELS+HALF_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 84952, bytes: 10792 },
+    spirv: Spirv::Packed { pack: PACK, first: 84920, bytes: 10788 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "cded74ee21646355e2035d03495f00d0d432cf06046627fff1c3a897ca4c2dbf",
+    hash: "1ebcec1b3477879d04115a32e930e809a65598e5d8941116733c1aa034caecc1",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
     name: "ComputeDensity+CHOSEN_KERNELS+SURFACE_TENSION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 95744, bytes: 13464 },
+    spirv: Spirv::Packed { pack: PACK, first: 95708, bytes: 13460 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "b6f0ed621592cbcfee1d2deaa43629a5c04b203421221b1c6eb0464ce47545b8",
+    hash: "188b82369594d78af3154664394a0c5ed8f0e844438c63cc7705cbffcd1a1e11",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "ComputeDensity+CHOSEN_KERNELS+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 109208, bytes: 12816 },
+    spirv: Spirv::Packed { pack: PACK, first: 109168, bytes: 12812 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "0bd7cfa33d0f9e65ef6afcebcd19d85f1a179d2ae9e9162775c0e38c265b5fab",
+    hash: "83061279d526935dbc39034d705fccc2569de6d6655f5079cd4cb326b556bf8d",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "ComputeDensity+CHOSEN_KERNELS+SURFACE_TENSION+HALF_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 122024, bytes: 12816 },
+    spirv: Spirv::Packed { pack: PACK, first: 121980, bytes: 12812 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "7fa6830fe0d45a0cfe13d411c67f7a30a965c7480ed6fc0b90bd144f17d0da73",
+    hash: "c544d980ecc231e84a4a4690fce6fcb60d799afcd073eeb80e2f0881500b5bc2",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS: Module = Module {
     name: "ComputeDensity+WALLS",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 134840, bytes: 12484 },
+    spirv: Spirv::Packed { pack: PACK, first: 134792, bytes: 12480 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "11d0435b6c92ee193ee4a9eafda7f27cc1b3583e703dc305ec524475d1d155e8",
+    hash: "ca409ccbf09965559343353d2539815f2aad9d257d4eeab99ad92c1b190df3c5",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     name: "ComputeDensity+WALLS+RELAXED_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 147324, bytes: 12076 },
+    spirv: Spirv::Packed { pack: PACK, first: 147272, bytes: 12072 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "c4768bbfdc1bf42d3818cd82e17db90b2b50c080ecd1c6be9a8009f62ae20cfe",
+    hash: "01b3de69d6a61e52741f15a430660d6ac15bb8933c068651f121302c7b0024be",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     name: "ComputeDensity+WALLS+HALF_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 159400, bytes: 12012 },
+    spirv: Spirv::Packed { pack: PACK, first: 159344, bytes: 12008 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "83edadf9ab2d8a30b7409ef66d4bd94b9d9672d3293a977c87bdc91d1b029024",
+    hash: "b3e75a679f57357bc87204244f7a5f065daedfbefdf30bedde5cf608a165cc0e",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
     name: "ComputeDensity+WALLS+SURFACE_TENSION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 171412, bytes: 13952 },
+    spirv: Spirv::Packed { pack: PACK, first: 171352, bytes: 13948 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "be31d1301fba93c4a554c7e19f55c20bbc53b870a27166ab54cfaa9aac2e8eaa",
+    hash: "b86bc599b1c9219fc6f4a22525c4acff9f13fd9e032de328b01c67fcffd126b1",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "ComputeDensity+WALLS+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 185364, bytes: 13592 },
+    spirv: Spirv::Packed { pack: PACK, first: 185300, bytes: 13588 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "c219a90f121e98a5bc89221f4d61be5cbd343387d9009c2635de9a823bf78c58",
+    hash: "58878796968cb39f9f553f0162c88805624a1f12a29fd1f8c9ab057960b2aab5",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "ComputeDensity+WALLS+SURFACE_TENSION+HALF_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 198956, bytes: 13560 },
+    spirv: Spirv::Packed { pack: PACK, first: 198888, bytes: 13556 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "696f2e792b5be57285e9ec033391fefe514d0f5f337b786b8b4207090c1a50ed",
+    hash: "899c4c4695a3df8a58d94b6c66b319c4437df2da978d3e8e2e098fd7fe1045a9",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
     name: "ComputeDensity+WALLS+CHOSEN_KERNELS",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 212516, bytes: 13528 },
+    spirv: Spirv::Packed { pack: PACK, first: 212444, bytes: 13524 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "fd698b92bc0463a4fab5b67fc5b96b1b2fe16e424b064044c84efcb6cfd563bc",
+    hash: "c3c416be367ebe433de6321b5cba006f834065ecb6aa6ec3e8831687ff3993e5",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
     name: "ComputeDensity+WALLS+CHOSEN_KERNELS+RELAXED_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 226044, bytes: 12880 },
+    spirv: Spirv::Packed { pack: PACK, first: 225968, bytes: 12876 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "efa717180cf967b73e6c13a051c73ed732d1cfa635af9b43b7ff121ef872c6e5",
+    hash: "fcfb8c19539202b44504b5923155bf799714488bbace111004143c9758546f6b",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
     name: "ComputeDensity+WALLS+CHOSEN_KERNELS+HALF_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 238924, bytes: 12880 },
+    spirv: Spirv::Packed { pack: PACK, first: 238844, bytes: 12876 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "76b133bfb57c8ec865566bb4c70f4115d0b37191bcb3d8c804419827e87b2179",
+    hash: "58ad78e29824da66c03c02bca60095cb1e44036109d3093e9b184a0b65c5bb36",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
     name: "ComputeDensity+WALLS+CHOSEN_KERNELS+SURFACE_TENSION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 251804, bytes: 16308 },
+    spirv: Spirv::Packed { pack: PACK, first: 251720, bytes: 16304 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "b5337921c090f7a2aaf96610a3764c27badc60b9deda1595eb55ac24f2b019d1",
+    hash: "5f6fb979950e3e36f69a5ee73322226813e3c2f7a790283074732d2fcd259af1",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "ComputeDensity+WALLS+CHOSEN_KERNELS+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 268112, bytes: 15660 },
+    spirv: Spirv::Packed { pack: PACK, first: 268024, bytes: 15656 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "2513a217b9ed26a0244b03b1725c093d30d51860e8a33ea77c5234d80271a072",
+    hash: "a282545c870f050d6a6e79c52add57492675330270778b876cfb3f372a57e4ab",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "ComputeDensity+WALLS+CHOSEN_KERNELS+SURFACE_TENSION+HALF_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 283772, bytes: 15660 },
+    spirv: Spirv::Packed { pack: PACK, first: 283680, bytes: 15656 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "942f65d8f1211ff13ff7c2f732355daf1b5c161bb1d13f280940ad36c601f084",
+    hash: "779570fdc1fd892c3364d25d37b794221ea77b413bb81d42d51ebf91103eae08",
 };

@@ -80,5 +80,5 @@ static ANISOTROPY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/anisotropy.compute",
-    hash: "842a70750d17aedc03d495d5e719b8affccc279558a049b18f76b3fb0cdd2f4a",
+    hash: "3dbefecf35ed5b25e776313592928113219c20abcb3b844a574a2e98dad7a0d1",
 };

@@ -72,5 +72,5 @@ static COUNT_SUN_VOLUME: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/count_sun_volume.compute",
-    hash: "79f11999e1cecba4bfd477118cfc963b213a8b15b602bc4e2f799cb886bfb454",
+    hash: "c2fa7eb16144e2b96c424d79e498d4fae4bd101e1d18a83e1f0eb196154f3c95",
 };

@@ -115,7 +115,7 @@ static DRAW_FLUID_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "5bdba90ca3055e65b439effb90d98e164e3205ca15263285fc274921f2d42a09",
+    hash: "6a0766f92ffbcd338493a06ff34424e37427246b96e536012b495a6d1210bc11",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
@@ -128,7 +128,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "a66911ba2e58849948e1a07ada4df0e2ba931179c7eb80eb83035c3efdf31abe",
+    hash: "64203c16e3db16c1703950ac3be384218f0f3d6894c984a2be8294a1c11679e2",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -141,7 +141,7 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "94d25627bd4ac14bd665c470f5e9e12178fa79f1daaded0844123bff83710e90",
+    hash: "a3d7cd29dca26ade5e4ad45248392cb9c3fb6cfe6716291e49afb024877888e9",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -154,7 +154,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "f054a2c327c440c433911511fae6b9e627e0cbdefc64033391bd854a48a1506b",
+    hash: "f9655eb8fe747a491f75038ffc9b793a0ea7b4f3bd9988cedcd2d36dc0530c0c",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -167,5 +167,5 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "fe76a9f876d17b0e6112c18f4fe6beb96963e154480556b58c242163164625ab",
+    hash: "0529ec314461c74dfb84c27a3bc4b16d5684c30c8ed73e957dc48172005a0bb3",
 };

@@ -106,7 +106,7 @@ static COUNT_BINS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/count_bins.compute",
-    hash: "3a27c7cd83d7e48ccd442b0f4d9ed7e993d2530e22f8bafe2f59976e47a7a695",
+    hash: "69d712e648453c20ad85bce5519ed9434d7c0687ff011a0226c82bfc7556c9df",
 };
 
 static COUNT_BINS_WITH_ANISOTROPIC: Module = Module {
@@ -119,5 +119,5 @@ static COUNT_BINS_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/count_bins.compute",
-    hash: "f8ddf74d84b31bb2341f3dea8999a05bf8aab62e065597181182f190e0630584",
+    hash: "224d933b9a52f581b42c5c0a201d281aab8c74433aaf40e289467e4ce4fc208d",
 };

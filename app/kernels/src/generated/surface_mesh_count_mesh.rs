@@ -91,5 +91,5 @@ static COUNT_MESH: Module = Module {
     shared_bytes: 112,
     tier: Tier::Floor,
     source: "surface/mesh/count_mesh.compute",
-    hash: "842702914c9ecdeb30017f09ceeeaf5b7abf8be4c23df6dc8ed877acf7ee2918",
+    hash: "7ee58008c708013001ba01a02c68c69727cadc94a98371d555a5f554533ec289",
 };

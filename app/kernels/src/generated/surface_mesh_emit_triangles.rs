@@ -112,5 +112,5 @@ static EMIT_TRIANGLES: Module = Module {
     shared_bytes: 112,
     tier: Tier::Floor,
     source: "surface/mesh/emit_triangles.compute",
-    hash: "a403eeddaea133a35eead666a855b6eca86036b4ce6fe032ba910aa3070de6e0",
+    hash: "d4cbd8e0c49b10b4648050c51bb35400cadb4d76dbe845062ff54e1145f34830",
 };

@@ -106,5 +106,5 @@ static EMIT_VERTICES: Module = Module {
     shared_bytes: 112,
     tier: Tier::Floor,
     source: "surface/mesh/emit_vertices.compute",
-    hash: "ab064a55de1eddade91b303c1cbafe51c6e479b95567136a34402374554600bf",
+    hash: "27599e554e7da55047a31a483b3c3db4fda23cffff952797d0ed92e92963fed8",
 };

@@ -77,5 +77,5 @@ static FINISH_MESH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/finish_mesh.compute",
-    hash: "58b78dbc4a6d6e1d5de870e6873a002f2838d5c0fcbb54d019ab4717a35cde58",
+    hash: "3a548f25b87575b7e119008dbc84c98a1f304e8b8c8a99fefbc855b3f7d9e60b",
 };

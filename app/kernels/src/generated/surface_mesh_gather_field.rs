@@ -118,7 +118,7 @@ static GATHER_FIELD: Module = Module {
     shared_bytes: 64,
     tier: Tier::Floor,
     source: "surface/mesh/gather_field.compute",
-    hash: "bbe94129eb01e4b8aa00587b507e55ec95472e0f90159d335d01b2ff6240c3c8",
+    hash: "33524e2e484ad7285d5cf4b30b5211757e967e24798b906887b3dd9028fa5961",
 };
 
 static GATHER_FIELD_WITH_ANISOTROPIC: Module = Module {
@@ -131,5 +131,5 @@ static GATHER_FIELD_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 64,
     tier: Tier::Floor,
     source: "surface/mesh/gather_field.compute",
-    hash: "2e82bd80c3ab9c4b2a979c07ef18f4e372ec40fea5b6e3a1ba8672d0c6c7d68e",
+    hash: "8b3d45ad67f5ca0bc4c1d7551431c0accd26d7c3d5e36f06b914221e58692b47",
 };

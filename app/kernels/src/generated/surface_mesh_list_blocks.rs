@@ -85,5 +85,5 @@ static LIST_BLOCKS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/list_blocks.compute",
-    hash: "ce2fa3539cf725af5a065f8018a9a1730094a55c152fbff3e1099566c8722141",
+    hash: "1bc3ee4537bd25b173663049af36f4b9bd76f8ba22ef73d2b4fde3e9e94cc26b",
 };

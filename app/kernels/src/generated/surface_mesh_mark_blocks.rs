@@ -87,5 +87,5 @@ static MARK_BLOCKS: Module = Module {
     shared_bytes: 500,
     tier: Tier::Floor,
     source: "surface/mesh/mark_blocks.compute",
-    hash: "1318a8a2d6881795b01de9d7b1df1ab2677c52e8dc2777009251c59618d05c5d",
+    hash: "2c96f41a0d8dbd340f80eb36f65f2b7d8c796dfc297ddf960b660ac935879e31",
 };

@@ -75,7 +75,7 @@ static DRAW_MESH_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_depth.hlsl",
-    hash: "d4e21d7e1c3bd418f90eefd9c61c349f659a09948d497361517b26d101680d69",
+    hash: "69e7fb03ed4bc6709c3924ee36db14bb35390b4ed6029c90232bd9777c070ace",
 };
 
 static DRAW_MESH_DEPTH_FRAGMENT: Module = Module {
@@ -88,5 +88,5 @@ static DRAW_MESH_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_depth.hlsl",
-    hash: "599396dc7a656093390da7ff33c9682b30e009054f72a11e8f86d8df0c38a74c",
+    hash: "a62f0ef52c079abd5d6594f34792fd7cb7bf71645c84de2f25eb65976f7bd294",
 };

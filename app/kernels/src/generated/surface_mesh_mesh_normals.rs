@@ -100,7 +100,7 @@ static MESH_NORMALS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_normals.compute",
-    hash: "780dba00224ffa31fc49ef916887fa149f95498b57eb93e78a447bcb96968d3d",
+    hash: "f4577e1933b16e57e719d4076e70a9906c682bb0db787cde590a4c1b9ee36ca7",
 };
 
 static MESH_NORMALS_WITH_ANISOTROPIC: Module = Module {
@@ -113,5 +113,5 @@ static MESH_NORMALS_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_normals.compute",
-    hash: "8e7c2804baff5e169440169fce2b21ec86eb6a36daa63c8a24239e470d0b9437",
+    hash: "4875e70a39697bd223e4aa5a4e85787a909ef580ab1c946b304b07caf32ec304",
 };

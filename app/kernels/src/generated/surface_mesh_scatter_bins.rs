@@ -103,7 +103,7 @@ static SCATTER_BINS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/scatter_bins.compute",
-    hash: "a7bd66377a28dbe2a4484db575183da8007a282bdb08ae6615489cc7070f39fa",
+    hash: "a8c98e6cd1b0e3d7dd103e99f2023db907c43ce7478a5e96d7c71bd75907a375",
 };
 
 static SCATTER_BINS_WITH_ANISOTROPIC: Module = Module {
@@ -116,5 +116,5 @@ static SCATTER_BINS_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/scatter_bins.compute",
-    hash: "fff069d9c6653f8e399ff45295954b54fecdaf1c221fb651f5ca83b5f7f1e6bf",
+    hash: "ecffc4900db7b94987874816caf037b769b13f970873437897d611a1aef734d1",
 };

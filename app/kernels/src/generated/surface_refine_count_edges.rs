@@ -66,5 +66,5 @@ static COUNT_EDGES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/count_edges.compute",
-    hash: "66bce6d794648b9ee0c5c3e9f1abcc13f4f40417c8418cd91415562566cff52a",
+    hash: "6e310a0ed3d045c7dde8e86a3c49eb689444a7a9371fb206bc64cf14d5834ead",
 };

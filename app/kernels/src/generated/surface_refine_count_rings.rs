@@ -73,5 +73,5 @@ static COUNT_RINGS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/count_rings.compute",
-    hash: "b72e4b1473f0be8291cd2722fee5be19a34dc61cd1324b81ddf6a102f6d0fd49",
+    hash: "d750fba5dfe6146b33e90df51a51229441d1de1919e2c96b673faaa74b842fe6",
 };

@@ -69,5 +69,5 @@ static FINISH_SUBDIVISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/finish_subdivision.compute",
-    hash: "9a25116cfc44d3f108f558d5a730950b16a16f9a312039923894115737204a6c",
+    hash: "a51dd0eb5af546bd96b878951d7079dd5442e939ffd047760666d9adb7c79bd7",
 };

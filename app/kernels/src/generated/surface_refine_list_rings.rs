@@ -66,5 +66,5 @@ static LIST_RINGS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/list_rings.compute",
-    hash: "60899116875b34f94153f9ee82eea70a3edd6be4361e3f9edce911768b575be8",
+    hash: "dc2e2c3d88b0efaa6423637a18c55cf14116e9fa658cc6baf5bbd8e8aa0350c1",
 };

@@ -52,5 +52,5 @@ static SIZE_MESH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/size_mesh.compute",
-    hash: "56eec46ba0c15d8ffc4d8e5f4b58c4fff6a6d41394b036886c07a51c6aa63aa0",
+    hash: "a0b0866945388a26b954dde9e0ca1c98a1b31c5f531f5004b886388ec5313227",
 };

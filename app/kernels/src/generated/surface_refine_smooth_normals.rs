@@ -80,5 +80,5 @@ static SMOOTH_NORMALS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/smooth_normals.compute",
-    hash: "803a2617fcca2e31363e8c4baeb211586870500913c74111bd9164c98bb508f8",
+    hash: "e50c60fbc9fee1d4e83b8e5660594dcddb70f422e5799811f2ecd0719275b4ec",
 };

@@ -59,5 +59,5 @@ static SORT_RINGS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/sort_rings.compute",
-    hash: "50bd285c9f49dc961453d2ce1c143dc271625a13d5dd711c729c252f9e385f4a",
+    hash: "a005bfff69b09a0d62f6382ebe030f5bedaf6449e8b18fa29dc8f5910f25ca95",
 };

@@ -84,5 +84,5 @@ static SUBDIVIDE_EDGES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/subdivide_edges.compute",
-    hash: "9a256497b4630a838bcbd9298ce42bd0768f4189e784e2904f2d85236371d2ca",
+    hash: "9bac08c49bf444479c0ac5eebd0667a518b5262c003c7154503483267cf35181",
 };

@@ -79,5 +79,5 @@ static SUBDIVIDE_MIDDLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/subdivide_middles.compute",
-    hash: "b1f201739e3fad29a78e746c90d30e31ea38683fb6c8e5583a5bcb101049f68b",
+    hash: "46840766cfc64e5be2e648e23a9c9550210dde934a09f0a4638e3adba268efb2",
 };

@@ -88,5 +88,5 @@ static SUBDIVIDE_TRIANGLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/subdivide_triangles.compute",
-    hash: "84075b8902e4757bfb8622bf847d08382b016e3eede9519c7d31aab2acf8bd40",
+    hash: "e6372c84a4aa977f25172db56d71efbe10c35c3fb4091907855886403943a0e7",
 };

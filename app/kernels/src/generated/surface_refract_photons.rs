@@ -73,5 +73,5 @@ static REFRACT_PHOTONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refract_photons.compute",
-    hash: "151b057d14e0a86d614780f6024672a8435ba02ca027ef45a28b2c9ed4cccccc",
+    hash: "a612f835b992422aeebf0ba83d069d5143d0961a690e178c3008579eebb5e4ab",
 };

@@ -87,7 +87,7 @@ static SMOOTH_PHOTONS_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_photons.compute",
-    hash: "104a8c642f5d1ba970a46d84b219f0db54cd34c5b622b8268650c58e7a33a8de",
+    hash: "a39e791010602a3fdde265629ab6c17f1c8b2fe0b74331a8c9ea1302af8c0177",
 };
 
 static SMOOTH_PHOTONS_WITH_ALONG_Y: Module = Module {
@@ -100,5 +100,5 @@ static SMOOTH_PHOTONS_WITH_ALONG_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_photons.compute",
-    hash: "f1f4ef386fb2f19dfb24c6c9d65ee77139d1bb04e69e6401141493cb6346d7ac",
+    hash: "d7cd3f41ad84dd3c203f37ce6954e111283ae74aa3d475fcbee37e2d7184d4e3",
 };

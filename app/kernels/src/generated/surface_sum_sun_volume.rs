@@ -67,5 +67,5 @@ static SUM_SUN_VOLUME: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sum_sun_volume.compute",
-    hash: "db6fe27f3a1ceb9362bd64b7633ed8ef94a0231f91b6efd9c6c372ac4b3a1e61",
+    hash: "c1866366760da1f50a54fd238717ba91718fd9b178b691af533a194d069398e7",
 };

@@ -117,7 +117,7 @@ static DRAW_SUN_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "e6f8aeee776cef0a4db0c812a958e127395afd08b2328d2b9522a0935c6e0caf",
+    hash: "eaf7d47794c9277daaf7c19fbdf285a604be037bbe154d0103614b19cd0e61a1",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
@@ -130,7 +130,7 @@ static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "fc091de67abf94a8296abd15178f5f3e412670a907093cdfb6889d81a377b803",
+    hash: "968ac17408f515674f942babead4f6d4b41c48f384ef2752de2c6e0e5f9b479d",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -143,7 +143,7 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "84d14b08a4fe77750b3646fafa28ffa3202bd195ff94b0abf8c47b4ab7728ff4",
+    hash: "f8b6b2346606d74b557315af2caa425e8933b7eaa405c3ad5e7e77252daf37d7",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -156,7 +156,7 @@ static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "7562726471a1bba1090228e5c04c8e07e0269b6d3b7a02178f0fba5844506f6b",
+    hash: "4326926b4852e5c2bdd53dfe06a8b2a5beac5a573446dab413d36517f3605dad",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -169,5 +169,5 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "a5791996c17d3865dc7f7b5a4f2efa1aa18b8d5d9426834ed3976d7235c3915e",
+    hash: "a6b8f207fc15c51f5911ebcbd192e16a7cc3b64346e8a6f071f1e20ffab1a4aa",
 };

@@ -88,7 +88,7 @@ static DRAW_SUN_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "f41e7ee4c9b4c6b9d3b4c770d28657a89be5c2d27d889180ab64329c3a6af3f6",
+    hash: "976635b51bd06e60d8c8bc77a2a62526a8a1a80eb059c92fa0db5f38ce767c78",
 };
 
 static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
@@ -101,7 +101,7 @@ static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "5b66be44334363c976bb29851cc112e7a744c3a5102b0bff74d2e244446d3d66",
+    hash: "ad2c07c4eadf841981d0ff54002bd4f303ed9f2e6b6ab087237d790da8cef58e",
 };
 
 static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -114,5 +114,5 @@ static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "e0a152848f749147e97c29ed511c81f98860b313f27b0c9b61df51c30eab1a44",
+    hash: "c8f8cc68181a7588b27a6fad1a0df69e6a709edea207901dd9ed3ff75ab89d0a",
 };

@@ -94,7 +94,7 @@ static DRAW_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "f696610b57e887689bde1b478304ecdcb975f036b89d0309522c2c57cc635c33",
+    hash: "56aa44a2847d0c4549aac02c2b03b87e10b6a97d64db217992308c3d7afa1279",
 };
 
 static DRAW_THICKNESS_FRAGMENT: Module = Module {
@@ -107,7 +107,7 @@ static DRAW_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "6cedceb8dc1ba6d422f37a19df335204332ec641cae61d27967ab1a891e68ab4",
+    hash: "2f8d09470f33347db4a80063f6759f9a52971cf6d362c00aefd88932f074c211",
 };
 
 static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -120,5 +120,5 @@ static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "e6e30fe7d34dbb7c3dbce6522b801f8fa10c5f775b56221e2e3370d337eac293",
+    hash: "9c8ec36b8c791af7ebb19ca3428606f730ea66ea4cb0b30efffb3298f13bcaba",
 };

@@ -93,8 +93,9 @@ const TABLE: &[Known] = &[
     known("sph", 0.0064, 7.5),
     known("sph", 0.0017, 13.0),
     known("sph", 0.00045, 25.0),
-    known("dfsph", 0.0211, 1.5),
-    known("dfsph", 0.0045, 3.0),
+    known("dfsph", 0.0103, 1.25),
+    known("dfsph", 0.0052, 4.4),
+    known("dfsph", 0.0039, 4.8),
 ];
 
 /// What a step by a solver takes at an error, by the table: between its lines and beyond them straight in logarithms.

@@ -8,6 +8,7 @@ use crate::boundary::mirror::Mirrors;
 use crate::boundary::walls::DomainWalls;
 use crate::forces;
 use crate::grid::list_neighbours::{Neighbours, list_by_cells};
+use crate::measure::density::mirrored_density_ratio;
 use crate::params::{Forces, Smoothing, Step};
 use crate::particles::predict::{Particle, predict};
 use glam::DVec3;
@@ -94,10 +95,7 @@ impl Dfsph {
     pub fn density_ratios(&self, particles: &[Particle], step: &Step, walls: Option<&DomainWalls>) -> Vec<f64> {
         let positions_m: Vec<DVec3> = particles.iter().map(|p| p.position_m).collect();
         let neighbours = self.neighbours(particles, step);
-        let ratio = |i: usize| {
-            let mirrors = Mirrors::at(positions_m[i], walls);
-            1.0 + factor_pressure(i, &positions_m, &neighbours[i], &self.smoothing, mirrors, true).excess
-        };
+        let ratio = |i: usize| mirrored_density_ratio(i, &positions_m, &neighbours[i], &self.smoothing, walls);
         (0..positions_m.len()).map(ratio).collect()
     }
 }
