@@ -47,6 +47,10 @@ macro_rules! for_each_known_answer {
                 apply_pressure_matches_its_twin: ["apply_pressure"],
                 pressure_keeps_momentum_in_free_space: ["apply_pressure"],
             }
+            dfsph_moves {
+                shift_positions_matches_its_twin: ["shift_positions"],
+                limit_velocity_matches_its_twin: ["limit_velocity"],
+            }
             dfsph_solves {
                 carry_pressure_and_apply_gravity_are_exact: ["carry_pressure", "apply_gravity"],
                 solves_end_when_little_is_left_or_nothing_is_left_to_try: ["begin_solve", "end_iteration"],

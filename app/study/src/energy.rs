@@ -5,6 +5,7 @@
 //! the floor, and by ε₀ when it has come to rest, holds (ε²/ε₀) g H / 6 over its mass, and gives it back when it bounces.
 //! Without a loss ε would be 2 ε₀.
 
+use brooklet_fluid::scene::Method;
 use glam::DVec3;
 
 use crate::backend::GpuRun;
@@ -96,9 +97,10 @@ fn course(setup: &Setup, samples: &[&Sample]) -> Course {
         count => sound.iter().map(|&i| of(i)).sum::<f64>() / count as f64,
     };
     let kinetic = |sample: &&Sample| mean(&|i| 0.5 * sample.velocities_m_s[i].length_squared());
-    // Symplectic Euler keeps v²/2 - g x + dt g v / 2 of what falls freely, exactly.
-    let potential =
-        |sample: &&Sample| mean(&|i| g_m_s2.dot(0.5 * dt_s * sample.velocities_m_s[i] - sample.positions_m[i]));
+    // Symplectic Euler keeps v²/2 - g x + dt g v / 2 of what falls freely, exactly; DFSPH moves first, with it half a step
+    // the other way.
+    let half_s = if scene.solver.method == Method::Dfsph { -0.5 * dt_s } else { 0.5 * dt_s };
+    let potential = |sample: &&Sample| mean(&|i| g_m_s2.dot(half_s * sample.velocities_m_s[i] - sample.positions_m[i]));
     let kinetic: Vec<f64> = samples.iter().map(kinetic).collect();
     let total = kinetic.iter().zip(samples).map(|(kinetic, sample)| kinetic + potential(sample)).collect();
     Course { kinetic, total }

@@ -64,11 +64,11 @@ fn its_plan_has_its_own_stages_and_none_of_another_solver() {
     let one = ["spacing_m=0.05", "solver.dfsph.max_divergence_iterations=1", "solver.dfsph.max_density_iterations=1"];
     let measure = "measure_particles measure_totals";
     // Passes are listed once, where they come first.
-    let solves = "apply_pressure begin_solve correct_pressure end_iteration shift_positions";
+    let solves = "apply_pressure begin_solve correct_pressure end_iteration limit_velocity shift_positions";
     let forces = "factor_pressure apply_gravity xsph";
     assert_eq!(stages(&one), format!("{sort} carry_pressure {forces} {solves} {measure}"));
     let fixed = [&one[..], &["solver.dfsph.fixed_iterations=true", "solver.dfsph.warm_start=false"]].concat();
-    let solves = "correct_pressure apply_pressure";
+    let solves = "correct_pressure apply_pressure limit_velocity";
     assert_eq!(stages(&fixed), format!("{sort} {forces} {solves} shift_positions {measure}"));
     let alone = [&fixed[..], &["solver.dfsph.max_density_iterations=0"]].concat();
     assert_eq!(stages(&alone), format!("{sort} {forces} {solves} {measure}"));

@@ -35,6 +35,7 @@ mod particles_begin_substep;
 mod particles_deactivate;
 mod particles_drag;
 mod particles_end_step;
+mod particles_limit_velocity;
 mod particles_predict;
 mod shared_layout;
 mod solver_dfsph_apply_gravity;
@@ -137,6 +138,7 @@ pub use particles_begin_substep::*;
 pub use particles_deactivate::*;
 pub use particles_drag::*;
 pub use particles_end_step::*;
+pub use particles_limit_velocity::*;
 pub use particles_predict::*;
 pub use shared_layout::*;
 pub use solver_dfsph_apply_gravity::*;
@@ -239,6 +241,7 @@ pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
         particles_deactivate::MODULES,
         particles_drag::MODULES,
         particles_end_step::MODULES,
+        particles_limit_velocity::MODULES,
         particles_predict::MODULES,
         solver_dfsph_apply_gravity::MODULES,
         solver_dfsph_apply_pressure::MODULES,

@@ -15,8 +15,8 @@ pub use weights::Weights;
 
 use brooklet_gpu::{Recording, Resources};
 use brooklet_kernels::{
-    ApplyGravity, Buffer, FactorPressure, FactorPressureVariant, Kernel, PressureFactors, ShiftPositions,
-    ShiftPositionsVariant, SolveState, Velocity,
+    ApplyGravity, Buffer, FactorPressure, FactorPressureVariant, Kernel, LimitVelocity, PressureFactors,
+    ShiftPositions, ShiftPositionsVariant, SolveState, Velocity,
 };
 
 use crate::forces::Forces;
@@ -147,6 +147,16 @@ impl Dfsph {
         );
         forces.record(recording, context, search, velocities);
         divergence.record(recording, context, search, shared, velocities);
+        context.slots.dispatch(
+            recording,
+            &LimitVelocity {
+                positions: positions.read(),
+                velocities: velocities.write(),
+                counters: context.counters.write(),
+                step_state: context.slots.state.uniform(),
+                step_params: context.step.uniform(),
+            },
+        );
         let Some(Shifting { solving, shifts }) = density else { return };
         recording.clear(shifts);
         solving.record(recording, context, search, shared, shifts);

@@ -71,7 +71,10 @@ impl Dfsph {
             None => Solved::default(),
         };
         for (i, particle) in particles.iter_mut().enumerate() {
-            particle.velocity_m_s = velocities_m_s[i];
+            particle.velocity_m_s = match particle.is_simulated() {
+                true => step.slowed(velocities_m_s[i]).0,
+                false => velocities_m_s[i],
+            };
             particle.multipliers = [pressures[i], shifting[i]];
             if self.density.is_some() && particle.is_simulated() {
                 particle.position_m = shift_position(particle.position_m, shifts_m_s[i], step);
