@@ -179,154 +179,154 @@ static CORRECT_PRESSURE: Module = Module {
     name: "CorrectPressure",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 10124 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 10192 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "53ad7b9d779afa6f5295aa0c2639822b265686a711371c39482c808ab5615e45",
+    hash: "a1bf23ed8afbeb31e88b273402d18e827e59b94dc500a8d0f0035d991d3584e1",
 };
 
 static CORRECT_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPressure+RELAXED_PRECISION",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 10124, bytes: 9572 },
+    spirv: Spirv::Packed { pack: PACK, first: 10192, bytes: 9640 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "cff1f9db2e05a8574f5e88185ec96d2bd838dd4e8c8b817c0e6bb65080d6b6f9",
+    hash: "9107812d1b92db122a03bef515a4712fbe7abf58abd51738e7a381670e182843",
 };
 
 static CORRECT_PRESSURE_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPressure+HALF_PRECISION",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 19696, bytes: 9652 },
+    spirv: Spirv::Packed { pack: PACK, first: 19832, bytes: 9720 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "d16e775a3b78c2ab75ead42903bc3cb27e635f67bca01645cefaabda39c73a14",
+    hash: "e7e14412000fb5b58c03aa1e20605d72b8c29b9f86fb42d2817088bcbc51effb",
 };
 
 static CORRECT_PRESSURE_WITH_MEASURED: Module = Module {
     name: "CorrectPressure+MEASURED",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 29348, bytes: 11084 },
+    spirv: Spirv::Packed { pack: PACK, first: 29552, bytes: 11152 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "24dbb3974ab0bd823f3a4fe1e173e88bcb80a4b53bba537509de3b5e97ae84d8",
+    hash: "96ee682b90314e556282f01a027f823aaed498cf9de7d1a2ed5a3084304c2b21",
 };
 
 static CORRECT_PRESSURE_WITH_MEASURED_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPressure+MEASURED+RELAXED_PRECISION",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 40432, bytes: 10532 },
+    spirv: Spirv::Packed { pack: PACK, first: 40704, bytes: 10600 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "1d7c415eadcc108b4e32535ec0ad6fc3a56b65372c0cff7ab89be2e03cdb555d",
+    hash: "244ead5be9662fdf7c67efa92dcee407bc23fd94940df9193babe8b679b93c92",
 };
 
 static CORRECT_PRESSURE_WITH_MEASURED_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPressure+MEASURED+HALF_PRECISION",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 50964, bytes: 10612 },
+    spirv: Spirv::Packed { pack: PACK, first: 51304, bytes: 10680 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 256,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "6588de7e901877bf2409265f42a37eb68f00778c07d281bda6900f37f2cc2202",
+    hash: "526a6c2f5db027d43c2ba2458bce7b8646a0d7181fa49b7ce01807d1dfc56e21",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS: Module = Module {
     name: "CorrectPressure+WALLS",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 61576, bytes: 13336 },
+    spirv: Spirv::Packed { pack: PACK, first: 61984, bytes: 13404 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "c0ae63f00c8556d7847f4beebee8095bc4ae12d1749b80922cec28b924b319d2",
+    hash: "985a61f97ec6199d6b21c5a35d6275c1407b54b140e711ce7b423c8852247b61",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPressure+WALLS+RELAXED_PRECISION",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 74912, bytes: 12732 },
+    spirv: Spirv::Packed { pack: PACK, first: 75388, bytes: 12800 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "59b8a8ca48540819fad0266a29fb078be6fe728ce1831b055b324d2bc1f03951",
+    hash: "1655c217fae2775ae3d0f7e4c1d9f168fe1c619cafde98e0de960e1a2089734d",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPressure+WALLS+HALF_PRECISION",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 87644, bytes: 12828 },
+    spirv: Spirv::Packed { pack: PACK, first: 88188, bytes: 12896 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "71e34845ed84235f1525c9500a19536213c875a39a49d83b4d25b4a9e59b78df",
+    hash: "592ccee414e4ac4d153429c6e57023dbf8439ecae91cf0056da40784b93688c5",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED: Module = Module {
     name: "CorrectPressure+WALLS+MEASURED",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 100472, bytes: 14296 },
+    spirv: Spirv::Packed { pack: PACK, first: 101084, bytes: 14364 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "f2d59603f4e50c1a6cf72babe84e192e5bb971092b2e0a92d9f09092fcd100b8",
+    hash: "859f69bb2f1cdea020b58ca08a88880b9c99aef777e0ba92d01c54185f1d2ea6",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPressure+WALLS+MEASURED+RELAXED_PRECISION",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 114768, bytes: 13692 },
+    spirv: Spirv::Packed { pack: PACK, first: 115448, bytes: 13760 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "a6d4b6f841934b0582d8c99bd59fa908d4919f3222477b978b89534d4115cd02",
+    hash: "768cfbb98aec5b856f9e5ad81ee3eac85599c9d53fe3f4f5a9c738d4881acd24",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPressure+WALLS+MEASURED+HALF_PRECISION",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 128460, bytes: 13788 },
+    spirv: Spirv::Packed { pack: PACK, first: 129208, bytes: 13856 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 256,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "8ffbeb0f0fdc5f39e67e6268c14f508e2c9a1a2f6b4253c2bec50b5a6e628c0c",
+    hash: "47fd553d9dee3cf6d5b32260cf98876c7a9ae6574fc22653bce1e4edda154ddf",
 };

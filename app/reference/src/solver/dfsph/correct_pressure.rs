@@ -31,7 +31,7 @@ pub struct PressureSolve {
     pub is_fixed: bool,
 }
 
-/// Compression above which steps become shorter, and from which on they are plain Jacobi's.
+/// Compression above which steps become shorter, and from which on they are plain Jacobi's over the density ratio.
 pub const GUARD: [f64; 2] = [0.04, 0.08];
 
 /// What an iteration finds at a particle.
@@ -92,6 +92,6 @@ pub fn correct_pressure(
     let residual = ((total + jacobi).max(0.0) - total).abs() * factors.stiffness;
     let fast = if first { solve.first_step * jacobi } else { solve.step * jacobi + solve.momentum * before };
     let guard = ((factors.excess - GUARD[0]) / (GUARD[1] - GUARD[0])).clamp(0.0, 1.0);
-    let change = fast + guard * (solve.guarded_step * jacobi - fast);
+    let change = fast + guard * (solve.guarded_step / (1.0 + factors.excess.max(0.0)) * jacobi - fast);
     Correction { change: (total + change).max(0.0) - total, residual, error }
 }
