@@ -3,7 +3,7 @@
 use brooklet_kernels::StepParams;
 
 use crate::grid;
-use crate::scene::{Method, Scene};
+use crate::scene::Scene;
 
 /// What the shaders are given.
 pub fn step_params(scene: &Scene) -> StepParams {
@@ -14,12 +14,12 @@ pub fn step_params(scene: &Scene) -> StepParams {
         gravity_m_s2: scene.gravity_m_s2.map(|g| g as f32),
         dt_s: scene.substep_s() as f32,
         domain_size_m: size_m.map(|size_m| size_m as f32),
-        wall_offset_m: (wall_offset_ratio(scene) * scene.fitted_spacing_m()) as f32,
+        wall_offset_m: scene.wall_offset_m() as f32,
         wall_min_m,
         max_speed_m_s: scene.max_speed_m_s() as f32,
         wall_max_m,
         period_m: period_m.map(|period_m| period_m as f32),
-        mirrors: u32::from(scene.solver.method == Method::Dfsph),
+        mirrors: u32::from(scene.solver.method.mirrors_walls()),
         list_chunks: grid::list_chunks(scene),
         inverse_period_per_m: period_m.map(|period_m| if period_m > 0.0 { (1.0 / period_m) as f32 } else { 0.0 }),
         ..StepParams::default()
@@ -28,13 +28,3 @@ pub fn step_params(scene: &Scene) -> StepParams {
 
 /// Where the walls of an axis without walls stand: finite in f32 even over the smallest support.
 const FAR_M: f64 = 1.0e30;
-
-/// How near a wall a particle's middle may come, over the spacing. The lattice starts at a half. Nearer, the layer
-/// there would make room for more fluid than there is; what comes nearer the walls' density alone did not hold back.
-/// Fluid mirrored in walls holds itself back, and a stop at a half would bear what its lowest layer swings by.
-fn wall_offset_ratio(scene: &Scene) -> f64 {
-    match scene.solver.method {
-        Method::Dfsph => 0.25,
-        Method::Pbf | Method::Sph | Method::None => 0.5,
-    }
-}

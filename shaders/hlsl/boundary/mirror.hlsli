@@ -14,6 +14,8 @@
 // Further than any image reaches, in h.
 static const float NO_WALL = 2.0;
 
+#if defined(WALLS)
+
 // The images of what a particle sees: those in the nearest wall of each axis, and in two and three of them.
 struct Mirrors
 {
@@ -21,8 +23,6 @@ struct Mirrors
     uint3 bits;             // of an image's number, that are set where it is mirrored along the axis; 0 where no wall is near
     uint count;             // with the particle itself, which is image 0
 };
-
-#if defined(WALLS)
 
 // From the nearest wall of each axis, signed, in h; NO_WALL where it is further away than that.
 float3 FromWalls(float3 position_m, StepParams step, SmoothingKernelParams kernel)
@@ -60,25 +60,6 @@ float3 Mirrored(float3 direction, Mirrors mirrors, uint image)
 float3 FromWalls(float3 position_m, StepParams step, SmoothingKernelParams kernel)
 {
     return NO_WALL;
-}
-
-Mirrors MirrorsAt(float3 from_walls, float supports_per_unit)
-{
-    Mirrors mirrors;
-    mirrors.twice_to_wall = 0.0;
-    mirrors.bits = 0;
-    mirrors.count = 1;
-    return mirrors;
-}
-
-float3 ImageOffset(float3 offset, Mirrors mirrors, uint image)
-{
-    return offset;
-}
-
-float3 Mirrored(float3 direction, Mirrors mirrors, uint image)
-{
-    return direction;
 }
 
 #endif

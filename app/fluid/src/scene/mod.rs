@@ -197,6 +197,14 @@ impl Scene {
         fill::count(self)
     }
 
+    /// How near a wall a particle's middle may come, m: half a spacing, as the lattice starts. Nearer, the layer there would
+    /// make room for more fluid than there is; what comes nearer the walls' density alone did not hold back. Fluid mirrored in
+    /// walls holds itself back, and a stop at a half would bear what its lowest layer swings by.
+    pub fn wall_offset_m(&self) -> f64 {
+        let spacings = if self.solver.method.mirrors_walls() { 0.25 } else { 0.5 };
+        spacings * self.fitted_spacing_m()
+    }
+
     /// Length of gravity's acceleration, m/s².
     pub fn gravity_length_m_s2(&self) -> f64 {
         self.gravity_m_s2.iter().map(|g| g * g).sum::<f64>().sqrt()

@@ -42,6 +42,14 @@ impl Method {
         }
     }
 
+    /// Whether walls count as mirrors of the fluid, and not by their wall-weight function.
+    pub fn mirrors_walls(self) -> bool {
+        match self {
+            Method::Dfsph => true,
+            Method::Pbf | Method::Sph | Method::None => false,
+        }
+    }
+
     /// Whether compression that a start or a change of settings leaves over is taken out while time stands: where
     /// corrections would make it velocity. An equation of state makes pressure of it, a density solve moves
     /// positions alone.

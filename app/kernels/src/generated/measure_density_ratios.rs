@@ -100,7 +100,7 @@ static DENSITY_RATIOS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "ee44564cf1a86e871aedc3ef1c735006dce57e2eb09156cee687beb5844bfb82",
+    hash: "649470fca41d7c2e4755973978e0fdbf437e7b48cb07377b7414fe1ca5f50f32",
 };
 
 static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
@@ -113,7 +113,7 @@ static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "b074f1b6e5bd714a1c305d5bb8ce5163783ec18970d0a79d196d3abb67225209",
+    hash: "53452f6d197dfc6315327f26c7850c74347ce55ad66d9cf3d63bba34ffceea98",
 };
 
 static DENSITY_RATIOS_WITH_WALLS: Module = Module {
@@ -126,7 +126,7 @@ static DENSITY_RATIOS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "01d3e37d2ab67921c9b3e7111c837ffe34cc43bc1a87f3db1fa297912e7a1659",
+    hash: "39730415c249088cdd8a9a70bdc1022a3c520474bd6183a2fec7bbd348c4d00f",
 };
 
 static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -139,5 +139,5 @@ static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "21c78c20719289c0b89e3dd91b92b70e49910c77ac1b44953f8926e94d4f204a",
+    hash: "e9e01edd0b3d085ffdf3ac137e737f477b74b697761a4bed50d4b98314aa70a8",
 };

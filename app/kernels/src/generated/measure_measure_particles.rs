@@ -135,7 +135,7 @@ static MEASURE_PARTICLES: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "71197929804df967ec1f075a175a3fd776d3fedd420d5f01ec278e27456b8faf",
+    hash: "e6a7f4cf09cfd7fc0e147a821b4638e0bb62f67966232d27b238d0f557228cfe",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
@@ -148,7 +148,7 @@ static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "c5bb214d3529ec01a70b18ba88d8417cb004de20dbb4a4d29dce2e0008c32701",
+    hash: "c806fac3c296f55d5b0c027c0af9034e1275945458c61e79d86552a7ddd2700c",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
@@ -161,7 +161,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "7fd064ff67fde9dbc20a8af86d0d1c652da3bb48031487ebe2fc03a6211d1261",
+    hash: "990591369f533c37c3385c1f6bd72964f4866e74c49a70a9967091f05e4c354d",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
@@ -174,7 +174,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "e8055f7eab1eaacecb6729affb1d78d586ccb70e0a2f8873baac248295a2a59b",
+    hash: "be119bd1c35aa6008e3f99dce74d149365e84a314ef6afe0b4529af1cf27a9c3",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -187,5 +187,5 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module 
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "49295764559db0f6471461f2d607fcb07f3c2fc609937450f868441f37a5f20a",
+    hash: "3e0216b0854978dab042556a6196e89991f6685872ceec1024cf8832f30931a2",
 };

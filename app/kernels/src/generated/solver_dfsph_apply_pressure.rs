@@ -161,7 +161,7 @@ static APPLY_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "b9266d58b0b5e716c3ebc207d7c361abd6169afaa710f3d379a97bec0e26ebce",
+    hash: "213c58c3aff9eaa8bba01ec8886ee2164b40ef4ac8c6381b775c6b74ffc5e5c9",
 };
 
 static APPLY_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
@@ -174,7 +174,7 @@ static APPLY_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "a8344a35d315c76bfb4f5ea6a1cf17498935ee6e5113119e9a7316e93221a27a",
+    hash: "f5e4905b6cd04bf7ccb6597fc2e009f31ae4390f10065aa45fcd81198ddb64ef",
 };
 
 static APPLY_PRESSURE_WITH_HALF_PRECISION: Module = Module {
@@ -187,7 +187,7 @@ static APPLY_PRESSURE_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "ce2172b439f715ba0819425fe25325520e410cee7cc6bd522125e404ef52037a",
+    hash: "bcbf96cddb3b6b94cf28db977ef77d6ce9ad8b38594b51867e0d77ba85ffa928",
 };
 
 static APPLY_PRESSURE_WITH_WALLS: Module = Module {
@@ -200,7 +200,7 @@ static APPLY_PRESSURE_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "f4a070897b78df8b9fe0949c015942931028ff278adf9251b9d8198dfe2a89c8",
+    hash: "e7c1bed1337d148bfba5e29645d7e07b934cb9543ac7cf7354d964e39302fb26",
 };
 
 static APPLY_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -213,7 +213,7 @@ static APPLY_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "d23bccfd2b51f571f7084a801ddb339085a9b79192673e1f84516142f8a0cd7f",
+    hash: "cfa53fbd090b381d284e9cea1c593a9bbeea7330316e1810fe6191c521d0e950",
 };
 
 static APPLY_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -226,5 +226,5 @@ static APPLY_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "ca909ba385ac28d83467bf2f53a8989ac7aa8356caa0fd0194d44f3dc4405fa3",
+    hash: "56cda7155ada578b34b0d9188d4d0d8cf904b7729f5398770cf1e8707bca528d",
 };

@@ -185,7 +185,7 @@ static CORRECT_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "a1bf23ed8afbeb31e88b273402d18e827e59b94dc500a8d0f0035d991d3584e1",
+    hash: "3e55123c4de73b5b9bcebd9404c8fceb3417c5996c87069398ee668cf5d3440d",
 };
 
 static CORRECT_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
@@ -198,7 +198,7 @@ static CORRECT_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "9107812d1b92db122a03bef515a4712fbe7abf58abd51738e7a381670e182843",
+    hash: "20cc9f677c4c8162b61f14eb73c08608e14f12b0331b8d4295bd383970ffd75b",
 };
 
 static CORRECT_PRESSURE_WITH_HALF_PRECISION: Module = Module {
@@ -211,7 +211,7 @@ static CORRECT_PRESSURE_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "e7e14412000fb5b58c03aa1e20605d72b8c29b9f86fb42d2817088bcbc51effb",
+    hash: "077f62c1d1528f0794030a7260ab2046966c01ef32175c3ae4efc137c87de1a1",
 };
 
 static CORRECT_PRESSURE_WITH_MEASURED: Module = Module {
@@ -224,7 +224,7 @@ static CORRECT_PRESSURE_WITH_MEASURED: Module = Module {
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "96ee682b90314e556282f01a027f823aaed498cf9de7d1a2ed5a3084304c2b21",
+    hash: "2df94210a95ed6d5836dcd5ccf06211cab2a5c05639c00c93615c81dbe18fa6b",
 };
 
 static CORRECT_PRESSURE_WITH_MEASURED_WITH_RELAXED_PRECISION: Module = Module {
@@ -237,7 +237,7 @@ static CORRECT_PRESSURE_WITH_MEASURED_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "244ead5be9662fdf7c67efa92dcee407bc23fd94940df9193babe8b679b93c92",
+    hash: "5f18a10c9cfaea2aecc80e4fce15baf922bd4a2751824ae70ee7827d1b0ed972",
 };
 
 static CORRECT_PRESSURE_WITH_MEASURED_WITH_HALF_PRECISION: Module = Module {
@@ -250,7 +250,7 @@ static CORRECT_PRESSURE_WITH_MEASURED_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 256,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "526a6c2f5db027d43c2ba2458bce7b8646a0d7181fa49b7ce01807d1dfc56e21",
+    hash: "32818527806aeb63cbb570ba9b6157d9ab76c2584f520e99c1d557e3ce0458e7",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS: Module = Module {
@@ -263,7 +263,7 @@ static CORRECT_PRESSURE_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "985a61f97ec6199d6b21c5a35d6275c1407b54b140e711ce7b423c8852247b61",
+    hash: "fe906ef52d2d2b3329d05da26f29e9edad9fe9663df8b90221f4ca7cfb246dfa",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -276,7 +276,7 @@ static CORRECT_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "1655c217fae2775ae3d0f7e4c1d9f168fe1c619cafde98e0de960e1a2089734d",
+    hash: "6012920ba627b67684582926f367241c4b8debabbe268117609b178cc89c81c5",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -289,7 +289,7 @@ static CORRECT_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "592ccee414e4ac4d153429c6e57023dbf8439ecae91cf0056da40784b93688c5",
+    hash: "b37300df7b5a0b91d615c6fc728c8a4fcf37e395b45aaf63b1477b76044db4bf",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED: Module = Module {
@@ -302,7 +302,7 @@ static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED: Module = Module {
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "859f69bb2f1cdea020b58ca08a88880b9c99aef777e0ba92d01c54185f1d2ea6",
+    hash: "90e45f3569e3d8771f0874a3ffa8e5fb087caab21b893f525cd3ffd0f95e1425",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_RELAXED_PRECISION: Module = Module {
@@ -315,7 +315,7 @@ static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_RELAXED_PRECISION: Module 
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "768cfbb98aec5b856f9e5ad81ee3eac85599c9d53fe3f4f5a9c738d4881acd24",
+    hash: "e3bbc57c945493f25456916e7dddf6cba26df0c26614f48ab815f94d33953ae9",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_HALF_PRECISION: Module = Module {
@@ -328,5 +328,5 @@ static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_HALF_PRECISION: Module = M
     shared_bytes: 256,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "47fd553d9dee3cf6d5b32260cf98876c7a9ae6574fc22653bce1e4edda154ddf",
+    hash: "c46771f43554dabd748b0a306430552e89a0bea4bd7a5e78fc0879bcafd9bdea",
 };

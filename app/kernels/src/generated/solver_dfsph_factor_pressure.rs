@@ -125,7 +125,7 @@ static FACTOR_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "2153cba4705bf3a4243b41349455a4592c96567a9da30ca702cc3fd17cca1acc",
+    hash: "2494e6943555ba7ee025a80a98e3332ce420c384376049804e096f9887a8f542",
 };
 
 static FACTOR_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
@@ -138,7 +138,7 @@ static FACTOR_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "fe66ed8d12ff1ffe838e015948faf84d9f70dbd5ed46d6f2607beca3d64ad0b7",
+    hash: "ff9a036ec96e3f5e9fbce318ab75071643b50d45f84b3284cfa2215a508e4eca",
 };
 
 static FACTOR_PRESSURE_WITH_HALF_PRECISION: Module = Module {
@@ -151,7 +151,7 @@ static FACTOR_PRESSURE_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "385581a442eaff1fd9d761d1f524ec92a928593315b0a057d8966551c137ab8b",
+    hash: "7b8fc9e1de6068aed060dfde4ed4893863f0fcbfd72629f6b77dea07f42ec9e5",
 };
 
 static FACTOR_PRESSURE_WITH_WALLS: Module = Module {
@@ -164,7 +164,7 @@ static FACTOR_PRESSURE_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "a5f76f4219a1312e0f8d10a23d0024f4d85ae9e09d3d0aaca77efd6c1b6579ff",
+    hash: "a5f0540fe9052f37e60408f3c961d8e6fa99cae3521d9aab4e75ad24027dcab2",
 };
 
 static FACTOR_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -177,7 +177,7 @@ static FACTOR_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "25432e5d56ddb3e45a06368766e1330b39976351c7c9ae746e1fa93ef5a930fd",
+    hash: "d8a2126b6bbfb927f5985cd86bc5204ec4f0c70efb0868fa3031be93bdd49181",
 };
 
 static FACTOR_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -190,5 +190,5 @@ static FACTOR_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "929a812d1ea34dd57554bd5a7f0f9fda57dbc58041c61d9ac6b2ce9d4110f276",
+    hash: "89d99c80a619e0366576b841027dbe4d99e2b86650ec62fa9a21d2db259c6266",
 };

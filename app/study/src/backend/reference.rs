@@ -53,19 +53,13 @@ pub fn reference_fluid(setup: &Setup) -> Fluid {
             domain_size_m: size_m,
             walls: axes,
             period_m,
-            wall_offset_m: wall_offset_m(scene),
+            wall_offset_m: scene.wall_offset_m(),
             max_speed_m_s: scene.max_speed_m_s(),
         },
         solver: solver_of(scene),
         walls: walls_of(scene, &smoothing_kernel_params(scene)),
         faces: domain.has_dragging_walls().then(|| wall_faces(scene).map(|face| WallFace::of(&face))),
     }
-}
-
-/// How near a wall particles may come: half a spacing, or a quarter where walls mirror the fluid.
-fn wall_offset_m(scene: &Scene) -> f64 {
-    let spacings = if scene.solver.method == Method::Dfsph { 0.25 } else { 0.5 };
-    spacings * scene.fitted_spacing_m()
 }
 
 /// The walls of a scene as a kernel counts them; none of an open domain.

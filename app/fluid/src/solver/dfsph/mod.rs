@@ -1,7 +1,7 @@
 //! Divergence-free SPH (Bender & Koschier 2015, 2017): pressure that lets no particle grow denser than at rest, found by
 //! iterations that end on the GPU when little is left. What compression steps leave over goes out of the positions alone
 //! (implicit density projection, Kugelstadt, Longva, Thuerey & Bender 2021): the 2015 paper's density solve makes velocities of
-//! it, which shook a pool at rest and took 27 iterations of it where these two take 5. Walls mirror the fluid
+//! it, which shook a pool at rest and took 17 iterations of it where these two take 5. Walls mirror the fluid
 //! (`boundary/mirror.hlsli`). (Shaders: `solver/dfsph/`.)
 //!
 //! A substep moves particles first, with velocities that the last one made fit for it, and then makes the next ones: lists

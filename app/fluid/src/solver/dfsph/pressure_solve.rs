@@ -15,7 +15,7 @@ use crate::scene::Scene;
 use crate::step_context::StepContext;
 
 /// Of the compression that a density solve finds it takes out so much. All of it, and what a solve left over one way the next
-/// one pushes back: 1.8 times the iterations in a pool at rest (`SHARE` 1: 5.4 + 7.8, a half: 1.7 + 3.4).
+/// one pushes back: 2.6 times the iterations in a pool at rest (`SHARE` 1: 5.4 + 7.8, a half: 1.7 + 3.4).
 const SHARE: f32 = 0.5;
 /// Of the last substep's pressures with which it begins, for flow compresses alike from substep to substep; where it ends by
 /// its residual, and where one iteration has to do. Of more of them, a pool at rest that no iteration looks at would breathe.
