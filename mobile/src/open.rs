@@ -14,7 +14,7 @@ use crate::kept;
 use crate::report::{self, Report};
 use crate::screen::{self, Down, Facts};
 use crate::self_check::{self, Asked, Checked, Occasion};
-use crate::worker::Worker;
+use crate::worker::{Worker, stand_together};
 
 /// The scene that the app begins with, and whose kernels are checked.
 const FIRST_SCENE: &str = "phone-1k";
@@ -100,11 +100,12 @@ impl Open {
         self.check.is_some() || self.report.is_some()
     }
 
-    /// Lets what goes on beside the frames stand, and waits for the parts that are under way, each no longer than `limit`;
-    /// whether nothing is under way then.
+    /// Lets what goes on beside the frames stand, and waits for the parts that are under way, for all together no longer than
+    /// `limit`; whether nothing is under way then.
     pub fn stand(&self, limit: Duration) -> bool {
-        let check = self.check.as_ref().is_none_or(|check| check.stand(limit));
-        self.report.as_ref().is_none_or(|report| report.worker.stand(limit)) && check
+        let report = self.report.as_ref().map(|report| report.worker.pace());
+        let paces: Vec<_> = self.check.as_ref().map(Worker::pace).into_iter().chain(report).collect();
+        stand_together(&paces, limit)
     }
 
     /// Lets it go on.

@@ -1,5 +1,6 @@
 //! Work on a thread of its own, part by part: it stands while the app is not in front, and whoever lets it stand or drops it
-//! waits for the part that is under way. Drivers crash where a program ends while they build.
+//! waits for the part that is under way. Drivers crash where a program ends while they build. Who lets several stand waits for
+//! all of them until one deadline.
 
 use std::sync::mpsc::{Receiver, Sender, TryRecvError, channel};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
@@ -30,8 +31,9 @@ pub struct Gate<T> {
     stood: Duration,
 }
 
+/// What is wanted of work, and whether it rests: the same of all work, whatever comes of it.
 #[derive(Default)]
-struct Pace {
+pub struct Pace {
     /// What is wanted, and whether no part is under way.
     state: Mutex<(State, bool)>,
     changed: Condvar,
@@ -60,6 +62,24 @@ impl Pace {
         self.lock().1 = rests;
         self.changed.notify_all();
     }
+
+    /// Waits for the part that is under way until `deadline`; whether none is then.
+    fn rests_by(&self, deadline: Instant) -> bool {
+        let is_under_way = |(_, rests): &mut (State, bool)| !*rests;
+        let limit = deadline.saturating_duration_since(Instant::now());
+        let waited = self.changed.wait_timeout_while(self.lock(), limit, is_under_way);
+        waited.unwrap_or_else(PoisonError::into_inner).0.1
+    }
+}
+
+/// Lets all work of these `paces` stand, and waits for the parts that are under way, for all of them together no longer than
+/// `limit`; whether nothing is under way then. What takes longer stands after it all the same.
+pub fn stand_together(paces: &[&Pace], limit: Duration) -> bool {
+    // Before the first is waited for: the others would begin further parts meanwhile.
+    paces.iter().for_each(|pace| pace.set(State::Stands));
+    let deadline = Instant::now() + limit;
+    // After one that was not done by the deadline there is nothing to wait for.
+    paces.iter().all(|pace| pace.rests_by(deadline))
 }
 
 struct Rests(Arc<Pace>);
@@ -127,13 +147,9 @@ impl<T> Worker<T> {
         }
     }
 
-    /// Lets it stand, and waits for the part that is under way, but no longer than `limit`; whether nothing is under way then.
-    /// What takes longer stands after it all the same.
-    pub fn stand(&self, limit: Duration) -> bool {
-        self.pace.set(State::Stands);
-        let is_under_way = |(_, rests): &mut (State, bool)| !*rests;
-        let waited = self.pace.changed.wait_timeout_while(self.pace.lock(), limit, is_under_way);
-        waited.unwrap_or_else(PoisonError::into_inner).0.1
+    /// By which it is let stand, with others: [`stand_together`].
+    pub fn pace(&self) -> &Pace {
+        &self.pace
     }
 
     /// Lets it go on.
@@ -156,6 +172,10 @@ mod tests {
     use std::sync::atomic::{AtomicUsize, Ordering};
 
     const LONG: Duration = Duration::from_secs(60);
+
+    fn stand<T>(worker: &Worker<T>, limit: Duration) -> bool {
+        stand_together(&[worker.pace()], limit)
+    }
 
     /// Counts to `most`, a millisecond a part; how far it came, and how long it worked.
     fn counting(most: usize, counted: &Arc<AtomicUsize>) -> Worker<(usize, Duration)> {
@@ -194,7 +214,7 @@ mod tests {
     fn it_stands_while_it_is_told_to_and_counts_no_time_then() {
         let counted = Arc::default();
         let mut worker = counting(200, &counted);
-        assert!(worker.stand(LONG));
+        assert!(stand(&worker, LONG));
         // Nothing is under way any more.
         let before = counted.load(Ordering::SeqCst);
         std::thread::sleep(Duration::from_millis(900));
@@ -221,18 +241,65 @@ mod tests {
         })
         .unwrap();
         begun.recv().unwrap();
-        assert!(!worker.stand(Duration::from_millis(50)), "its part is under way");
+        assert!(!stand(&worker, Duration::from_millis(50)), "its part is under way");
         ends.send(()).unwrap();
-        assert!(worker.stand(LONG) && begun.try_recv().is_err(), "it stands, and begins no other");
+        assert!(stand(&worker, LONG) && begun.try_recv().is_err(), "it stands, and begins no other");
         worker.go_on();
         begun.recv().unwrap();
         // One that ends meanwhile, or panics, has nothing under way.
         drop(ends);
-        assert!(worker.stand(LONG));
+        assert!(stand(&worker, LONG));
         worker.go_on();
         assert_eq!(finished(&mut worker), Ok(2));
         let broken = Worker::<()>::begin("broken", |_| panic!("on purpose")).unwrap();
-        assert!(broken.stand(LONG));
+        assert!(stand(&broken, LONG));
+    }
+
+    /// Work whose parts last until somebody ends them; what tells that one began, and what ends it.
+    fn waiting() -> (Worker<usize>, Receiver<()>, Sender<()>) {
+        let ((begins, begun), (ends, end)) = (channel(), channel::<()>());
+        let work = move |gate: &mut Gate<usize>| {
+            let mut parts = 0;
+            while gate.pass([parts, 9]) {
+                // Nobody counts the last ones.
+                let _ = begins.send(());
+                let _ = end.recv();
+                parts += 1;
+            }
+            parts
+        };
+        (Worker::begin("waiting", work).unwrap(), begun, ends)
+    }
+
+    #[test]
+    fn two_that_stand_together_have_one_limit_and_neither_begins_a_part_meanwhile() {
+        let limit = Duration::from_millis(1500);
+        let ((one, one_begun, one_ends), (other, other_begun, other_ends)) = (waiting(), waiting());
+        (one_begun.recv().unwrap(), other_begun.recv().unwrap());
+        let both = [one.pace(), other.pace()];
+        let asked = Instant::now();
+        assert!(!stand_together(&both, limit), "both are under way");
+        let waited = asked.elapsed();
+        assert!(waited >= limit && waited < limit.mul_f64(1.8), "{waited:?} for both");
+        both.iter().for_each(|pace| pace.set(State::Goes));
+        // The first rests only after the second is done with its part: that has begun no other by then.
+        let asked = Arc::clone(&one.pace);
+        let ending = std::thread::spawn(move || {
+            let soon = || std::thread::sleep(Duration::from_millis(200));
+            while asked.lock().0 != State::Stands {
+                soon();
+            }
+            soon();
+            other_ends.send(()).unwrap();
+            soon();
+            one_ends.send(()).unwrap();
+            (one_ends, other_ends)
+        });
+        assert!(stand_together(&both, LONG) && one_begun.try_recv().is_err() && other_begun.try_recv().is_err());
+        drop(ending.join().unwrap());
+        // One that rests does not hide that another does not.
+        other.go_on();
+        other_begun.recv().unwrap();
     }
 
     #[test]
@@ -240,7 +307,7 @@ mod tests {
         for stands in [false, true] {
             let counted = Arc::<AtomicUsize>::default();
             let worker = counting(1_000_000, &counted);
-            assert!(!stands || worker.stand(LONG));
+            assert!(!stands || stand(&worker, LONG));
             std::thread::sleep(Duration::from_millis(20));
             drop(worker);
             let at_end = counted.load(Ordering::SeqCst);
