@@ -21,10 +21,11 @@ BYTES_A_PIXEL = 60      # written and read again, all passes together
 
 WALLS = "constrain_density+walls+"
 STEP = {  # module: runs a frame
-    "predict+walls": 1, "count_cells": 1, "reorder+relaxed_precision": 1, "list_neighbours+relaxed_precision": 1,
+    "predict+walls": 1, "count_cells": 1, "reorder+velocities_only": 1, "reorder+relaxed_precision+positions_only": 1,
+    "list_neighbours+relaxed_precision": 1,
     WALLS + "restricted_momentum+relaxed_precision": 1, "prolong_multiplier+relaxed_precision": 1,
     "correct_positions+walls+relaxed_precision": 2, WALLS + "accumulated_momentum+relaxed_precision": 1,
-    "update_velocity+relaxed_precision": 1, "xsph+relaxed_precision": 1, "measure_particles+density+walls": 1,
+    "update_velocity+relaxed_precision+in_place_velocity": 1, "xsph+relaxed_precision": 1, "measure_particles+density+walls": 1,
 }
 SCANS = ["reduce_groups", "scan_groups+group_offsets"]
 # Of a mesh: module, threads a cell of the wet blocks.
@@ -80,6 +81,12 @@ def step_bytes(particles):
 def main():
     with open(sys.argv[1], newline="") as file:
         table = {(row["kernel"], row["chip"]): row for row in csv.DictReader(file)}
+    frame = [*STEP, *SCANS, *MESH, *PICTURE, "anisotropy"]
+    missing = sorted({name for name in frame for _, _, chip in CHIPS.values() if (name, chip) not in table})
+    if missing:
+        sys.exit(f"adreno_frame: error: {sys.argv[1]} has not, for every chip: {', '.join(missing)}; the program's kernels "
+                 "are others (`brooklet plan phone-5k --tier mobile --set solver.precision=relaxed`), or tools/adreno ran "
+                 "for fewer chips or with --scene")
     rate_540 = CHIPS["540"][0] * 1e9 / 2
     deck = DECK_PARTICLES * DECK_CANDIDATES * DECK_WALKS * DECK_INSTRUCTIONS
     efficiency = deck / rate_540 / DECK_SECONDS

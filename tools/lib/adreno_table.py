@@ -26,7 +26,8 @@ import blake3
 # Of Mesa's freedreno_devices.py: registers of four components on a core, and what a wave is counted in.
 REGISTERS = {"618": (48, 1), "630": (96, 2), "660": (64, 2), "730": (96, 2), "740": (96, 2), "750": (96, 2)}
 MAX_WAVES = 16
-WALKS_A_LIST = re.compile(r"(constrain_density|correct_positions|xsph|curl|confine_vorticity|list_neighbours)")
+WALKS_A_LIST = re.compile(r"(constrain_density|correct_positions|xsph|curl|confine_vorticity|list_neighbours|compute_density"
+                          r"|accelerate|factor_pressure|correct_pressure|apply_pressure)")
 LIST_CHUNK = 4
 FIELDS = ["instr", "nops", "half", "full", "spills", "waves", "pair"]
 

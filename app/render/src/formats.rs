@@ -1,5 +1,9 @@
 //! Formats of a picture's textures: the best first, then those that hold what it is for as well, for devices that cannot draw to,
 //! blend to or filter the best ([`brooklet_gpu::Resources::texture_in`]).
+//!
+//! A device of Vulkan's core finds one in each list: the specification's tables of mandatory formats (Formats, "Required Format
+//! Support", since 1.0) have R32, RG32 and RGBA32 float drawn to, R16, RG16 and RGBA16 float blended to and filtered as well, and
+//! one of D32 and X8D24 as a depth buffer. An unsigned R32 has the same row as R32 float: it would help no device that lacks that.
 
 use brooklet_kernels::{Format, Tier};
 

@@ -1,6 +1,6 @@
 //! What a device cannot do is done without: a pipeline that its driver does not build, a module that computes wrongly there,
-//! a format that it lacks and no other of the texture's can stand for. The scene's settings are gone through, what is least seen first, for one whose plan the device can
-//! run; what no setting leaves out is an error.
+//! a format that it lacks and no other of the texture's can stand for. The scene's settings are gone through, what is least
+//! seen first, for one whose plan the device can run; what no setting leaves out is an error.
 
 use brooklet_fluid::Scene;
 use brooklet_gpu::{Engine, Gpu, GpuError, OtherFormat, Plan};
@@ -21,7 +21,7 @@ impl std::fmt::Display for Concession {
 }
 
 /// Settings that do without something, what is least seen first.
-const CONCESSIONS: [&str; 24] = [
+const CONCESSIONS: [&str; 29] = [
     "solver.precision=full",
     "surface.caustics=false",
     "surface.self_shadow=false",
@@ -39,6 +39,11 @@ const CONCESSIONS: [&str; 24] = [
     "forces.vorticity_m_s=0",
     "forces.xsph=0",
     "solver.pbf.s_corr_k=0",
+    "solver.dfsph.fixed_iterations=true",
+    "solver.sph.density_kernel=wendland",
+    "solver.sph.pressure_kernel=wendland",
+    "solver.sph.viscosity_kernel=wendland",
+    "solver.sph.surface_tension_n_m=0",
     "solver.deterministic=false",
     "surface.method=screen-space",
     "surface.method=marching-cubes",

@@ -109,11 +109,9 @@ impl Viewer {
         let scene = current.session.scene();
         let solver = &scene.solver;
         let name = |value: &dyn std::fmt::Debug| format!("{value:?}").to_lowercase();
-        let settings: Vec<&str> = current.concessions.iter().map(|concession| concession.setting.as_str()).collect();
-        let event = match settings.as_slice() {
-            [] => event.to_owned(),
-            settings => format!("{event}; for what the device cannot do: {}", settings.join(", ")),
-        };
+        // With the kernel or format, and why: a capture is what is sent from a phone that nobody else has.
+        let concessions = current.concessions.iter().map(|concession| format!("; {concession}"));
+        let event = concessions.fold(event.to_owned(), |event, concession| event + &concession);
         let state = StateRow {
             event,
             scene: Some(current.scene.name.clone()),

@@ -1,7 +1,7 @@
 //! The quality ladder: what is given up, rung by rung, for a frame in time; by hand or by itself ([`crate::Governor`]).
 
 use brooklet_fluid::Scene;
-use brooklet_fluid::scene::Precision;
+use brooklet_fluid::scene::{Precision, Solver};
 use brooklet_render::FrameOptions;
 use brooklet_render::surface::SurfaceOptions;
 
@@ -136,8 +136,11 @@ impl Rung {
         add(self.plain_water && !self.points, "plainer water");
         add(self.coarse_fields && !self.points && !self.plain_water, "coarser light and thickness");
         add(self.supersample < BEST.supersample, "no supersampling");
-        add(self.lower_precision, "lower precision");
-        add(self.fewer_substeps, "half the substeps or iterations");
+        // Not every solver has pairs, iterations or substeps of its own choice, and a scene may have none to spare.
+        let (run, whole) = (&self.scene(scene).solver, &scene.solver);
+        let rounds = |solver: &Solver| (solver.substeps, solver.iterations());
+        add(run.method.interacts() && run.precision != whole.precision, "lower precision");
+        add(rounds(run) != rounds(whole), "half the substeps or iterations");
         if self.scale < 1.0 {
             list.push(format!("picture at {:.0} %", 100.0 * self.scale));
         }
@@ -183,5 +186,16 @@ mod tests {
         said.sort_unstable();
         said.dedup();
         assert_eq!(said.len(), RUNGS.len(), "two rungs say the same");
+    }
+
+    #[test]
+    fn what_a_solver_does_not_have_is_not_given_up() {
+        let last = |method: &str| {
+            let scene = Scene::load("dam-break", &[format!("solver.method={method}")]).unwrap();
+            RUNGS[RUNGS.len() - 1].given_up(&scene)
+        };
+        let [pbf, sph, none] = ["pbf", "sph", "none"].map(last);
+        let has = |said: &str| ["lower precision", "half the substeps"].map(|words| said.contains(words));
+        assert_eq!([has(&pbf), has(&sph), has(&none)], [[true, true], [true, false], [false, false]]);
     }
 }

@@ -1,5 +1,6 @@
 //! A phone that computes wrongly.
 
+use std::path::Path;
 use std::time::Duration;
 
 use brooklet_fluid::scene::SurfaceMethod;
@@ -8,7 +9,7 @@ use brooklet_kernels::{Format, Module, Spirv};
 use brooklet_mobile::script::Hand;
 use brooklet_mobile::{Asked, Checked, WrongAnswer};
 
-use crate::{LONG, app, current, in_own_process, mark_checked, own_folder, said, started};
+use crate::{LONG, app, current, in_own_process, mark_checked, own_folder, running, said, started};
 
 /// A variant that subtracts where it should add: OpFSub in place of each OpFAdd.
 fn broken(name: &str) -> &'static Module {
@@ -51,6 +52,59 @@ fn a_kernel_that_computes_wrongly_is_found_named_and_done_without() {
 }
 
 #[test]
+fn a_wrong_kernel_that_nothing_replaces_is_refused_by_name_and_nothing_runs() {
+    let folder = tempfile::tempdir().unwrap();
+    let name = "Predict+WALLS";
+    let asked = Asked { rooms: vec!["particles".into()], replacements: vec![broken(name)], ..Asked::default() };
+    let mut app = app(folder.path()).with_asked(asked);
+    app.resume_offscreen(crate::SIZE_PX, 1.0);
+    let mut hand = Hand::new(app, 1.0);
+    let is_refused = |hand: &mut Hand| said(hand).iter().filter(|text| text.contains(name)).count() >= 2;
+    assert!(hand.until(LONG, is_refused), "the check's result, and why there is no scene: {:?}", said(&hand));
+    let names: Vec<&str> = hand.app.checked().unwrap().wrong.iter().map(|wrong| wrong.module.as_str()).collect();
+    assert!(names.contains(&name), "{names:?}");
+    assert!(current(&hand).is_none(), "wrong water is not shown");
+    // A screen that can be used, and a report of it that can be sent.
+    hand.tap("menu").unwrap();
+    assert_eq!(hand.app.failure(), None);
+}
+
+#[test]
+fn a_start_that_finds_what_ended_the_one_before_does_without_and_says_so() {
+    let (hand, folder) = running();
+    drop(hand);
+    let cache = folder.path().join("cache");
+    let kept = std::fs::read_dir(&cache).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap());
+    let stem = kept.into_iter().find(|name| !name.contains('.')).expect("pipelines are kept, and builds watched");
+    let name = "SmoothNormals";
+    // As a program leaves it that a driver ended: no process has this number.
+    let canary = cache.join(format!("{stem}.{}.0.building", u32::MAX));
+    std::fs::write(&canary, name).unwrap();
+    let mut hand = started(app(folder.path()));
+    assert!(!canary.exists());
+    let run = current(&hand).unwrap();
+    assert_eq!(run.session.scene().surface.mesh.smooth_normals, 0, "{:?}", run.concessions);
+    let says = |text: &str| text.contains(name) && text.contains("the program ended while the driver built it");
+    assert!(run.concessions.iter().any(|concession| says(&concession.to_string())), "{:?}", run.concessions);
+    assert!(said(&hand).iter().any(|text| says(text)), "{:?}", said(&hand));
+    assert!(captured(&mut hand, folder.path(), b"the program ended while the driver built it"));
+    // It may have been killed: the next start tries it again.
+    drop(hand);
+    let hand = started(app(folder.path()));
+    assert_ne!(current(&hand).unwrap().session.scene().surface.mesh.smooth_normals, 0);
+}
+
+/// Whether a capture that is begun now has these words.
+fn captured(hand: &mut Hand, folder: &Path, words: &[u8]) -> bool {
+    hand.tap("capture").unwrap();
+    assert!(hand.steps(2, LONG));
+    hand.tap("capture").unwrap();
+    let files = std::fs::read_dir(folder.join("files")).unwrap().map(|entry| entry.unwrap().path());
+    let capture = files.into_iter().find(|path| path.extension().is_some_and(|ending| ending == "mcap")).unwrap();
+    std::fs::read(capture).unwrap().windows(words.len()).any(|found| found == words)
+}
+
+#[test]
 fn a_format_that_is_missing_is_drawn_in_another_and_said() {
     let folder = tempfile::tempdir().unwrap();
     mark_checked(folder.path());
@@ -63,14 +117,8 @@ fn a_format_that_is_missing_is_drawn_in_another_and_said() {
     assert!(run.concessions.iter().any(|concession| said_so(&concession.to_string())), "{:?}", run.concessions);
     assert_ne!(run.session.scene().surface.method, SurfaceMethod::None);
     assert!(said(&hand).iter().any(|text| said_so(text)), "{:?}", said(&hand));
-    hand.tap("capture").unwrap();
-    assert!(hand.steps(2, LONG));
-    hand.tap("capture").unwrap();
-    let files = std::fs::read_dir(folder.path().join("files")).unwrap().map(|entry| entry.unwrap().path());
-    let capture = files.into_iter().find(|path| path.extension().is_some_and(|ending| ending == "mcap")).unwrap();
-    let capture = std::fs::read(capture).unwrap();
-    let words = b"in Rg32Float";
-    assert!(capture.windows(words.len()).any(|found| found == words));
+    assert!(captured(&mut hand, folder.path(), b"in Rg32Float"));
+    assert!(!captured(&mut hand, folder.path(), b"in Rgba32Float"));
 }
 
 #[test]

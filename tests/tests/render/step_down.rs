@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use brooklet_fluid::{Scene, Session};
 use brooklet_gpu::{FormatUse, Gpu, GpuError, GpuOptions, Plan};
-use brooklet_kernels::{Format, Tier};
+use brooklet_kernels::{Format, Module, Spirv, Tier};
 use brooklet_render::step_down::step_down;
 use brooklet_render::{Concession, ScenePlan, StartError, start_stepping_down};
 use brooklet_tests::gpu;
@@ -28,9 +28,20 @@ fn plan_of(scene: &Scene, tier: Tier) -> Option<Plan> {
 }
 
 fn start(gpu: &Gpu, scene: &Scene) -> Result<(Scene, Vec<Concession>), StartError> {
+    start_with(gpu, scene, &|_| None)
+}
+
+/// With other modules than the plan's own, of which the driver knows nothing before it builds them.
+fn start_with(
+    gpu: &Gpu,
+    scene: &Scene,
+    other: &dyn Fn(&'static Module) -> Option<&'static Module>,
+) -> Result<(Scene, Vec<Concession>), StartError> {
     let plan = |scene: &Scene| plan_of(scene, gpu.tier());
     let start = |scene: &Scene| -> Result<Session, StartError> {
-        brooklet_render::start(gpu, ScenePlan::new(scene, gpu.tier()).expect("a plan").session)
+        let mut planned = ScenePlan::new(scene, gpu.tier()).expect("a plan").session;
+        planned.plan = planned.plan.with_modules(other).expect("modules that bind alike");
+        brooklet_render::start(gpu, planned)
     };
     let cause = |error: &StartError| Some(error.gpu_error().clone());
     let (_, scene, concessions) = start_stepping_down(gpu, scene, &plan, start, cause)?;
@@ -77,6 +88,31 @@ fn every_module_but_the_chains_own_can_be_done_without() {
 }
 
 #[test]
+fn a_solvers_variants_can_be_done_without_and_its_kernels_not() {
+    let gpu = device(&[]);
+    let picture = ["DrawResolve.vertex", "DrawSky.fragment", "DrawSky.vertex"];
+    let grid = ["Advect", "CountCells", "ListNeighbours", "Reorder", "ReduceGroups", "ScanGroups"];
+    let chain = |own: &[&'static str]| picture.into_iter().chain(grid).chain(own.iter().copied()).collect();
+    let sph: BTreeSet<_> = chain(&["ChooseTimeStep", "EndStep"]);
+    let variants = [
+        "solver.method=sph",
+        "solver.support_ratio=3",
+        "solver.sph.surface_tension_n_m=0.07",
+        "solver.sph.density_kernel=poly6",
+        "solver.sph.pressure_kernel=spiky",
+        "surface.method=none",
+    ];
+    assert_eq!(essential(&gpu, &scene("dam-break", &variants)), sph);
+    let plain = ["solver.method=sph", "surface.method=none"];
+    let own = ["Accelerate", "ChooseTimeStep", "ComputeDensity", "EndStep"];
+    assert_eq!(essential(&gpu, &scene("dam-break", &plain)), chain(&own));
+    // With as many iterations as are written nothing measures what is left.
+    let own = ["ApplyGravity", "ApplyPressure", "BeginSubstep", "CarryPressure", "FactorPressure", "LimitVelocity"];
+    let dfsph = scene("dam-break", &["solver.method=dfsph", "surface.method=none"]);
+    assert_eq!(essential(&gpu, &dfsph), chain(&[own.as_slice(), &["ShiftPositions"]].concat()));
+}
+
+#[test]
 fn a_scene_steps_down_from_module_to_module_and_says_so() {
     let gpu = device(&[]);
     let scene = scene("dam-break", &["spacing_m=0.1", "solver.precision=relaxed"]);
@@ -107,6 +143,29 @@ fn a_scene_steps_down_from_module_to_module_and_says_so() {
     gpu.refuse(has(&now, "Predict").expect("it is there"), "it is broken");
     let error = start(&gpu, &scene).expect_err("nothing moves without it");
     assert!(error.to_string().contains("Predict") && error.to_string().contains("it is broken"), "{error}");
+}
+
+#[test]
+fn a_pipeline_that_is_not_built_or_asks_for_too_much_is_done_without() {
+    let gpu = device(&[]);
+    let wanted = scene("dam-break", &["spacing_m=0.1", "outputs.images=1"]);
+    let leaked = |name: &str, change: fn(&mut Module)| -> &'static Module {
+        let mut module = *brooklet_kernels::modules().find(|module| module.name == name).expect("a module");
+        change(&mut module);
+        Box::leak(Box::new(module))
+    };
+    let not_built = leaked("Anisotropy", |module| module.spirv = Spirv::Plain(&[0; 8]));
+    let too_wide = leaked("Anisotropy", |module| module.group_size = [1 << 20, 1, 1]);
+    for (module, words) in [(not_built, "SPIR-V"), (too_wide, "1048576")] {
+        let other = |own: &'static Module| (own.name == module.name).then_some(module);
+        let (scene, concessions) = start_with(&gpu, &wanted, &other).expect("it steps down");
+        assert!(!scene.surface.anisotropic, "{concessions:?}");
+        let [concession] = concessions.as_slice() else { panic!("{concessions:?}") };
+        let said = concession.to_string();
+        assert!(said.contains("Anisotropy") && said.contains(words) && said.contains("anisotropic=false"), "{said}");
+    }
+    let (same, none) = start_with(&gpu, &wanted, &|_| None).expect("it starts");
+    assert!(same == wanted && none.is_empty());
 }
 
 #[test]
