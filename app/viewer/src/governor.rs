@@ -53,6 +53,9 @@ const WINDOW: usize = 24;
 const FEW: usize = 4;
 const FAR: f64 = 1.5;
 const SETTLING: u32 = 2;
+/// Frames in a row so far over their budget at first are told at once: six would be seconds of a still.
+const PAIR: usize = 2;
+const FAR_OFF: f64 = 4.0;
 /// What is gone down to shall hold with a little room,
 const ROOM_DOWN: f64 = 0.9;
 /// what is gone up to with more.
@@ -120,17 +123,22 @@ impl Governor {
         if let Some(frames) = &mut self.frames_since_up {
             *frames = frames.saturating_add(1);
         }
-        if self.ignored > 0 {
+        let budget_ms = self.strictness * self.budget_ms;
+        let searches = self.patience == FIRST_PATIENCE;
+        let is_far_off = |times_ms: [f64; 2]| searches && self.needed_ms(times_ms, at.steps_due) > FAR_OFF * budget_ms;
+        if self.ignored > 1 || self.ignored == 1 && !is_far_off(times_ms) {
             self.ignored -= 1;
             return None;
         }
+        // The first frames of a rung build caches, and only one is looked away from where all are slow.
+        let is_far_off_again = self.times_ms.last().is_some_and(|before| is_far_off(*before)) && is_far_off(times_ms);
+        let first = if is_far_off_again { PAIR } else { FEW };
+        self.ignored = 0;
         if self.times_ms.len() == WINDOW {
             self.times_ms.remove(0);
         }
         self.times_ms.push(times_ms);
-        let budget_ms = self.strictness * self.budget_ms;
-        let few = self.medians(FEW)?;
-        let searches = self.patience == FIRST_PATIENCE;
+        let few = self.medians(self.times_ms.len().clamp(first, FEW))?;
         let is_far = self.needed_ms(few, at.steps_due) > FAR * budget_ms;
         let [step_ms, draw_ms] = if searches || is_far { few } else { self.medians(WINDOW)? };
         self.speed.learn(&at.works[at.rung], step_ms, draw_ms);
@@ -187,7 +195,7 @@ impl Governor {
         Some(std::array::from_fn(|part| {
             let mut sorted: Vec<f64> = last.iter().map(|times| times[part]).collect();
             sorted.sort_unstable_by(f64::total_cmp);
-            sorted[count / 2]
+            sorted[(count - 1) / 2]
         }))
     }
 
@@ -244,6 +252,21 @@ mod tests {
         let last = *rungs.last().unwrap();
         assert!(cost_ms(0, last) <= 16.0 * TOLERANCE && last < 8, "rung {last}");
         assert!(rungs[10..].iter().all(|rung| *rung == last), "it swings: {:?}", &rungs[..30]);
+    }
+
+    #[test]
+    fn frames_of_seconds_are_told_after_three_and_one_alone_is_not() {
+        let works = works(0.8);
+        let mut governor = Governor::new(16.0, SPEED);
+        let rungs = drive(&mut governor, 3, 0, &works, |_, rung| 600.0 * 0.8f64.powi(rung as i32));
+        assert_eq!(rungs[..2], [0, 0]);
+        assert!(rungs[2] > 6, "{rungs:?}");
+        // What is built in the first two frames, or a hitch later, is no slow device.
+        for slow in [0..2, 1..2, 3..4] {
+            let cost_ms = |frame: usize, _| if slow.contains(&frame) { 600.0 } else { 12.0 };
+            let rungs = drive(&mut Governor::new(16.0, SPEED), 12, 3, &works, cost_ms);
+            assert!(rungs.iter().all(|rung| *rung == 3), "{slow:?}: {rungs:?}");
+        }
     }
 
     #[test]
