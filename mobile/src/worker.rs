@@ -275,7 +275,8 @@ mod tests {
     fn two_that_stand_together_have_one_limit_and_neither_begins_a_part_meanwhile() {
         let limit = Duration::from_millis(1500);
         let ((one, one_begun, one_ends), (other, other_begun, other_ends)) = (waiting(), waiting());
-        (one_begun.recv().unwrap(), other_begun.recv().unwrap());
+        one_begun.recv().unwrap();
+        other_begun.recv().unwrap();
         let both = [one.pace(), other.pace()];
         let asked = Instant::now();
         assert!(!stand_together(&both, limit), "both are under way");
