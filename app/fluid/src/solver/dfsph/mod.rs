@@ -171,6 +171,7 @@ impl Dfsph {
                 variant: ShiftPositionsVariant { walls: context.walls, periodic: context.periodic },
                 positions: positions.write(),
                 shifts: shifts.read(),
+                counters: context.counters.write(),
                 step_state: context.slots.state.uniform(),
                 step_params: context.step.uniform(),
             },
