@@ -193,7 +193,7 @@ impl Summary {
                 acceleration: weights.as_ref().map(|weights| weights.acceleration().name()),
                 coarse_correction: weights.as_ref().map(|weights| has_coarse_correction(scene, weights)),
                 warm_start: weights.as_ref().map(|_| scene.solver.pbf.warm_start),
-                substeps: if scene.adapts_substeps() { scene.solver.substeps } else { scene.substeps() },
+                substeps: scene.solver.substeps,
                 dt_s: scene.solver.dt_s,
             },
             gpu_ms_per_step: timings.step_ms(),

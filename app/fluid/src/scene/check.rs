@@ -153,13 +153,13 @@ impl Scene {
 
     /// Not more iterations a step than a recording holds; `field` says how many a substep has.
     fn check_iterations(&self, check: &Checker, iterations: u32, field: &str) -> Result<(), SceneError> {
-        let substeps = self.substeps();
+        let substeps = self.solver.substeps;
         check.require(
             substeps.saturating_mul(iterations) <= MAX_ITERATIONS_A_STEP,
             field,
             iterations,
             format_args!(
-                "with {substeps} substeps that is {} iterations a step; at most {MAX_ITERATIONS_A_STEP}: \
+                "with solver.substeps = {substeps} that is {} iterations a step; at most {MAX_ITERATIONS_A_STEP}: \
                  a smaller solver.dt_s does the same as more substeps",
                 substeps.saturating_mul(iterations)
             ),

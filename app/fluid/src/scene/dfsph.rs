@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Fluid, Method, Scene};
+use super::{Fluid, Scene};
 
 /// Largest pressure p dt² / (ρ0 h²) of fluid at rest with which a substep is stable. Pressure is added at once, and from some
 /// size on it pushes pairs past each other: in f64 trials a column stands with .077 and bursts with .15, however exactly it is
@@ -26,9 +26,8 @@ impl Scene {
         (0..3).map(|axis| (self.gravity_m_s2[axis] / size).abs() * along(axis)).sum()
     }
 
-    /// Substeps of a step that DFSPH takes: as many as the scene says, and as its depth needs.
+    /// Substeps of a step that DFSPH takes: as many as the scene says, and as its depth needs at the start.
     pub(super) fn dfsph_substeps(&self) -> u32 {
-        debug_assert!(self.solver.method == Method::Dfsph);
         let g_depth_m2_s2 = self.gravity_length_m_s2() * self.depth_m();
         let needed = self.solver.dt_s * (g_depth_m2_s2 / MOST_PRESSURE).sqrt() / self.support_m();
         // A hair less: rounding makes no substep more.
@@ -60,8 +59,8 @@ pub struct DfsphSettings {
     /// Share of what an iteration added to pressures that the next one adds again, as Chebyshev's semi-iteration does in the
     /// limit: 0 is plain Jacobi.
     pub momentum: f64,
-    /// Whether a coarse grid corrects a divergence solve's first iteration, and three iterations at least follow. Default: where
-    /// the fluid begins deeper than 64 layers.
+    /// Whether a coarse grid corrects a divergence solve's first iteration; three iterations at least, and a thirtieth of the
+    /// tolerance, follow. Default: where the fluid begins deeper than 64 layers.
     pub coarse_correction: Option<bool>,
 }
 

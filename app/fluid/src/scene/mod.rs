@@ -220,12 +220,11 @@ impl Scene {
         self.solver.dt_s / f64::from(self.substeps())
     }
 
-    /// Substeps of a step: where the GPU chooses them, as many as it may take; of DFSPH as many as its depth needs, at least.
+    /// Substeps of a step: where the GPU chooses them, as many as it may take.
     pub fn substeps(&self) -> u32 {
-        match self.solver.method {
-            Method::Sph if self.solver.sph.adaptive_substeps => self.most_substeps() as u32,
-            Method::Dfsph => self.dfsph_substeps(),
-            _ => self.solver.substeps,
+        match self.adapts_substeps() {
+            true => self.most_substeps() as u32,
+            false => self.solver.substeps,
         }
     }
 

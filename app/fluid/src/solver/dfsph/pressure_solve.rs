@@ -24,6 +24,8 @@ const WARM_SHARES: [f32; 2] = [0.7, 0.9];
 
 /// Least iterations of a solve that a coarse grid corrects.
 const CORRECTED_ITERATIONS: u32 = 3;
+/// Of the tolerance, for the same solve. A column of 200 layers is calm with a tenth or less, and bursts with all of it.
+const CORRECTED_TOLERANCE: f64 = 1.0 / 30.0;
 
 /// Which of the two.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -50,8 +52,10 @@ pub fn params(scene: &Scene, solve: Solve) -> [PressureSolve; 2] {
     };
     // What the grid adds is rough where it is interpolated, however small the mean residual: a few iterations smooth it.
     let is_corrected = solve == Solve::Divergence && !coarse_grid_params(scene).is_empty();
+    // What every layer may sink by in a substep adds up over the depth.
+    let share = if is_corrected { CORRECTED_TOLERANCE } else { 1.0 };
     let others = PressureSolve {
-        tolerance: tolerance as f32,
+        tolerance: (share * tolerance) as f32,
         step: weights.step as f32,
         momentum: weights.momentum as f32,
         guarded_step: weights.plain as f32,
