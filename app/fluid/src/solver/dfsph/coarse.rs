@@ -11,7 +11,7 @@ const DEEP_LAYERS: f64 = 64.0;
 /// What a multiplier leaves of the residual, over the lattice's |∇C|²: as little as keeps a closed full box an ordinary case. A
 /// column's pressure reaches over all of it.
 const MIXING: f64 = 1.0e-4;
-/// A correction takes away no more: a tenth of the support is what a pressure of a quarter moves a layer by.
+/// A correction takes away no more: as much as PBF's grid may add.
 const LEAST: f64 = -0.25;
 
 /// What the shaders are given of each level of `scene`, finest first; none if it has no coarse grid.
