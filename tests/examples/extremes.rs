@@ -1,12 +1,13 @@
 //! What each solver says and does where a step, a stiffness or a viscosity is far too large: a small dam break with dt x 10,
-//! k x 1000 and nu x 1000, as a table in Markdown: `cargo run --release -p brooklet-tests --example extremes`.
+//! k x 1000 and nu x 1000, as a table in Markdown. Arguments: solvers (all, without any):
+//! `cargo run --release -p brooklet-tests --example extremes -- dfsph`.
 
 use std::process::ExitCode;
 
 use brooklet_fluid::scene::FIELDS;
 use brooklet_fluid::{Scene, Session};
 use brooklet_study::backend::Counted;
-use brooklet_study::method::{METHODS, Method};
+use brooklet_study::method::{METHODS, Method, method};
 
 const DAM: &str = "
 spacing_m = 0.05
@@ -128,11 +129,16 @@ fn told(counted: &Counted) -> String {
 }
 
 fn main() -> ExitCode {
+    let names: Vec<String> = std::env::args().skip(1).collect();
+    if let Some(name) = names.iter().find(|name| method(name).is_none()) {
+        eprintln!("no solver '{name}' is studied");
+        return ExitCode::from(2);
+    }
     println!(
         "| solver | turned | says | substeps a step at most | fastest, m/s, of limit | compression p99 | at the end | state |"
     );
     println!("|---|---|---|---|---|---|---|---|");
-    for method in METHODS {
+    for method in METHODS.iter().filter(|method| names.is_empty() || names.iter().any(|name| name == method.name)) {
         let default = ("", &[][..]);
         let own = WAYS.iter().filter(|(of, ..)| *of == method.name).map(|&(_, name, settings)| (name, settings));
         for (way, more) in std::iter::once(default).chain(own) {

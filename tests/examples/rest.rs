@@ -1,6 +1,7 @@
 //! How each solver comes to rest and stays there: 1,000 particles in a box for 10,000 steps, kinetic energy over m g d of
-//! every step to a CSV file and a plot. Arguments: a folder, then the number of steps:
-//! `cargo run --release -p brooklet-tests --example rest -- rest-curves 10000`.
+//! every step to a CSV file and a plot. Arguments: a folder, the number of steps, then solvers (all, without any); of others
+//! the plot has what the folder has of them:
+//! `cargo run --release -p brooklet-tests --example rest -- rest-curves 10000 dfsph`.
 
 use std::fs;
 use std::io::Write as _;
@@ -8,7 +9,7 @@ use std::path::Path;
 use std::process::ExitCode;
 
 use brooklet_fluid::{Scene, Session};
-use brooklet_study::method::METHODS;
+use brooklet_study::method::{METHODS, Method, method};
 use brooklet_study::report::{Line, Mark, PALETTE, Plot};
 
 /// A block that fills the floor of its box, corners included, and falls into its rest from the lattice.
@@ -52,31 +53,56 @@ fn thinned(course: &[f64]) -> Vec<(f64, f64)> {
     course.chunks(every).enumerate().map(|(k, part)| ((every * (k + 1)) as f64, largest(part).max(1e-12))).collect()
 }
 
-fn run(folder: &Path, steps: u64) -> Result<(), String> {
+/// The course of a solver that an earlier run left in the folder; none if there is none.
+fn kept(path: &Path) -> Result<Option<Vec<f64>>, String> {
+    let wrong = |line: &str| format!("{}: '{line}' is no step and energy", path.display());
+    let Ok(text) = fs::read_to_string(path) else { return Ok(None) };
+    let energy = |line: &str| {
+        let value = line.split_once(',').and_then(|(_, energy)| energy.parse::<f64>().ok());
+        value.ok_or_else(|| wrong(line))
+    };
+    text.lines().skip(1).map(energy).collect::<Result<_, _>>().map(Some)
+}
+
+/// Runs a solver, and keeps its course.
+fn run_one(method: &Method, path: &Path, steps: u64) -> Result<Vec<f64>, String> {
+    let written = |error: std::io::Error| format!("{}: {error}", path.display());
+    let began = std::time::Instant::now();
+    let course = course(&[method.setting()], steps)?;
+    let (first, second) = course.split_at(course.len() / 2);
+    let largest = |part: &[f64]| part.iter().copied().fold(0.0, f64::max);
+    let ms = began.elapsed().as_secs_f64() * 1e3 / steps as f64;
+    println!(
+        "| {} | {:.2e} | {:.2e} | {:.2e} | {ms:.1} |",
+        method.name,
+        largest(first),
+        largest(second),
+        course.last().copied().unwrap_or(f64::NAN)
+    );
+    let mut file = std::io::BufWriter::new(fs::File::create(path).map_err(written)?);
+    writeln!(file, "step,kinetic_energy_over_m_g_d").map_err(written)?;
+    for (step, energy) in course.iter().enumerate() {
+        writeln!(file, "{},{energy:e}", step + 1).map_err(written)?;
+    }
+    file.flush().map_err(written)?;
+    Ok(course)
+}
+
+fn run(folder: &Path, steps: u64, names: &[String]) -> Result<(), String> {
     let written = |error: std::io::Error| format!("{}: {error}", folder.display());
+    if let Some(name) = names.iter().find(|name| method(name).is_none()) {
+        return Err(format!("no solver '{name}' is studied"));
+    }
     fs::create_dir_all(folder).map_err(written)?;
     let mut lines = Vec::new();
     println!("| solver | largest, first half | largest, second half | end | wall ms a step |\n|---|---|---|---|---|");
     for (method, color) in METHODS.iter().zip(PALETTE) {
-        let began = std::time::Instant::now();
-        let course = course(&[method.setting()], steps)?;
-        let (first, second) = course.split_at(course.len() / 2);
-        let largest = |part: &[f64]| part.iter().copied().fold(0.0, f64::max);
-        let ms = began.elapsed().as_secs_f64() * 1e3 / steps as f64;
-        println!(
-            "| {} | {:.2e} | {:.2e} | {:.2e} | {ms:.1} |",
-            method.name,
-            largest(first),
-            largest(second),
-            course.last().copied().unwrap_or(f64::NAN)
-        );
         let path = folder.join(format!("{}.csv", method.name));
-        let mut file = std::io::BufWriter::new(fs::File::create(path).map_err(written)?);
-        writeln!(file, "step,kinetic_energy_over_m_g_d").map_err(written)?;
-        for (step, energy) in course.iter().enumerate() {
-            writeln!(file, "{},{energy:e}", step + 1).map_err(written)?;
-        }
-        file.flush().map_err(written)?;
+        let course = match names.is_empty() || names.iter().any(|name| name == method.name) {
+            true => Some(run_one(method, &path, steps)?),
+            false => kept(&path)?,
+        };
+        let Some(course) = course else { continue };
         lines.push(Line { name: method.name.into(), color, mark: Mark::Line, points: thinned(&course) });
     }
     let plot = Plot {
@@ -101,7 +127,7 @@ fn main() -> ExitCode {
             return ExitCode::from(2);
         }
     };
-    match run(Path::new(&folder), steps) {
+    match run(Path::new(&folder), steps, &arguments.collect::<Vec<_>>()) {
         Ok(()) => ExitCode::SUCCESS,
         Err(reason) => {
             eprintln!("{reason}");

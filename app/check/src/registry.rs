@@ -42,10 +42,14 @@ macro_rules! for_each_known_answer {
             }
             dfsph {
                 factor_pressure_matches_its_twin: ["factor_pressure"],
+                pairs_that_are_too_close_part_oppositely: ["factor_pressure"],
                 correct_pressure_matches_its_twin: ["correct_pressure"],
                 a_wrong_setting_of_a_solve_is_told_apart: ["correct_pressure"],
                 apply_pressure_matches_its_twin: ["apply_pressure"],
                 pressure_keeps_momentum_in_free_space: ["apply_pressure"],
+            }
+            dfsph_coarse {
+                what_is_left_over_goes_to_cells_and_pressure_comes_back: ["restrict_pressure", "prolong_pressure"],
             }
             dfsph_moves {
                 shift_positions_matches_its_twin: ["shift_positions"],

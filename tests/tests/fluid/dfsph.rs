@@ -70,8 +70,16 @@ fn its_plan_has_its_own_stages_and_none_of_another_solver() {
     let fixed = [&one[..], &["solver.dfsph.fixed_iterations=true", "solver.dfsph.warm_start=false"]].concat();
     let solves = "correct_pressure apply_pressure limit_velocity";
     assert_eq!(stages(&fixed), format!("{sort} {forces} {solves} shift_positions {measure}"));
+    // What parts particles at one point moves them without a density solve, too.
     let alone = [&fixed[..], &["solver.dfsph.max_density_iterations=0"]].concat();
-    assert_eq!(stages(&alone), format!("{sort} {forces} {solves} {measure}"));
+    assert_eq!(stages(&alone), format!("{sort} {forces} {solves} shift_positions {measure}"));
+    let deep = [&fixed[..], &["solver.dfsph.coarse_correction=true", "solver.dfsph.max_density_iterations=0"]].concat();
+    let grid = "restrict_pressure relax_multiplier prolong_pressure";
+    let coarse = stages(&deep).replace(" coarsen_constraint", "");
+    assert_eq!(
+        coarse,
+        format!("{sort} {forces} correct_pressure {grid} apply_pressure limit_velocity shift_positions {measure}")
+    );
 }
 
 #[test]
@@ -258,5 +266,74 @@ fn iterations_that_are_too_few_are_said() {
         ("solver.pbf.iterations=4", "not with solver.method = \"dfsph\""),
     ] {
         assert!(message(setting).contains(words), "{setting}: {}", message(setting));
+    }
+}
+
+/// A column of so many layers, eight particles wide, between periodic ends.
+fn column(layers: u32) -> String {
+    let height_m = 0.02 * f64::from(layers);
+    format!(
+        "spacing_m = 0.02\n[domain]\nmin_m = [0, 0, 0]\nmax_m = [0.16, {:?}, 0.02]\nperiodic = [true, false, false]\n\
+         dimensions = 2\n[[fluid]]\nblock = {{ min_m = [0, 0, 0], max_m = [0.16, {height_m:?}, 0.02] }}\n\
+         [solver]\nmethod = \"dfsph\"\ndt_s = 0.002\n",
+        height_m + 0.4
+    )
+}
+
+#[test]
+fn a_deep_column_stands_by_its_coarse_grid_and_short_substeps() {
+    let scene = from_text(&column(160), &[]);
+    assert_eq!(scene.substeps(), 2);
+    // As deep as the scene's own, and no more than is asked for.
+    assert_eq!(from_text(&column(20), &[]).substeps(), 1);
+    assert_eq!(from_text(&column(20), &["solver.substeps=3"]).substeps(), 3);
+    assert_eq!(from_text(&column(20), &["solver.dt_s=0.018"]).substeps(), 4);
+    assert_eq!(from_text(&column(160), &["gravity_m_s2=[0,0,0]"]).substeps(), 1);
+    let stands = |settings: &[&str]| {
+        let mut session = Session::new(&gpu(), &from_text(&column(160), settings)).unwrap();
+        let history = run(&mut session, 150, 10);
+        let fastest_m_s = history.iter().map(|stats| stats.max_speed_m_s).fold(0.0, f64::max);
+        let stats = history[history.len() - 1];
+        println!("{settings:?}: fastest {fastest_m_s:.3} m/s, {:?}, {:?}", stats.compression, stats.counters);
+        (fastest_m_s, stats.compression.p99)
+    };
+    let (fastest_m_s, p99) = stands(&[]);
+    assert!(fastest_m_s < 0.3 && p99 < 0.02, "{fastest_m_s} m/s, {p99}");
+    let (fastest_m_s, _) = stands(&["solver.dfsph.coarse_correction=false"]);
+    assert!(fastest_m_s > 0.6, "{fastest_m_s} m/s without the grid");
+}
+
+#[test]
+fn a_coarse_grid_that_cannot_be_is_refused() {
+    let settings = ["solver.method=dfsph", "solver.dfsph.coarse_correction=true"].map(String::from);
+    let error = Scene::from_toml(&POOL.replace("0.4, 0.8, 0.4", "0.4, 0.8, 0.1"), "dfsph.toml", &settings).unwrap_err();
+    assert!(error.to_string().contains("the domain is narrower along z than a cell of 2 h"), "{error}");
+}
+
+#[test]
+fn particles_at_one_point_part_and_come_to_rest() {
+    for count in [2_usize, 64] {
+        let side_m = 0.02 * (count as f64).cbrt().ceil();
+        let text = format!(
+            "spacing_m = 0.02\n[domain]\nmin_m = [0, 0, 0]\nmax_m = [0.3, 0.3, 0.3]\n\
+             [[fluid]]\nblock = {{ min_m = [0, 0, 0], max_m = [{side_m:?}, {:?}, {:?}] }}\n\
+             [solver]\nmethod = \"dfsph\"\n[outputs]\nmeasure_every_steps = 1\n",
+            if count == 2 { 0.02 } else { side_m },
+            if count == 2 { 0.02 } else { side_m },
+        );
+        let mut case = Case::of(&from_text(&text, &[]));
+        assert_eq!(case.count(), count);
+        case.place(|_, position, _| *position = [0.15, 0.1, 0.15]);
+        let stats = case.run(480);
+        let mut nearest_m = case.state().nearest_m();
+        nearest_m.sort_by(f64::total_cmp);
+        println!(
+            "{count}: nearest {:.2} d, {:.3} m/s, {:?}",
+            nearest_m[0] / 0.02,
+            stats.max_speed_m_s,
+            stats.compression
+        );
+        assert!(nearest_m[0] > 0.2 * 0.02 && stats.max_speed_m_s < 0.63, "{nearest_m:?} {stats:?}");
+        assert_eq!(stats.quarantined, 0);
     }
 }

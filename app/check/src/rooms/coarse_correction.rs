@@ -39,13 +39,13 @@ const GRIDS: [([u32; 3], [u32; 3]); 8] = [
     ([10, 17, 9], [P, W, O]),
 ];
 
-fn grids(device: &Device) -> impl Iterator<Item = ([u32; 3], [u32; 3])> {
+pub(super) fn grids(device: &Device) -> impl Iterator<Item = ([u32; 3], [u32; 3])> {
     let small = device.small();
     GRIDS.into_iter().filter(move |(cells, _)| !small || cells.iter().product::<u32>() < 100)
 }
 
 /// A level of a grid with cells of a twentieth of a metre, 8 particles each.
-fn level_of(finest_cells: [u32; 3], ends: [u32; 3], halvings: u32) -> CoarseGridParams {
+pub(super) fn level_of(finest_cells: [u32; 3], ends: [u32; 3], halvings: u32) -> CoarseGridParams {
     CoarseGridParams {
         cells: finest_cells.map(|n| n.div_ceil(1 << halvings)),
         halvings,
@@ -57,10 +57,12 @@ fn level_of(finest_cells: [u32; 3], ends: [u32; 3], halvings: u32) -> CoarseGrid
         particles_a_cell: 8.0,
         ends,
         most: 0.25,
+        least: -0.002,
+        ..CoarseGridParams::default()
     }
 }
 
-fn twin_of(finest_cells: [u32; 3], ends: [u32; 3]) -> CoarseGrid {
+pub(super) fn twin_of(finest_cells: [u32; 3], ends: [u32; 3]) -> CoarseGrid {
     let levels: Vec<CoarseGridParams> = (0..6).map(|halvings| level_of(finest_cells, ends, halvings)).collect();
     CoarseGrid::of(&levels).or_raise()
 }
@@ -198,6 +200,7 @@ pub(crate) fn a_wrong_end_mixing_conductance_or_sweep_is_told_apart(device: &Dev
     wrong.push(CoarseGrid { mixing: 1.01 * right.mixing, ..right.clone() });
     wrong.push(CoarseGrid { conductance: DVec3::new(0.25, 0.2, 0.151), ..right.clone() });
     wrong.push(CoarseGrid { most: 0.26, ..right.clone() });
+    wrong.push(CoarseGrid { least: 0.0, ..right.clone() });
     wrong.push(CoarseGrid { particles_a_cell: 9.0, ..right.clone() });
     wrong.push(CoarseGrid { sweeps: vec![5; 6], ..right });
     for wrong in &wrong {

@@ -10,14 +10,16 @@ use crate::numbers::rng;
 use crate::wrong::{OrRaise as _, Wrong, ensure, ensure_eq, note};
 use brooklet_kernels::{
     ApplyPressure, ApplyPressureVariant, CorrectPressure, CorrectPressureVariant, FactorPressure,
-    FactorPressureVariant, Kernel, PressureFactors, PressureSolve,
+    FactorPressureVariant, Kernel, Position, PressureFactors, PressureSolve, Velocity,
 };
 use brooklet_reference::boundary::mirror::Mirrors;
 use brooklet_reference::params::Smoothing;
 use brooklet_reference::shared::wendland;
 use brooklet_reference::solver::dfsph::apply_pressure::apply_pressure;
 use brooklet_reference::solver::dfsph::correct_pressure::{self as twin, GUARD, correct_pressure, density_change};
-use brooklet_reference::solver::dfsph::factor_pressure::{self, factor_pressure};
+use brooklet_reference::solver::dfsph::factor_pressure::{
+    self, SEPARATION, SEPARATION_SHIFT, factor_pressure, separation,
+};
 use glam::DVec3;
 use rand::{Rng, RngExt};
 
@@ -37,6 +39,7 @@ pub(super) fn solve() -> PressureSolve {
         excess_share: 0.5,
         warm_share: 0.875,
         most_iterations: 7,
+        ..PressureSolve::default()
     }
 }
 
@@ -51,13 +54,14 @@ fn solve_of(solve: &PressureSolve) -> twin::PressureSolve {
         excess_share: f64::from(solve.excess_share),
         warm_share: f64::from(solve.warm_share),
         most_iterations: solve.most_iterations as usize,
+        least_iterations: solve.least_iterations as usize,
         is_fixed: false,
     }
 }
 
 /// Factors of every kind, and as the twin has them. Walls, if there are any, are near or far from each, whatever stands around
 /// it: what a pair sees of them is one's own.
-fn random_factors(
+pub(super) fn random_factors(
     rng: &mut impl Rng,
     case: &Case,
     walls: bool,
@@ -120,6 +124,7 @@ fn check_factors(
     let (neighbours, list_heads) = case.upload_neighbours(&mut bench);
     let mut positions = bench.output("positions", case.count());
     let mut pressure_factors = bench.output::<PressureFactors>("pressure_factors", case.count());
+    let mut shifts = bench.output::<Velocity>("shifts", case.count());
     let step_state = bench.uniform("step_state", case.step_state());
     let step_params = bench.uniform("step_params", case.step_params());
     let kernel = bench.uniform("kernel", kernel_params());
@@ -132,6 +137,7 @@ fn check_factors(
             list_heads: list_heads.read(),
             positions: positions.write(),
             pressure_factors: pressure_factors.write(),
+            shifts: shifts.write(),
             step_state: step_state.uniform(),
             step_params: step_params.uniform(),
             kernel: kernel.uniform(),
@@ -141,6 +147,7 @@ fn check_factors(
     let mut done = bench.run();
     ensure_eq!(done.read(&positions, case.count()), case.positions);
     let got = done.read(&pressure_factors, case.count());
+    let parting = done.read(&shifts, case.count());
     let step = step_of(&case.step_params(), walls.has_walls());
     let box_walls = walls_of(&kernel_params(), step.domain_size_m);
     let box_walls = walls.has_walls().then_some(&box_walls);
@@ -158,8 +165,77 @@ fn check_factors(
         let lengths = slopes(i, &at_m, &case.neighbours[i], &smoothing, &mirrors);
         let scale = if is_simulated { inverse * (1.0 + lengths * lengths / expected.stiffness) } else { 1.0 };
         worst.check(got.inverse_stiffness, inverse, scale)?;
+        // Who is at one point with another parts in a direction of the GPU's own: see below.
+        let shift = separation(i, &at_m, &case.neighbours[i], &smoothing, |_, _| DVec3::ZERO);
+        let shift_m_s = if is_simulated { shift * smoothing.support_m / step.dt_s } else { DVec3::ZERO };
+        worst.check3(parting[i].velocity_m_s, shift_m_s, smoothing.support_m / step.dt_s)?;
     }
     Ok(())
+}
+
+/// What two particles so far apart, h, are parted by, in h.
+fn parted(device: &Device, apart: f64, pairs: Pairs) -> ([DVec3; 2], [DVec3; 2]) {
+    let mut case = case_for(&mut rng(98), 2, Around::Nothing);
+    let smoothing = smoothing_of(&kernel_params());
+    let to_m = apart * smoothing.support_m;
+    case.positions[1] = Position { tag: 1, ..case.positions[0] };
+    case.positions[1].position_m[1] += to_m as f32;
+    case.neighbours = vec![vec![1], vec![0]];
+    let mut bench = Bench::new(device);
+    let quantized_positions = bench.input("quantized_positions", &case.quantized_positions(pairs.quantization));
+    let sorted_positions = bench.input("sorted_positions", &case.positions);
+    let (neighbours, list_heads) = case.upload_neighbours(&mut bench);
+    let mut positions = bench.output("positions", 2);
+    let mut pressure_factors = bench.output::<PressureFactors>("pressure_factors", 2);
+    let mut shifts = bench.output::<Velocity>("shifts", 2);
+    let step_state = bench.uniform("step_state", case.step_state());
+    let step_params = bench.uniform("step_params", case.step_params());
+    let kernel = bench.uniform("kernel", kernel_params());
+    bench.dispatch(
+        &FactorPressure {
+            variant: FactorPressureVariant { walls: false, precision: pairs.precision },
+            quantized_positions: quantized_positions.read(),
+            sorted_positions: sorted_positions.read(),
+            neighbours: neighbours.read(),
+            list_heads: list_heads.read(),
+            positions: positions.write(),
+            pressure_factors: pressure_factors.write(),
+            shifts: shifts.write(),
+            step_state: step_state.uniform(),
+            step_params: step_params.uniform(),
+            kernel: kernel.uniform(),
+        },
+        2,
+    );
+    let got: Vec<Velocity> = bench.run().read(&shifts, 2);
+    let per_h = f64::from(case.step_params().dt_s) / smoothing.support_m;
+    let at_m = case.quantized_m(pairs.quantization);
+    let twin = |i: usize| separation(i, &at_m, &case.neighbours[i], &smoothing, |_, _| DVec3::ZERO);
+    ([0, 1].map(|i| vector(got[i].velocity_m_s) * per_h), [twin(0), twin(1)])
+}
+
+pub(crate) fn pairs_that_are_too_close_part_oppositely(device: &Device) {
+    for (pairs, rounding) in all_pairs(device) {
+        // At one point it is as far as pairs may move, whatever direction is drawn.
+        let ([one, other], _) = parted(device, 0.0, pairs);
+        ensure!((one.length() / SEPARATION_SHIFT - 1.0).abs() < 1e-3, "{one}");
+        ensure_eq!(one, -other, "{}", pairs.name("pairs"));
+        let mut worst = device.worst(pairs.name("separation"), tolerance_of_pairs(rounding, FACTOR_HALF));
+        for share in [0.1, 0.5, 0.9] {
+            let (got, expected) = parted(device, share * SEPARATION, pairs);
+            let scale = SEPARATION_SHIFT / SEPARATION;
+            for (got, expected) in got.iter().zip(expected) {
+                ensure!(expected.length() > 0.05 * SEPARATION_SHIFT);
+                worst.check3(got.as_vec3().to_array(), expected, scale).or_raise();
+                let mut wrong = Worst::new("separation", tolerance_of_pairs(rounding, FACTOR_HALF));
+                let twice = wrong.check3(got.as_vec3().to_array(), 2.0 * expected, scale);
+                ensure!(twice.is_err() || rounding > ROUNDING, "twice as far");
+            }
+        }
+        worst.report(device);
+        let (got, _) = parted(device, 1.1 * SEPARATION, pairs);
+        ensure_eq!(got, [DVec3::ZERO; 2]);
+    }
 }
 
 /// The sum of the lengths of the kernel's slopes of all that particle `i` sees.

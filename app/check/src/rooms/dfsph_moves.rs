@@ -31,6 +31,7 @@ pub(crate) fn shift_positions_matches_its_twin(device: &Device) {
             let mut bench = Bench::new(device);
             let mut positions = bench.input("positions", &case.positions);
             let shifts_buffer = bench.input("shifts", &shifts);
+            let mut counters = bench.input("counters", &[Counters::default()]);
             let state = bench.uniform("step_state", step_state(size, params.dt_s));
             let step_params = bench.uniform("step_params", params);
             bench.dispatch(
@@ -38,27 +39,33 @@ pub(crate) fn shift_positions_matches_its_twin(device: &Device) {
                     variant: ShiftPositionsVariant { walls, periodic },
                     positions: positions.write(),
                     shifts: shifts_buffer.read(),
+                    counters: counters.write(),
                     step_state: state.uniform(),
                     step_params: step_params.uniform(),
                 },
                 size,
             );
-            let got = bench.run().read(&positions, size);
+            let mut done = bench.run();
+            let got = done.read(&positions, size);
             let mut step = step_of(&params, walls);
             step.period_m = vector(params.period_m);
             let mut wrong = Worst::new(ShiftPositions::STAGE, 12.0 * ROUNDING);
             let mut refused = size < 64;
+            let mut clamps = 0;
             for (i, got) in got.iter().enumerate() {
                 ensure_eq!(got.tag, case.positions[i].tag);
                 let before_m = vector(case.positions[i].position_m);
                 let shift_m_s = vector(shifts[i].velocity_m_s);
                 let takes_part = out_of_part(i) == 0;
+                clamps += u32::from(takes_part && step.slowed(shift_m_s).1);
                 let expected = if takes_part { shift_position(before_m, shift_m_s, &step) } else { before_m };
                 let scale_m = step.domain_size_m.length() + shift_m_s.length() * step.dt_s;
                 worst.check3(got.position_m, expected, scale_m).or_raise();
                 let other = shift_position(before_m, 1.01 * shift_m_s, &step);
                 refused |= takes_part && wrong.check3(got.position_m, other, scale_m).is_err();
             }
+            ensure_eq!(done.read(&counters, 1)[0].speed_clamps, clamps);
+            ensure!(size < 64 || clamps > 10, "{clamps} slowed");
             ensure!(refused, "one per cent further");
         }
     }
@@ -81,6 +88,17 @@ pub(crate) fn limit_velocity_matches_its_twin(device: &Device) {
         let mut counters = bench.input("counters", &[Counters::default()]);
         let state = bench.uniform("step_state", step_state(size, params.dt_s));
         let step_params = bench.uniform("step_params", params);
+        bench.dispatch(
+            &LimitVelocity {
+                positions: positions.read(),
+                velocities: velocities.write(),
+                counters: counters.write(),
+                step_state: state.uniform(),
+                step_params: step_params.uniform(),
+            },
+            size,
+        );
+        // Who was slowed once is not counted again.
         bench.dispatch(
             &LimitVelocity {
                 positions: positions.read(),

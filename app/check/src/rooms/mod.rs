@@ -8,6 +8,7 @@ pub(crate) mod coarse_correction;
 pub(crate) mod constrain_density;
 pub(crate) mod count_covered;
 pub(crate) mod dfsph;
+pub(crate) mod dfsph_coarse;
 pub(crate) mod dfsph_moves;
 pub(crate) mod dfsph_solves;
 pub(crate) mod drag;

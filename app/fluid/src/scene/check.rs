@@ -117,6 +117,9 @@ impl Scene {
                 ] {
                     self.check_iterations(&check, most, field)?;
                 }
+                if settings.coarse_correction == Some(true) {
+                    self.check_coarse_grid(&check, "solver.dfsph.coarse_correction")?;
+                }
             }
             Method::None => check.require(
                 self.surface.color_by != PointColor::Density,
@@ -152,13 +155,13 @@ impl Scene {
     fn check_iterations(&self, check: &Checker, iterations: u32, field: &str) -> Result<(), SceneError> {
         let substeps = self.solver.substeps;
         check.require(
-            substeps * iterations <= MAX_ITERATIONS_A_STEP,
+            substeps.saturating_mul(iterations) <= MAX_ITERATIONS_A_STEP,
             field,
             iterations,
             format_args!(
                 "with solver.substeps = {substeps} that is {} iterations a step; at most {MAX_ITERATIONS_A_STEP}: \
                  a smaller solver.dt_s does the same as more substeps",
-                substeps * iterations
+                substeps.saturating_mul(iterations)
             ),
         )
     }
@@ -215,8 +218,7 @@ impl Scene {
         )
     }
 
-    /// Iterations that take back what a coarse correction overshoots, cells that fit the domain, and no more of them than
-    /// there may be.
+    /// Iterations that take back what a coarse correction overshoots, and cells for it.
     fn check_coarse_correction(&self, check: &Checker) -> Result<(), SceneError> {
         let pbf = &self.solver.pbf;
         if pbf.coarse_correction != Some(true) {
@@ -233,11 +235,16 @@ impl Scene {
                 pbf.iterations
             ),
         )?;
+        self.check_coarse_grid(check, "solver.pbf.coarse_correction")
+    }
+
+    /// Cells that fit the domain, where `field` asks for them.
+    fn check_coarse_grid(&self, check: &Checker, field: &str) -> Result<(), SceneError> {
         let cell_m = Short(tidied(2.0 * self.support_m()));
         let narrow = narrow_axis(self);
         check.require(
             narrow.is_none(),
-            "solver.pbf.coarse_correction",
+            field,
             "true",
             format_args!(
                 "the domain is narrower along {} than a cell of 2 h = {cell_m} m",
@@ -247,7 +254,7 @@ impl Scene {
         let [x, y, z] = finest_cells(self);
         check.require(
             are_few_cells([x, y, z]),
-            "solver.pbf.coarse_correction",
+            field,
             "true",
             format_args!(
                 "the domain has {x} x {y} x {z} cells of 2 h = {cell_m} m, and {MAX_CELLS} fit: make it smaller, or \

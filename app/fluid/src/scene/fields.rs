@@ -220,6 +220,7 @@ pub const FIELDS: &[Field] = &[
         .term_called("0", "20", "no density solve"),
     Field::new("solver.dfsph.warm_start", Kind::Switch, REBUILD).of(DFSPH).term("false", "true"),
     Field::new("solver.dfsph.fixed_iterations", Kind::Switch, REBUILD).of(DFSPH),
+    Field::new("solver.dfsph.coarse_correction", Kind::Switch, REBUILD).of(DFSPH).term("false", "true"),
     Field::new("solver.dfsph.momentum", number(0.0, 0.95, ""), LIVE).of(DFSPH).slider(0.0, 0.9),
     Field::new("solver.none", Kind::Table, REBUILD).of(NONE),
     Field::new("solver.none.lifetime_s", number(0.0, 1.0e6, "s"), LIVE).of(NONE).slider(0.0, 10.0),

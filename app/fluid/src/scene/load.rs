@@ -7,7 +7,7 @@ use std::path::Path;
 use toml::{Table, Value};
 
 use super::fields::FIELDS;
-use super::{Scene, SceneError, explain, methods, moved, settings, shipped};
+use super::{Method, Scene, SceneError, explain, methods, moved, settings, shipped};
 
 /// The longest text that is read as a scene. A device that never ends, or a video, is none.
 const MOST_BYTES: u64 = 1 << 20;
@@ -83,9 +83,14 @@ impl Scene {
         moved::refuse(&table, text, source_name)?;
         let from_text = !moved::settle_packing(&mut table, text, source_name)? && from_text;
         methods::refuse_foreign(&table, text, source_name, FIELDS)?;
-        let scene: Scene = serde_path_to_error::deserialize(Value::Table(table.clone()))
+        let mut scene: Scene = serde_path_to_error::deserialize(Value::Table(table.clone()))
             .map_err(|error| explain::mismatch(&error, &table, text, source_name, from_text))?;
         scene.check(source_name)?;
+        if scene.solver.method == Method::Dfsph {
+            // Once: gravity and dt may change while a plan's substeps stay.
+            scene.solver.substeps = scene.dfsph_substeps();
+            scene.check(source_name)?;
+        }
         Ok(scene)
     }
 

@@ -41,6 +41,7 @@ mod shared_layout;
 mod solver_dfsph_apply_gravity;
 mod solver_dfsph_apply_pressure;
 mod solver_dfsph_carry_pressure;
+mod solver_dfsph_coarse_pressure;
 mod solver_dfsph_correct_pressure;
 mod solver_dfsph_factor_pressure;
 mod solver_dfsph_layout;
@@ -144,6 +145,7 @@ pub use shared_layout::*;
 pub use solver_dfsph_apply_gravity::*;
 pub use solver_dfsph_apply_pressure::*;
 pub use solver_dfsph_carry_pressure::*;
+pub use solver_dfsph_coarse_pressure::*;
 pub use solver_dfsph_correct_pressure::*;
 pub use solver_dfsph_factor_pressure::*;
 pub use solver_dfsph_layout::*;
@@ -246,6 +248,7 @@ pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
         solver_dfsph_apply_gravity::MODULES,
         solver_dfsph_apply_pressure::MODULES,
         solver_dfsph_carry_pressure::MODULES,
+        solver_dfsph_coarse_pressure::MODULES,
         solver_dfsph_correct_pressure::MODULES,
         solver_dfsph_factor_pressure::MODULES,
         solver_dfsph_shift_positions::MODULES,

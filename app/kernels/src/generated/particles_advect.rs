@@ -137,102 +137,102 @@ static ADVECT: Module = Module {
     name: "Advect",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 5264 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 5300 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "119dbad76773a72e977471097e0e6bd65f8da659c175b542eb87eab03767c960",
+    hash: "d082884933ceb4bab960db72cf426b0f78d981c00d2116700dc53e3893761300",
 };
 
 static ADVECT_WITH_PERIODIC: Module = Module {
     name: "Advect+PERIODIC",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 5264, bytes: 6248 },
+    spirv: Spirv::Packed { pack: PACK, first: 5300, bytes: 6284 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "566b78f07f7751011325943eee8436df32a2936e999bff299ae42799daf83286",
+    hash: "f35c8076b23455cf7a7de4c51cfc4fdcfdf392ca4f0c41bf7de23e0d43fe3dfc",
 };
 
 static ADVECT_WITH_WALLS: Module = Module {
     name: "Advect+WALLS",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 11512, bytes: 5764 },
+    spirv: Spirv::Packed { pack: PACK, first: 11584, bytes: 5800 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "1f3af2ef628a5da04737167d6244e55a759dd1192694acf93381a730d03ea369",
+    hash: "fb5b09a5769d3f4581b436605b802868558c5385998ff10d4e015c6746478a97",
 };
 
 static ADVECT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     name: "Advect+WALLS+PERIODIC",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 17276, bytes: 6732 },
+    spirv: Spirv::Packed { pack: PACK, first: 17384, bytes: 6768 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "28b48b78058e7a831d6a309b91ec0a680e069fac89e49cbf6dfec34d0bb98786",
+    hash: "5d26a52b9dda92b057618221c2e6e5ce8e64e5453f9a150bddd4ab4f013e966a",
 };
 
 static ADVECT_WITH_ACCELERATED: Module = Module {
     name: "Advect+ACCELERATED",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 24008, bytes: 6232 },
+    spirv: Spirv::Packed { pack: PACK, first: 24152, bytes: 6268 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "735b337f592d68370944b5854c6586a361789c111e57ea8bfcda97bed2941763",
+    hash: "4dda24adfec80f93433741a72af1c2470f6ded92aad5118d6529f1047020bfbb",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_PERIODIC: Module = Module {
     name: "Advect+ACCELERATED+PERIODIC",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 30240, bytes: 7200 },
+    spirv: Spirv::Packed { pack: PACK, first: 30420, bytes: 7236 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "11c09d8fa18ac3140d9213ded82cd427a437c2a29c4dbf395178c66053b7de0f",
+    hash: "b5241b88baff77d4c9fb60d275894e3dc66e59283b40a97c2f1eb1a1f322f980",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_WALLS: Module = Module {
     name: "Advect+ACCELERATED+WALLS",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 37440, bytes: 6716 },
+    spirv: Spirv::Packed { pack: PACK, first: 37656, bytes: 6752 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "c66186884218ea9784bb0f927069d8f289c3e6043b8fb54d1948955a49c134b0",
+    hash: "06e2d0ad73921127ce67ecfa17ef61b9af1ff5950273b6330b59a04422f79a7c",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_WALLS_WITH_PERIODIC: Module = Module {
     name: "Advect+ACCELERATED+WALLS+PERIODIC",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 44156, bytes: 7684 },
+    spirv: Spirv::Packed { pack: PACK, first: 44408, bytes: 7720 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "115972b3ad25771a56d54fcdb859ec0b512d48b1f81f3396309d8f818a0e095d",
+    hash: "a8a4e72493db2d292a6644c55c9f7140802ef939069f6f62682fdf203f17bb12",
 };

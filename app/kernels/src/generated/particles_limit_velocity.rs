@@ -69,11 +69,11 @@ static LIMIT_VELOCITY: Module = Module {
     name: "LimitVelocity",
     entry: "LimitVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 4400 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 4436 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/limit_velocity.compute",
-    hash: "251473c56a253ec22ab2d22d0462605450e875ce9a6e534588bc148516e88456",
+    hash: "6339907e9771e9dfd9d59a0f4267eff917b33483ae981276e5f4f29bbda8a215",
 };

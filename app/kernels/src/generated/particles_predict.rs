@@ -91,50 +91,50 @@ static PREDICT: Module = Module {
     name: "Predict",
     entry: "Predict",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 5356 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 5392 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "a5a534f8024a6cdee3f0000aaa76b5780089c623acba67496fb681783b1a432d",
+    hash: "40e87ed0a3946eca1f6faa86cf68334939086910040e7322f65a9ba127eb4f3f",
 };
 
 static PREDICT_WITH_PERIODIC: Module = Module {
     name: "Predict+PERIODIC",
     entry: "Predict",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 5356, bytes: 6324 },
+    spirv: Spirv::Packed { pack: PACK, first: 5392, bytes: 6360 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "8b885065051b26dd2bddd1985ba59893f7728e7aaa666d46a4851f2648e5ba29",
+    hash: "da4a8819ac2ab881defba9a864999b63e4399e810a278cab57241220a92f9df7",
 };
 
 static PREDICT_WITH_WALLS: Module = Module {
     name: "Predict+WALLS",
     entry: "Predict",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 11680, bytes: 5840 },
+    spirv: Spirv::Packed { pack: PACK, first: 11752, bytes: 5876 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "e13d7e2a95f8e85d18c566dcd07562b1bbfc2ba26c16543c391f232966ea032c",
+    hash: "4f60687c0710d97021838a6d3545a38bd55337c817084ede03d04d2a50804410",
 };
 
 static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     name: "Predict+WALLS+PERIODIC",
     entry: "Predict",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 17520, bytes: 6808 },
+    spirv: Spirv::Packed { pack: PACK, first: 17628, bytes: 6844 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "e714160b728080edee338e42cace66d81ba98e74179ed1a6afccccd537d1e2fc",
+    hash: "6be231fc1a54ce236c9444cad0e5c9ff09d27b1fc2fb7d9cdbd4282e48dbcbd3",
 };

@@ -161,7 +161,7 @@ static APPLY_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "213c58c3aff9eaa8bba01ec8886ee2164b40ef4ac8c6381b775c6b74ffc5e5c9",
+    hash: "b836a54f84d264d0b28467ff50d12f768baeedfc8bafaf3919928ab6fdfd5634",
 };
 
 static APPLY_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
@@ -174,7 +174,7 @@ static APPLY_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "f5e4905b6cd04bf7ccb6597fc2e009f31ae4390f10065aa45fcd81198ddb64ef",
+    hash: "5fde229bf499d52264e8d0259b960b9080ed1eaf2addc9ea121f5183b93bdac3",
 };
 
 static APPLY_PRESSURE_WITH_HALF_PRECISION: Module = Module {
@@ -187,7 +187,7 @@ static APPLY_PRESSURE_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "bcbf96cddb3b6b94cf28db977ef77d6ce9ad8b38594b51867e0d77ba85ffa928",
+    hash: "368bb469092910a6cc9b6d6913fe53be94f8816c67b93eaadeb394a2a42d3a75",
 };
 
 static APPLY_PRESSURE_WITH_WALLS: Module = Module {
@@ -200,7 +200,7 @@ static APPLY_PRESSURE_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "e7c1bed1337d148bfba5e29645d7e07b934cb9543ac7cf7354d964e39302fb26",
+    hash: "e9b4bb2d94f282b8c8bba600246082400ffca01fdb284a794a735ab0fcd16a47",
 };
 
 static APPLY_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -213,7 +213,7 @@ static APPLY_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "cfa53fbd090b381d284e9cea1c593a9bbeea7330316e1810fe6191c521d0e950",
+    hash: "889ffa4265aec7281f202cf7c5940e257e1a2c47513545a6174d9b61bd3144ae",
 };
 
 static APPLY_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -226,5 +226,5 @@ static APPLY_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "56cda7155ada578b34b0d9188d4d0d8cf904b7729f5398770cf1e8707bca528d",
+    hash: "179a8dca1278d9466356b29d2c752e5535c47817238878853d6bea91308de957",
 };

@@ -67,7 +67,7 @@ static BINDINGS_0: &[BindingInfo] = &[
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 },
     },
     BindingInfo { name: "step_state", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "solve", slot: 6, kind: BindingKind::Uniform { bytes: 32 } },
+    BindingInfo { name: "solve", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
 static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/solver_dfsph_carry_pressure.deflate"));
@@ -76,11 +76,11 @@ static CARRY_PRESSURE: Module = Module {
     name: "CarryPressure",
     entry: "CarryPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 3800 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 4000 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/carry_pressure.compute",
-    hash: "69244911a5c37c5a8915cc1bb9209f4fe2289d4f7e6629bc96068611743bf838",
+    hash: "3bd1678ba55b2b5a16675916ac2f99e292307613357faf844dc3f27b17d2fe56",
 };

@@ -139,7 +139,7 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "step_state", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "step_params", slot: 8, kind: BindingKind::Uniform { bytes: 96 } },
     BindingInfo { name: "kernel", slot: 9, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "solve", slot: 10, kind: BindingKind::Uniform { bytes: 32 } },
+    BindingInfo { name: "solve", slot: 10, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
 static BINDINGS_1: &[BindingInfo] = &[
@@ -170,7 +170,7 @@ static BINDINGS_1: &[BindingInfo] = &[
     BindingInfo { name: "step_state", slot: 8, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "step_params", slot: 9, kind: BindingKind::Uniform { bytes: 96 } },
     BindingInfo { name: "kernel", slot: 10, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "solve", slot: 11, kind: BindingKind::Uniform { bytes: 32 } },
+    BindingInfo { name: "solve", slot: 11, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
 static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/solver_dfsph_correct_pressure.deflate"));
@@ -179,154 +179,154 @@ static CORRECT_PRESSURE: Module = Module {
     name: "CorrectPressure",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 10192 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 10392 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "3e55123c4de73b5b9bcebd9404c8fceb3417c5996c87069398ee668cf5d3440d",
+    hash: "dff20599f0a41f861c92348d0c6ad8c831ae341cc7d81b8b1293829b2f1e8999",
 };
 
 static CORRECT_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPressure+RELAXED_PRECISION",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 10192, bytes: 9640 },
+    spirv: Spirv::Packed { pack: PACK, first: 10392, bytes: 9840 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "20cc9f677c4c8162b61f14eb73c08608e14f12b0331b8d4295bd383970ffd75b",
+    hash: "14d5c1661195297e67527c0e222b608ae1b77c97faed6f66960bb536bc60f0c6",
 };
 
 static CORRECT_PRESSURE_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPressure+HALF_PRECISION",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 19832, bytes: 9720 },
+    spirv: Spirv::Packed { pack: PACK, first: 20232, bytes: 9920 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "077f62c1d1528f0794030a7260ab2046966c01ef32175c3ae4efc137c87de1a1",
+    hash: "d5ca92becdd84d3b610b608cac9e942eec53f123612ebd63546d1022420ad628",
 };
 
 static CORRECT_PRESSURE_WITH_MEASURED: Module = Module {
     name: "CorrectPressure+MEASURED",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 29552, bytes: 11152 },
+    spirv: Spirv::Packed { pack: PACK, first: 30152, bytes: 11352 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "2df94210a95ed6d5836dcd5ccf06211cab2a5c05639c00c93615c81dbe18fa6b",
+    hash: "f508122b22a423c825cf4d216ea8a932865c765b12d80859aa2c40105a030652",
 };
 
 static CORRECT_PRESSURE_WITH_MEASURED_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPressure+MEASURED+RELAXED_PRECISION",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 40704, bytes: 10600 },
+    spirv: Spirv::Packed { pack: PACK, first: 41504, bytes: 10800 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "5f18a10c9cfaea2aecc80e4fce15baf922bd4a2751824ae70ee7827d1b0ed972",
+    hash: "69695bef72b6fcd4a37a93a94f35788b4195495773d16960c6c1ca1aff04bfef",
 };
 
 static CORRECT_PRESSURE_WITH_MEASURED_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPressure+MEASURED+HALF_PRECISION",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 51304, bytes: 10680 },
+    spirv: Spirv::Packed { pack: PACK, first: 52304, bytes: 10880 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 256,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "32818527806aeb63cbb570ba9b6157d9ab76c2584f520e99c1d557e3ce0458e7",
+    hash: "b93c12fe88082fb54b5a436db16c09ed6655cea4a9c9d9787f81650cbd05008b",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS: Module = Module {
     name: "CorrectPressure+WALLS",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 61984, bytes: 13404 },
+    spirv: Spirv::Packed { pack: PACK, first: 63184, bytes: 13604 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "fe906ef52d2d2b3329d05da26f29e9edad9fe9663df8b90221f4ca7cfb246dfa",
+    hash: "f0761032a9ad6e030e24fd1ddec1e0b9a31663ef7969df6389fcf47e385a4dcb",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPressure+WALLS+RELAXED_PRECISION",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 75388, bytes: 12800 },
+    spirv: Spirv::Packed { pack: PACK, first: 76788, bytes: 13000 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "6012920ba627b67684582926f367241c4b8debabbe268117609b178cc89c81c5",
+    hash: "033160037d540d259aa2d190e5da79468a4f664a38ce5ac5abc7ef930a191539",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPressure+WALLS+HALF_PRECISION",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 88188, bytes: 12896 },
+    spirv: Spirv::Packed { pack: PACK, first: 89788, bytes: 13096 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "b37300df7b5a0b91d615c6fc728c8a4fcf37e395b45aaf63b1477b76044db4bf",
+    hash: "d98d704b8305a0bebc2d7e5d070d12a6d9de7c2e3620fdb385d2cb99cadaba19",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED: Module = Module {
     name: "CorrectPressure+WALLS+MEASURED",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 101084, bytes: 14364 },
+    spirv: Spirv::Packed { pack: PACK, first: 102884, bytes: 14564 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "90e45f3569e3d8771f0874a3ffa8e5fb087caab21b893f525cd3ffd0f95e1425",
+    hash: "00ed6bb096fa02986952a1646c1062acf144972445cd7e3802a392186abe203f",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPressure+WALLS+MEASURED+RELAXED_PRECISION",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 115448, bytes: 13760 },
+    spirv: Spirv::Packed { pack: PACK, first: 117448, bytes: 13960 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "e3bbc57c945493f25456916e7dddf6cba26df0c26614f48ab815f94d33953ae9",
+    hash: "f963394027bd925cecc8872a95aafbf0725019944771e1101d6aabf9c4e36aab",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPressure+WALLS+MEASURED+HALF_PRECISION",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 129208, bytes: 13856 },
+    spirv: Spirv::Packed { pack: PACK, first: 131408, bytes: 14056 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 256,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "c46771f43554dabd748b0a306430552e89a0bea4bd7a5e78fc0879bcafd9bdea",
+    hash: "e120846f6075d34f144d6fb73e448264f07b1efbeb457d96751fedceba02f656",
 };

@@ -2,7 +2,9 @@
 // makes it anew from solver/dfsph/factor_pressure.compute.
 //! Kernels of `solver/dfsph/factor_pressure.compute`.
 
-use super::{ListHead, Position, PrecisionKeyword, PressureFactors, SmoothingKernelParams, StepParams, StepState};
+use super::{
+    ListHead, Position, PrecisionKeyword, PressureFactors, SmoothingKernelParams, StepParams, StepState, Velocity,
+};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
     Uniform, bind,
@@ -19,6 +21,7 @@ pub struct FactorPressureVariant {
 
 /// Density ratio and stiffness of each particle where it is: what the iterations of both solves need again and again
 /// (Bender & Koschier 2017, eq. 9: the stiffness is 1/alpha, in density ratios and units of h). Particles go on in sorted order.
+/// Displacements begin with what parts pairs that are too close: at one point they are neither compressed nor have a slope.
 #[derive(Debug)]
 pub struct FactorPressure<'a> {
     /// Its variant.
@@ -35,6 +38,10 @@ pub struct FactorPressure<'a> {
     pub positions: BufMut<'a, Position>,
     /// `RWStructuredBuffer<PressureFactors> pressure_factors`.
     pub pressure_factors: BufMut<'a, PressureFactors>,
+    /// displacements over dt
+    ///
+    /// `RWStructuredBuffer<Velocity> shifts`.
+    pub shifts: BufMut<'a, Velocity>,
     /// `ConstantBuffer<StepState> step_state`.
     pub step_state: Uniform<'a, StepState>,
     /// `ConstantBuffer<StepParams> step_params`.
@@ -67,6 +74,7 @@ impl Kernel for FactorPressure<'_> {
                 ("list_heads", Some(self.list_heads.id)),
                 ("positions", Some(self.positions.id)),
                 ("pressure_factors", Some(self.pressure_factors.id)),
+                ("shifts", Some(self.shifts.id)),
                 ("step_state", Some(self.step_state.id)),
                 ("step_params", Some(self.step_params.id)),
                 ("kernel", Some(self.kernel.id)),
@@ -108,9 +116,10 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 5,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 32 },
     },
-    BindingInfo { name: "step_state", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "step_params", slot: 7, kind: BindingKind::Uniform { bytes: 96 } },
-    BindingInfo { name: "kernel", slot: 8, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "shifts", slot: 6, kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 } },
+    BindingInfo { name: "step_state", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 8, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 9, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
 static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/solver_dfsph_factor_pressure.deflate"));
@@ -119,76 +128,76 @@ static FACTOR_PRESSURE: Module = Module {
     name: "FactorPressure",
     entry: "FactorPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 9564 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 13120 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "2494e6943555ba7ee025a80a98e3332ce420c384376049804e096f9887a8f542",
+    hash: "a704df75280211daa22373c688a80f9b2524649efafe1e251b8b45cc1f4dcbdb",
 };
 
 static FACTOR_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     name: "FactorPressure+RELAXED_PRECISION",
     entry: "FactorPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 9564, bytes: 9204 },
+    spirv: Spirv::Packed { pack: PACK, first: 13120, bytes: 12676 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "ff9a036ec96e3f5e9fbce318ab75071643b50d45f84b3284cfa2215a508e4eca",
+    hash: "0acff6498a8e8755d88a364b7322d54d3ae50c4a37cc77e59379e9c444224715",
 };
 
 static FACTOR_PRESSURE_WITH_HALF_PRECISION: Module = Module {
     name: "FactorPressure+HALF_PRECISION",
     entry: "FactorPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 18768, bytes: 9156 },
+    spirv: Spirv::Packed { pack: PACK, first: 25796, bytes: 12628 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "7b8fc9e1de6068aed060dfde4ed4893863f0fcbfd72629f6b77dea07f42ec9e5",
+    hash: "089bc5ed7cb00acd30f37b4bf00dbe3ead26e676939fb389dce1b0faa81b3ba7",
 };
 
 static FACTOR_PRESSURE_WITH_WALLS: Module = Module {
     name: "FactorPressure+WALLS",
     entry: "FactorPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 27924, bytes: 13440 },
+    spirv: Spirv::Packed { pack: PACK, first: 38424, bytes: 17268 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "a5f0540fe9052f37e60408f3c961d8e6fa99cae3521d9aab4e75ad24027dcab2",
+    hash: "fcb8ed8b7762ede8dccf4ec1f22d32be7e19e45d6d4380c0f6dbe05a66047948",
 };
 
 static FACTOR_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     name: "FactorPressure+WALLS+RELAXED_PRECISION",
     entry: "FactorPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 41364, bytes: 13124 },
+    spirv: Spirv::Packed { pack: PACK, first: 55692, bytes: 16868 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "d8a2126b6bbfb927f5985cd86bc5204ec4f0c70efb0868fa3031be93bdd49181",
+    hash: "26bd9bebbc5c42cc6d7cb4da42e7c41e689c63f4ad1a30c0ae8218e2ba125928",
 };
 
 static FACTOR_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     name: "FactorPressure+WALLS+HALF_PRECISION",
     entry: "FactorPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 54488, bytes: 13028 },
+    spirv: Spirv::Packed { pack: PACK, first: 72560, bytes: 16772 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "89d99c80a619e0366576b841027dbe4d99e2b86650ec62fa9a21d2db259c6266",
+    hash: "dc38ef625b7ab2aae9e4cb1235337eb9f7e65ea23b0a753536eb60e21b428188",
 };

@@ -27,6 +27,14 @@ pub struct PressureSolve {
     pub warm_share: f32,
     /// `uint`.
     pub most_iterations: u32,
+    /// before which no residual ends it
+    pub least_iterations: u32,
+    /// `uint`.
+    pub reserved0: u32,
+    /// `uint`.
+    pub reserved1: u32,
+    /// `uint`.
+    pub reserved2: u32,
 }
 const _: () = {
     assert!(offset_of!(PressureSolve, tolerance) == 0);
@@ -37,7 +45,11 @@ const _: () = {
     assert!(offset_of!(PressureSolve, excess_share) == 20);
     assert!(offset_of!(PressureSolve, warm_share) == 24);
     assert!(offset_of!(PressureSolve, most_iterations) == 28);
-    assert!(size_of::<PressureSolve>() == 32);
+    assert!(offset_of!(PressureSolve, least_iterations) == 32);
+    assert!(offset_of!(PressureSolve, reserved0) == 36);
+    assert!(offset_of!(PressureSolve, reserved1) == 40);
+    assert!(offset_of!(PressureSolve, reserved2) == 44);
+    assert!(size_of::<PressureSolve>() == 48);
 };
 
 /// How far a solve is. Zero groups, and the iterations that are left do nothing.

@@ -2,7 +2,7 @@
 // makes it anew from solver/dfsph/shift_positions.compute.
 //! Kernels of `solver/dfsph/shift_positions.compute`.
 
-use super::{Position, StepParams, StepState, Velocity};
+use super::{Counters, Position, StepParams, StepState, Velocity};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
     Uniform, bind,
@@ -29,6 +29,8 @@ pub struct ShiftPositions<'a> {
     ///
     /// `StructuredBuffer<Velocity> shifts`.
     pub shifts: Buf<'a, Velocity>,
+    /// `RWStructuredBuffer<Counters> counters`.
+    pub counters: BufMut<'a, Counters>,
     /// `ConstantBuffer<StepState> step_state`.
     pub step_state: Uniform<'a, StepState>,
     /// `ConstantBuffer<StepParams> step_params`.
@@ -53,6 +55,7 @@ impl Kernel for ShiftPositions<'_> {
             &[
                 ("positions", Some(self.positions.id)),
                 ("shifts", Some(self.shifts.id)),
+                ("counters", Some(self.counters.id)),
                 ("step_state", Some(self.step_state.id)),
                 ("step_params", Some(self.step_params.id)),
             ],
@@ -75,8 +78,13 @@ static BINDINGS_0: &[BindingInfo] = &[
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
     BindingInfo { name: "shifts", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
-    BindingInfo { name: "step_state", slot: 2, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "step_params", slot: 3, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo {
+        name: "counters",
+        slot: 2,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
+    },
+    BindingInfo { name: "step_state", slot: 3, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 4, kind: BindingKind::Uniform { bytes: 96 } },
 ];
 
 static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/solver_dfsph_shift_positions.deflate"));
@@ -85,50 +93,50 @@ static SHIFT_POSITIONS: Module = Module {
     name: "ShiftPositions",
     entry: "ShiftPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 3576 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 4584 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "079884b2f87e07b3fcc0c1fa601e78a3e34815c83590bf8ce9ca2fa3e011ab9a",
+    hash: "f71515e984500cf61bf06efa4c2b16d90dc9cd8281ab2887ef228b2bc3eaf010",
 };
 
 static SHIFT_POSITIONS_WITH_PERIODIC: Module = Module {
     name: "ShiftPositions+PERIODIC",
     entry: "ShiftPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 3576, bytes: 4560 },
+    spirv: Spirv::Packed { pack: PACK, first: 4584, bytes: 5568 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "86e67c8377cca08573542b08487dbd19efe06056490b53f9baa2c245f218ed35",
+    hash: "b0382b8287ffb1007eeb3ba08bff3db001398e2ba848954e34197e007e687484",
 };
 
 static SHIFT_POSITIONS_WITH_WALLS: Module = Module {
     name: "ShiftPositions+WALLS",
     entry: "ShiftPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 8136, bytes: 3828 },
+    spirv: Spirv::Packed { pack: PACK, first: 10152, bytes: 4836 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "510b9e4334ab1116acc8c6983fe7cba518515b4eac28e2a4b08ffb40ae462204",
+    hash: "fd20ba0538f32dec103c970bdccd41b2beaba91378924e34ff722fef87ee6d21",
 };
 
 static SHIFT_POSITIONS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     name: "ShiftPositions+WALLS+PERIODIC",
     entry: "ShiftPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 11964, bytes: 4812 },
+    spirv: Spirv::Packed { pack: PACK, first: 14988, bytes: 5820 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "a07ebb88885654442a29cd787d8289657c3456eda4ad63509b247a8f45b44acf",
+    hash: "21375a5e2636140095233243febffb7228f5061314fc77f40f140c834159ecfa",
 };

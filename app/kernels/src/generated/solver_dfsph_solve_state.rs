@@ -95,7 +95,7 @@ static BINDINGS_1: &[BindingInfo] = &[
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
     },
     BindingInfo { name: "step_state", slot: 3, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "solve", slot: 4, kind: BindingKind::Uniform { bytes: 32 } },
+    BindingInfo { name: "solve", slot: 4, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
 static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/solver_dfsph_solve_state.deflate"));
@@ -110,18 +110,18 @@ static BEGIN_SOLVE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/solve_state.compute",
-    hash: "161c0c33409c9e920652d99c705fffd97b670dfba9f826890991fb6366ed0c54",
+    hash: "d441dfee4347073cd0bf3cc4af9f2cac19a0e12f9348d584cdea573feb89fa91",
 };
 
 static END_ITERATION: Module = Module {
     name: "EndIteration",
     entry: "EndIteration",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 1596, bytes: 5636 },
+    spirv: Spirv::Packed { pack: PACK, first: 1596, bytes: 5912 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/solve_state.compute",
-    hash: "3a20f9792452abb2332ae5ff0a007c4d648c7b12c856059d7c8b5212dea925bd",
+    hash: "f4cea0f94516cb16363bee15acc835537d95bc49d2bcced9789134cdc6c50a92",
 };

@@ -99,50 +99,50 @@ static INTEGRATE_PARTICLES: Module = Module {
     name: "IntegrateParticles",
     entry: "IntegrateParticles",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 6496 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 6532 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "8cc972407812be5d784aea9e3ef77b012fb7d865c48bf56e00472f8a28a57da0",
+    hash: "8309a3bb3b77f28dd9d1378fdeb2674b237c84d9e547fab1efc5ddf577f6b846",
 };
 
 static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
     name: "IntegrateParticles+PERIODIC",
     entry: "IntegrateParticles",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 6496, bytes: 7448 },
+    spirv: Spirv::Packed { pack: PACK, first: 6532, bytes: 7484 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "99510002c9197a96281de890a1148290ea2e2142ba905d632378add02fa87d86",
+    hash: "8947e511fba7436d679141bd56cd74aa801b9f9b3dbbe440d24b4e2a027419f5",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
     name: "IntegrateParticles+WALLS",
     entry: "IntegrateParticles",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 13944, bytes: 7040 },
+    spirv: Spirv::Packed { pack: PACK, first: 14016, bytes: 7076 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "b533969d1fee23224ae4a6339558234a1186b619638b64a5c16e7f73159d38b0",
+    hash: "0b294e579caad78480f6df18988fd2a0aee661f72840199c580f2b7b485ec7ce",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
     name: "IntegrateParticles+WALLS+PERIODIC",
     entry: "IntegrateParticles",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 20984, bytes: 7992 },
+    spirv: Spirv::Packed { pack: PACK, first: 21092, bytes: 8028 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "0ae11e44b0f5e4f3d6d942f8ff0ccb2b9ae365c590347867afa11a835c93413d",
+    hash: "43194a90abdedb2314ff614a0f77d70489a2ecb4efa33cf196bd78d49eda422e",
 };

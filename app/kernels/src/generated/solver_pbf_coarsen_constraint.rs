@@ -48,7 +48,7 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 1,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
     },
-    BindingInfo { name: "coarse", slot: 2, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "coarse", slot: 2, kind: BindingKind::Uniform { bytes: 96 } },
 ];
 
 static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/solver_pbf_coarsen_constraint.deflate"));
@@ -57,11 +57,11 @@ static COARSEN_CONSTRAINT: Module = Module {
     name: "CoarsenConstraint",
     entry: "CoarsenConstraint",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 3576 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 3764 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/coarsen_constraint.compute",
-    hash: "84fb198c0efd7a64e5c60ab861330bbbc1ca13a89c9f777146fdbbc6084f3948",
+    hash: "e8b9a84cd321f074bf8ec10242c52b1c661de1457cda3a9db74618df6850fa3d",
 };

@@ -309,7 +309,7 @@ static BINDINGS_5: &[BindingInfo] = &[
     BindingInfo { name: "kernel", slot: 8, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "pbf", slot: 9, kind: BindingKind::Uniform { bytes: 32 } },
     BindingInfo { name: "iteration", slot: 10, kind: BindingKind::Uniform { bytes: 16 } },
-    BindingInfo { name: "coarse", slot: 11, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "coarse", slot: 11, kind: BindingKind::Uniform { bytes: 96 } },
 ];
 
 static BINDINGS_6: &[BindingInfo] = &[
@@ -345,7 +345,7 @@ static BINDINGS_6: &[BindingInfo] = &[
     BindingInfo { name: "kernel", slot: 9, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "pbf", slot: 10, kind: BindingKind::Uniform { bytes: 32 } },
     BindingInfo { name: "iteration", slot: 11, kind: BindingKind::Uniform { bytes: 16 } },
-    BindingInfo { name: "coarse", slot: 12, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "coarse", slot: 12, kind: BindingKind::Uniform { bytes: 96 } },
 ];
 
 static BINDINGS_7: &[BindingInfo] = &[
@@ -488,7 +488,7 @@ static CONSTRAIN_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "65f3c8e420aeca75aabdcfc92b6acfa48c81f71b7787752265f9ebbc57b79c30",
+    hash: "9ee7acf438c6ff81491b1ed1f7238e6aec1ec70abdc5330a74cf0985bf1117fa",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -501,7 +501,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "ff82d630246146b3e724d9f13ddb4b26afd622880e7396b3c234b188e1e870f1",
+    hash: "4adb46358e3f778434b6d3189751d316427e7a580e9376415d802dcad11eed5d",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -514,7 +514,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "3f5f239d2805d88634759b346e57d4c2ed6baabadd99ad3e7eacb915ba3a3ff5",
+    hash: "8cfd54864fdeaf8e15321d2a613c0d7f7ee0d54b7bb0caf6c7f2e7b9025a5184",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
@@ -527,7 +527,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "0eee35b9b1e3db957f692125fffff7c3556443dfb78cd96dabc34a0bf0f94e7e",
+    hash: "b36c3f904e83413a3f484e150692c33806dd98133681b2225fcbe3c65524e868",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -540,7 +540,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "3f964754eaa6fced4dd3fec54b427a0679e881462906feffb93460429158be2d",
+    hash: "601aef41f287ba39a88797b2ce8cb7765e02978066ce67eac8da673ea22c7e55",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -553,7 +553,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "53312c189071d678779387e6e91be6b29f15cbde0e70c667e9332f4a6b2f1a67",
+    hash: "678d5ace11bf8ce2bee5542a97b57843b6b5d592ab85b0efe5fdb003dd770c62",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -566,7 +566,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "e85e98d39bdd5b08471eb49221710f4e81a65a8b167d47910dd74570d9beb2b6",
+    hash: "bbff9724e7af48143e0a5207d52269fb1d6baf8f97020afbd46c5cf753fd4dab",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -579,7 +579,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "240f9b755e9fdf8fb405be8f375ff870d4b00b5f6b4d3bf4cc60eabcd77e4f26",
+    hash: "5a1d6f3d2df8393e2f728d941324e446ad3f6fcd9b6de61e4b903ac2d66b8491",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -592,200 +592,200 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "03eaad7703178f033c86335cb321bc3972e1a446f18af766c6e4bfa60ddc9003",
+    hash: "a51a46620f72c3f6bfb3c028456c3edbe8cdd52c10f611d4a2cdab9dec8c3b56",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM: Module = Module {
     name: "ConstrainDensity+RESTRICTED_MOMENTUM",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 86632, bytes: 13176 },
+    spirv: Spirv::Packed { pack: PACK, first: 86632, bytes: 13364 },
     bindings: BINDINGS_5,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "835ac1008e67ef7285a403a7ccc039c2764af03f4e4a0e4b336311521b2bbba8",
+    hash: "b38b60c79428cab34fe856775a040299e170a6021941b37b9ca25c7581a1651d",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
     name: "ConstrainDensity+RESTRICTED_MOMENTUM+RELAXED_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 99808, bytes: 13004 },
+    spirv: Spirv::Packed { pack: PACK, first: 99996, bytes: 13192 },
     bindings: BINDINGS_6,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "1e41b955e7623868dbde4492b73b482ff2d299e79e5d645c0a99aba305a9a5c1",
+    hash: "a7cfdc60aecc91ab48dccbbb483649cf5b98fee8bbc3b45e0883ad09ccdfe8c5",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
     name: "ConstrainDensity+RESTRICTED_MOMENTUM+HALF_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 112812, bytes: 12956 },
+    spirv: Spirv::Packed { pack: PACK, first: 113188, bytes: 13144 },
     bindings: BINDINGS_6,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "cd028478192713a84d31a7d0e462992d2418fc6bc962b486120e138aa818e3e4",
+    hash: "7c6e4711e83da64553dff2100493b1b894a54d557add2016741972d7cea8f058",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
     name: "ConstrainDensity+WALLS",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 125768, bytes: 12664 },
+    spirv: Spirv::Packed { pack: PACK, first: 126332, bytes: 12664 },
     bindings: BINDINGS_7,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "45e048fea41ed5225dac6b59ca689a75504fa177a525d2adbb2d2adb4beddeec",
+    hash: "0affe6c02eca8971809c05f6cb01a31e72b92d606ba6efbe53476c75d4abcc62",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     name: "ConstrainDensity+WALLS+RELAXED_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 138432, bytes: 12160 },
+    spirv: Spirv::Packed { pack: PACK, first: 138996, bytes: 12160 },
     bindings: BINDINGS_8,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "c9a62063144750d8b1717720f81f083ab0f139cd02a6b0dc5f6ba96a1c7494bf",
+    hash: "8ba9d2b5dd699ecb2e01eb6b6e0b0b63ad4e31644e29c763f75f8ca1c60293c7",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     name: "ConstrainDensity+WALLS+HALF_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 150592, bytes: 12144 },
+    spirv: Spirv::Packed { pack: PACK, first: 151156, bytes: 12144 },
     bindings: BINDINGS_8,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "0d0ccf3ba657d0db7f1e6547e9cb6fd3cf6a4814c81e5c057ae459fddb630653",
+    hash: "1bda8555c934a7173a5c93b545f544ca837336ea878a7a01138ebdebe916d618",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
     name: "ConstrainDensity+WALLS+MOMENTUM",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 162736, bytes: 13588 },
+    spirv: Spirv::Packed { pack: PACK, first: 163300, bytes: 13588 },
     bindings: BINDINGS_9,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "1c515c668ae2d8a07a887f193270c38a5f1a9a9405bfcdab52d630567b585c90",
+    hash: "56d7eb5b7b39200c91961ccd1da3954fde50868587011469cdf7e89cc299c677",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
     name: "ConstrainDensity+WALLS+MOMENTUM+RELAXED_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 176324, bytes: 13164 },
+    spirv: Spirv::Packed { pack: PACK, first: 176888, bytes: 13164 },
     bindings: BINDINGS_10,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "28cf7ea05578d3ac56a8e75e778a92cc9de5612bf67ae76e6b4dda2543a885a0",
+    hash: "08433f0ba0aeed2b9cd4ee46fe0dd4b976524bae92c94e30ed5ac7d5785c4043",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
     name: "ConstrainDensity+WALLS+MOMENTUM+HALF_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 189488, bytes: 13148 },
+    spirv: Spirv::Packed { pack: PACK, first: 190052, bytes: 13148 },
     bindings: BINDINGS_10,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "dd968a013ae0b3c18a89824d8a94ffb90b7f03659f09b7f60a6fbbc1e65c3579",
+    hash: "be1c4475079901a57bb2d5ff96fd6f9574360f3a141a151998afc28f13fa1623",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     name: "ConstrainDensity+WALLS+ACCUMULATED_MOMENTUM",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 202636, bytes: 13704 },
+    spirv: Spirv::Packed { pack: PACK, first: 203200, bytes: 13704 },
     bindings: BINDINGS_9,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "8b892987eb7e9c2d1b68e12c38eca2c45dc483b497df87e5a2e1a448d6201eaf",
+    hash: "ed34c70b9f7dbb010d76a2f5cd0ee295724cbcc0fe85744ff7a19473f478611b",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
     name: "ConstrainDensity+WALLS+ACCUMULATED_MOMENTUM+RELAXED_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 216340, bytes: 13512 },
+    spirv: Spirv::Packed { pack: PACK, first: 216904, bytes: 13512 },
     bindings: BINDINGS_11,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "116770634bd5443d870696790a625bf87473775dd6d5bbfe6b266b5b0eccaebd",
+    hash: "152b784148029acb6635587726b3e22d36f53f0f48587bb15178a13ac33e9a99",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
     name: "ConstrainDensity+WALLS+ACCUMULATED_MOMENTUM+HALF_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 229852, bytes: 13496 },
+    spirv: Spirv::Packed { pack: PACK, first: 230416, bytes: 13496 },
     bindings: BINDINGS_11,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "06e80748cee203293f9301cf8b60d45529c1b6f681e0a5373c86fde3b59553ec",
+    hash: "3960f1125e6d22a85c71d57dadb52fdc6208c976f10daf52d77f2b261082ed15",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
     name: "ConstrainDensity+WALLS+RESTRICTED_MOMENTUM",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 243348, bytes: 16260 },
+    spirv: Spirv::Packed { pack: PACK, first: 243912, bytes: 16448 },
     bindings: BINDINGS_5,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "cd7dcd2c223088c1148dce0bc0db66a3a8ba63e6a33ab9ae1e814eaeb8ef81cd",
+    hash: "d746835900d1f9014203bb748d2b8e4af25412bd94c08132443e24aa3d007f5d",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
     name: "ConstrainDensity+WALLS+RESTRICTED_MOMENTUM+RELAXED_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 259608, bytes: 16052 },
+    spirv: Spirv::Packed { pack: PACK, first: 260360, bytes: 16240 },
     bindings: BINDINGS_6,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "76981ab507b68a7908d6e0e604fba716f04da3dc180a42feeb8a084d2982493d",
+    hash: "68c63acdbf78a59b74423dd81648ed877a16c1c6b52320d0f39eca7e07e3950b",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
     name: "ConstrainDensity+WALLS+RESTRICTED_MOMENTUM+HALF_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 275660, bytes: 16036 },
+    spirv: Spirv::Packed { pack: PACK, first: 276600, bytes: 16224 },
     bindings: BINDINGS_6,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "cbc21317fd6bb4648400fd183ded831579f6d9d9e0b468dac86505ccc7d50fa9",
+    hash: "77b8ec017d94867791523f41b84fcefc2b54198a9641708c4058a6430ff3c6ab",
 };

@@ -60,6 +60,14 @@ pub struct CoarseGridParams {
     pub ends: [u32; 3],
     /// a multiplier is no more
     pub most: f32,
+    /// and no less
+    pub least: f32,
+    /// `uint`.
+    pub reserved0: u32,
+    /// `uint`.
+    pub reserved1: u32,
+    /// `uint`.
+    pub reserved2: u32,
 }
 const _: () = {
     assert!(offset_of!(CoarseGridParams, cells) == 0);
@@ -72,5 +80,9 @@ const _: () = {
     assert!(offset_of!(CoarseGridParams, particles_a_cell) == 60);
     assert!(offset_of!(CoarseGridParams, ends) == 64);
     assert!(offset_of!(CoarseGridParams, most) == 76);
-    assert!(size_of::<CoarseGridParams>() == 80);
+    assert!(offset_of!(CoarseGridParams, least) == 80);
+    assert!(offset_of!(CoarseGridParams, reserved0) == 84);
+    assert!(offset_of!(CoarseGridParams, reserved1) == 88);
+    assert!(offset_of!(CoarseGridParams, reserved2) == 92);
+    assert!(size_of::<CoarseGridParams>() == 96);
 };

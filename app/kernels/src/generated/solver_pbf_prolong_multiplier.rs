@@ -81,7 +81,7 @@ static BINDINGS_0: &[BindingInfo] = &[
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
     BindingInfo { name: "step_state", slot: 3, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "coarse", slot: 4, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "coarse", slot: 4, kind: BindingKind::Uniform { bytes: 96 } },
 ];
 
 static BINDINGS_1: &[BindingInfo] = &[
@@ -102,7 +102,7 @@ static BINDINGS_1: &[BindingInfo] = &[
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 },
     },
     BindingInfo { name: "step_state", slot: 4, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "coarse", slot: 5, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "coarse", slot: 5, kind: BindingKind::Uniform { bytes: 96 } },
 ];
 
 static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/solver_pbf_prolong_multiplier.deflate"));
@@ -111,24 +111,24 @@ static PROLONG_MULTIPLIER: Module = Module {
     name: "ProlongMultiplier",
     entry: "ProlongMultiplier",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 15756 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 15944 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/prolong_multiplier.compute",
-    hash: "d5e8d9211a4319fb31d7b7fade8d23503595bab55bea3e021ee06a31dfa72f0a",
+    hash: "a1b800bd1d178519c6982b3db9bcf5d806c852e2fb72ab96954503f0bb852519",
 };
 
 static PROLONG_MULTIPLIER_WITH_RELAXED_PRECISION: Module = Module {
     name: "ProlongMultiplier+RELAXED_PRECISION",
     entry: "ProlongMultiplier",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 15756, bytes: 15996 },
+    spirv: Spirv::Packed { pack: PACK, first: 15944, bytes: 16184 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/prolong_multiplier.compute",
-    hash: "af5abb728bd37ab3bbc95261d206fbbe51f44f7fbc9878d4bb6f82669946fa44",
+    hash: "faf145f59bbb00983de1126163aeeb5e7b0020e91e79018d935a6e6cd3611ea9",
 };

@@ -62,7 +62,7 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 1,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 },
     },
-    BindingInfo { name: "coarse", slot: 2, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "coarse", slot: 2, kind: BindingKind::Uniform { bytes: 96 } },
 ];
 
 static BINDINGS_1: &[BindingInfo] = &[
@@ -77,7 +77,7 @@ static BINDINGS_1: &[BindingInfo] = &[
         slot: 2,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 },
     },
-    BindingInfo { name: "coarse", slot: 3, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "coarse", slot: 3, kind: BindingKind::Uniform { bytes: 96 } },
 ];
 
 static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/solver_pbf_relax_multiplier.deflate"));
@@ -86,24 +86,24 @@ static RELAX_MULTIPLIER: Module = Module {
     name: "RelaxMultiplier",
     entry: "RelaxMultiplier",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 25272 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 25548 },
     bindings: BINDINGS_0,
     group_size: [256, 1, 1],
     shared_bytes: 4000,
     tier: Tier::Floor,
     source: "solver/pbf/relax_multiplier.compute",
-    hash: "1981c5a3e9af1029d078fd89bb99edfc05a036bb8e824a7845a24cf9361ff942",
+    hash: "2d69cea8478037e21af291329569140be1061c67c1b3d3eb96b621b0d6e21479",
 };
 
 static RELAX_MULTIPLIER_WITH_PROLONGED: Module = Module {
     name: "RelaxMultiplier+PROLONGED",
     entry: "RelaxMultiplier",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 25272, bytes: 39876 },
+    spirv: Spirv::Packed { pack: PACK, first: 25548, bytes: 40152 },
     bindings: BINDINGS_1,
     group_size: [256, 1, 1],
     shared_bytes: 4000,
     tier: Tier::Floor,
     source: "solver/pbf/relax_multiplier.compute",
-    hash: "dfb16b3e97aa619232d90c0076fd8871def623e685fb97167f63ad4c528dbfbc",
+    hash: "3b8c2ca366f652626431f574e540ad932f1e7b8584e44efb0478d612787bd61e",
 };

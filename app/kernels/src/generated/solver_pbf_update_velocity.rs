@@ -270,154 +270,154 @@ static UPDATE_VELOCITY: Module = Module {
     name: "UpdateVelocity",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 7156 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 7192 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "9081b7ffeb3b6c41270ce345b66a97f42e9a5574e066f36d8a47ac921ed68199",
+    hash: "0720e12e1d6033f5049c983fadfc1e8160667cdb0f42eac7945ae95e9a396fc4",
 };
 
 static UPDATE_VELOCITY_WITH_KEEP_VELOCITY: Module = Module {
     name: "UpdateVelocity+KEEP_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 7156, bytes: 5064 },
+    spirv: Spirv::Packed { pack: PACK, first: 7192, bytes: 5064 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "8ceacac443dee4ff452859f479d0537217f81fa93b85bb4237032437bd630b19",
+    hash: "f5e38c23ad362af126322854a989a90222f539e3fb13adb394059588f46d440f",
 };
 
 static UPDATE_VELOCITY_WITH_IN_PLACE_VELOCITY: Module = Module {
     name: "UpdateVelocity+IN_PLACE_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 12220, bytes: 6940 },
+    spirv: Spirv::Packed { pack: PACK, first: 12256, bytes: 6976 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "4b99761205f498dfed137980a078cad37911309e61b37ae806fd05eab28563c2",
+    hash: "58d0a8e6b8fadb9e60ae78fe6af4b03c1a61095bb3e8980b7833713a1126716a",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
     name: "UpdateVelocity+PERIODIC",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 19160, bytes: 8140 },
+    spirv: Spirv::Packed { pack: PACK, first: 19232, bytes: 8176 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "2b3eff1e79f635ea925e6854cfb7b0053a7c706680376c87972fea3250aab16f",
+    hash: "6a1c627af28ba6772576bd7778bc914d2ff90bc51b7740930d356c917d9dcb1f",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC_WITH_KEEP_VELOCITY: Module = Module {
     name: "UpdateVelocity+PERIODIC+KEEP_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 27300, bytes: 6788 },
+    spirv: Spirv::Packed { pack: PACK, first: 27408, bytes: 6788 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "b4ed8051ad9a664e80a2c64d3bb9a06ed80fa5a556315f63d1e4e476c76011af",
+    hash: "06ed106fb6d2b3db8456d232bdbab317df04c109189a2df5fe2aa3586eff0d55",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC_WITH_IN_PLACE_VELOCITY: Module = Module {
     name: "UpdateVelocity+PERIODIC+IN_PLACE_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 34088, bytes: 7924 },
+    spirv: Spirv::Packed { pack: PACK, first: 34196, bytes: 7960 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "42d6da6cb03ac50adc5b99b778c76b00e886a303ec027aea1d6eeb7b132a08f5",
+    hash: "3585bef93bec86d8a09d7b1357fe088a580981985f71ba4b29837917def98848",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION: Module = Module {
     name: "UpdateVelocity+RELAXED_PRECISION",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 42012, bytes: 6928 },
+    spirv: Spirv::Packed { pack: PACK, first: 42156, bytes: 6964 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "243eae12370a727fd6427a7950f9c99f937ab3960caa8e98b74d1966ef92a76d",
+    hash: "cd2cf813dce3cd07ec5a76c92112c36721ba0e978aa4695da7c91ac56d7f5cee",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_KEEP_VELOCITY: Module = Module {
     name: "UpdateVelocity+RELAXED_PRECISION+KEEP_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 48940, bytes: 4836 },
+    spirv: Spirv::Packed { pack: PACK, first: 49120, bytes: 4836 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "c6e11fe38d1fa1d041d956081e622e510194d994306976fff7bb56a6163e04c4",
+    hash: "e086aa39ea6ec69f7685ea77ea98b77623e4e84cd2be5227a564f323d6020b4d",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_IN_PLACE_VELOCITY: Module = Module {
     name: "UpdateVelocity+RELAXED_PRECISION+IN_PLACE_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 53776, bytes: 6712 },
+    spirv: Spirv::Packed { pack: PACK, first: 53956, bytes: 6748 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "e13e881746f0f50cfc737594a7afde7a8d7d69e86230a020d546d7f7dd1eb17d",
+    hash: "163003c9d3fd18597b847c1fb9f7ce641b824f8a667ec793c9c250d455609d5d",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC: Module = Module {
     name: "UpdateVelocity+RELAXED_PRECISION+PERIODIC",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 60488, bytes: 7928 },
+    spirv: Spirv::Packed { pack: PACK, first: 60704, bytes: 7964 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "ec0994f719a8a4f1723228ffb8cc170004a806fd5beb09c66c4e140e6122f2df",
+    hash: "e2f82ed657b70a6550b8dc4b9ae320ecf1cb507637644dab5498411039ca6067",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC_WITH_KEEP_VELOCITY: Module = Module {
     name: "UpdateVelocity+RELAXED_PRECISION+PERIODIC+KEEP_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 68416, bytes: 6576 },
+    spirv: Spirv::Packed { pack: PACK, first: 68668, bytes: 6576 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "1a3ed5168b930cc67773492ac92c79884e876047ad7e5e38fa366ed709ac5511",
+    hash: "27b78926c033561b2844ad078fbd9cab26b9d13729ccb0935d0c0b6420fd6ac9",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC_WITH_IN_PLACE_VELOCITY: Module = Module {
     name: "UpdateVelocity+RELAXED_PRECISION+PERIODIC+IN_PLACE_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 74992, bytes: 7712 },
+    spirv: Spirv::Packed { pack: PACK, first: 75244, bytes: 7748 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "5473ce2d3b2d488541245a6abb956fb3627623e0923b27723c4cd94034d1d556",
+    hash: "4c819049a70ae1c99bf6107b6b450a57cc1d5f4d66196fe3737b563dac6a3d58",
 };

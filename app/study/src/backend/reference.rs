@@ -146,12 +146,14 @@ fn solver_of(scene: &Scene) -> Solver {
                     excess_share: f64::from(first.excess_share),
                     warm_share: if settings.warm_start { f64::from(first.warm_share) } else { 0.0 },
                     most_iterations: first.most_iterations as usize,
+                    least_iterations: first.least_iterations as usize,
                     is_fixed: settings.fixed_iterations,
                 }
             };
             Solver::Dfsph(Dfsph {
                 smoothing: smoothing_of(scene),
                 divergence: solve(Solve::Divergence),
+                coarse_grid: CoarseGrid::of(&dfsph::coarse_grid_params(scene)).map(Box::new),
                 density: (settings.max_density_iterations > 0).then(|| solve(Solve::Density)),
                 forces: Forces { xsph: scene.forces.xsph, vorticity_m_s: scene.forces.vorticity_m_s },
                 grid_ends_at_domain: true,

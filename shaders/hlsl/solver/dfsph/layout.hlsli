@@ -14,6 +14,10 @@ struct PressureSolve
     float excess_share;     // of what it is denser: so much is to go
     float warm_share;       // of the last substep's pressures, with which the solve begins
     uint most_iterations;
+    uint least_iterations;  // before which no residual ends it
+    uint reserved0;
+    uint reserved1;
+    uint reserved2;
 };
 
 // How far a solve is. Zero groups, and the iterations that are left do nothing.

@@ -31,6 +31,10 @@ struct CoarseGridParams
     float particles_a_cell;             // of a finest cell that is full at rest
     uint3 ends;                         // COARSE_WALL, COARSE_PERIODIC or COARSE_OPEN
     float most;                         // a multiplier is no more
+    float least;                        // and no less
+    uint reserved0;
+    uint reserved1;
+    uint reserved2;
 };
 
 #endif

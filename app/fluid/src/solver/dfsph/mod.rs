@@ -7,9 +7,11 @@
 //! A substep moves particles first, with velocities that the last one made fit for it, and then makes the next ones: lists
 //! are of the positions that a measurement sees, but for what takes out compression.
 
+mod coarse;
 mod pressure_solve;
 mod weights;
 
+pub use coarse::coarse_grid_params;
 pub use pressure_solve::{Solve, params};
 pub use weights::Weights;
 
@@ -23,6 +25,7 @@ use crate::forces::Forces;
 use crate::grid::NeighbourSearch;
 use crate::particles::advect;
 use crate::scene::Scene;
+use crate::solver::pbf::CoarseCorrection;
 use crate::step_context::{Particles, StepContext};
 use pressure_solve::PressureSolving;
 
@@ -33,13 +36,12 @@ pub struct Dfsph {
     forces: Forces,
     shared: Shared,
     divergence: PressureSolving,
+    /// Of the divergence solve; none where the fluid is not deep.
+    coarse: Option<CoarseCorrection>,
     /// None where it does no iterations.
-    density: Option<Shifting>,
-}
-
-/// The density solve, and what it moves particles by, over dt.
-struct Shifting {
-    solving: PressureSolving,
+    density: Option<PressureSolving>,
+    /// What particles are moved by beside their velocities, over dt: what parts those at one point, and what the density
+    /// solve finds.
     shifts: Buffer<Velocity>,
 }
 
@@ -76,25 +78,27 @@ impl Dfsph {
                 measured,
             },
             divergence: PressureSolving::declare(resources, scene, Solve::Divergence, capacity),
-            density: (settings.max_density_iterations > 0).then(|| Shifting {
-                solving: PressureSolving::declare(resources, scene, Solve::Density, capacity),
-                shifts: resources.buffer("shifts", capacity),
-            }),
+            coarse: CoarseCorrection::declare(resources, coarse_grid_params(scene)),
+            density: (settings.max_density_iterations > 0)
+                .then(|| PressureSolving::declare(resources, scene, Solve::Density, capacity)),
+            shifts: resources.buffer("shifts", capacity),
         }
     }
 
     /// What lasts from substep to substep of both solves; nothing where they begin cold.
     pub(super) fn pressures(&self) -> Vec<Buffer<f32>> {
-        let density = self.density.as_ref().map(|density| &density.solving);
-        [&self.divergence].into_iter().chain(density).filter_map(PressureSolving::kept).collect()
+        [&self.divergence].into_iter().chain(&self.density).filter_map(PressureSolving::kept).collect()
     }
 
     pub(super) fn record_init(&mut self, init: &mut Recording, scene: &Scene) {
         self.search.record_init(init, scene);
         self.forces.record_init(init, scene);
         self.divergence.record_init(init, scene);
-        if let Some(Shifting { solving, .. }) = &mut self.density {
-            solving.record_init(init, scene);
+        if let Some(coarse) = &mut self.coarse {
+            coarse.record_init(init);
+        }
+        if let Some(density) = &mut self.density {
+            density.record_init(init, scene);
         }
     }
 
@@ -104,11 +108,11 @@ impl Dfsph {
         context: &mut StepContext,
         particles: &mut Particles,
     ) {
-        let Self { search, forces, shared, divergence, density } = self;
+        let Self { search, forces, shared, divergence, coarse, density, shifts } = self;
         advect(recording, context, particles, None);
         search.sort(recording, context, particles);
         search.list(recording, context);
-        for solving in [&mut *divergence].into_iter().chain(density.as_mut().map(|density| &mut density.solving)) {
+        for solving in [&mut *divergence].into_iter().chain(density.as_mut()) {
             solving.carry(recording, context, &search.grid, &particles.positions);
         }
         let Particles { positions, velocities } = particles;
@@ -131,6 +135,7 @@ impl Dfsph {
                 list_heads: search.neighbours.heads.read(),
                 positions: positions.write(),
                 pressure_factors: shared.factors.write(),
+                shifts: shifts.write(),
                 step_state: context.slots.state.uniform(),
                 step_params: context.step.uniform(),
                 kernel: search.smoothing_kernel.uniform(),
@@ -146,7 +151,7 @@ impl Dfsph {
             },
         );
         forces.record(recording, context, search, velocities);
-        divergence.record(recording, context, search, shared, velocities);
+        divergence.record(recording, context, search, shared, velocities, coarse.as_mut());
         context.slots.dispatch(
             recording,
             &LimitVelocity {
@@ -157,15 +162,16 @@ impl Dfsph {
                 step_params: context.step.uniform(),
             },
         );
-        let Some(Shifting { solving, shifts }) = density else { return };
-        recording.clear(shifts);
-        solving.record(recording, context, search, shared, shifts);
+        if let Some(density) = density {
+            density.record(recording, context, search, shared, shifts, None);
+        }
         context.slots.dispatch(
             recording,
             &ShiftPositions {
                 variant: ShiftPositionsVariant { walls: context.walls, periodic: context.periodic },
                 positions: positions.write(),
                 shifts: shifts.read(),
+                counters: context.counters.write(),
                 step_state: context.slots.state.uniform(),
                 step_params: context.step.uniform(),
             },

@@ -1,17 +1,18 @@
 //! One of the two solves: its pressures, and what its iterations are told. (Shaders: `solver/dfsph/{carry_pressure,
-//! correct_pressure, apply_pressure, solve_state}.compute`.)
+//! correct_pressure, apply_pressure, solve_state, coarse_pressure}.compute`.)
 
 use std::mem::offset_of;
 
 use brooklet_gpu::{Recording, Resources};
 use brooklet_kernels::{
     ApplyPressure, ApplyPressureVariant, BeginSolve, Buffer, CarryPressure, CorrectPressure, CorrectPressureVariant,
-    EndIteration, Kernel, Position, PressureSolve, SolveState, Velocity,
+    EndIteration, Kernel, Position, PressureSolve, ProlongPressure, RestrictPressure, SolveState, Velocity,
 };
 
-use super::{Measured, Shared, Weights};
+use super::{Measured, Shared, Weights, coarse_grid_params};
 use crate::grid::{Grid, NeighbourSearch};
 use crate::scene::Scene;
+use crate::solver::pbf::CoarseCorrection;
 use crate::step_context::StepContext;
 
 /// Of the compression that a density solve finds it takes out so much. All of it, and what a solve left over one way the next
@@ -20,6 +21,11 @@ const SHARE: f32 = 0.5;
 /// Of the last substep's pressures with which it begins, for flow compresses alike from substep to substep; where it ends by
 /// its residual, and where one iteration has to do. Of more of them, a pool at rest that no iteration looks at would breathe.
 const WARM_SHARES: [f32; 2] = [0.7, 0.9];
+
+/// Least iterations of a solve that a coarse grid corrects.
+const CORRECTED_ITERATIONS: u32 = 3;
+/// Of the tolerance, for the same solve. A column of 200 layers is calm with a tenth or less, and bursts with all of it.
+const CORRECTED_TOLERANCE: f64 = 1.0 / 30.0;
 
 /// Which of the two.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -44,8 +50,12 @@ pub fn params(scene: &Scene, solve: Solve) -> [PressureSolve; 2] {
             WARM_SHARES[usize::from(settings.fixed_iterations)],
         ),
     };
+    // What the grid adds is rough where it is interpolated, however small the mean residual: a few iterations smooth it.
+    let is_corrected = solve == Solve::Divergence && !coarse_grid_params(scene).is_empty();
+    // What every layer may sink by in a substep adds up over the depth.
+    let share = if is_corrected { CORRECTED_TOLERANCE } else { 1.0 };
     let others = PressureSolve {
-        tolerance: tolerance as f32,
+        tolerance: (share * tolerance) as f32,
         step: weights.step as f32,
         momentum: weights.momentum as f32,
         guarded_step: weights.plain as f32,
@@ -53,6 +63,8 @@ pub fn params(scene: &Scene, solve: Solve) -> [PressureSolve; 2] {
         excess_share,
         warm_share,
         most_iterations,
+        least_iterations: if is_corrected { CORRECTED_ITERATIONS.min(most_iterations) } else { 0 },
+        ..PressureSolve::default()
     };
     [PressureSolve { step: weights.first_step as f32, momentum: 0.0, ..others }, others]
 }
@@ -132,6 +144,7 @@ impl PressureSolving {
         search: &NeighbourSearch,
         shared: &mut Shared,
         velocities: &mut Buffer<Velocity>,
+        mut coarse: Option<&mut CoarseCorrection>,
     ) {
         recording.clear(&mut self.pressures);
         if let Some(carried) = &self.carried {
@@ -145,6 +158,9 @@ impl PressureSolving {
         }
         for iteration in 0..self.iterations {
             self.correct(recording, context, search, shared, velocities, iteration);
+            if let (0, Some(coarse)) = (iteration, &mut coarse) {
+                self.correct_slow_modes(recording, context, search, shared, coarse);
+            }
             let state = shared.measured.as_ref().map(|measured| measured.state.alias());
             let apply = self.apply(context, search, shared, velocities);
             match state {
@@ -156,6 +172,43 @@ impl PressureSolving {
         if shared.measured.is_some() {
             self.correct(recording, context, search, shared, velocities, self.iterations);
         }
+    }
+
+    /// Adds to the first iteration's changes what a coarse grid makes of what they leave over.
+    fn correct_slow_modes(
+        &self,
+        recording: &mut Recording,
+        context: &StepContext,
+        search: &NeighbourSearch,
+        shared: &mut Shared,
+        coarse: &mut CoarseCorrection,
+    ) {
+        coarse.clear(recording);
+        let (cells, grid) = coarse.finest();
+        context.slots.dispatch(
+            recording,
+            &RestrictPressure {
+                positions: search.sorted.positions.read(),
+                pressure_factors: shared.factors.read(),
+                pressure_changes: shared.changes.write(),
+                coarse_cells: cells.write(),
+                step_state: context.slots.state.uniform(),
+                solve: self.params[0].uniform(),
+                coarse: grid.uniform(),
+            },
+        );
+        let (multipliers, grid) = coarse.solve(recording);
+        context.slots.dispatch(
+            recording,
+            &ProlongPressure {
+                positions: search.sorted.positions.read(),
+                pressures: self.pressures.read(),
+                multipliers: multipliers.read(),
+                pressure_changes: shared.changes.write(),
+                step_state: context.slots.state.uniform(),
+                coarse: grid.uniform(),
+            },
+        );
     }
 
     fn correct(

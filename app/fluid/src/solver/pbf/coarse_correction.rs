@@ -32,7 +32,7 @@ const MOST_MULTIPLIER: f64 = 0.25;
 const SWEEPS: [u32; 2] = [4, 16];
 
 /// The grid's levels with their buffers, finest first.
-pub(super) struct CoarseCorrection {
+pub(in crate::solver) struct CoarseCorrection {
     levels: Vec<Level>,
 }
 
@@ -98,10 +98,18 @@ pub fn has_coarse_correction(scene: &Scene, weights: &IterationWeights) -> bool 
 
 /// What the shaders are given of each level of `scene`, finest first; none if it has no coarse correction.
 pub fn coarse_grid_params(scene: &Scene, weights: &IterationWeights) -> Vec<CoarseGridParams> {
-    let finest = finest_cells(scene);
     let is_wanted = scene.solver.pbf.coarse_correction.unwrap_or_else(|| !is_full(scene));
-    let is_on = is_wanted && weights.chebyshev.is_some();
-    if !is_on || !are_few_cells(finest) || narrow_axis(scene).is_some() {
+    match is_wanted && weights.chebyshev.is_some() {
+        true => levels(scene, scene.solver.pbf.cfm.max(LEAST_MIXING), 0.0),
+        false => Vec::new(),
+    }
+}
+
+/// The levels of a grid over `scene`, finest first; none where it would have too many cells, or too wide ones. `mixing` is
+/// over the lattice's |∇C|²; no multiplier is below `least`.
+pub(in crate::solver) fn levels(scene: &Scene, mixing: f64, least: f64) -> Vec<CoarseGridParams> {
+    let finest = finest_cells(scene);
+    if !are_few_cells(finest) || narrow_axis(scene).is_some() {
         return Vec::new();
     }
     let finest = finest.map(|n| n as u32);
@@ -112,7 +120,7 @@ pub fn coarse_grid_params(scene: &Scene, weights: &IterationWeights) -> Vec<Coar
     let moment = second_moment(dimensions, support_ratio);
     let spacing_m = scene.support_m() / support_ratio;
     let along = |axis: usize, value: f64| if axes.contains(&axis) { value as f32 } else { 0.0 };
-    let mixing = scene.solver.pbf.cfm.max(LEAST_MIXING) * lattice(dimensions, support_ratio).stiffness;
+    let mixing = mixing * lattice(dimensions, support_ratio).stiffness;
     let level = |halvings: u32| CoarseGridParams {
         cells: finest.map(|n| n.div_ceil(1 << halvings)),
         halvings,
@@ -128,6 +136,8 @@ pub fn coarse_grid_params(scene: &Scene, weights: &IterationWeights) -> Vec<Coar
             () => COARSE_OPEN,
         }),
         most: MOST_MULTIPLIER as f32,
+        least: least as f32,
+        ..CoarseGridParams::default()
     };
     let mut levels = vec![level(0)];
     while levels.last().is_some_and(|last| last.cells.iter().any(|&n| n > COARSE_TILE)) {
@@ -152,9 +162,9 @@ fn second_moment(dimensions: u32, support_ratio: f64) -> f64 {
 }
 
 impl CoarseCorrection {
-    /// Declares the levels' buffers; none if `scene` has no coarse correction.
-    pub(super) fn declare(resources: &mut Resources, scene: &Scene, weights: &IterationWeights) -> Option<Self> {
-        let levels: Vec<Level> = coarse_grid_params(scene, weights)
+    /// Declares the levels' buffers; none of no levels.
+    pub(in crate::solver) fn declare(resources: &mut Resources, levels: Vec<CoarseGridParams>) -> Option<Self> {
+        let levels: Vec<Level> = levels
             .into_iter()
             .enumerate()
             .map(|(level, given)| {
@@ -171,32 +181,25 @@ impl CoarseCorrection {
         (!levels.is_empty()).then_some(Self { levels })
     }
 
-    pub(super) fn record_init(&mut self, init: &mut Recording) {
+    pub(in crate::solver) fn record_init(&mut self, init: &mut Recording) {
         for Level { given, params, .. } in &mut self.levels {
             init.upload(params, &[*given]);
         }
     }
 
     /// Empties the finest cells, to which the first iteration adds.
-    pub(super) fn clear(&mut self, recording: &mut Recording) {
+    pub(in crate::solver) fn clear(&mut self, recording: &mut Recording) {
         recording.clear(&mut self.levels[0].cells);
     }
 
     /// The finest level, for the iteration that adds to its cells.
-    pub(super) fn finest(&mut self) -> (&mut Buffer<CoarseCell>, &Buffer<CoarseGridParams>) {
+    pub(in crate::solver) fn finest(&mut self) -> (&mut Buffer<CoarseCell>, &Buffer<CoarseGridParams>) {
         let Level { params, cells, .. } = &mut self.levels[0];
         (cells, params)
     }
 
-    /// Solves for the multiplier, and adds it to the lambdas of the iteration that filled the cells.
-    pub(super) fn record(
-        &mut self,
-        recording: &mut Recording,
-        context: &StepContext,
-        sorted: &Sorted,
-        lambdas: &mut Lambdas,
-        totals: Option<&mut Buffer<f32>>,
-    ) {
+    /// Solves for the multipliers of what is in the finest cells; those of the finest level.
+    pub(in crate::solver) fn solve(&mut self, recording: &mut Recording) -> (&Buffer<f32>, &Buffer<CoarseGridParams>) {
         for n in 1..self.levels.len() {
             let (finer, coarser) = self.levels.split_at_mut(n);
             let Level { params, cells, .. } = &mut coarser[0];
@@ -220,8 +223,21 @@ impl CoarseCorrection {
             };
             recording.dispatch_groups(&kernel, *tiles);
         }
-        let (position_lambdas, packed_position_lambdas) = lambdas.write();
         let Level { params, multipliers, .. } = &self.levels[0];
+        (multipliers, params)
+    }
+
+    /// Solves for the multiplier, and adds it to the lambdas of the iteration that filled the cells.
+    pub(super) fn record(
+        &mut self,
+        recording: &mut Recording,
+        context: &StepContext,
+        sorted: &Sorted,
+        lambdas: &mut Lambdas,
+        totals: Option<&mut Buffer<f32>>,
+    ) {
+        let (position_lambdas, packed_position_lambdas) = lambdas.write();
+        let (multipliers, params) = self.solve(recording);
         context.slots.dispatch(
             recording,
             &ProlongMultiplier {

@@ -25,7 +25,7 @@ use crate::scene::Scene;
 use crate::smoothing_kernel::{lattice, wendland};
 use crate::step_context::{Particles, StepContext};
 pub use chebyshev::{Chebyshev, Weights};
-use coarse_correction::CoarseCorrection;
+pub(super) use coarse_correction::{CoarseCorrection, levels as coarse_levels};
 pub(crate) use coarse_correction::{MAX_CELLS, are_few_cells, finest_cells, narrow_axis};
 pub use coarse_correction::{coarse_grid_params, has_coarse_correction};
 use constrain_density::constrain_density;
@@ -270,7 +270,7 @@ impl Momentum {
     fn declare(resources: &mut Resources, scene: &Scene, weights: &IterationWeights, capacity: u32) -> Option<Self> {
         let chebyshev = weights.chebyshev.as_ref()?;
         let iterations = 0..chebyshev.iterations.len();
-        let coarse = CoarseCorrection::declare(resources, scene, weights);
+        let coarse = CoarseCorrection::declare(resources, coarse_grid_params(scene, weights));
         // A coarse multiplier is more than the first iteration asks for: the next ones give back what is too much.
         let warm = WarmStarts::declare(resources, scene, capacity);
         let accumulates = chebyshev.accumulates() || coarse.is_some() || warm.is_some();

@@ -27,6 +27,8 @@ pub struct PressureSolve {
     pub warm_share: f64,
     /// Iterations at most.
     pub most_iterations: usize,
+    /// Before which no residual ends it.
+    pub least_iterations: usize,
     /// Whether there are that many, whatever is left.
     pub is_fixed: bool,
 }

@@ -4,6 +4,7 @@ use crate::boundary::mirror::{Mirrors, mirrored};
 use crate::params::Smoothing;
 use crate::shared::wendland;
 use crate::solver::pbf::constrain_density::STIFFNESS_FLOOR;
+use crate::solver::pbf::correct_positions::COINCIDENT;
 use glam::DVec3;
 
 /// What the iterations of both solves ask of a particle.
@@ -17,6 +18,29 @@ pub struct PressureFactors {
     pub stiffness: f64,
     /// Whether it takes part.
     pub is_simulated: bool,
+}
+
+/// Pairs closer than this, in h, part.
+pub const SEPARATION: f64 = 0.12;
+/// How far each of two at one point moves in a substep, h.
+pub const SEPARATION_SHIFT: f64 = 0.02;
+
+/// What parts particle `i` from those too close to it, h. `drawn` gives the direction, of length 1, in which it parts from
+/// another at its own place.
+pub fn separation(
+    i: usize,
+    positions_m: &[DVec3],
+    neighbours: &[usize],
+    smoothing: &Smoothing,
+    drawn: impl Fn(usize, usize) -> DVec3,
+) -> DVec3 {
+    let of = |&j: &usize| {
+        let offset = smoothing.offset(positions_m[i], positions_m[j]);
+        let q = offset.length();
+        let direction = if q < COINCIDENT { drawn(i, j) } else { offset / q };
+        direction * SEPARATION_SHIFT * (1.0 - q / SEPARATION).max(0.0)
+    };
+    neighbours.iter().map(of).sum()
 }
 
 /// Those of particle `i`.

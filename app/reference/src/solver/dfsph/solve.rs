@@ -1,11 +1,12 @@
 //! A pressure solve: iterations until the mean residual is small enough.
 
 use super::apply_pressure::apply_pressure;
-use super::correct_pressure::{PressureSolve, correct_pressure, density_change};
+use super::correct_pressure::{Correction, PressureSolve, correct_pressure, density_change};
 use super::factor_pressure::PressureFactors;
 use crate::grid::list_neighbours::Neighbours;
 use crate::params::{Smoothing, Step};
 use crate::shared::parallel;
+use crate::solver::pbf::coarse_correction::{CoarseGrid, coarse_multipliers, prolong_multiplier};
 use glam::DVec3;
 
 /// What the particles of a solve are.
@@ -22,6 +23,27 @@ pub struct Fluid<'a> {
     pub smoothing: &'a Smoothing,
 }
 
+/// What a solve's first iteration leaves over, out of cells of a grid: added to what it changes pressures by. (Shader:
+/// `solver/dfsph/coarse_pressure.compute`, and PBF's between its two ends.)
+pub fn add_coarse(
+    grid: &CoarseGrid,
+    fluid: &Fluid<'_>,
+    pressures: &[f64],
+    corrections: &mut [Correction],
+    solve: &PressureSolve,
+) {
+    let simulated: Vec<usize> = (0..corrections.len()).filter(|&i| fluid.factors[i].is_simulated).collect();
+    let left = simulated
+        .iter()
+        .map(|&i| (fluid.positions_m[i], corrections[i].change * fluid.factors[i].stiffness / solve.first_step));
+    let multipliers = coarse_multipliers(grid, left);
+    for i in simulated {
+        let added = -prolong_multiplier(grid, &multipliers, fluid.positions_m[i]);
+        let change = &mut corrections[i].change;
+        *change = (pressures[i] + *change + added).max(0.0) - pressures[i];
+    }
+}
+
 /// How a solve ended.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Solved {
@@ -35,8 +57,14 @@ pub struct Solved {
 
 impl Fluid<'_> {
     /// Makes velocities, or displacements over dt, what the solve asks for, beginning with `pressures`, which become those
-    /// found.
-    pub fn solve(&self, velocities_m_s: &mut [DVec3], pressures: &mut [f64], solve: &PressureSolve) -> Solved {
+    /// found. With a coarse grid the first iteration is corrected by it.
+    pub fn solve(
+        &self,
+        velocities_m_s: &mut [DVec3],
+        pressures: &mut [f64],
+        solve: &PressureSolve,
+        coarse: Option<&CoarseGrid>,
+    ) -> Solved {
         let count = velocities_m_s.len();
         let warm = pressures.to_vec();
         self.apply(velocities_m_s, &warm);
@@ -47,7 +75,7 @@ impl Fluid<'_> {
                 return solved;
             }
             let first = solved.iterations == 0;
-            let corrections = parallel::map(count, |i| {
+            let mut corrections = parallel::map(count, |i| {
                 let Self { positions_m, neighbours, factors, step, smoothing } = self;
                 let (list, own) = (&neighbours[i], &factors[i]);
                 let (change, _) = density_change(i, positions_m, velocities_m_s, list, own, step, smoothing);
@@ -58,9 +86,12 @@ impl Fluid<'_> {
                 let is_last = solved.iterations == solve.most_iterations;
                 solved.residual = Some(residual);
                 solved.is_unsolved = residual > solve.tolerance && is_last;
-                if residual <= solve.tolerance || is_last {
+                if (residual <= solve.tolerance && solved.iterations >= solve.least_iterations) || is_last {
                     return solved;
                 }
+            }
+            if let (true, Some(grid)) = (first, coarse) {
+                add_coarse(grid, self, pressures, &mut corrections, solve);
             }
             changes = corrections.iter().map(|c| c.change).collect();
             self.apply(velocities_m_s, &changes);

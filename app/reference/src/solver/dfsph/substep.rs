@@ -1,7 +1,7 @@
 //! A whole substep of divergence-free SPH, in the order of the GPU's.
 
 use super::correct_pressure::PressureSolve;
-use super::factor_pressure::factor_pressure;
+use super::factor_pressure::{factor_pressure, separation};
 use super::solve::{Fluid, Solved};
 use crate::boundary::confine_position;
 use crate::boundary::mirror::Mirrors;
@@ -11,6 +11,7 @@ use crate::grid::list_neighbours::{Neighbours, list_by_cells};
 use crate::measure::density::mirrored_density_ratio;
 use crate::params::{Forces, Smoothing, Step};
 use crate::particles::predict::{Particle, predict};
+use crate::solver::pbf::coarse_correction::CoarseGrid;
 use glam::DVec3;
 
 /// The solver with everything that it is told.
@@ -22,6 +23,8 @@ pub struct Dfsph {
     pub divergence: PressureSolve,
     /// The density solve; none where it does no iterations.
     pub density: Option<PressureSolve>,
+    /// The grid that corrects the divergence solve, if there is one.
+    pub coarse_grid: Option<Box<CoarseGrid>>,
     /// What acts on velocities alone.
     pub forces: Forces,
     /// Whether particles outside the domain have no neighbours, being outside the grid.
@@ -60,13 +63,20 @@ impl Dfsph {
         falling.for_each(|(velocity, _)| *velocity += step.gravity_m_s2 * step.dt_s);
         let mut velocities_m_s =
             forces::apply(&positions_m, velocities_m_s, &neighbours, step, &self.smoothing, &self.forces);
-        let divergence = fluid.solve(&mut velocities_m_s, &mut pressures, &self.divergence);
-        let mut shifts_m_s = vec![DVec3::ZERO; particles.len()];
+        let divergence =
+            fluid.solve(&mut velocities_m_s, &mut pressures, &self.divergence, self.coarse_grid.as_deref());
+        // Which way two at one point part is drawn from the order of the GPU's sort.
+        let parting = |i: usize| match particles[i].is_simulated() {
+            true => separation(i, &positions_m, &neighbours[i], &self.smoothing, |_, _| DVec3::ZERO),
+            false => DVec3::ZERO,
+        };
+        let speed_m_s = self.smoothing.support_m / step.dt_s;
+        let mut shifts_m_s: Vec<DVec3> = (0..particles.len()).map(|i| parting(i) * speed_m_s).collect();
         let mut shifting = vec![0.0; particles.len()];
         let density = match &self.density {
             Some(solve) => {
                 shifting = begin(1, solve);
-                fluid.solve(&mut shifts_m_s, &mut shifting, solve)
+                fluid.solve(&mut shifts_m_s, &mut shifting, solve, None)
             }
             None => Solved::default(),
         };
@@ -76,7 +86,7 @@ impl Dfsph {
                 false => velocities_m_s[i],
             };
             particle.multipliers = [pressures[i], shifting[i]];
-            if self.density.is_some() && particle.is_simulated() {
+            if particle.is_simulated() {
                 particle.position_m = shift_position(particle.position_m, shifts_m_s[i], step);
             }
         }

@@ -42,6 +42,8 @@ pub struct CoarseGrid {
     pub mixing: f64,
     /// A multiplier is no more.
     pub most: f64,
+    /// And no less.
+    pub least: f64,
     /// Particles of a finest cell that is full.
     pub particles_a_cell: f64,
     /// Beyond the ends of each axis.
@@ -60,6 +62,7 @@ impl CoarseGrid {
             conductance: DVec3::from_array(finest.conductance.map(f64::from)),
             mixing: f64::from(finest.mixing),
             most: f64::from(finest.most),
+            least: f64::from(finest.least),
             particles_a_cell: f64::from(finest.particles_a_cell),
             ends: finest.ends.map(|end| match end {
                 COARSE_PERIODIC => End::Periodic,
@@ -220,7 +223,7 @@ pub fn relax_multiplier(grid: &CoarseGrid, halvings: u32, sums: &[Cell], coarser
                     sum += conductance * value;
                     total += conductance;
                 }
-                values[index(at, &cells)] = (sum / total).clamp(0.0, grid.most);
+                values[index(at, &cells)] = (sum / total).clamp(grid.least, grid.most);
             }
         }
     }
@@ -262,6 +265,7 @@ mod tests {
             conductance: DVec3::new(1.0, 1.0, 0.0),
             mixing,
             most: f64::INFINITY,
+            least: 0.0,
             particles_a_cell: 1.0,
             ends: [End::Wall, end, End::Wall],
             sweeps: vec![1000],
@@ -302,6 +306,7 @@ mod tests {
             conductance: DVec3::new(0.25, 0.25, 0.0),
             mixing: 0.018,
             most: f64::INFINITY,
+            least: 0.0,
             particles_a_cell: 1.0,
             ends: [End::Periodic, End::Wall, End::Wall],
             sweeps: vec![4, 4, 16],

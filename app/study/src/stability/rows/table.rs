@@ -76,7 +76,7 @@ pub const ROWS: &[Row] = &[
     runs(
         12,
         "tall-column",
-        "200 layers in 2-D: the column law within 20 %, or the equation of state",
+        "200 layers in 2-D: the column law within 20 %, at most where a tolerance ends iterations, or the equation of state",
         setups::tall_column,
         Also::Figures(setups::law_holds),
     ),
