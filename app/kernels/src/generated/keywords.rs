@@ -112,6 +112,18 @@ pub enum VelocityKeyword {
     InPlaceVelocity,
 }
 
+/// `#pragma multi_compile _ WALLS SOLID_WALLS`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum WallsKeyword {
+    /// None of them is on.
+    #[default]
+    Off,
+    /// `WALLS` is on.
+    Walls,
+    /// `SOLID_WALLS` is on.
+    SolidWalls,
+}
+
 /// `#pragma multi_compile _ BEHIND_WATER BEFORE_WATER`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum WaterKeyword {

@@ -4,6 +4,12 @@
 
 mod boundary_drag_walls;
 mod boundary_layout;
+mod boundary_solids_collide_solids;
+mod boundary_solids_confine_displacements;
+mod boundary_solids_layout;
+mod boundary_solids_mark_solids;
+mod boundary_solids_move_solids;
+mod boundary_solids_sample_solids;
 mod forces_apply_fields;
 mod forces_confine_vorticity;
 mod forces_curl;
@@ -107,6 +113,12 @@ mod surface_water;
 
 pub use boundary_drag_walls::*;
 pub use boundary_layout::*;
+pub use boundary_solids_collide_solids::*;
+pub use boundary_solids_confine_displacements::*;
+pub use boundary_solids_layout::*;
+pub use boundary_solids_mark_solids::*;
+pub use boundary_solids_move_solids::*;
+pub use boundary_solids_sample_solids::*;
 pub use forces_apply_fields::*;
 pub use forces_confine_vorticity::*;
 pub use forces_curl::*;
@@ -212,6 +224,11 @@ pub use surface_water::*;
 pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
     [
         boundary_drag_walls::MODULES,
+        boundary_solids_collide_solids::MODULES,
+        boundary_solids_confine_displacements::MODULES,
+        boundary_solids_mark_solids::MODULES,
+        boundary_solids_move_solids::MODULES,
+        boundary_solids_sample_solids::MODULES,
         forces_apply_fields::MODULES,
         forces_confine_vorticity::MODULES,
         forces_curl::MODULES,

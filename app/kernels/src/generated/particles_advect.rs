@@ -143,7 +143,7 @@ static ADVECT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "119dbad76773a72e977471097e0e6bd65f8da659c175b542eb87eab03767c960",
+    hash: "b6324da30c56bfb7326532033a1b253c71aafc865b22fe1e146e6fceb6fc5af1",
 };
 
 static ADVECT_WITH_PERIODIC: Module = Module {
@@ -156,7 +156,7 @@ static ADVECT_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "566b78f07f7751011325943eee8436df32a2936e999bff299ae42799daf83286",
+    hash: "e86ccc1b8ceaccbe38593cb424c9853ab5ac28ca218a4e4d0adc8a3d0ca2026c",
 };
 
 static ADVECT_WITH_WALLS: Module = Module {
@@ -169,7 +169,7 @@ static ADVECT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "1f3af2ef628a5da04737167d6244e55a759dd1192694acf93381a730d03ea369",
+    hash: "3b67e4a2e1a66608faaffac50fd72a9ffc5df47725dec647274f8734749cf34a",
 };
 
 static ADVECT_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -182,7 +182,7 @@ static ADVECT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "28b48b78058e7a831d6a309b91ec0a680e069fac89e49cbf6dfec34d0bb98786",
+    hash: "2af8845c6255ce0c678057276004cf76954ff6d73a121a6f1816fed9cbb67664",
 };
 
 static ADVECT_WITH_ACCELERATED: Module = Module {
@@ -195,7 +195,7 @@ static ADVECT_WITH_ACCELERATED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "735b337f592d68370944b5854c6586a361789c111e57ea8bfcda97bed2941763",
+    hash: "d21e0e91f653eced6c32c2a818ed7878479b7cdc8b6e2b77cac6670adf9b203c",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_PERIODIC: Module = Module {
@@ -208,7 +208,7 @@ static ADVECT_WITH_ACCELERATED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "11c09d8fa18ac3140d9213ded82cd427a437c2a29c4dbf395178c66053b7de0f",
+    hash: "be5242fdd03a1e7eab73ad6374e1865526145a80341bca921f043bf162a0e4db",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_WALLS: Module = Module {
@@ -221,7 +221,7 @@ static ADVECT_WITH_ACCELERATED_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "c66186884218ea9784bb0f927069d8f289c3e6043b8fb54d1948955a49c134b0",
+    hash: "cca189b1d3cfb2fdd5b0fbfebb8ebeaeaa1e31ee45653c51f7f0fd9cd0b09865",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -234,5 +234,5 @@ static ADVECT_WITH_ACCELERATED_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "115972b3ad25771a56d54fcdb859ec0b512d48b1f81f3396309d8f818a0e095d",
+    hash: "13a9f4683be42be0937e0b616a977b73fc96b92e4c18cb81b25664375eac0d72",
 };

@@ -97,7 +97,7 @@ static PREDICT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "a5a534f8024a6cdee3f0000aaa76b5780089c623acba67496fb681783b1a432d",
+    hash: "c91cb5476d94e143e10991a816a7257846764987fa321cc89da41174f0200188",
 };
 
 static PREDICT_WITH_PERIODIC: Module = Module {
@@ -110,7 +110,7 @@ static PREDICT_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "8b885065051b26dd2bddd1985ba59893f7728e7aaa666d46a4851f2648e5ba29",
+    hash: "2c8aebe2e3e786483918cdde6dfebeb33af9d4d707066c6005501bdfe4ba805e",
 };
 
 static PREDICT_WITH_WALLS: Module = Module {
@@ -123,7 +123,7 @@ static PREDICT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "e13d7e2a95f8e85d18c566dcd07562b1bbfc2ba26c16543c391f232966ea032c",
+    hash: "622b22f5f621fecc862d214245754c5d980a915f16af07d6294821de4b597560",
 };
 
 static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -136,5 +136,5 @@ static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "e714160b728080edee338e42cace66d81ba98e74179ed1a6afccccd537d1e2fc",
+    hash: "adb434e770cbc4df6139821b1e4e2645ff32cab4222f1c32b4adc817b2239387",
 };

@@ -91,7 +91,7 @@ static SHIFT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "079884b2f87e07b3fcc0c1fa601e78a3e34815c83590bf8ce9ca2fa3e011ab9a",
+    hash: "8d66a030eb9dbeec54f9ad23538063fc464e202e623ff7e8a40aa98ed00d234f",
 };
 
 static SHIFT_POSITIONS_WITH_PERIODIC: Module = Module {
@@ -104,7 +104,7 @@ static SHIFT_POSITIONS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "86e67c8377cca08573542b08487dbd19efe06056490b53f9baa2c245f218ed35",
+    hash: "3a746b81c9bd9ecd195c3f94666d7f5f512618786c8de54fcfd12770cf57ebd2",
 };
 
 static SHIFT_POSITIONS_WITH_WALLS: Module = Module {
@@ -117,7 +117,7 @@ static SHIFT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "510b9e4334ab1116acc8c6983fe7cba518515b4eac28e2a4b08ffb40ae462204",
+    hash: "4b64e83f0b304cc5da182d188e308089c6c7220ef1e8613b807257f545abdc3a",
 };
 
 static SHIFT_POSITIONS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -130,5 +130,5 @@ static SHIFT_POSITIONS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "a07ebb88885654442a29cd787d8289657c3456eda4ad63509b247a8f45b44acf",
+    hash: "888da77f7943b3dba5499a32e517c6422a69965dfb50391d50abc628fe64c79a",
 };

@@ -105,7 +105,7 @@ static INTEGRATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "8cc972407812be5d784aea9e3ef77b012fb7d865c48bf56e00472f8a28a57da0",
+    hash: "5458a3943d966963d622e40d53fc7190f7e26725251d396fcd2a6580ad9f6aec",
 };
 
 static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
@@ -118,7 +118,7 @@ static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "99510002c9197a96281de890a1148290ea2e2142ba905d632378add02fa87d86",
+    hash: "e0d7215196a825fc9482ecf975e5f59c9c8f3a8738279bb26a3ce30ac60a767d",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
@@ -131,7 +131,7 @@ static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "b533969d1fee23224ae4a6339558234a1186b619638b64a5c16e7f73159d38b0",
+    hash: "976e2ae06dbac23b6a34f721ae228198f91299e438c373f1e2d2e64947bf365a",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -144,5 +144,5 @@ static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "0ae11e44b0f5e4f3d6d942f8ff0ccb2b9ae365c590347867afa11a835c93413d",
+    hash: "0b81aabd856dd92d0a68b90ba165fc81251dd41244b4a02f4fd4f510156540f3",
 };

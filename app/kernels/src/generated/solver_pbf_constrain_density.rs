@@ -4,7 +4,7 @@
 
 use super::{
     CoarseCell, CoarseGridParams, ListHead, MomentumKeyword, PbfIteration, PbfParams, Position, PositionLambda,
-    PrecisionKeyword, SmoothingKernelParams, StepParams, StepState,
+    PrecisionKeyword, SmoothingKernelParams, SolidContact, StepParams, StepState, WallsKeyword,
 };
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
@@ -14,8 +14,8 @@ use crate::{
 /// Which variant of [`ConstrainDensity`] runs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct ConstrainDensityVariant {
-    /// Keyword `WALLS`.
-    pub walls: bool,
+    /// Keyword `WALLS` or `SOLID_WALLS`.
+    pub walls: WallsKeyword,
     /// Keyword `MOMENTUM` or `ACCUMULATED_MOMENTUM` or `RESTRICTED_MOMENTUM`.
     pub momentum: MomentumKeyword,
     /// Keyword `RELAXED_PRECISION` or `HALF_PRECISION`.
@@ -55,6 +55,8 @@ pub struct ConstrainDensity<'a> {
     pub coarse_cells: Option<BufMut<'a, CoarseCell>>,
     /// `ConstantBuffer<CoarseGridParams> coarse`.
     pub coarse: Option<Uniform<'a, CoarseGridParams>>,
+    /// `StructuredBuffer<SolidContact> solid_contacts`.
+    pub solid_contacts: Option<Buf<'a, SolidContact>>,
 }
 
 impl Kernel for ConstrainDensity<'_> {
@@ -63,67 +65,107 @@ impl Kernel for ConstrainDensity<'_> {
 
     fn module(&self) -> &'static Module {
         match (self.variant.walls, self.variant.momentum, self.variant.precision) {
-            (false, MomentumKeyword::Off, PrecisionKeyword::Off) => &CONSTRAIN_DENSITY,
-            (false, MomentumKeyword::Off, PrecisionKeyword::RelaxedPrecision) => {
+            (WallsKeyword::Off, MomentumKeyword::Off, PrecisionKeyword::Off) => &CONSTRAIN_DENSITY,
+            (WallsKeyword::Off, MomentumKeyword::Off, PrecisionKeyword::RelaxedPrecision) => {
                 &CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION
             }
-            (false, MomentumKeyword::Off, PrecisionKeyword::HalfPrecision) => &CONSTRAIN_DENSITY_WITH_HALF_PRECISION,
-            (false, MomentumKeyword::Momentum, PrecisionKeyword::Off) => &CONSTRAIN_DENSITY_WITH_MOMENTUM,
-            (false, MomentumKeyword::Momentum, PrecisionKeyword::RelaxedPrecision) => {
+            (WallsKeyword::Off, MomentumKeyword::Off, PrecisionKeyword::HalfPrecision) => {
+                &CONSTRAIN_DENSITY_WITH_HALF_PRECISION
+            }
+            (WallsKeyword::Off, MomentumKeyword::Momentum, PrecisionKeyword::Off) => &CONSTRAIN_DENSITY_WITH_MOMENTUM,
+            (WallsKeyword::Off, MomentumKeyword::Momentum, PrecisionKeyword::RelaxedPrecision) => {
                 &CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION
             }
-            (false, MomentumKeyword::Momentum, PrecisionKeyword::HalfPrecision) => {
+            (WallsKeyword::Off, MomentumKeyword::Momentum, PrecisionKeyword::HalfPrecision) => {
                 &CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION
             }
-            (false, MomentumKeyword::AccumulatedMomentum, PrecisionKeyword::Off) => {
+            (WallsKeyword::Off, MomentumKeyword::AccumulatedMomentum, PrecisionKeyword::Off) => {
                 &CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM
             }
-            (false, MomentumKeyword::AccumulatedMomentum, PrecisionKeyword::RelaxedPrecision) => {
+            (WallsKeyword::Off, MomentumKeyword::AccumulatedMomentum, PrecisionKeyword::RelaxedPrecision) => {
                 &CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION
             }
-            (false, MomentumKeyword::AccumulatedMomentum, PrecisionKeyword::HalfPrecision) => {
+            (WallsKeyword::Off, MomentumKeyword::AccumulatedMomentum, PrecisionKeyword::HalfPrecision) => {
                 &CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION
             }
-            (false, MomentumKeyword::RestrictedMomentum, PrecisionKeyword::Off) => {
+            (WallsKeyword::Off, MomentumKeyword::RestrictedMomentum, PrecisionKeyword::Off) => {
                 &CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM
             }
-            (false, MomentumKeyword::RestrictedMomentum, PrecisionKeyword::RelaxedPrecision) => {
+            (WallsKeyword::Off, MomentumKeyword::RestrictedMomentum, PrecisionKeyword::RelaxedPrecision) => {
                 &CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION
             }
-            (false, MomentumKeyword::RestrictedMomentum, PrecisionKeyword::HalfPrecision) => {
+            (WallsKeyword::Off, MomentumKeyword::RestrictedMomentum, PrecisionKeyword::HalfPrecision) => {
                 &CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION
             }
-            (true, MomentumKeyword::Off, PrecisionKeyword::Off) => &CONSTRAIN_DENSITY_WITH_WALLS,
-            (true, MomentumKeyword::Off, PrecisionKeyword::RelaxedPrecision) => {
+            (WallsKeyword::Walls, MomentumKeyword::Off, PrecisionKeyword::Off) => &CONSTRAIN_DENSITY_WITH_WALLS,
+            (WallsKeyword::Walls, MomentumKeyword::Off, PrecisionKeyword::RelaxedPrecision) => {
                 &CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION
             }
-            (true, MomentumKeyword::Off, PrecisionKeyword::HalfPrecision) => {
+            (WallsKeyword::Walls, MomentumKeyword::Off, PrecisionKeyword::HalfPrecision) => {
                 &CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION
             }
-            (true, MomentumKeyword::Momentum, PrecisionKeyword::Off) => &CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM,
-            (true, MomentumKeyword::Momentum, PrecisionKeyword::RelaxedPrecision) => {
+            (WallsKeyword::Walls, MomentumKeyword::Momentum, PrecisionKeyword::Off) => {
+                &CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM
+            }
+            (WallsKeyword::Walls, MomentumKeyword::Momentum, PrecisionKeyword::RelaxedPrecision) => {
                 &CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION
             }
-            (true, MomentumKeyword::Momentum, PrecisionKeyword::HalfPrecision) => {
+            (WallsKeyword::Walls, MomentumKeyword::Momentum, PrecisionKeyword::HalfPrecision) => {
                 &CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION
             }
-            (true, MomentumKeyword::AccumulatedMomentum, PrecisionKeyword::Off) => {
+            (WallsKeyword::Walls, MomentumKeyword::AccumulatedMomentum, PrecisionKeyword::Off) => {
                 &CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM
             }
-            (true, MomentumKeyword::AccumulatedMomentum, PrecisionKeyword::RelaxedPrecision) => {
+            (WallsKeyword::Walls, MomentumKeyword::AccumulatedMomentum, PrecisionKeyword::RelaxedPrecision) => {
                 &CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION
             }
-            (true, MomentumKeyword::AccumulatedMomentum, PrecisionKeyword::HalfPrecision) => {
+            (WallsKeyword::Walls, MomentumKeyword::AccumulatedMomentum, PrecisionKeyword::HalfPrecision) => {
                 &CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION
             }
-            (true, MomentumKeyword::RestrictedMomentum, PrecisionKeyword::Off) => {
+            (WallsKeyword::Walls, MomentumKeyword::RestrictedMomentum, PrecisionKeyword::Off) => {
                 &CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM
             }
-            (true, MomentumKeyword::RestrictedMomentum, PrecisionKeyword::RelaxedPrecision) => {
+            (WallsKeyword::Walls, MomentumKeyword::RestrictedMomentum, PrecisionKeyword::RelaxedPrecision) => {
                 &CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION
             }
-            (true, MomentumKeyword::RestrictedMomentum, PrecisionKeyword::HalfPrecision) => {
+            (WallsKeyword::Walls, MomentumKeyword::RestrictedMomentum, PrecisionKeyword::HalfPrecision) => {
                 &CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION
+            }
+            (WallsKeyword::SolidWalls, MomentumKeyword::Off, PrecisionKeyword::Off) => {
+                &CONSTRAIN_DENSITY_WITH_SOLID_WALLS
+            }
+            (WallsKeyword::SolidWalls, MomentumKeyword::Off, PrecisionKeyword::RelaxedPrecision) => {
+                &CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION
+            }
+            (WallsKeyword::SolidWalls, MomentumKeyword::Off, PrecisionKeyword::HalfPrecision) => {
+                &CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_HALF_PRECISION
+            }
+            (WallsKeyword::SolidWalls, MomentumKeyword::Momentum, PrecisionKeyword::Off) => {
+                &CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM
+            }
+            (WallsKeyword::SolidWalls, MomentumKeyword::Momentum, PrecisionKeyword::RelaxedPrecision) => {
+                &CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION
+            }
+            (WallsKeyword::SolidWalls, MomentumKeyword::Momentum, PrecisionKeyword::HalfPrecision) => {
+                &CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION
+            }
+            (WallsKeyword::SolidWalls, MomentumKeyword::AccumulatedMomentum, PrecisionKeyword::Off) => {
+                &CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM
+            }
+            (WallsKeyword::SolidWalls, MomentumKeyword::AccumulatedMomentum, PrecisionKeyword::RelaxedPrecision) => {
+                &CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION
+            }
+            (WallsKeyword::SolidWalls, MomentumKeyword::AccumulatedMomentum, PrecisionKeyword::HalfPrecision) => {
+                &CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION
+            }
+            (WallsKeyword::SolidWalls, MomentumKeyword::RestrictedMomentum, PrecisionKeyword::Off) => {
+                &CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM
+            }
+            (WallsKeyword::SolidWalls, MomentumKeyword::RestrictedMomentum, PrecisionKeyword::RelaxedPrecision) => {
+                &CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION
+            }
+            (WallsKeyword::SolidWalls, MomentumKeyword::RestrictedMomentum, PrecisionKeyword::HalfPrecision) => {
+                &CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION
             }
         }
     }
@@ -145,6 +187,7 @@ impl Kernel for ConstrainDensity<'_> {
                 ("sorted_positions", self.sorted_positions.as_ref().map(|bound| bound.id)),
                 ("coarse_cells", self.coarse_cells.as_ref().map(|bound| bound.id)),
                 ("coarse", self.coarse.as_ref().map(|bound| bound.id)),
+                ("solid_contacts", self.solid_contacts.as_ref().map(|bound| bound.id)),
             ],
         )
     }
@@ -176,6 +219,18 @@ pub(super) static MODULES: &[&Module] = &[
     &CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM,
     &CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION,
     &CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION,
+    &CONSTRAIN_DENSITY_WITH_SOLID_WALLS,
+    &CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION,
+    &CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_HALF_PRECISION,
+    &CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM,
+    &CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION,
+    &CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION,
+    &CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM,
+    &CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION,
+    &CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION,
+    &CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM,
+    &CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION,
+    &CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION,
 ];
 
 static BINDINGS_0: &[BindingInfo] = &[
@@ -476,6 +531,236 @@ static BINDINGS_11: &[BindingInfo] = &[
     BindingInfo { name: "iteration", slot: 10, kind: BindingKind::Uniform { bytes: 16 } },
 ];
 
+static BINDINGS_12: &[BindingInfo] = &[
+    BindingInfo {
+        name: "quantized_positions",
+        slot: 0,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 },
+    },
+    BindingInfo {
+        name: "sorted_positions",
+        slot: 1,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+    },
+    BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo { name: "list_heads", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo {
+        name: "solid_contacts",
+        slot: 4,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 48 },
+    },
+    BindingInfo {
+        name: "position_lambdas",
+        slot: 5,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
+    },
+    BindingInfo { name: "step_state", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 7, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 8, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "pbf", slot: 9, kind: BindingKind::Uniform { bytes: 32 } },
+];
+
+static BINDINGS_13: &[BindingInfo] = &[
+    BindingInfo {
+        name: "quantized_positions",
+        slot: 0,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 },
+    },
+    BindingInfo {
+        name: "sorted_positions",
+        slot: 1,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+    },
+    BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo { name: "list_heads", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo {
+        name: "solid_contacts",
+        slot: 4,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 48 },
+    },
+    BindingInfo {
+        name: "packed_position_lambdas",
+        slot: 5,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
+    },
+    BindingInfo { name: "step_state", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 7, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 8, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "pbf", slot: 9, kind: BindingKind::Uniform { bytes: 32 } },
+];
+
+static BINDINGS_14: &[BindingInfo] = &[
+    BindingInfo {
+        name: "quantized_positions",
+        slot: 0,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 },
+    },
+    BindingInfo {
+        name: "sorted_positions",
+        slot: 1,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+    },
+    BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo { name: "list_heads", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo {
+        name: "solid_contacts",
+        slot: 4,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 48 },
+    },
+    BindingInfo {
+        name: "position_lambdas",
+        slot: 5,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
+    },
+    BindingInfo { name: "step_state", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 7, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 8, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "pbf", slot: 9, kind: BindingKind::Uniform { bytes: 32 } },
+    BindingInfo { name: "iteration", slot: 10, kind: BindingKind::Uniform { bytes: 16 } },
+];
+
+static BINDINGS_15: &[BindingInfo] = &[
+    BindingInfo {
+        name: "quantized_positions",
+        slot: 0,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 },
+    },
+    BindingInfo {
+        name: "sorted_positions",
+        slot: 1,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+    },
+    BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo { name: "list_heads", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo {
+        name: "solid_contacts",
+        slot: 4,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 48 },
+    },
+    BindingInfo {
+        name: "packed_position_lambdas",
+        slot: 5,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
+    },
+    BindingInfo { name: "step_state", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 7, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 8, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "pbf", slot: 9, kind: BindingKind::Uniform { bytes: 32 } },
+    BindingInfo { name: "iteration", slot: 10, kind: BindingKind::Uniform { bytes: 16 } },
+];
+
+static BINDINGS_16: &[BindingInfo] = &[
+    BindingInfo {
+        name: "quantized_positions",
+        slot: 0,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 },
+    },
+    BindingInfo {
+        name: "sorted_positions",
+        slot: 1,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+    },
+    BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo { name: "list_heads", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo {
+        name: "solid_contacts",
+        slot: 4,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 48 },
+    },
+    BindingInfo {
+        name: "packed_position_lambdas",
+        slot: 5,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
+    },
+    BindingInfo {
+        name: "lambda_totals",
+        slot: 6,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 },
+    },
+    BindingInfo { name: "step_state", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 8, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 9, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "pbf", slot: 10, kind: BindingKind::Uniform { bytes: 32 } },
+    BindingInfo { name: "iteration", slot: 11, kind: BindingKind::Uniform { bytes: 16 } },
+];
+
+static BINDINGS_17: &[BindingInfo] = &[
+    BindingInfo {
+        name: "quantized_positions",
+        slot: 0,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 },
+    },
+    BindingInfo {
+        name: "sorted_positions",
+        slot: 1,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+    },
+    BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo { name: "list_heads", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo {
+        name: "solid_contacts",
+        slot: 4,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 48 },
+    },
+    BindingInfo {
+        name: "position_lambdas",
+        slot: 5,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
+    },
+    BindingInfo {
+        name: "coarse_cells",
+        slot: 6,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
+    },
+    BindingInfo { name: "step_state", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 8, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 9, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "pbf", slot: 10, kind: BindingKind::Uniform { bytes: 32 } },
+    BindingInfo { name: "iteration", slot: 11, kind: BindingKind::Uniform { bytes: 16 } },
+    BindingInfo { name: "coarse", slot: 12, kind: BindingKind::Uniform { bytes: 80 } },
+];
+
+static BINDINGS_18: &[BindingInfo] = &[
+    BindingInfo {
+        name: "quantized_positions",
+        slot: 0,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 },
+    },
+    BindingInfo {
+        name: "sorted_positions",
+        slot: 1,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+    },
+    BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo { name: "list_heads", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo {
+        name: "solid_contacts",
+        slot: 4,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 48 },
+    },
+    BindingInfo {
+        name: "packed_position_lambdas",
+        slot: 5,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
+    },
+    BindingInfo {
+        name: "lambda_totals",
+        slot: 6,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 },
+    },
+    BindingInfo {
+        name: "coarse_cells",
+        slot: 7,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
+    },
+    BindingInfo { name: "step_state", slot: 8, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 9, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 10, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "pbf", slot: 11, kind: BindingKind::Uniform { bytes: 32 } },
+    BindingInfo { name: "iteration", slot: 12, kind: BindingKind::Uniform { bytes: 16 } },
+    BindingInfo { name: "coarse", slot: 13, kind: BindingKind::Uniform { bytes: 80 } },
+];
+
 static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/solver_pbf_constrain_density.deflate"));
 
 static CONSTRAIN_DENSITY: Module = Module {
@@ -488,7 +773,7 @@ static CONSTRAIN_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "65f3c8e420aeca75aabdcfc92b6acfa48c81f71b7787752265f9ebbc57b79c30",
+    hash: "2492528dacf7f9ff0a9027777d7acf645c8c1b24de75a7b80456d9cd3ec791a8",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -501,7 +786,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "ff82d630246146b3e724d9f13ddb4b26afd622880e7396b3c234b188e1e870f1",
+    hash: "ac06b0ba5311ad2bfa201e877c63c14deff15720c70a93130033aa948e9eff1a",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -514,7 +799,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "3f5f239d2805d88634759b346e57d4c2ed6baabadd99ad3e7eacb915ba3a3ff5",
+    hash: "bda21deeac4b88bf381d0ea42740d17163eb1ea38df44fad5b46e148ca3f8c5f",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
@@ -527,7 +812,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "0eee35b9b1e3db957f692125fffff7c3556443dfb78cd96dabc34a0bf0f94e7e",
+    hash: "a5fda4d3df3277d3b89d2898dc77910e112fa9f65a4e2c6e62f3481aa7dfacca",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -540,7 +825,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "3f964754eaa6fced4dd3fec54b427a0679e881462906feffb93460429158be2d",
+    hash: "2d415b03d33a3e0177b3832eb9ad43ef87e68247d052ece775ca86be9579bffb",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -553,7 +838,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "53312c189071d678779387e6e91be6b29f15cbde0e70c667e9332f4a6b2f1a67",
+    hash: "d20c4ae0c0ebc9fca3607b96a307fcab082e2dfd7c50e6bb6ddece8d5aad5afd",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -566,7 +851,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "e85e98d39bdd5b08471eb49221710f4e81a65a8b167d47910dd74570d9beb2b6",
+    hash: "cd2123d2467ec4c6e72c5a28315708428159a0529154bc8c46fd7f3f94078d51",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -579,7 +864,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "240f9b755e9fdf8fb405be8f375ff870d4b00b5f6b4d3bf4cc60eabcd77e4f26",
+    hash: "0f76ac41c857471b86bf123c4f8dc3ed15513511e69fa29cd30c93feff9bbf53",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -592,7 +877,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "03eaad7703178f033c86335cb321bc3972e1a446f18af766c6e4bfa60ddc9003",
+    hash: "309b583634654f7cbd4a4c586ec7434bb21288f6cbd04a93742a6ea9fa935d77",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -605,7 +890,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "835ac1008e67ef7285a403a7ccc039c2764af03f4e4a0e4b336311521b2bbba8",
+    hash: "6145b3661d172032e707b09549be18bf723a099dabfa64bf699180130b88bcf1",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -618,7 +903,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "1e41b955e7623868dbde4492b73b482ff2d299e79e5d645c0a99aba305a9a5c1",
+    hash: "96cbffd39d83762914635e2fb7da5b116e10a8c6a60a4be0d88eb386efa81134",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -631,7 +916,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "cd028478192713a84d31a7d0e462992d2418fc6bc962b486120e138aa818e3e4",
+    hash: "f4b842c99665cdd1f30b9283c3e5b8a1613d750954e504987ab49f19539e438a",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
@@ -644,7 +929,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "45e048fea41ed5225dac6b59ca689a75504fa177a525d2adbb2d2adb4beddeec",
+    hash: "d169a4fc858a2a19a3991e1bbd02c22b12c8e1d4251a43fbfa5f07b3fa5cd34c",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -657,7 +942,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "c9a62063144750d8b1717720f81f083ab0f139cd02a6b0dc5f6ba96a1c7494bf",
+    hash: "de19441232d4b82e6a9096f57253c0fc2cbb16fd8094d2d3e8862e1c6bc52f87",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -670,7 +955,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "0d0ccf3ba657d0db7f1e6547e9cb6fd3cf6a4814c81e5c057ae459fddb630653",
+    hash: "8113e2db41e8d8e6d5c3e6f6fd48684b66e8aca374c8484c682071a917ad8fa6",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
@@ -683,7 +968,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "1c515c668ae2d8a07a887f193270c38a5f1a9a9405bfcdab52d630567b585c90",
+    hash: "6fc6f7cbe669e02f3747fe1c881300f490d8158129752eb2f5e7a0b550c79804",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -696,7 +981,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "28cf7ea05578d3ac56a8e75e778a92cc9de5612bf67ae76e6b4dda2543a885a0",
+    hash: "f7474a389bde3ea48a58776e8c3d78839840018d13a0ad4a76c7a57c47d40ab8",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -709,7 +994,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "dd968a013ae0b3c18a89824d8a94ffb90b7f03659f09b7f60a6fbbc1e65c3579",
+    hash: "9fe4cddad77f1292a4853739bf167da01d0c7580f3478d2e3c1825e66c99c4b1",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -722,7 +1007,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "8b892987eb7e9c2d1b68e12c38eca2c45dc483b497df87e5a2e1a448d6201eaf",
+    hash: "f4711f6a3afa026144cb159eec3c784610e5317499d1615fb119b476c2d7d4d6",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -735,7 +1020,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECI
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "116770634bd5443d870696790a625bf87473775dd6d5bbfe6b266b5b0eccaebd",
+    hash: "18650b00869b2ea113d22968d9fc4129ca310bb52dfac94e974c0ed97c4f7570",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -748,7 +1033,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISIO
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "06e80748cee203293f9301cf8b60d45529c1b6f681e0a5373c86fde3b59553ec",
+    hash: "da2c07c7ee6af10e68dc5e9e9f58a01a32df731b2be61199225ee71992dac0c8",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -761,7 +1046,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "cd7dcd2c223088c1148dce0bc0db66a3a8ba63e6a33ab9ae1e814eaeb8ef81cd",
+    hash: "4c3091337e1e8b77813b10b76a9078f31fe777d8b96ef75a9f3c01014005fb89",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -774,7 +1059,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECIS
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "76981ab507b68a7908d6e0e604fba716f04da3dc180a42feeb8a084d2982493d",
+    hash: "680b20f6b1bd8a4698444fc47ab3730937f23037c3f2a32b348ab7d28429f201",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -787,5 +1072,161 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "cbc21317fd6bb4648400fd183ded831579f6d9d9e0b468dac86505ccc7d50fa9",
+    hash: "123eb1dbfe2d0e306df91dbdbdc30094cd398ba8ebad72b9f08d12b6eecc8241",
+};
+
+static CONSTRAIN_DENSITY_WITH_SOLID_WALLS: Module = Module {
+    name: "ConstrainDensity+SOLID_WALLS",
+    entry: "ConstrainDensity",
+    stage: StageKind::Compute,
+    spirv: Spirv::Packed { pack: PACK, first: 291696, bytes: 14308 },
+    bindings: BINDINGS_12,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/pbf/constrain_density.compute",
+    hash: "cb64b50d3bd76085a47758cc63f5f9372522dfe565794b1ded9e870d23525eff",
+};
+
+static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
+    name: "ConstrainDensity+SOLID_WALLS+RELAXED_PRECISION",
+    entry: "ConstrainDensity",
+    stage: StageKind::Compute,
+    spirv: Spirv::Packed { pack: PACK, first: 306004, bytes: 13804 },
+    bindings: BINDINGS_13,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/pbf/constrain_density.compute",
+    hash: "f6b8f373d31fc5bff34fafd99517e5a4ba3fbb760c3db54e7ec8afcc0564b172",
+};
+
+static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
+    name: "ConstrainDensity+SOLID_WALLS+HALF_PRECISION",
+    entry: "ConstrainDensity",
+    stage: StageKind::Compute,
+    spirv: Spirv::Packed { pack: PACK, first: 319808, bytes: 13788 },
+    bindings: BINDINGS_13,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Desktop,
+    source: "solver/pbf/constrain_density.compute",
+    hash: "486ebd5dc4559eb49ec30ddbb0156f799a6258de8414a100c75d00a5cd5470fa",
+};
+
+static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM: Module = Module {
+    name: "ConstrainDensity+SOLID_WALLS+MOMENTUM",
+    entry: "ConstrainDensity",
+    stage: StageKind::Compute,
+    spirv: Spirv::Packed { pack: PACK, first: 333596, bytes: 15232 },
+    bindings: BINDINGS_14,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/pbf/constrain_density.compute",
+    hash: "a8e80573afc0c266a2bdb693b7f687392fc2b8b01ed74496ee897f9f918d69c7",
+};
+
+static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
+    name: "ConstrainDensity+SOLID_WALLS+MOMENTUM+RELAXED_PRECISION",
+    entry: "ConstrainDensity",
+    stage: StageKind::Compute,
+    spirv: Spirv::Packed { pack: PACK, first: 348828, bytes: 14808 },
+    bindings: BINDINGS_15,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/pbf/constrain_density.compute",
+    hash: "8731b7d43ded907b71fdb4202582ca9d479fa7970131921451ba4a44d2fa315b",
+};
+
+static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
+    name: "ConstrainDensity+SOLID_WALLS+MOMENTUM+HALF_PRECISION",
+    entry: "ConstrainDensity",
+    stage: StageKind::Compute,
+    spirv: Spirv::Packed { pack: PACK, first: 363636, bytes: 14792 },
+    bindings: BINDINGS_15,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Desktop,
+    source: "solver/pbf/constrain_density.compute",
+    hash: "57ceaf90c1622d4a152b8f687efa2f75462378b1fe0b6eaa24a24600a29898e7",
+};
+
+static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
+    name: "ConstrainDensity+SOLID_WALLS+ACCUMULATED_MOMENTUM",
+    entry: "ConstrainDensity",
+    stage: StageKind::Compute,
+    spirv: Spirv::Packed { pack: PACK, first: 378428, bytes: 15348 },
+    bindings: BINDINGS_14,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/pbf/constrain_density.compute",
+    hash: "308302496845ef3fe15bce10892b7c03258bdd35ad638c737da58b03f2d0e9bf",
+};
+
+static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
+    name: "ConstrainDensity+SOLID_WALLS+ACCUMULATED_MOMENTUM+RELAXED_PRECISION",
+    entry: "ConstrainDensity",
+    stage: StageKind::Compute,
+    spirv: Spirv::Packed { pack: PACK, first: 393776, bytes: 15156 },
+    bindings: BINDINGS_16,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/pbf/constrain_density.compute",
+    hash: "cc869bb32ff155b91e385c9b8e0a7ece884a05e326fd618c2d9419603d5eb28d",
+};
+
+static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
+    name: "ConstrainDensity+SOLID_WALLS+ACCUMULATED_MOMENTUM+HALF_PRECISION",
+    entry: "ConstrainDensity",
+    stage: StageKind::Compute,
+    spirv: Spirv::Packed { pack: PACK, first: 408932, bytes: 15140 },
+    bindings: BINDINGS_16,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Desktop,
+    source: "solver/pbf/constrain_density.compute",
+    hash: "9dcec54f54df2c5b4666c18c74483491bfcd631e6fd18e60250e09ab81888360",
+};
+
+static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
+    name: "ConstrainDensity+SOLID_WALLS+RESTRICTED_MOMENTUM",
+    entry: "ConstrainDensity",
+    stage: StageKind::Compute,
+    spirv: Spirv::Packed { pack: PACK, first: 424072, bytes: 17904 },
+    bindings: BINDINGS_17,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/pbf/constrain_density.compute",
+    hash: "58dbd742de01b985f99509c114acef81c864d7bd4904862e532e91f8772ff123",
+};
+
+static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
+    name: "ConstrainDensity+SOLID_WALLS+RESTRICTED_MOMENTUM+RELAXED_PRECISION",
+    entry: "ConstrainDensity",
+    stage: StageKind::Compute,
+    spirv: Spirv::Packed { pack: PACK, first: 441976, bytes: 17696 },
+    bindings: BINDINGS_18,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/pbf/constrain_density.compute",
+    hash: "cde50f900ea9775435a3833ccb3958ecc278a4cfd27f9e29aa58cbd34de67359",
+};
+
+static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
+    name: "ConstrainDensity+SOLID_WALLS+RESTRICTED_MOMENTUM+HALF_PRECISION",
+    entry: "ConstrainDensity",
+    stage: StageKind::Compute,
+    spirv: Spirv::Packed { pack: PACK, first: 459672, bytes: 17680 },
+    bindings: BINDINGS_18,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Desktop,
+    source: "solver/pbf/constrain_density.compute",
+    hash: "a1e216c994603d3330af1d2b046b3d63f85829a4a085916ab8bac3fb1a7273c8",
 };

@@ -264,7 +264,7 @@ static ACCELERATE: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "79322c7ae7c9f6d7c79ef31affce2eb460cf55585c4cff6d0856e93fe1a60b16",
+    hash: "1c5295e0b18162ea42e23feed07423767176ed30435d88bba600c376266c3659",
 };
 
 static ACCELERATE_WITH_RELAXED_PRECISION: Module = Module {
@@ -277,7 +277,7 @@ static ACCELERATE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "03f9b3133c93149bf1f4d75e7820bfd5f638e96c9e55dfb00dd97b9db8dec485",
+    hash: "f6b6aa1cf0b5c24ed8ba3e43ac086ea084a01ad27ec155133ab41b03e0345d59",
 };
 
 static ACCELERATE_WITH_HALF_PRECISION: Module = Module {
@@ -290,7 +290,7 @@ static ACCELERATE_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "3d82c1e41ba55149a8f474e109c81c9a88821f0273495370bd82e639367b2446",
+    hash: "0db1859a37e79211bfea902934a454dea4b176fd71787fcb6b4f381745ec29e6",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION: Module = Module {
@@ -303,7 +303,7 @@ static ACCELERATE_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "e2a9a91d2eec3c7f9edbad1657e3074ccf3b1cffb6e2db8cb6a3e482100bae83",
+    hash: "372faf8eefbc5211706fd2ea733f18b4b55f753c3cff235b9ce4afcd2e651c6f",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -316,7 +316,7 @@ static ACCELERATE_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "e345c935484c95b25ac66c7dbd533cba9533c9a5bb3bcac537d5de366b4eb8e9",
+    hash: "9d94a1633f180023604ed5a1536468d4af8a238bef660e0169f407c460090775",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -329,7 +329,7 @@ static ACCELERATE_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "a20f4bc226a45f976e24e6c949e63033c55dd19c1746936d38377225c7edd12f",
+    hash: "23d61691db38e6989561438e77011824f6b9ea9c8f3fa074950fd7250cdffe40",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS: Module = Module {
@@ -342,7 +342,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "a1a9413e65f4da7e3879e36e372ef0772c82c3e97b8bf59b7f8f6e2c559bcc19",
+    hash: "62f142c9f536c7189aa56b6e344ebb6be5e5c9081c41d9510739a6d5c96898cc",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -355,7 +355,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "646c156798e84939cf577f603d1c1d44061d710dbb83c7e1ae2b2c604f19e58c",
+    hash: "315e86a4fea331481eb749dbcbc7d5f9be285f44a18a6905b72e172c7361b6e1",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -368,7 +368,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "73483ff3b42b9bce506a90d2b29f8a65f18f46b00077bf3476177e18683124ea",
+    hash: "66aa08183af29eb3d5679f1ecb475177140ff129e10a049c828506ae11379ff5",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -381,7 +381,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "3ed5b127af6c130ff61dc75bcc7e3633ea3755154295484ae115525f369b3cf5",
+    hash: "8d9759284251acf06a298f9d8f1513fabb65fd43627235fccba3cda80e713282",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -394,7 +394,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISIO
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "cd90b86a63a9bfb8a37acb18645d5f0776be5d1ad910101b63b1ce0ed2e17160",
+    hash: "060109335ed96a942fc89f4839a61cd741e8f3016989b738c102de9af14ef3ed",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -407,7 +407,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: 
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "fca1abb78118e6ac4c7bc167138128d717bf9ca1f0bfa7035b479472fd11a0dc",
+    hash: "52a23148a683240c2fe33dcaf660aa36f7d6f7f87930229b6f0004ef9c86f226",
 };
 
 static ACCELERATE_WITH_WALLS: Module = Module {
@@ -420,7 +420,7 @@ static ACCELERATE_WITH_WALLS: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "45bb3f557ede89275d48cda1865a5c9520a4dd031e523873ee10dc07ee27a6d8",
+    hash: "bfbddccdee4eba8fbc126d05dc1f15bfccb470f21ff3e0c1993a2fefffa72855",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -433,7 +433,7 @@ static ACCELERATE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "f3e3871d1a98494a52ae482e0f48e712093ee23325b103ea9f6a22ee5e177d37",
+    hash: "ea9e6f344b71427d11de240b1ad22af68f2af4f27da28f4cfe13f30912edd755",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -446,7 +446,7 @@ static ACCELERATE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "0990b6cb70925da091776b388eb580b9060cefb7a2e406ba5167bdb5e4b38121",
+    hash: "14e97ec15d1f22c5a9aacb6ddd1e35b9655890d2a9d1f068de20dcf0bcae9d95",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
@@ -459,7 +459,7 @@ static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "38de51c88048c8074308b3d39e53029317b93305c9421f65cdb1358548cdf6d0",
+    hash: "ca921c4482961109869a1a5924a62f33f04404f3c1b8a1b2037ed725cccf87a9",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -472,7 +472,7 @@ static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "a8724e93d7c2738668f05b9fd0a947c1f38ab4740de053e35c2cc9028913e1a1",
+    hash: "3d6438c13d3e8b2f2dfcb21c0d82409afb201329a63404aba15687ae83634628",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -485,7 +485,7 @@ static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = 
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "267b67853660a4cd69d33a8c6765ee150c62ad8bf4e082f25e779676031e38e2",
+    hash: "82ff2bc4f875a5574e5b703575b7d05a44958e69dd9c823bad39d429e3bea8d9",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
@@ -498,7 +498,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "e80e0ecb1353e38467afd5bc1b47b21f0a0a21e34c6108e75884452a44e8148e",
+    hash: "7f551d97b882a136157f8b08e50b438e88d917f12933da3fb09808b69d6cebf0",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -511,7 +511,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module 
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "de3438ef6ef641f58f62e5cb5d82ed2d74aa98868bdc3994c22261cb4a52b548",
+    hash: "5c42a97b160772384573d13d4ff163b75579956b2d1f1947852011c3306174ad",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -524,7 +524,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = M
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "cc9835b9e8db80b80d38c51b099c7e3028f1504ef225293c7fc97fd5d96fd63d",
+    hash: "f416113051dc5c024f341c4a51ff91223e77caec96ccd88cf68f4a51c980a21b",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -537,7 +537,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = 
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "4a71798694909fe9ab75a2239d10d8ed0e56aaac9cb4c2016293393a148896b4",
+    hash: "3b04d02dd3b35dc757b92cf29f92dfe6d213604c3e3fe455b2ae1898c97101a3",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -550,7 +550,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAX
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "9869fc19582e69286081e89de12b3aaee9c71c54a0c001666f5e574a0f44dd57",
+    hash: "52b91479c2b842d2cddbe23c07e129239a9b82a0e27c6d132eee0bfc8c4f6bc1",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -563,5 +563,5 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "83bc646a808cd0a68b3845b7f8593217235d1a3491f06c99f11895360c7aaad1",
+    hash: "321199c558ed72c9135f389487170f173c46549eed36a54509c2b7d799abe702",
 };

@@ -341,7 +341,7 @@ static COMPUTE_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "69fec3e9e63873f21c0f15d7488394b292fc2b45c17b767ad7a948775dbeb38b",
+    hash: "75c3679c869c3f00ef78788541467d6955629112ce5793e78b4c57457eb7915a",
 };
 
 static COMPUTE_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -354,7 +354,7 @@ static COMPUTE_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "69451fa2619e87ef7c2ea5d23c2adf2ae8f08d8b20db241d9403020623796013",
+    hash: "6f55fb3ae41098be4dd43a713993b6ffe9232bbf354d30e306b534e8f4c1d3ba",
 };
 
 static COMPUTE_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -367,7 +367,7 @@ static COMPUTE_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "eaa14b772e55442c14ace07c3a9b6642f86bbe71c150ef44597346aa3f726ce1",
+    hash: "c9bbc518b5fff94dd03ae3da3a19eec804e9090c37959118dd095ef997182905",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION: Module = Module {
@@ -380,7 +380,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "0edc31a2555488ae08ef1acb1b59bfbcc5655150732dcd5d06575921a4deeb00",
+    hash: "709d89a03ade6d24e775634e52ffca21e51c2e23428f628c0176f40a2f149fc6",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -393,7 +393,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Mod
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "ba5c7536df9cc7b3c81c9ae8de7aaefe3ffeb38d891757f0e85d9fd1692821a8",
+    hash: "d4fc9d0ceef00f90e6ab2398d6444af389c363bcafcbfaf8fe7b7c55f32ad312",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -406,7 +406,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "d408e6cf8a3059148a022c5a72cbd7312cdf0b4370e6be50086f1d40cb05050d",
+    hash: "c8791537e413648dc5345e77e567f65329053f7147f225d234217c7caf80183e",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS: Module = Module {
@@ -419,7 +419,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "fe7a5af8ab3fb7dc2b9aa94fba580da9c61981ca416ace6d5b106efe6d77d4c2",
+    hash: "06b3c12b347c1c1a8ae11b89894a6bcab2b6e59901cf3d09599da1d8cec443f1",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -432,7 +432,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Modu
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "23fd8d5ffff72170c6ff92c85807f2af3cdb6dadbf12cd135ad6052318fb5248",
+    hash: "69c42292fbf0d268f89f8fb051b5ae4f7179f5685b456c2521f08eabb70bef89",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -445,7 +445,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "1ebcec1b3477879d04115a32e930e809a65598e5d8941116733c1aa034caecc1",
+    hash: "556b2bd40369e05d55f5a5808562167142d11346ca890ef7aea50db09083de3d",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -458,7 +458,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "188b82369594d78af3154664394a0c5ed8f0e844438c63cc7705cbffcd1a1e11",
+    hash: "05e0ee23915ff8b201703593610a85054f7a6485b4f16f218a3cfeeada988afd",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -471,7 +471,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRE
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "83061279d526935dbc39034d705fccc2569de6d6655f5079cd4cb326b556bf8d",
+    hash: "6fb1f2c73f82ba8eefbf3e3063993317db897519b302840ce3a64768deee4e8f",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -484,7 +484,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECIS
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "c544d980ecc231e84a4a4690fce6fcb60d799afcd073eeb80e2f0881500b5bc2",
+    hash: "ccdfaac8f8f6ff10581665a50157e85abfa5bd24818fab289880a93061684883",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS: Module = Module {
@@ -497,7 +497,7 @@ static COMPUTE_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "ca409ccbf09965559343353d2539815f2aad9d257d4eeab99ad92c1b190df3c5",
+    hash: "d429aaee4d599778dc47dadced2abe415998ab8cf14352ad88d3508e893cfc83",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -510,7 +510,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "01b3de69d6a61e52741f15a430660d6ac15bb8933c068651f121302c7b0024be",
+    hash: "56bfc35314ba09ee06d453fbcba90ef7faa161af99853ea9c824c08bb637b1c8",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -523,7 +523,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "b3e75a679f57357bc87204244f7a5f065daedfbefdf30bedde5cf608a165cc0e",
+    hash: "a72e5bbb98beead0c6f1c44871320ede00d5f1c83db71844222ba6f493d26684",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
@@ -536,7 +536,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "b86bc599b1c9219fc6f4a22525c4acff9f13fd9e032de328b01c67fcffd126b1",
+    hash: "60f4b27e8e3d7345ad7de153f41bec20df84591ed255a8071c3b6436e01954c2",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -549,7 +549,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: M
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "58878796968cb39f9f553f0162c88805624a1f12a29fd1f8c9ab057960b2aab5",
+    hash: "53403b387f49eef3db132be1c701b2b2f0e86152edb450376287aa8e0366bba2",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -562,7 +562,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Modu
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "899c4c4695a3df8a58d94b6c66b319c4437df2da978d3e8e2e098fd7fe1045a9",
+    hash: "9117e02835072e3f0b560fd3bead4b5388e1513fc79fd6b2045f18dc71e4a1a2",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
@@ -575,7 +575,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "c3c416be367ebe433de6321b5cba006f834065ecb6aa6ec3e8831687ff3993e5",
+    hash: "9867b02604d6d05d55f83a018a4f09c54ada6890194170a4c5a38c4d934300d7",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -588,7 +588,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Mo
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "fcfb8c19539202b44504b5923155bf799714488bbace111004143c9758546f6b",
+    hash: "ba77bbf7b031f9dc98de11f7316cab5675cdbc97db6240c88edb45208f54a7aa",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -601,7 +601,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "58ad78e29824da66c03c02bca60095cb1e44036109d3093e9b184a0b65c5bb36",
+    hash: "eba7f137aa9a03b8ffd8f490e592ccda13e40bf3e192dc126aee0d6aca160fac",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -614,7 +614,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Modu
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "5f6fb979950e3e36f69a5ee73322226813e3c2f7a790283074732d2fcd259af1",
+    hash: "dcffcc0f741b2ce23d9213b44a72a315c80752317d50f10769b18c34039ea095",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -627,7 +627,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "a282545c870f050d6a6e79c52add57492675330270778b876cfb3f372a57e4ab",
+    hash: "31df28388442276951e0fd608c9aa59ea89928711eebbda9430dd8b3401d5511",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -640,5 +640,5 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "779570fdc1fd892c3364d25d37b794221ea77b413bb81d42d51ebf91103eae08",
+    hash: "ddfb978871c62660a5b4c0c68ab9d8163083c92dd4b3b2b5ebcc811109032ca5",
 };

@@ -51,5 +51,6 @@ impl NonInteracting {
                 none: self.params.uniform(),
             },
         );
+        context.with_solids(|solids, context| solids.record_collide(recording, context, particles));
     }
 }
