@@ -212,6 +212,18 @@ macro_rules! for_each_known_answer {
                 activate_particles_and_claim_slots_match_their_twins: ["activate_particles", "claim_slots"],
                 deactivate_particles_matches_its_twin: ["deactivate_particles"],
             }
+            solid_contacts {
+                densities_near_solids_match_their_twin: ["density_ratios", "measure_particles"],
+                constraints_near_solids_match_their_twin: ["constrain_density"],
+                corrections_near_solids_match_their_twin: ["correct_positions"],
+            }
+            solids {
+                move_solids_matches_its_twin: ["move_solids"],
+                mark_solids_is_exact: ["mark_solids"],
+                collide_solids_matches_its_twin: ["collide_solids"],
+                confine_displacements_matches_its_twin: ["confine_displacements"],
+                sample_solids_matches_its_twin: ["sample_solids"],
+            }
             solver {
                 correct_positions_matches_its_twin: ["correct_positions"],
                 corrections_hold_the_whole_displacement_below_the_support: ["correct_positions"],

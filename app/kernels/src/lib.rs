@@ -17,10 +17,3 @@ pub use resource::{Buf, BufMut, Buffer, Format, ResourceId, Tex, TexMut, Texture
 pub use spirv::Spirv;
 
 pub use generated::*;
-
-/// Of a domain with or without walls, and without solids.
-impl From<bool> for WallsKeyword {
-    fn from(walls: bool) -> Self {
-        if walls { Self::Walls } else { Self::Off }
-    }
-}

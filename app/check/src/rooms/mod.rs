@@ -30,6 +30,8 @@ pub(crate) mod runs;
 pub(crate) mod sample;
 pub(crate) mod scan;
 pub(crate) mod slots;
+pub(crate) mod solid_contacts;
+pub(crate) mod solids;
 pub(crate) mod solver;
 pub(crate) mod sph;
 pub(crate) mod sph_step;
