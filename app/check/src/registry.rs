@@ -217,6 +217,10 @@ macro_rules! for_each_known_answer {
                 constraints_near_solids_match_their_twin: ["constrain_density"],
                 corrections_near_solids_match_their_twin: ["correct_positions"],
             }
+            solid_forces {
+                add_solid_density_matches_its_twin: ["add_solid_density"],
+                add_solid_acceleration_matches_its_twin: ["add_solid_acceleration"],
+            }
             solids {
                 move_solids_matches_its_twin: ["move_solids"],
                 mark_solids_is_exact: ["mark_solids"],

@@ -31,6 +31,7 @@ pub(crate) mod sample;
 pub(crate) mod scan;
 pub(crate) mod slots;
 pub(crate) mod solid_contacts;
+pub(crate) mod solid_forces;
 pub(crate) mod solids;
 pub(crate) mod solver;
 pub(crate) mod sph;

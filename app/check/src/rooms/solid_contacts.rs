@@ -27,9 +27,9 @@ fn kernel() -> SmoothingKernelParams {
 }
 
 /// Pairs of particles, far from all others, with a contact each; some are near walls.
-struct Pairs {
-    case: Case,
-    contacts: Vec<SolidContact>,
+pub(super) struct Pairs {
+    pub(super) case: Case,
+    pub(super) contacts: Vec<SolidContact>,
 }
 
 fn direction(rng: &mut impl Rng) -> DVec3 {
@@ -37,7 +37,7 @@ fn direction(rng: &mut impl Rng) -> DVec3 {
     DVec3::new(one(), one(), one() + 1.5).normalize()
 }
 
-fn pairs(rng: &mut impl Rng, count: usize) -> Pairs {
+pub(super) fn pairs(rng: &mut impl Rng, count: usize) -> Pairs {
     let apart_m = 3.0 * SUPPORT_M;
     let mut positions = Vec::new();
     for i in 0..count {
@@ -67,16 +67,19 @@ fn pairs(rng: &mut impl Rng, count: usize) -> Pairs {
     Pairs { case: Case { positions, velocities, neighbours, size_m: DVec3::new(8.0, 8.0, 17.0) * apart_m }, contacts }
 }
 
+/// What a contact's half-space is to a particle at a place.
+pub(super) fn plane_sample(contact: &SolidContact, at_m: DVec3, kernel: &SmoothingKernelParams) -> SolidSample {
+    let (plane, wall_plane) = (BeyondPlane::of(kernel), f64::from(kernel.wall_plane));
+    sample_solids_near(vector(contact.normal), contact.offset_m.into(), at_m, SUPPORT_M, &plane, wall_plane)
+}
+
 impl Pairs {
-    fn step(&self) -> StepParams {
+    pub(super) fn step(&self) -> StepParams {
         StepParams { wall_offset_m: -1.0, ..self.case.step_params() }
     }
 
     fn sample(&self, i: usize, at_m: DVec3) -> SolidSample {
-        let contact = &self.contacts[i];
-        let plane = BeyondPlane::of(&kernel());
-        let wall_plane = f64::from(kernel().wall_plane);
-        sample_solids_near(vector(contact.normal), contact.offset_m.into(), at_m, SUPPORT_M, &plane, wall_plane)
+        plane_sample(&self.contacts[i], at_m, &kernel())
     }
 
     /// Density ratio and boundary gradient of a particle at its place.

@@ -64,6 +64,8 @@ mod solver_pbf_relax_multiplier;
 mod solver_pbf_start_warm;
 mod solver_pbf_update_velocity;
 mod solver_sph_accelerate;
+mod solver_sph_add_solid_acceleration;
+mod solver_sph_add_solid_density;
 mod solver_sph_choose_time_step;
 mod solver_sph_compute_density;
 mod solver_sph_layout;
@@ -173,6 +175,8 @@ pub use solver_pbf_relax_multiplier::*;
 pub use solver_pbf_start_warm::*;
 pub use solver_pbf_update_velocity::*;
 pub use solver_sph_accelerate::*;
+pub use solver_sph_add_solid_acceleration::*;
+pub use solver_sph_add_solid_density::*;
 pub use solver_sph_choose_time_step::*;
 pub use solver_sph_compute_density::*;
 pub use solver_sph_layout::*;
@@ -277,6 +281,8 @@ pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
         solver_pbf_start_warm::MODULES,
         solver_pbf_update_velocity::MODULES,
         solver_sph_accelerate::MODULES,
+        solver_sph_add_solid_acceleration::MODULES,
+        solver_sph_add_solid_density::MODULES,
         solver_sph_choose_time_step::MODULES,
         solver_sph_compute_density::MODULES,
         surface_anisotropy::MODULES,

@@ -258,310 +258,310 @@ static ACCELERATE: Module = Module {
     name: "Accelerate",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 15804 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 15808 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "1c5295e0b18162ea42e23feed07423767176ed30435d88bba600c376266c3659",
+    hash: "9bbcc6f1a86471fa447b16e57b884f7e6d7a3825b44d5c0bcc86c6e1a906cd2c",
 };
 
 static ACCELERATE_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 15804, bytes: 15168 },
+    spirv: Spirv::Packed { pack: PACK, first: 15808, bytes: 15172 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "f6b6aa1cf0b5c24ed8ba3e43ac086ea084a01ad27ec155133ab41b03e0345d59",
+    hash: "0d51774fd5f09cd32cff7a3f324c120b248c198d416e8aff6a42a0d815a14aa6",
 };
 
 static ACCELERATE_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 30972, bytes: 15248 },
+    spirv: Spirv::Packed { pack: PACK, first: 30980, bytes: 15252 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "0db1859a37e79211bfea902934a454dea4b176fd71787fcb6b4f381745ec29e6",
+    hash: "ab5a13d6a11c5ccc4a51e818cda7d961167b37a75f1437864155acadbd3e27e8",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION: Module = Module {
     name: "Accelerate+SURFACE_TENSION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 46220, bytes: 17984 },
+    spirv: Spirv::Packed { pack: PACK, first: 46232, bytes: 17988 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "372faf8eefbc5211706fd2ea733f18b4b55f753c3cff235b9ce4afcd2e651c6f",
+    hash: "dd70eee326795a047cb0994c2daebee3f529e8775ceb8ef673befbf29a3b959f",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 64204, bytes: 17348 },
+    spirv: Spirv::Packed { pack: PACK, first: 64220, bytes: 17352 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "9d94a1633f180023604ed5a1536468d4af8a238bef660e0169f407c460090775",
+    hash: "2cd18deae5f7f35198d680e7b6900e86d65971ebe89377ac9049324fb908e1ea",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+SURFACE_TENSION+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 81552, bytes: 17428 },
+    spirv: Spirv::Packed { pack: PACK, first: 81572, bytes: 17432 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "23d61691db38e6989561438e77011824f6b9ea9c8f3fa074950fd7250cdffe40",
+    hash: "6ede9473a6d279ba6a007d714e7c97d1f71d0a08e135f9cf6ba2f171aa0a35a3",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS: Module = Module {
     name: "Accelerate+CHOSEN_KERNELS",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 98980, bytes: 18636 },
+    spirv: Spirv::Packed { pack: PACK, first: 99004, bytes: 18640 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "62f142c9f536c7189aa56b6e344ebb6be5e5c9081c41d9510739a6d5c96898cc",
+    hash: "ba7e68a52d1e1ff979036b12ea84dccfff3e0ef4b79ecd1dce9db593a62b5a79",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+CHOSEN_KERNELS+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 117616, bytes: 17904 },
+    spirv: Spirv::Packed { pack: PACK, first: 117644, bytes: 17908 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "315e86a4fea331481eb749dbcbc7d5f9be285f44a18a6905b72e172c7361b6e1",
+    hash: "a8fa5a73f935aa94662c0b0e9d5b6d33c5d7f97c8cd44649b6d16376ed4fb76a",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+CHOSEN_KERNELS+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 135520, bytes: 17904 },
+    spirv: Spirv::Packed { pack: PACK, first: 135552, bytes: 17908 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "66aa08183af29eb3d5679f1ecb475177140ff129e10a049c828506ae11379ff5",
+    hash: "b78bf896c00a948799f0187f48c835b2f01339d91928f848041b5b532b371f5f",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
     name: "Accelerate+CHOSEN_KERNELS+SURFACE_TENSION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 153424, bytes: 20796 },
+    spirv: Spirv::Packed { pack: PACK, first: 153460, bytes: 20800 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "8d9759284251acf06a298f9d8f1513fabb65fd43627235fccba3cda80e713282",
+    hash: "3bcd207f25f61fa085708751d4d6b3499e0b07613b3668e57fb85503f633841b",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+CHOSEN_KERNELS+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 174220, bytes: 20064 },
+    spirv: Spirv::Packed { pack: PACK, first: 174260, bytes: 20068 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "060109335ed96a942fc89f4839a61cd741e8f3016989b738c102de9af14ef3ed",
+    hash: "ca9afc8ffbe4166065fd7de432b52b0f8f0aeeb3b121bf7c39ada57af85715fe",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+CHOSEN_KERNELS+SURFACE_TENSION+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 194284, bytes: 20064 },
+    spirv: Spirv::Packed { pack: PACK, first: 194328, bytes: 20068 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "52a23148a683240c2fe33dcaf660aa36f7d6f7f87930229b6f0004ef9c86f226",
+    hash: "e0237cdbcd668c7473142c6a96a2497660d092177e8a02bd4436ba49f124b55c",
 };
 
 static ACCELERATE_WITH_WALLS: Module = Module {
     name: "Accelerate+WALLS",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 214348, bytes: 18548 },
+    spirv: Spirv::Packed { pack: PACK, first: 214396, bytes: 18552 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "bfbddccdee4eba8fbc126d05dc1f15bfccb470f21ff3e0c1993a2fefffa72855",
+    hash: "488f648cfe35b05dac05bba14635d5fc98e6063684b676f142b7f6653967cf15",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+WALLS+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 232896, bytes: 17912 },
+    spirv: Spirv::Packed { pack: PACK, first: 232948, bytes: 17916 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "ea9e6f344b71427d11de240b1ad22af68f2af4f27da28f4cfe13f30912edd755",
+    hash: "bebf29b3dbcc3fbc145aeb22bbf632847d8e6ef5cd58900f174f8e8028994503",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+WALLS+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 250808, bytes: 17992 },
+    spirv: Spirv::Packed { pack: PACK, first: 250864, bytes: 17996 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "14e97ec15d1f22c5a9aacb6ddd1e35b9655890d2a9d1f068de20dcf0bcae9d95",
+    hash: "bca2e91b1d0397ee2e209deb52b1a4e4792347320ff0be91b6ab06a85673e416",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
     name: "Accelerate+WALLS+SURFACE_TENSION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 268800, bytes: 20728 },
+    spirv: Spirv::Packed { pack: PACK, first: 268860, bytes: 20732 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "ca921c4482961109869a1a5924a62f33f04404f3c1b8a1b2037ed725cccf87a9",
+    hash: "100aaaf6462ac77de1ee881d974dbb05a3fc439d21a91b963b87926d593c3a44",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+WALLS+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 289528, bytes: 20092 },
+    spirv: Spirv::Packed { pack: PACK, first: 289592, bytes: 20096 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "3d6438c13d3e8b2f2dfcb21c0d82409afb201329a63404aba15687ae83634628",
+    hash: "1cd04ed4eb24e695ba5865ecd99045e52ea879a076485916ac087d36b9d093e4",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+WALLS+SURFACE_TENSION+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 309620, bytes: 20172 },
+    spirv: Spirv::Packed { pack: PACK, first: 309688, bytes: 20176 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "82ff2bc4f875a5574e5b703575b7d05a44958e69dd9c823bad39d429e3bea8d9",
+    hash: "691afa446224fbc79ad84cf1b994eb8541af0b013502a156bd37a1a019e0175a",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 329792, bytes: 21332 },
+    spirv: Spirv::Packed { pack: PACK, first: 329864, bytes: 21336 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "7f551d97b882a136157f8b08e50b438e88d917f12933da3fb09808b69d6cebf0",
+    hash: "b9898ec4abb6de135070db72deed810ed0b5c385b4fba04ed8861bac3e7f5c08",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 351124, bytes: 20600 },
+    spirv: Spirv::Packed { pack: PACK, first: 351200, bytes: 20604 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "5c42a97b160772384573d13d4ff163b75579956b2d1f1947852011c3306174ad",
+    hash: "10a3e28ec9ca042492d9b8ba5cb09ed9e69345c55660610f23b645b2c1f54947",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 371724, bytes: 20600 },
+    spirv: Spirv::Packed { pack: PACK, first: 371804, bytes: 20604 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "f416113051dc5c024f341c4a51ff91223e77caec96ccd88cf68f4a51c980a21b",
+    hash: "3fdc69c844f614186f6b4a89d6f3aa49d480c385034ed825a8c6c5097e76b33f",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS+SURFACE_TENSION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 392324, bytes: 23492 },
+    spirv: Spirv::Packed { pack: PACK, first: 392408, bytes: 23496 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "3b04d02dd3b35dc757b92cf29f92dfe6d213604c3e3fe455b2ae1898c97101a3",
+    hash: "6785a91fe2a1ea28ed86a98db129c7b536991b96fb77dc418cc552f290f8efed",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 415816, bytes: 22760 },
+    spirv: Spirv::Packed { pack: PACK, first: 415904, bytes: 22764 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "52b91479c2b842d2cddbe23c07e129239a9b82a0e27c6d132eee0bfc8c4f6bc1",
+    hash: "89cef17dbc0e89eae16a1f4111109d9639f7c9bd338222ca68f0966ee743edd1",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS+SURFACE_TENSION+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 438576, bytes: 22760 },
+    spirv: Spirv::Packed { pack: PACK, first: 438668, bytes: 22764 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "321199c558ed72c9135f389487170f173c46549eed36a54509c2b7d799abe702",
+    hash: "5f31a8bffda029f2f1edf1725216ce8601d74b64f3b6d196e1dff357302cb7d1",
 };

@@ -335,310 +335,310 @@ static COMPUTE_DENSITY: Module = Module {
     name: "ComputeDensity",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 10376 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 10476 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "75c3679c869c3f00ef78788541467d6955629112ce5793e78b4c57457eb7915a",
+    hash: "347e972cdd08d7deacc7b61d1e7ce57df72a0a1871a95d33160d763ef5beb818",
 };
 
 static COMPUTE_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     name: "ComputeDensity+RELAXED_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 10376, bytes: 9968 },
+    spirv: Spirv::Packed { pack: PACK, first: 10476, bytes: 10068 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "6f55fb3ae41098be4dd43a713993b6ffe9232bbf354d30e306b534e8f4c1d3ba",
+    hash: "509903a19232e60b0e118517f40ae0d79628645294546b5d50564e7f3cdf6ae5",
 };
 
 static COMPUTE_DENSITY_WITH_HALF_PRECISION: Module = Module {
     name: "ComputeDensity+HALF_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 20344, bytes: 9904 },
+    spirv: Spirv::Packed { pack: PACK, first: 20544, bytes: 10004 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "c9bbc518b5fff94dd03ae3da3a19eec804e9090c37959118dd095ef997182905",
+    hash: "d14b735b6292de175281dab86fd2c787280da8cfea2525cbc5e7f7ca489bdec1",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION: Module = Module {
     name: "ComputeDensity+SURFACE_TENSION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 30248, bytes: 11072 },
+    spirv: Spirv::Packed { pack: PACK, first: 30548, bytes: 11172 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "709d89a03ade6d24e775634e52ffca21e51c2e23428f628c0176f40a2f149fc6",
+    hash: "a8f45883f73c7cae524319801d7b7b3eb48dcc3cbe31b79f85f2bc7dd0085de0",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "ComputeDensity+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 41320, bytes: 10712 },
+    spirv: Spirv::Packed { pack: PACK, first: 41720, bytes: 10812 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "d4fc9d0ceef00f90e6ab2398d6444af389c363bcafcbfaf8fe7b7c55f32ad312",
+    hash: "03f1467d475e037da17f00e2651e02fed4e0119f75955837a59e2617ca17a960",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "ComputeDensity+SURFACE_TENSION+HALF_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 52032, bytes: 10664 },
+    spirv: Spirv::Packed { pack: PACK, first: 52532, bytes: 10764 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "c8791537e413648dc5345e77e567f65329053f7147f225d234217c7caf80183e",
+    hash: "1a52025f183d61ca0e23ca625ec498334f23b6f7ae21d6a4a5c4bcfe08ea7ccc",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS: Module = Module {
     name: "ComputeDensity+CHOSEN_KERNELS",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 62696, bytes: 11436 },
+    spirv: Spirv::Packed { pack: PACK, first: 63296, bytes: 11536 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "06b3c12b347c1c1a8ae11b89894a6bcab2b6e59901cf3d09599da1d8cec443f1",
+    hash: "96cd15a8648328f228cafa740a9e7b006ec563de893e704d81969e6e123e50a5",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
     name: "ComputeDensity+CHOSEN_KERNELS+RELAXED_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 74132, bytes: 10788 },
+    spirv: Spirv::Packed { pack: PACK, first: 74832, bytes: 10888 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "69c42292fbf0d268f89f8fb051b5ae4f7179f5685b456c2521f08eabb70bef89",
+    hash: "40afd0061a2606e0cc795015c055e959e887d8fba14c1495e99dfdfc5d8e4a39",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
     name: "ComputeDensity+CHOSEN_KERNELS+HALF_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 84920, bytes: 10788 },
+    spirv: Spirv::Packed { pack: PACK, first: 85720, bytes: 10888 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "556b2bd40369e05d55f5a5808562167142d11346ca890ef7aea50db09083de3d",
+    hash: "f57b15946194ec02a7c680c30d20576cac9d0da940ac0835679aabd0d10f7603",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
     name: "ComputeDensity+CHOSEN_KERNELS+SURFACE_TENSION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 95708, bytes: 13460 },
+    spirv: Spirv::Packed { pack: PACK, first: 96608, bytes: 13560 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "05e0ee23915ff8b201703593610a85054f7a6485b4f16f218a3cfeeada988afd",
+    hash: "12aa9c0ca8bc8927d79605ba6e058113a4cea57b69c4627f84b12700d8577c8e",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "ComputeDensity+CHOSEN_KERNELS+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 109168, bytes: 12812 },
+    spirv: Spirv::Packed { pack: PACK, first: 110168, bytes: 12912 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "6fb1f2c73f82ba8eefbf3e3063993317db897519b302840ce3a64768deee4e8f",
+    hash: "160896431b55691e22da1c10f86b35ac6ec4bf9f7472a0d4f3342fd60d894456",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "ComputeDensity+CHOSEN_KERNELS+SURFACE_TENSION+HALF_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 121980, bytes: 12812 },
+    spirv: Spirv::Packed { pack: PACK, first: 123080, bytes: 12912 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "ccdfaac8f8f6ff10581665a50157e85abfa5bd24818fab289880a93061684883",
+    hash: "463dbc33598beca3a8e17fbcaec90e1347a7aab1733ba5d596d6069993529ba6",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS: Module = Module {
     name: "ComputeDensity+WALLS",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 134792, bytes: 12480 },
+    spirv: Spirv::Packed { pack: PACK, first: 135992, bytes: 12580 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "d429aaee4d599778dc47dadced2abe415998ab8cf14352ad88d3508e893cfc83",
+    hash: "7f0ff991ecdb563116916ecc746a610368a1a0c95e858afb2c50b17e15a52d76",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     name: "ComputeDensity+WALLS+RELAXED_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 147272, bytes: 12072 },
+    spirv: Spirv::Packed { pack: PACK, first: 148572, bytes: 12172 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "56bfc35314ba09ee06d453fbcba90ef7faa161af99853ea9c824c08bb637b1c8",
+    hash: "958ac6fee7d71c9d72024536d7976e7dc6e3155637dc994960fdd8dcbcb74d47",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     name: "ComputeDensity+WALLS+HALF_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 159344, bytes: 12008 },
+    spirv: Spirv::Packed { pack: PACK, first: 160744, bytes: 12108 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "a72e5bbb98beead0c6f1c44871320ede00d5f1c83db71844222ba6f493d26684",
+    hash: "a5469553ff41f782656435953e882bb550b5f306f40377f9fffcf60f58ad8d59",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
     name: "ComputeDensity+WALLS+SURFACE_TENSION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 171352, bytes: 13948 },
+    spirv: Spirv::Packed { pack: PACK, first: 172852, bytes: 14048 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "60f4b27e8e3d7345ad7de153f41bec20df84591ed255a8071c3b6436e01954c2",
+    hash: "11a81330188a3776790b6cb8356dd4a8905e0bc1a50ff6520e42b7afc0bdd25b",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "ComputeDensity+WALLS+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 185300, bytes: 13588 },
+    spirv: Spirv::Packed { pack: PACK, first: 186900, bytes: 13688 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "53403b387f49eef3db132be1c701b2b2f0e86152edb450376287aa8e0366bba2",
+    hash: "069121bdd1730b1f56993836d572e5791255386668c6fbeea2a8009c145951b7",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "ComputeDensity+WALLS+SURFACE_TENSION+HALF_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 198888, bytes: 13556 },
+    spirv: Spirv::Packed { pack: PACK, first: 200588, bytes: 13656 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "9117e02835072e3f0b560fd3bead4b5388e1513fc79fd6b2045f18dc71e4a1a2",
+    hash: "52e3af542b81ec344a9ca3c4feb6e0f55baf4ba0dc134b32af402def3844fc3f",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
     name: "ComputeDensity+WALLS+CHOSEN_KERNELS",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 212444, bytes: 13524 },
+    spirv: Spirv::Packed { pack: PACK, first: 214244, bytes: 13624 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "9867b02604d6d05d55f83a018a4f09c54ada6890194170a4c5a38c4d934300d7",
+    hash: "3c77427e51e71960f3899350449ba4523cae3dfcb826b26c4b563c41bbd22cd2",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
     name: "ComputeDensity+WALLS+CHOSEN_KERNELS+RELAXED_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 225968, bytes: 12876 },
+    spirv: Spirv::Packed { pack: PACK, first: 227868, bytes: 12976 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "ba77bbf7b031f9dc98de11f7316cab5675cdbc97db6240c88edb45208f54a7aa",
+    hash: "0b938f06f580f8a111cec9d5bb5827fa2bbff6f80b45ba92d51359b32c7c873d",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
     name: "ComputeDensity+WALLS+CHOSEN_KERNELS+HALF_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 238844, bytes: 12876 },
+    spirv: Spirv::Packed { pack: PACK, first: 240844, bytes: 12976 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "eba7f137aa9a03b8ffd8f490e592ccda13e40bf3e192dc126aee0d6aca160fac",
+    hash: "0e075864d319f837e7119ef98bb9cf7c348325de75b42c7b4a5c0f8731669a01",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
     name: "ComputeDensity+WALLS+CHOSEN_KERNELS+SURFACE_TENSION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 251720, bytes: 16304 },
+    spirv: Spirv::Packed { pack: PACK, first: 253820, bytes: 16404 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "dcffcc0f741b2ce23d9213b44a72a315c80752317d50f10769b18c34039ea095",
+    hash: "7a28f155c6d4c5756dbffb8e71e5457fd718d040ea834d944ab938fa8f14bef4",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "ComputeDensity+WALLS+CHOSEN_KERNELS+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 268024, bytes: 15656 },
+    spirv: Spirv::Packed { pack: PACK, first: 270224, bytes: 15756 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "31df28388442276951e0fd608c9aa59ea89928711eebbda9430dd8b3401d5511",
+    hash: "089debd4575d39432c25ef7710a1e9df23ce4e671673db600c6985fdc5be940e",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "ComputeDensity+WALLS+CHOSEN_KERNELS+SURFACE_TENSION+HALF_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 283680, bytes: 15656 },
+    spirv: Spirv::Packed { pack: PACK, first: 285980, bytes: 15756 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "ddfb978871c62660a5b4c0c68ab9d8163083c92dd4b3b2b5ebcc811109032ca5",
+    hash: "35952293b89bc83516cdac186c81c5398f06bf99e8cd8e9ecdc49cb60b0ebd44",
 };

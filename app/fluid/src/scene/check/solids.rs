@@ -28,7 +28,7 @@ impl Scene {
             format_args!("not with {why}"),
         )?;
         check.require(
-            matches!(self.solver.method, Method::Pbf | Method::None),
+            matches!(self.solver.method, Method::Pbf | Method::Sph | Method::None),
             "solid",
             format_args!("{} solids", self.solids.len()),
             format_args!("not with solver.method = \"{}\"", self.solver.method.name()),
