@@ -129,6 +129,7 @@ macro_rules! for_each_known_answer {
                 totals_add_up_any_number_of_groups: ["measure_totals"],
             }
             none {
+                bounce_walls_matches_its_twin: ["bounce_walls"],
                 integrate_particles_matches_its_twin: ["integrate_particles"],
                 a_wrong_setting_is_noticed: ["integrate_particles"],
                 states_that_are_not_finite_are_quarantined: ["integrate_particles"],

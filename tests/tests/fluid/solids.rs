@@ -88,7 +88,7 @@ fn a_scene_without_solids_has_nothing_of_them() {
             scene.solids.clear();
         }
         let planned = SessionRecorder::new(&scene, ParticleSource::Count(1000)).sweep().unwrap();
-        format!("{:?}", planned.plan.passes().map(|pass| pass.label.clone()).collect::<Vec<_>>())
+        format!("{:?}", planned.plan.passes().into_iter().map(|pass| pass.stage).collect::<Vec<_>>())
     };
     assert!(!plan(&[]).contains("solid"));
     assert!(plan(&["solver.pbf.iterations=2"]).contains("collide_solids"));

@@ -37,7 +37,10 @@ fn params() -> SphParams {
 /// What walls alone are to a particle, and what solids add.
 fn samples(pairs: &Pairs, i: usize) -> (BoundarySample, SolidSample) {
     let at_m = vector(pairs.case.positions[i].position_m);
-    (walls_of(&kernel_params(), pairs.case.size_m).sample(at_m), plane_sample(&pairs.contacts[i], at_m, &kernel_params()))
+    (
+        walls_of(&kernel_params(), pairs.case.size_m).sample(at_m),
+        plane_sample(&pairs.contacts[i], at_m, &kernel_params()),
+    )
 }
 
 pub(crate) fn add_solid_density_matches_its_twin(device: &Device) {
@@ -50,11 +53,17 @@ pub(crate) fn add_solid_density_matches_its_twin(device: &Device) {
             let mut pairs = pairs(&mut rng, size);
             pairs.case.positions.iter_mut().enumerate().for_each(|(i, at)| at.tag |= out_of_part(i));
             let flows: Vec<VelocityPressure> = (0..size)
-                .map(|_| VelocityPressure { velocity_m_s: [1.0, 2.0, 3.0], pressure_m2_s2: 0.6 + 0.4 * rng.random::<f32>() })
+                .map(|_| VelocityPressure {
+                    velocity_m_s: [1.0, 2.0, 3.0],
+                    pressure_m2_s2: 0.6 + 0.4 * rng.random::<f32>(),
+                })
                 .collect();
             let normals: Vec<VelocityPressureNormal> = flows
                 .iter()
-                .map(|&flow| VelocityPressureNormal { flow, surface: SurfaceNormal { normal: [0.5, -1.0, 2.0], length: 0.0 } })
+                .map(|&flow| VelocityPressureNormal {
+                    flow,
+                    surface: SurfaceNormal { normal: [0.5, -1.0, 2.0], length: 0.0 },
+                })
                 .collect();
             let mut bench = Bench::new(device);
             let sorted = bench.input("sorted_positions", &pairs.case.positions);
@@ -121,10 +130,13 @@ pub(crate) fn add_solid_acceleration_matches_its_twin(device: &Device) {
             let flows: Vec<VelocityPressure> = (0..size)
                 .map(|_| VelocityPressure { pressure_m2_s2: 10.0 * rng.random::<f32>(), ..VelocityPressure::default() })
                 .collect();
-            let normals: Vec<VelocityPressureNormal> =
-                flows.iter().map(|&flow| VelocityPressureNormal { flow, ..VelocityPressureNormal::default() }).collect();
-            let velocities: Vec<Velocity> =
-                (0..size).map(|_| Velocity { velocity_m_s: [0.4 * rng.random::<f32>(), 0.2, -0.3], age_s: 0.0 }).collect();
+            let normals: Vec<VelocityPressureNormal> = flows
+                .iter()
+                .map(|&flow| VelocityPressureNormal { flow, ..VelocityPressureNormal::default() })
+                .collect();
+            let velocities: Vec<Velocity> = (0..size)
+                .map(|_| Velocity { velocity_m_s: [0.4 * rng.random::<f32>(), 0.2, -0.3], age_s: 0.0 })
+                .collect();
             let mut bench = Bench::new(device);
             let sorted = bench.input("sorted_positions", &pairs.case.positions);
             let contacts = bench.input("solid_contacts", &pairs.contacts);

@@ -72,6 +72,13 @@ fn setting(field: &str, value: &str) -> Vec<String> {
     if field.starts_with("forces.field.*") {
         settings.push("forces.field=[{ end_s = 2 }]".into());
     }
+    if field.starts_with("solid.*") {
+        let round = ["capsule", "cylinder"].into_iter().find(|shape| field.starts_with(&format!("solid.*.{shape}.")));
+        settings.push(match round {
+            Some(shape) => format!("solid=[{{ {shape} = {{ radius_m = 0.2, length_m = 0.5 }} }}]"),
+            None => "solid=[{ keyframe = [{ time_s = 0 }] }]".into(),
+        });
+    }
     if field.starts_with("fluid.*.sphere") {
         settings.push("fluid.0={ sphere = { centre_m = [0.5, 0.5, 0.5], radius_m = 0.2 } }".into());
     }
@@ -156,6 +163,9 @@ fn the_table_has_every_field() {
         &[
             "capacity=5000",
             "forces.field=[{ end_s = 2 }]",
+            "solid=[{ box = { size_m = [1, 1, 1] }, thickness_m = 0.1, open = \"x_min\" }, { sphere = { radius_m = 0.2 } }, \
+             { capsule = { radius_m = 0.2, length_m = 0.5 } }, { cylinder = { radius_m = 0.2, length_m = 0.5 }, \
+             keyframe = [{ time_s = 0 }, { time_s = 1 }], repeat = true }]",
             "solver.max_speed_m_s=5",
             "solver.neighbour_slots=64",
             "solver.pbf.coarse_correction=true",
@@ -365,7 +375,10 @@ fn messages_about_solids_name_the_solid_and_what_is_allowed() {
     let text = SMALL.to_string() + solid;
     assert!(load(&text, &[]).is_ok());
     let cases: &[(&[&str], &[&str])] = &[
-        (&["solid.0.sphere={ radius_m = 1 }"], &["solid.0 = 2 shapes", "one of `box`, `sphere`, `capsule` and `cylinder`"]),
+        (
+            &["solid.0.sphere={ radius_m = 1 }"],
+            &["solid.0 = 2 shapes", "one of `box`, `sphere`, `capsule` and `cylinder`"],
+        ),
         (&["solid.0.cylinder.radius_m=0"], &["solid.0.cylinder.radius_m = 0", "1e-6 to"]),
         (&["solid.0.cylinder.radius_m=0.15"], &["a radius of 0.05 m", "at least h/2 = 0.1 m"]),
         (&["solid.0.thickness_m=0.3"], &["solid.0.thickness_m = 0.3", "below 0.3"]),
@@ -392,7 +405,10 @@ fn messages_about_solids_name_the_solid_and_what_is_allowed() {
 #[test]
 fn fluid_is_filled_around_solids_and_into_hollow_ones() {
     let filled = |solid: &str| {
-        let scene = load(&SMALL.replace("[0.3, 0.2, 0.1]", "[1, 1, 1]").replace("spacing_m = 0.1", "spacing_m = 0.05").add(solid), &[]);
+        let scene = load(
+            &SMALL.replace("[0.3, 0.2, 0.1]", "[1, 1, 1]").replace("spacing_m = 0.1", "spacing_m = 0.05").add(solid),
+            &[],
+        );
         let scene = scene.unwrap();
         let particles = sample_lattice(&scene).positions;
         assert_eq!(fill::count(&scene), particles.len() as u64);

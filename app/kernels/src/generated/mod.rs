@@ -38,6 +38,7 @@ mod measure_sample_particles;
 mod particles_activate;
 mod particles_advect;
 mod particles_begin_substep;
+mod particles_bounce_walls;
 mod particles_deactivate;
 mod particles_drag;
 mod particles_end_step;
@@ -149,6 +150,7 @@ pub use measure_sample_particles::*;
 pub use particles_activate::*;
 pub use particles_advect::*;
 pub use particles_begin_substep::*;
+pub use particles_bounce_walls::*;
 pub use particles_deactivate::*;
 pub use particles_drag::*;
 pub use particles_end_step::*;
@@ -259,6 +261,7 @@ pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
         particles_activate::MODULES,
         particles_advect::MODULES,
         particles_begin_substep::MODULES,
+        particles_bounce_walls::MODULES,
         particles_deactivate::MODULES,
         particles_drag::MODULES,
         particles_end_step::MODULES,

@@ -1,6 +1,6 @@
 //! What solids may be.
 
-use super::{Checker, numbers};
+use super::{Checker, numbers, tidied};
 use crate::boundary::solids::{MOST_SOLIDS, fastest_m_s};
 use crate::scene::field::Short;
 use crate::scene::{Method, OpenFaces, Scene, SceneError, Shape, SolidSettings};
@@ -66,7 +66,7 @@ impl Scene {
         check.require(
             radius_m >= 0.5 * self.support_m() || !self.solver.method.interacts(),
             field,
-            format_args!("a radius of {} m", Short(radius_m)),
+            format_args!("a radius of {} m", Short(tidied(radius_m))),
             format_args!("at least h/2 = {} m: particles do not see less", Short(0.5 * self.support_m())),
         )
     }

@@ -2,9 +2,7 @@
 //! `add_solid_acceleration.compute`.)
 
 use brooklet_gpu::Recording;
-use brooklet_kernels::{
-    AddSolidAcceleration, AddSolidAccelerationVariant, AddSolidDensity, AddSolidDensityVariant,
-};
+use brooklet_kernels::{AddSolidAcceleration, AddSolidAccelerationVariant, AddSolidDensity, AddSolidDensityVariant};
 
 use super::{Gathered, Sph};
 use crate::boundary::solids::Solids;
