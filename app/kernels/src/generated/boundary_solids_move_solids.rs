@@ -9,7 +9,7 @@ use crate::{
 };
 
 /// Where solids are at a substep's end, and the boxes around them. Between two keyframes one moves evenly and turns evenly
-/// around one axis (a quaternion's slerp); before the first and behind the last it stands, or begins again.
+/// around one axis (a quaternion's slerp), no more than a quarter of a turn; before the first and behind the last it stands, or begins again.
 #[derive(Debug)]
 pub struct MoveSolids<'a> {
     /// `StructuredBuffer<Solid> solids`.
@@ -66,11 +66,11 @@ static MOVE_SOLIDS: Module = Module {
     name: "MoveSolids",
     entry: "MoveSolids",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 8768 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 10912 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/move_solids.compute",
-    hash: "efd7d991a5a3a1eefbe765d02509b0c03293ddb3837655ccfd9fa2200ff65b6f",
+    hash: "6bd70d5984b92d6c8356c4c2ec5b5dfa0dc54cbbd3d2327c1206bf63692a9866",
 };

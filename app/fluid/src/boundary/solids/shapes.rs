@@ -8,7 +8,9 @@ use crate::scene::{Scene, Shape, SolidSettings};
 /// Until when a steady motion is told, s: in f32 the way at any earlier time is then as exact as the time is.
 const WITHOUT_END_S: f64 = 1.0e6;
 /// Parts of a whole turn, each less than half of one, which a quaternion cannot tell from the shorter way round.
-const PARTS_OF_A_TURN: u32 = 4;
+const PARTS_OF_A_TURN: u32 = 8;
+/// What the shaders turn a solid by between two keyframes, at most.
+const MOST_TURN_RAD: f64 = std::f64::consts::FRAC_PI_4;
 
 /// A solid at a time.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,7 +38,7 @@ pub(crate) fn motion(solid: &SolidSettings) -> (Vec<Pose>, f64) {
         .collect();
     if let Some(last) = keyframes.last() {
         let period_s = if solid.repeat { last.time_s } else { 0.0 };
-        return (keyframes, period_s);
+        return (in_small_turns(&keyframes), period_s);
     }
     let start = Pose { time_s: 0.0, centre_m: solid.centre_m.into(), rotation: turned(solid.turned_deg) };
     let spin = DVec3::from_array(solid.spin_deg_s.map(f64::to_radians));
@@ -51,6 +53,26 @@ pub(crate) fn motion(solid: &SolidSettings) -> (Vec<Pose>, f64) {
     }
     let end = Pose { time_s: WITHOUT_END_S, centre_m: start.centre_m + velocity_m_s * WITHOUT_END_S, ..start };
     (if velocity_m_s == DVec3::ZERO { vec![start] } else { vec![start, end] }, 0.0)
+}
+
+/// The same motion with more keyframes, where two are further turned than the shaders go between two; each after the first
+/// with the sign that is nearer to the one before.
+fn in_small_turns(keyframes: &[Pose]) -> Vec<Pose> {
+    let mut turns: Vec<Pose> = keyframes.first().copied().into_iter().collect();
+    for pair in keyframes.windows(2) {
+        let parts = (pair[0].rotation.angle_between(pair[1].rotation) / MOST_TURN_RAD).ceil().max(1.0) as u32;
+        for part in 1..=parts {
+            let share = f64::from(part) / f64::from(parts);
+            let rotation = pair[0].rotation.slerp(pair[1].rotation, share).normalize();
+            let before = turns.last().map_or(rotation, |before| before.rotation);
+            turns.push(Pose {
+                time_s: pair[0].time_s + share * (pair[1].time_s - pair[0].time_s),
+                centre_m: pair[0].centre_m.lerp(pair[1].centre_m, share),
+                rotation: if before.dot(rotation) < 0.0 { -rotation } else { rotation },
+            });
+        }
+    }
+    turns
 }
 
 /// Half the sides of what holds a shape, in the form of the shaders' `Solid::half_m`, and of the box around it.
@@ -179,10 +201,12 @@ impl StandingSolid {
 pub(crate) fn fastest_m_s(solid: &SolidSettings) -> (f64, usize) {
     let reach_m = halves(solid.shape()).2.length();
     let (poses, _) = motion(solid);
+    let number =
+        |pose: &Pose| solid.keyframes.iter().position(|keyframe| keyframe.time_s >= pose.time_s).unwrap_or_default();
     let speed_m_s = |pair: &[Pose]| {
         let turned = pair[0].rotation.angle_between(pair[1].rotation);
         (pair[0].centre_m.distance(pair[1].centre_m) + turned * reach_m) / (pair[1].time_s - pair[0].time_s)
     };
-    let speeds = poses.windows(2).enumerate().map(|(k, pair)| (speed_m_s(pair), k + 1));
+    let speeds = poses.windows(2).map(|pair| (speed_m_s(pair), number(&pair[1])));
     speeds.fold((0.0, 0), |most, speed| if speed.0 > most.0 { speed } else { most })
 }
