@@ -11,6 +11,7 @@ pub mod peers;
 pub mod phones;
 pub mod program;
 pub mod python;
+pub mod solids;
 pub mod states;
 pub mod twin;
 pub mod validation;

@@ -133,6 +133,7 @@ macro_rules! for_each_known_answer {
                 totals_add_up_any_number_of_groups: ["measure_totals"],
             }
             none {
+                bounce_walls_matches_its_twin: ["bounce_walls"],
                 integrate_particles_matches_its_twin: ["integrate_particles"],
                 a_wrong_setting_is_noticed: ["integrate_particles"],
                 states_that_are_not_finite_are_quarantined: ["integrate_particles"],
@@ -215,6 +216,22 @@ macro_rules! for_each_known_answer {
                 count_active_matches_its_twin: ["count_active"],
                 activate_particles_and_claim_slots_match_their_twins: ["activate_particles", "claim_slots"],
                 deactivate_particles_matches_its_twin: ["deactivate_particles"],
+            }
+            solid_contacts {
+                densities_near_solids_match_their_twin: ["density_ratios", "measure_particles"],
+                constraints_near_solids_match_their_twin: ["constrain_density"],
+                corrections_near_solids_match_their_twin: ["correct_positions"],
+            }
+            solid_forces {
+                add_solid_density_matches_its_twin: ["add_solid_density"],
+                add_solid_acceleration_matches_its_twin: ["add_solid_acceleration"],
+            }
+            solids {
+                move_solids_matches_its_twin: ["move_solids"],
+                mark_solids_is_exact: ["mark_solids"],
+                collide_solids_matches_its_twin: ["collide_solids"],
+                confine_displacements_matches_its_twin: ["confine_displacements"],
+                sample_solids_matches_its_twin: ["sample_solids"],
             }
             solver {
                 correct_positions_matches_its_twin: ["correct_positions"],

@@ -7,9 +7,10 @@ pub use sample_particles::{Sample, record_sample};
 use brooklet_gpu::{Recording, Resources};
 use brooklet_kernels::{
     Buffer, Counters, DensityRatios, DensityRatiosVariant, HISTOGRAM_BINS, Kernel, Measure, MeasureParticles,
-    MeasureParticlesVariant, MeasureSums, MeasureTotals, Position, SmoothingKernelParams, StepParams,
+    MeasureParticlesVariant, MeasureSums, MeasureTotals, Position, SmoothingKernelParams, StepParams, WallsKeyword,
 };
 
+use crate::boundary::solids::Solids;
 use crate::grid::{NeighbourSearch, Neighbours};
 use crate::scene::Scene;
 use crate::slots::Slots;
@@ -46,18 +47,26 @@ impl Measuring {
         recording.clear(&mut self.group_measures);
         recording.clear(&mut self.histograms);
         let has_density = search.is_some();
+        if let Some(search) = search {
+            let kernel = &search.smoothing_kernel;
+            context.with_solids(|solids, context| {
+                solids.record_sample_anew(recording, &context.slots, &particles.positions, kernel);
+            });
+        }
+        let walls = context.boundary();
         context.slots.dispatch(
             recording,
             &MeasureParticles {
                 variant: MeasureParticlesVariant {
                     density: has_density,
-                    walls: has_density && context.walls,
+                    walls: if has_density { walls } else { WallsKeyword::Off },
                     periodic: has_density && context.periodic,
                 },
                 positions: particles.positions.read(),
                 velocities: particles.velocities.read(),
                 neighbours: search.map(|search| search.neighbours.deltas.read()),
                 list_heads: search.map(|search| search.neighbours.heads.read()),
+                solid_contacts: search.and(context.solids.as_ref()).map(|solids| solids.contacts().read()),
                 group_measures: self.group_measures.write(),
                 histograms: has_density.then(|| self.histograms.write()),
                 step_state: context.slots.state.uniform(),
@@ -85,7 +94,8 @@ pub struct Densities {
     step: Buffer<StepParams>,
     slots: Slots,
     kernel: Buffer<SmoothingKernelParams>,
-    walls: bool,
+    walls: WallsKeyword,
+    solids: Option<Solids>,
     periodic: bool,
 }
 
@@ -96,7 +106,8 @@ impl Densities {
             step: context.step.alias(),
             slots: context.slots.alias(),
             kernel: search.smoothing_kernel.alias(),
-            walls: context.walls,
+            walls: context.boundary(),
+            solids: context.solids.as_ref().map(Solids::alias),
             periodic: context.periodic,
         }
     }
@@ -112,6 +123,10 @@ impl Densities {
         let mut density_ratios = resources.buffer("density_ratios", positions.len);
         // Without particles nothing else writes it.
         recording.clear(&mut density_ratios);
+        let mut solids = self.solids.as_ref().map(Solids::alias);
+        if let Some(solids) = &mut solids {
+            solids.record_sample_anew(recording, &self.slots, positions, &self.kernel);
+        }
         self.slots.dispatch(
             recording,
             &DensityRatios {
@@ -119,6 +134,7 @@ impl Densities {
                 positions: positions.read(),
                 neighbours: neighbours.deltas.read(),
                 list_heads: neighbours.heads.read(),
+                solid_contacts: solids.as_ref().map(|solids| solids.contacts().read()),
                 density_ratios: density_ratios.write(),
                 step_state: self.slots.state.uniform(),
                 step_params: self.step.uniform(),

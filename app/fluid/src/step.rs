@@ -1,7 +1,10 @@
 //! A scene as recordings: its start, one step of its solver's substeps, and its measurement.
 
 use brooklet_gpu::{Engine, GpuError, Plan, Recording, RecordingId, Resources};
-use brooklet_kernels::{Buffer, Counters, Measure, PbfParams, Position, ResourceId, StepParams, Velocity, WarmStart};
+use brooklet_kernels::{
+    Buffer, Counters, Measure, PbfParams, Position, ResourceId, SolidPose, SolidsParams, StepParams, Velocity,
+    WarmStart,
+};
 
 use crate::forces::BodyForces;
 use crate::grid::Neighbours;
@@ -41,6 +44,10 @@ pub struct Recorded {
     pub accelerations: Option<Buffer<[f32; 4]>>,
     /// What the shaders are told of a step, gravity among it.
     pub step_params: Buffer<StepParams>,
+    /// What the solids' are told, if there are any.
+    pub solids_params: Option<Buffer<SolidsParams>>,
+    /// Where solids are.
+    pub solid_poses: Option<Buffer<SolidPose>>,
     /// What the density constraint's are told, if that is the solver.
     pub pbf_params: Option<Buffer<PbfParams>>,
     /// Events since the last measurement.
@@ -140,11 +147,13 @@ pub fn record_count(resources: &mut Resources, scene: &Scene, capacity: u32) -> 
     if let Some(drag_walls) = &mut context.drag_walls {
         drag_walls.record_init(&mut init, scene);
     }
+    context.with_solids(|solids, _| solids.record_init(&mut init, scene));
     solver.record_init(&mut init, scene);
 
     let mut step = resources.recording("step");
     for _ in 0..scene.substeps() {
         solver.begin_substep(&mut step, &mut context);
+        context.with_solids(|solids, context| solids.record_move(&mut step, context));
         if let Some(body_forces) = &body_forces {
             body_forces.record(&mut step, &context, &mut particles);
         }
@@ -177,6 +186,8 @@ pub fn record_count(resources: &mut Resources, scene: &Scene, capacity: u32) -> 
         pressures: solver.pressures(),
         accelerations: solver.accelerations().map(Buffer::alias),
         densities: solver.search().map(|search| Densities::of(&context, search)),
+        solids_params: context.solids.as_ref().map(|solids| solids.params().alias()),
+        solid_poses: context.solids.as_ref().map(|solids| solids.poses().alias()),
         step_params: context.step.alias(),
         pbf_params: solver.pbf_params().map(Buffer::alias),
         slots: context.slots,

@@ -1,9 +1,10 @@
 //! What every stage of a substep is given, whichever solver records it.
 
 use brooklet_gpu::{Recording, Resources};
-use brooklet_kernels::{Buffer, Counters, Position, StepParams, Velocity};
+use brooklet_kernels::{Buffer, Counters, Position, StepParams, Velocity, WallsKeyword};
 
 use crate::boundary::DragWalls;
+use crate::boundary::solids::Solids;
 use crate::scene::Scene;
 use crate::slots::Slots;
 
@@ -21,6 +22,8 @@ pub struct StepContext {
     pub periodic: bool,
     /// What drags along its walls, if anything does.
     pub drag_walls: Option<DragWalls>,
+    /// The solids in it, if there are any.
+    pub solids: Option<Solids>,
 }
 
 impl StepContext {
@@ -37,6 +40,23 @@ impl StepContext {
             walls: scene.domain.has_walls(),
             periodic: scene.domain.is_periodic(),
             drag_walls: DragWalls::declare(resources, scene),
+            solids: Solids::declare(resources, scene, capacity),
+        }
+    }
+
+    /// Records what solids do with the rest of the context; nothing without them.
+    pub fn with_solids(&mut self, record: impl FnOnce(&mut Solids, &mut Self)) {
+        if let Some(mut solids) = self.solids.take() {
+            record(&mut solids, self);
+            self.solids = Some(solids);
+        }
+    }
+
+    /// What bounds the fluid, as stages choose their variants.
+    pub fn boundary(&self) -> WallsKeyword {
+        match self.solids {
+            Some(_) => WallsKeyword::SolidWalls,
+            None => self.walls.into(),
         }
     }
 }

@@ -3,13 +3,19 @@
 // push. Walls are the first answer. Other boundaries enter here as data that SampleBoundary reads, not as keywords,
 // which would double the modules.
 //
-// The one keyword is WALLS: an open scene has no boundary, and none of this is in its shaders. Walls too far away to
+// Two keywords: WALLS, for an open scene has no boundary, and none of this is in its shaders. Walls too far away to
 // matter gave it the same bits, but took 5 to 9 % more of constrain_density and 1 to 5 % of correct_positions
 // (colliding-drops at 2,828 and 23,016 particles, lavapipe; list_neighbours, the same in both, was within 1 %).
+// SOLID_WALLS: the same with solids, whose includers declare `solid_contacts` of each particle (boundary/solids).
 #ifndef BROOKLET_BOUNDARY
 #define BROOKLET_BOUNDARY
 
 #include "../shared/layout.hlsli"
+
+#if defined(SOLID_WALLS)
+#define WALLS
+#include "solids/sample.hlsli"
+#endif
 
 struct BoundarySample
 {
@@ -17,6 +23,9 @@ struct BoundarySample
     float3 gradient;            // of that over the position, 1/h
     float3 correction_scale;    // what the fluid's own correction is multiplied by along each axis
     float3 borne;               // of the fluid's weight, where its pressure goes on beyond as in fluid at rest
+#if defined(SOLID_WALLS)
+    SolidSample solids;         // what of it is theirs
+#endif
 };
 
 #if defined(WALLS)
@@ -33,6 +42,39 @@ BoundarySample SampleBoundary(float3 position_m, StepParams step, SmoothingKerne
     boundary.borne = WallBorne(walls, kernel);
     return boundary;
 }
+
+#if defined(SOLID_WALLS)
+
+// At a place where particle i is during a substep. Shares of walls and of solids add up as independent ones do.
+BoundarySample SampleBoundaryNear(uint i, float3 position_m, StepParams step, SmoothingKernelParams kernel)
+{
+    BoundarySample boundary = SampleBoundary(position_m, step, kernel);
+    boundary.solids = SampleSolidsNear(solid_contacts[i], position_m, kernel);
+    float left = saturate(1.0 - boundary.density);
+    boundary.gradient = boundary.gradient * (1.0 - saturate(boundary.solids.density)) + boundary.solids.gradient * left;
+    boundary.density += boundary.solids.density * left;
+    return boundary;
+}
+
+// What the fluid's own neighbours push, as the boundary scales it.
+float3 ScaledPush(BoundarySample boundary, float3 push)
+{
+    return AlongSolids(boundary.solids, push * boundary.correction_scale);
+}
+
+// What of an acceleration the boundary bears.
+float3 BorneOf(BoundarySample boundary, float3 acceleration_m_s2)
+{
+    return boundary.borne * acceleration_m_s2 + BorneBySolids(boundary.solids, acceleration_m_s2);
+}
+
+// The position, moved to where the boundary lets particle i be.
+float3 ConfinePositionNear(uint i, float3 position_m, StepParams step)
+{
+    return InsideWalls(OutsideSolids(solid_contacts[i], position_m), step);
+}
+
+#endif
 
 // The position, moved to where the boundary lets a particle be.
 float3 ConfinePosition(float3 position_m, StepParams step)
@@ -81,6 +123,30 @@ void ConfinePath(inout float3 position_m, inout float3 velocity_m_s, float dt_s,
 
 void BouncePath(inout float3 position_m, inout float3 velocity_m_s, float restitution, StepParams step)
 {
+}
+
+#endif
+
+#if !defined(SOLID_WALLS)
+
+BoundarySample SampleBoundaryNear(uint i, float3 position_m, StepParams step, SmoothingKernelParams kernel)
+{
+    return SampleBoundary(position_m, step, kernel);
+}
+
+float3 ScaledPush(BoundarySample boundary, float3 push)
+{
+    return push * boundary.correction_scale;
+}
+
+float3 BorneOf(BoundarySample boundary, float3 acceleration_m_s2)
+{
+    return boundary.borne * acceleration_m_s2;
+}
+
+float3 ConfinePositionNear(uint i, float3 position_m, StepParams step)
+{
+    return ConfinePosition(position_m, step);
 }
 
 #endif

@@ -47,7 +47,7 @@ float DensityRatio(uint i, float3 x_i_m)
         }
     }
     density *= kernel.weight;
-    density += step_params.mirrors != 0 ? 0.0 : SampleBoundary(x_i_m, step_params, kernel).density;
+    density += step_params.mirrors != 0 ? 0.0 : SampleBoundaryNear(i, x_i_m, step_params, kernel).density;
     return density;
 }
 

@@ -35,6 +35,7 @@ mod session;
 mod settings;
 mod sharing;
 mod slots;
+mod solids;
 mod sph;
 mod state;
 mod walls;

@@ -38,6 +38,7 @@ fn summed(case: &Case, precision: PrecisionKeyword) -> Vec<f64> {
             sorted_positions: None,
             neighbours: neighbours.read(),
             list_heads: list_heads.read(),
+            solid_contacts: None,
             position_lambdas: (!packed).then(|| position_lambdas.write()),
             packed_position_lambdas: packed.then(|| packed_position_lambdas.write()),
             lambda_totals: None,

@@ -138,6 +138,7 @@ fn reorder_everything(
                 sorted_positions: None,
                 neighbours: neighbours.deltas.read(),
                 list_heads: neighbours.heads.read(),
+                solid_contacts: None,
                 position_lambdas: Some(way.position_lambdas.write()),
                 packed_position_lambdas: None,
                 lambda_totals: None,

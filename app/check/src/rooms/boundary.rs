@@ -70,11 +70,12 @@ fn densities(device: &Device, positions: &[Position], size_m: DVec3) -> Vec<f64>
         let step_state = bench.uniform("step_state", step_state(1, DT_S));
         bench.dispatch(
             &MeasureParticles {
-                variant: MeasureParticlesVariant { density: true, walls: true, periodic: false },
+                variant: MeasureParticlesVariant { density: true, walls: true.into(), periodic: false },
                 positions: positions.read(),
                 velocities: velocities.read(),
                 neighbours: Some(neighbours.read()),
                 list_heads: Some(list_heads.read()),
+                solid_contacts: None,
                 group_measures: group_measures.write(),
                 histograms: Some(histograms.write()),
                 step_state: step_state.uniform(),
@@ -127,18 +128,20 @@ fn gradients(device: &Device, positions: &[Position], size_m: DVec3) -> Vec<DVec
     let step_state = bench.uniform("step_state", step_state(count, DT_S));
     bench.dispatch(
         &CorrectPositions {
-            variant: CorrectPositionsVariant { walls: true, ..CorrectPositionsVariant::default() },
+            variant: CorrectPositionsVariant { walls: true.into(), ..CorrectPositionsVariant::default() },
             position_lambdas: Some(input.read()),
             packed_position_lambdas: None,
             sorted_positions: positions.read(),
             neighbours: neighbours.read(),
             list_heads: list_heads.read(),
+            solid_contacts: None,
             quantized_positions: after.write(),
             counters: counters.write(),
             step_state: step_state.uniform(),
             step_params: step_params.uniform(),
             kernel: kernel.uniform(),
             pbf: pbf.uniform(),
+            solids_params: None,
         },
         count,
     );

@@ -329,11 +329,16 @@ pub(crate) fn constraints_are_restricted_to_their_cells(device: &Device) {
         let coarse = bench.uniform("coarse", level);
         bench.dispatch(
             &ConstrainDensity {
-                variant: ConstrainDensityVariant { walls, momentum: MomentumKeyword::RestrictedMomentum, precision },
+                variant: ConstrainDensityVariant {
+                    walls: walls.into(),
+                    momentum: MomentumKeyword::RestrictedMomentum,
+                    precision,
+                },
                 quantized_positions: quantized_positions.read(),
                 sorted_positions: Some(sorted_positions.read()),
                 neighbours: neighbours.read(),
                 list_heads: list_heads.read(),
+                solid_contacts: None,
                 position_lambdas: (!packed).then(|| position_lambdas.write()),
                 packed_position_lambdas: packed.then(|| packed_position_lambdas.write()),
                 lambda_totals: packed.then(|| lambda_totals.write()),

@@ -77,7 +77,7 @@ fn run_iteration(
     bench.dispatch(
         &ConstrainDensity {
             variant: ConstrainDensityVariant {
-                walls: walls.has_walls(),
+                walls: walls.has_walls().into(),
                 momentum: keyword,
                 precision: pairs.precision,
             },
@@ -85,6 +85,7 @@ fn run_iteration(
             sorted_positions: walls.has_walls().then(|| sorted_positions.read()),
             neighbours: neighbours.read(),
             list_heads: list_heads.read(),
+            solid_contacts: None,
             position_lambdas: (!pairs.packed()).then(|| position_lambdas.write()),
             packed_position_lambdas: pairs.packed().then(|| packed_position_lambdas.write()),
             lambda_totals: (accumulates && pairs.packed()).then(|| lambda_totals.write()),

@@ -48,11 +48,12 @@ fn run_particles(
     let step_state = bench.uniform("step_state", step_state(case.count(), params.dt_s));
     bench.dispatch(
         &MeasureParticles {
-            variant: MeasureParticlesVariant { density, walls: walls.has_walls(), periodic: false },
+            variant: MeasureParticlesVariant { density, walls: walls.has_walls().into(), periodic: false },
             positions: positions.read(),
             velocities: velocities.read(),
             neighbours: density.then(|| neighbours.read()),
             list_heads: density.then(|| list_heads.read()),
+            solid_contacts: None,
             group_measures: group_measures.write(),
             histograms: density.then(|| histograms.write()),
             step_state: step_state.uniform(),
@@ -162,10 +163,11 @@ pub(crate) fn density_ratios_are_their_twins(device: &Device) {
             let step_state = bench.uniform("step_state", step_state(size, case.step_params().dt_s));
             bench.dispatch(
                 &DensityRatios {
-                    variant: DensityRatiosVariant { walls: walls.has_walls(), periodic: false },
+                    variant: DensityRatiosVariant { walls: walls.has_walls().into(), periodic: false },
                     positions: positions.read(),
                     neighbours: neighbours.read(),
                     list_heads: list_heads.read(),
+                    solid_contacts: None,
                     density_ratios: density_ratios.write(),
                     step_state: step_state.uniform(),
                     step_params: step_params.uniform(),

@@ -2,15 +2,16 @@
 
 use crate::bench::Bench;
 use crate::cases::{Case, INACTIVE, fluid, out_of_part, sizes, step_of, step_state};
-use crate::compare::{ROUNDING, Worst};
+use crate::compare::{ROUNDING, Worst, vector};
 use crate::device::Device;
 use crate::numbers::rng;
 use crate::wrong::{OrRaise as _, Wrong, ensure, ensure_eq};
 use brooklet_fluid::particles::id_of;
 use brooklet_kernels::{
-    Counters, IntegrateParticles, IntegrateParticlesVariant, Kernel, NoneParams, Position, QUARANTINED, StepParams,
-    Velocity,
+    BounceWalls, Counters, IntegrateParticles, IntegrateParticlesVariant, Kernel, NoneParams, Position, QUARANTINED,
+    StepParams, Velocity,
 };
+use brooklet_reference::boundary::bounce_path;
 use brooklet_reference::params::NonInteracting;
 use brooklet_reference::particles::predict::Particle;
 use brooklet_reference::solver::none::integrate_particles::integrate_particles;
@@ -152,4 +153,58 @@ pub(crate) fn states_that_are_not_finite_are_quarantined(device: &Device) {
     check(&case, &got, &params, twin(SETTINGS), true).or_raise();
     let parked: Vec<usize> = (0..70).filter(|&i| got.0[i].tag & QUARANTINED != 0).collect();
     ensure_eq!(parked, [3, 64]);
+}
+
+/// A position is clamped twice, a velocity turned or not: some eight roundings of the domain's size.
+pub(crate) fn bounce_walls_matches_its_twin(device: &Device) {
+    let mut rng = rng(76);
+    let tolerance = 8.0 * ROUNDING;
+    let mut worst = device.worst(BounceWalls::STAGE, tolerance);
+    let mut bounced = 0;
+    for size in sizes(device, BounceWalls::GROUP_SIZE[0] as usize) {
+        let mut case = case(&mut rng, size);
+        let size_m = case.size_m;
+        // A third of them beyond a wall.
+        case.positions.iter_mut().for_each(|at| {
+            at.position_m = std::array::from_fn(|axis| ((1.4 * rng.random::<f64>() - 0.2) * size_m[axis]) as f32);
+        });
+        let (params, settings) = (case.step_params(), NoneParams { restitution: 0.625, ..NoneParams::default() });
+        let mut bench = Bench::new(device);
+        let mut positions = bench.input("positions", &case.positions);
+        let mut velocities = bench.input("velocities", &case.velocities);
+        let state = bench.uniform("step_state", step_state(size, params.dt_s));
+        let step_params = bench.uniform("step_params", params);
+        let none = bench.uniform("none", settings);
+        bench.dispatch(
+            &BounceWalls {
+                positions: positions.write(),
+                velocities: velocities.write(),
+                step_state: state.uniform(),
+                step_params: step_params.uniform(),
+                none: none.uniform(),
+            },
+            size,
+        );
+        let mut done = bench.run();
+        let (positions, velocities) = (done.read(&positions, size), done.read(&velocities, size));
+        let step = step_of(&params, true);
+        let mut refused = size < 60;
+        for i in 0..size {
+            let before = (vector(case.positions[i].position_m), vector(case.velocities[i].velocity_m_s));
+            let takes_part = out_of_part(i) == 0;
+            let bounce = |restitution: f64| match takes_part {
+                true => bounce_path(before.0, before.1, restitution, &step),
+                false => before,
+            };
+            let (at_m, velocity_m_s) = bounce(0.625);
+            worst.check3(positions[i].position_m, at_m, size_m.length()).or_raise();
+            worst.check3(velocities[i].velocity_m_s, velocity_m_s, before.1.length()).or_raise();
+            bounced += usize::from(velocity_m_s != before.1);
+            let mut wrong = Worst::new(BounceWalls::STAGE, tolerance);
+            refused |= wrong.check3(positions[i].position_m, bounce(0.62).0, size_m.length()).is_err();
+        }
+        ensure!(refused, "another restitution");
+    }
+    ensure!(bounced > 100, "{bounced} bounced");
+    worst.report(device);
 }

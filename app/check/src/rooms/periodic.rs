@@ -251,10 +251,11 @@ pub(crate) fn densities_match_their_twins(device: &Device) {
             let step_state = bench.uniform("step_state", step_state(size, params.dt_s));
             bench.dispatch(
                 &DensityRatios {
-                    variant: DensityRatiosVariant { walls: has_walls, periodic: true },
+                    variant: DensityRatiosVariant { walls: has_walls.into(), periodic: true },
                     positions: positions.read(),
                     neighbours: neighbours.read(),
                     list_heads: list_heads.read(),
+                    solid_contacts: None,
                     density_ratios: ratios.write(),
                     step_state: step_state.uniform(),
                     step_params: step_params.uniform(),
@@ -264,11 +265,12 @@ pub(crate) fn densities_match_their_twins(device: &Device) {
             );
             bench.dispatch(
                 &MeasureParticles {
-                    variant: MeasureParticlesVariant { density: true, walls: has_walls, periodic: true },
+                    variant: MeasureParticlesVariant { density: true, walls: has_walls.into(), periodic: true },
                     positions: positions.read(),
                     velocities: velocities.read(),
                     neighbours: Some(neighbours.read()),
                     list_heads: Some(list_heads.read()),
+                    solid_contacts: None,
                     group_measures: group_measures.write(),
                     histograms: Some(histograms.write()),
                     step_state: step_state.uniform(),

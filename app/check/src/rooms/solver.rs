@@ -76,18 +76,20 @@ fn run_correct_from(
     let step_state = bench.uniform("step_state", case.step_state());
     bench.dispatch(
         &CorrectPositions {
-            variant: CorrectPositionsVariant { walls: walls.has_walls(), s_corr, precision: pairs.precision },
+            variant: CorrectPositionsVariant { walls: walls.has_walls().into(), s_corr, precision: pairs.precision },
             position_lambdas: (!pairs.packed()).then(|| position_lambdas.read()),
             packed_position_lambdas: pairs.packed().then(|| packed_position_lambdas.read()),
             sorted_positions: sorted_positions.read(),
             neighbours: neighbours.read(),
             list_heads: list_heads.read(),
+            solid_contacts: None,
             quantized_positions: quantized_positions.write(),
             counters: counters.write(),
             step_state: step_state.uniform(),
             step_params: step_params.uniform(),
             kernel: kernel.uniform(),
             pbf: pbf.uniform(),
+            solids_params: None,
         },
         case.count(),
     );

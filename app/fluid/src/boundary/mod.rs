@@ -14,6 +14,7 @@
 //! Differences along z are exactly 0.
 
 mod drag_walls;
+pub mod solids;
 mod walls;
 
 pub use drag_walls::{DragWalls, wall_faces};

@@ -1,6 +1,7 @@
 //! What a scene's values may be: each within its limits, and all of them together.
 
 mod faces;
+mod solids;
 
 use std::fmt::Display;
 
@@ -101,6 +102,7 @@ impl Scene {
         self.check_domain(&check)?;
         self.check_axes(&check)?;
         self.check_faces(&check)?;
+        self.check_solids(&check)?;
         match self.solver.method {
             Method::Pbf => {
                 self.check_iterations(&check, self.solver.pbf.iterations, "solver.pbf.iterations")?;

@@ -6,6 +6,7 @@
 use super::faces::Slip;
 use super::field::{Field, Kind, Limits};
 use super::pbf::Acceleration;
+use super::solids::OpenFaces;
 use super::solver::{Method, Precision};
 use super::sph::{Integrator, SmoothingKernel};
 use super::update::{Update, UpdateRule};
@@ -24,6 +25,7 @@ const fn whole(least: f64, most: f64, unit: &'static str) -> Kind {
 
 /// Far enough for any scene, near enough that f64 still tells micrometres apart there.
 const PLACE: Kind = Kind::Vector(within(-1.0e6, 1.0e6, "m"));
+const TURN: Kind = Kind::Vector(within(-1.0e6, 1.0e6, "degrees"));
 const SPEED: Kind = Kind::Vector(within(-1.0e6, 1.0e6, "m/s"));
 
 const LIVE: UpdateRule = UpdateRule::Always(Update::Live);
@@ -117,6 +119,32 @@ pub const FIELDS: &[Field] = &[
     Field::new("fluid.*.velocity_m_s", SPEED, RESET),
     Field::new("fluid.*.velocity_spread_m_s", Kind::Vector(within(0.0, 1.0e6, "m/s")), RESET),
     Field::new("fluid.*.rest_density_kg_m3", number(1.0e-6, 1.0e6, "kg/m³"), LIVE),
+    Field::new("solid", Kind::Tables, REBUILD),
+    Field::new("solid.*", Kind::Table, REBUILD),
+    Field::new("solid.*.box", Kind::Table, REBUILD),
+    Field::new("solid.*.box.size_m", Kind::Vector(within(1.0e-6, 1.0e6, "m")), REBUILD),
+    Field::new("solid.*.sphere", Kind::Table, REBUILD),
+    Field::new("solid.*.sphere.radius_m", number(1.0e-6, 1.0e6, "m"), REBUILD),
+    Field::new("solid.*.capsule", Kind::Table, REBUILD),
+    Field::new("solid.*.capsule.radius_m", number(1.0e-6, 1.0e6, "m"), REBUILD),
+    Field::new("solid.*.capsule.length_m", number(1.0e-6, 1.0e6, "m"), REBUILD),
+    Field::new("solid.*.cylinder", Kind::Table, REBUILD),
+    Field::new("solid.*.cylinder.radius_m", number(1.0e-6, 1.0e6, "m"), REBUILD),
+    Field::new("solid.*.cylinder.length_m", number(1.0e-6, 1.0e6, "m"), REBUILD),
+    Field::new("solid.*.thickness_m", number(1.0e-6, 1.0e6, "m"), REBUILD),
+    Field::new("solid.*.open", Kind::Choice(OpenFaces::NAMES), REBUILD),
+    Field::new("solid.*.centre_m", PLACE, REBUILD),
+    Field::new("solid.*.turned_deg", TURN, REBUILD),
+    Field::new("solid.*.velocity_m_s", SPEED, REBUILD),
+    Field::new("solid.*.spin_deg_s", Kind::Vector(within(-1.0e6, 1.0e6, "degrees/s")), REBUILD),
+    Field::new("solid.*.keyframe", Kind::Tables, REBUILD),
+    Field::new("solid.*.keyframe.*", Kind::Table, REBUILD),
+    Field::new("solid.*.keyframe.*.time_s", number(0.0, 1.0e6, "s"), REBUILD),
+    Field::new("solid.*.keyframe.*.centre_m", PLACE, REBUILD),
+    Field::new("solid.*.keyframe.*.turned_deg", TURN, REBUILD),
+    Field::new("solid.*.repeat", Kind::Switch, REBUILD),
+    Field::new("solid.*.friction", number(0.0, 10.0, ""), REBUILD).slider(0.0, 1.0),
+    Field::new("solid.*.restitution", number(0.0, 1.0, ""), REBUILD).slider(0.0, 1.0),
     Field::new("solver", Kind::Table, REBUILD),
     Field::new("solver.method", Kind::Choice(Method::NAMES), RESET),
     Field::new("solver.dt_s", number(1.0e-9, 1.0e3, "s"), LIVE).logarithmic(5e-4, 0.02),

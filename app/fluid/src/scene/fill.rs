@@ -4,6 +4,7 @@ use brooklet_kernels::{FLUID_SHIFT, INACTIVE_FLUID};
 
 use super::lattice::{self, WHOLE, steps_m};
 use super::{Block, Fluid, Scene};
+use crate::boundary::solids::StandingSolid;
 
 /// What a tag's bits below the fluid's number can tell apart.
 pub const MAX_PARTICLES: u32 = 1 << FLUID_SHIFT;
@@ -62,13 +63,17 @@ pub(crate) fn for_each_point(scene: &Scene, mut visit: impl FnMut(usize, &Fluid,
     }
 }
 
-/// What one fluid fills: points of its lattice in it that no earlier fluid has.
+/// What one fluid fills: points of its lattice in it that no earlier fluid has, and that no solid is nearer to than half a
+/// spacing, as far as the lattice is from walls.
 struct Filled<'a> {
     index: usize,
     fluid: &'a Fluid,
     lattice: Lattice,
     /// Those that may have some.
     earlier: Vec<&'a Fluid>,
+    /// As many as may be near.
+    solids: Vec<StandingSolid>,
+    from_solids_m: f64,
 }
 
 fn filled(scene: &Scene) -> impl Iterator<Item = Filled<'_>> {
@@ -80,14 +85,25 @@ fn filled(scene: &Scene) -> impl Iterator<Item = Filled<'_>> {
             (0..3).all(|axis| low_m[axis] <= max_m[axis] && high_m[axis] >= min_m[axis])
         };
         let earlier = scene.fluids[..index].iter().filter(meets).collect();
-        Some(Filled { index, fluid, lattice, earlier })
+        // A hair nearer: f32 is not exact either.
+        let from_solids_m = (0.5 - WHOLE) * fitted_spacing_m(scene);
+        let is_near = |solid: &StandingSolid| {
+            let [low_m, high_m] = solid.bounds_m();
+            (0..3).all(|axis| low_m[axis] - from_solids_m <= max_m[axis] && high_m[axis] + from_solids_m >= min_m[axis])
+        };
+        let solids = scene.solids.iter().map(StandingSolid::of).filter(is_near).collect();
+        Some(Filled { index, fluid, lattice, earlier, solids, from_solids_m })
     })
 }
 
 impl Filled<'_> {
     fn for_each(&self, mut visit: impl FnMut([f64; 3])) {
         self.lattice.for_each(|place_m| {
-            if self.fluid.contains(place_m) && !self.earlier.iter().any(|earlier| earlier.contains(place_m)) {
+            let is_free = |solid: &StandingSolid| solid.distance_m(place_m) >= self.from_solids_m;
+            if self.fluid.contains(place_m)
+                && !self.earlier.iter().any(|earlier| earlier.contains(place_m))
+                && self.solids.iter().all(is_free)
+            {
                 visit(place_m);
             }
         });
@@ -97,7 +113,11 @@ impl Filled<'_> {
         let Lattice { counts, .. } = &self.lattice;
         // A block has all points of a lattice whose first and last it has.
         let ends = [[0; 3], counts.map(|count| count.saturating_sub(1))].map(|steps| self.lattice.place_m(steps));
-        if self.fluid.block.is_some() && self.earlier.is_empty() && ends.iter().all(|end| self.fluid.contains(*end)) {
+        if self.fluid.block.is_some()
+            && self.earlier.is_empty()
+            && self.solids.is_empty()
+            && ends.iter().all(|end| self.fluid.contains(*end))
+        {
             return counts.iter().map(|count| *count as u64).product();
         }
         let mut count = 0;

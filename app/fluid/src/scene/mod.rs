@@ -25,6 +25,7 @@ mod pbf;
 mod schema;
 mod settings;
 mod shipped;
+mod solids;
 mod solver;
 mod sph;
 mod surface;
@@ -51,6 +52,7 @@ pub use pbf::{Acceleration, PbfSettings};
 #[cfg(feature = "schema")]
 pub use schema::schema;
 pub use shipped::shipped_scenes;
+pub use solids::{BoxShape, KeyframeSettings, OpenFaces, RoundShape, Shape, SolidSettings, SphereShape};
 pub use solver::{Method, Precision, Solver};
 pub use sph::{Integrator, SmoothingKernel, SphSettings};
 pub use surface::{AutoSettings, MeshSettings, PointColor, Smoothing, Surface, SurfaceMethod};
@@ -86,6 +88,9 @@ pub struct Scene {
     /// The fluids at the start.
     #[serde(default, rename = "fluid")]
     pub fluids: Vec<Fluid>,
+    /// Solids that it flows around; none: no pass, no buffer, no code.
+    #[serde(default, rename = "solid", skip_serializing_if = "Vec::is_empty")]
+    pub solids: Vec<SolidSettings>,
     /// Solver settings.
     #[serde(default)]
     pub solver: Solver,

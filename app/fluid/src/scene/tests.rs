@@ -1,5 +1,7 @@
 //! Scenes: defaults, shipped ones, and each message a bad one gets.
 
+use std::ops::Add as _;
+
 use super::fields::{FIELDS, kind_of};
 use super::fill;
 use super::*;
@@ -69,6 +71,13 @@ fn setting(field: &str, value: &str) -> Vec<String> {
     }
     if field.starts_with("forces.field.*") {
         settings.push("forces.field=[{ end_s = 2 }]".into());
+    }
+    if field.starts_with("solid.*") {
+        let round = ["capsule", "cylinder"].into_iter().find(|shape| field.starts_with(&format!("solid.*.{shape}.")));
+        settings.push(match round {
+            Some(shape) => format!("solid=[{{ {shape} = {{ radius_m = 0.2, length_m = 0.5 }} }}]"),
+            None => "solid=[{ keyframe = [{ time_s = 0 }] }]".into(),
+        });
     }
     if field.starts_with("fluid.*.sphere") {
         settings.push("fluid.0={ sphere = { centre_m = [0.5, 0.5, 0.5], radius_m = 0.2 } }".into());
@@ -154,6 +163,9 @@ fn the_table_has_every_field() {
         &[
             "capacity=5000",
             "forces.field=[{ end_s = 2 }]",
+            "solid=[{ box = { size_m = [1, 1, 1] }, thickness_m = 0.1, open = \"x_min\" }, { sphere = { radius_m = 0.2 } }, \
+             { capsule = { radius_m = 0.2, length_m = 0.5 } }, { cylinder = { radius_m = 0.2, length_m = 0.5 }, \
+             keyframe = [{ time_s = 0 }, { time_s = 1 }], repeat = true }]",
             "solver.max_speed_m_s=5",
             "solver.neighbour_slots=64",
             "solver.pbf.coarse_correction=true",
@@ -353,4 +365,63 @@ fn a_scene_is_written_in_the_order_of_scene_files() {
     let parts = parts.into_iter().chain(["iterations", "[forces]", "xsph", "[surface]", "[camera]", "[outputs]"]);
     let at: Vec<usize> = parts.map(|part| text.find(&format!("\n{part}")).unwrap_or(0)).collect();
     assert!(at.is_sorted() && at.iter().filter(|at| **at == 0).count() == 1, "{at:?} in {text}");
+}
+
+/// One wrong thing each, of a scene with a hollow cylinder that moves along keyframes.
+#[test]
+fn messages_about_solids_name_the_solid_and_what_is_allowed() {
+    let solid = "[[solid]]\ncylinder = { radius_m = 0.3, length_m = 0.6 }\nthickness_m = 0.1\nopen = \"y_max\"\n\
+        [[solid.keyframe]]\ntime_s = 0\ncentre_m = [0.6, 0.5, 0.5]\n[[solid.keyframe]]\ntime_s = 1\ncentre_m = [0.6, 0.6, 0.5]\n";
+    let text = SMALL.to_string() + solid;
+    assert!(load(&text, &[]).is_ok());
+    let cases: &[(&[&str], &[&str])] = &[
+        (
+            &["solid.0.sphere={ radius_m = 1 }"],
+            &["solid.0 = 2 shapes", "one of `box`, `sphere`, `capsule` and `cylinder`"],
+        ),
+        (&["solid.0.cylinder.radius_m=0"], &["solid.0.cylinder.radius_m = 0", "1e-6 to"]),
+        (&["solid.0.cylinder.radius_m=0.15"], &["a radius of 0.05 m", "at least h/2 = 0.1 m"]),
+        (&["solid.0.thickness_m=0.3"], &["solid.0.thickness_m = 0.3", "below 0.3"]),
+        (&["solid.0.open=x_min"], &["solid.0.open = \"x_min\"", "\"y_min\" or \"y_max\" or \"ends\""]),
+        (&["solid.0.keyframe.1.time_s=0"], &["solid.0.keyframe.1.time_s = 0", "after the one before, 0"]),
+        (&["solid.0.keyframe.1.time_s=0.001"], &["solid.0.keyframe.1 = ", "m a substep", "at most a spacing, 0.1 m"]),
+        (&["solid.0.centre_m=[1, 0, 0]"], &["solid.0.keyframe = 2 keyframes", "not with centre_m"]),
+        (&["solid.0.friction=-1"], &["solid.0.friction = -1", "0 to 10"]),
+        (&["solid.0.restitution=2"], &["solid.0.restitution = 2", "0 to 1"]),
+        (&["domain.periodic=[true, false, false]", "domain.max_m.0=1.6"], &["solid = 1 solids", "domain.periodic"]),
+        (&["domain.dimensions=2"], &["solid = 1 solids", "domain.dimensions = 2"]),
+    ];
+    for (settings, parts) in cases {
+        let message = load(&text, settings).unwrap_err();
+        assert!(parts.iter().all(|part| message.contains(part)), "{settings:?}: {message}");
+    }
+    let many = SMALL.to_string() + &"[[solid]]\nsphere = { radius_m = 0.1 }\n".repeat(129);
+    assert!(load(&many, &[]).unwrap_err().contains("solid = 129 solids: at most 128"));
+    let spinning = SMALL.to_string() + "[[solid]]\nbox = { size_m = [1, 1, 1] }\nspin_deg_s = [0, 1e5, 0]\n";
+    assert!(load(&spinning, &[]).unwrap_err().contains("solid.0.spin_deg_s"));
+}
+
+/// Particles are where no solid is, and their number is known without making them.
+#[test]
+fn fluid_is_filled_around_solids_and_into_hollow_ones() {
+    let filled = |solid: &str| {
+        let scene = load(
+            &SMALL.replace("[0.3, 0.2, 0.1]", "[1, 1, 1]").replace("spacing_m = 0.1", "spacing_m = 0.05").add(solid),
+            &[],
+        );
+        let scene = scene.unwrap();
+        let particles = sample_lattice(&scene).positions;
+        assert_eq!(fill::count(&scene), particles.len() as u64);
+        particles.len()
+    };
+    let all = filled("");
+    assert_eq!(all, 8000);
+    // A box of ten spacings keeps its particles and half a spacing around them free.
+    let solid = filled("[[solid]]\nbox = { size_m = [0.5, 0.5, 0.5] }\ncentre_m = [0.5, 0.5, 0.5]\n");
+    assert_eq!(all - solid, 1000);
+    // Two spacings of wall: of ten by ten by ten places six by six by six and, where it is open, two layers more.
+    let hollow = filled(
+        "[[solid]]\nbox = { size_m = [0.5, 0.5, 0.5] }\ncentre_m = [0.5, 0.5, 0.5]\nthickness_m = 0.1\nopen = \"y_max\"\n",
+    );
+    assert_eq!(hollow - solid, 6 * 6 * 8);
 }

@@ -13,6 +13,7 @@ use brooklet_gpu::{Engine, FrameReport, Gpu, GpuError, Plan, PlanError, Recordin
 use brooklet_kernels::{Buffer, Position, WarmStart};
 use thiserror::Error;
 
+use crate::boundary::solids::solids_params;
 use crate::drag::{Drag, DragPass};
 use crate::measure::{Sample, Stats};
 use crate::particles::ParticleSet;
@@ -342,6 +343,9 @@ impl Session {
         let before = pbf::separation_lambda(&self.scene);
         self.scene.gravity_m_s2 = gravity_m_s2;
         self.engine.write_uploaded(&self.recorded.step_params, &[step_params(&self.scene)]);
+        if let Some(params) = &self.recorded.solids_params {
+            self.engine.write_uploaded(params, &[solids_params(&self.scene)]);
+        }
         if let Some(params) = &self.recorded.pbf_params
             && before != pbf::separation_lambda(&self.scene)
         {

@@ -2,7 +2,7 @@
 // makes it anew from measure/density_ratios.compute.
 //! Kernels of `measure/density_ratios.compute`.
 
-use super::{ListHead, Position, SmoothingKernelParams, StepParams, StepState};
+use super::{ListHead, Position, SmoothingKernelParams, SolidContact, StepParams, StepState, WallsKeyword};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
     Uniform, bind,
@@ -11,8 +11,8 @@ use crate::{
 /// Which variant of [`DensityRatios`] runs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct DensityRatiosVariant {
-    /// Keyword `WALLS`.
-    pub walls: bool,
+    /// Keyword `WALLS` or `SOLID_WALLS`.
+    pub walls: WallsKeyword,
     /// Keyword `PERIODIC`.
     pub periodic: bool,
 }
@@ -36,6 +36,8 @@ pub struct DensityRatios<'a> {
     pub step_params: Uniform<'a, StepParams>,
     /// `ConstantBuffer<SmoothingKernelParams> kernel`.
     pub kernel: Uniform<'a, SmoothingKernelParams>,
+    /// `StructuredBuffer<SolidContact> solid_contacts`.
+    pub solid_contacts: Option<Buf<'a, SolidContact>>,
 }
 
 impl Kernel for DensityRatios<'_> {
@@ -44,10 +46,12 @@ impl Kernel for DensityRatios<'_> {
 
     fn module(&self) -> &'static Module {
         match (self.variant.walls, self.variant.periodic) {
-            (false, false) => &DENSITY_RATIOS,
-            (false, true) => &DENSITY_RATIOS_WITH_PERIODIC,
-            (true, false) => &DENSITY_RATIOS_WITH_WALLS,
-            (true, true) => &DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC,
+            (WallsKeyword::Off, false) => &DENSITY_RATIOS,
+            (WallsKeyword::Off, true) => &DENSITY_RATIOS_WITH_PERIODIC,
+            (WallsKeyword::Walls, false) => &DENSITY_RATIOS_WITH_WALLS,
+            (WallsKeyword::Walls, true) => &DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC,
+            (WallsKeyword::SolidWalls, false) => &DENSITY_RATIOS_WITH_SOLID_WALLS,
+            (WallsKeyword::SolidWalls, true) => &DENSITY_RATIOS_WITH_SOLID_WALLS_WITH_PERIODIC,
         }
     }
     fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
@@ -61,6 +65,7 @@ impl Kernel for DensityRatios<'_> {
                 ("step_state", Some(self.step_state.id)),
                 ("step_params", Some(self.step_params.id)),
                 ("kernel", Some(self.kernel.id)),
+                ("solid_contacts", self.solid_contacts.as_ref().map(|bound| bound.id)),
             ],
         )
     }
@@ -72,6 +77,8 @@ pub(super) static MODULES: &[&Module] = &[
     &DENSITY_RATIOS_WITH_PERIODIC,
     &DENSITY_RATIOS_WITH_WALLS,
     &DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC,
+    &DENSITY_RATIOS_WITH_SOLID_WALLS,
+    &DENSITY_RATIOS_WITH_SOLID_WALLS_WITH_PERIODIC,
 ];
 
 static BINDINGS_0: &[BindingInfo] = &[
@@ -88,6 +95,25 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "kernel", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
+static BINDINGS_1: &[BindingInfo] = &[
+    BindingInfo { name: "positions", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
+    BindingInfo { name: "neighbours", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo { name: "list_heads", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo {
+        name: "solid_contacts",
+        slot: 3,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 48 },
+    },
+    BindingInfo {
+        name: "density_ratios",
+        slot: 4,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 },
+    },
+    BindingInfo { name: "step_state", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 6, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
+];
+
 static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/measure_density_ratios.deflate"));
 
 static DENSITY_RATIOS: Module = Module {
@@ -100,7 +126,7 @@ static DENSITY_RATIOS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "649470fca41d7c2e4755973978e0fdbf437e7b48cb07377b7414fe1ca5f50f32",
+    hash: "0b03f41a13db51354dcae17b119701ea9fa29c3c37756c7e036402d0fcf881f9",
 };
 
 static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
@@ -113,7 +139,7 @@ static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "53452f6d197dfc6315327f26c7850c74347ce55ad66d9cf3d63bba34ffceea98",
+    hash: "cded083ff6559914826b22c40f6607ac836408ff5cb1cea25fdd04fec4f801e0",
 };
 
 static DENSITY_RATIOS_WITH_WALLS: Module = Module {
@@ -126,7 +152,7 @@ static DENSITY_RATIOS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "39730415c249088cdd8a9a70bdc1022a3c520474bd6183a2fec7bbd348c4d00f",
+    hash: "4965004dad1e2cab2d076ae77ccd04ba4a3e74330c1fa2b1b578b204a8911fdc",
 };
 
 static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -139,5 +165,31 @@ static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "e9e01edd0b3d085ffdf3ac137e737f477b74b697761a4bed50d4b98314aa70a8",
+    hash: "e18fe0c3fdcea6fb14e4a0c91ae0b87b6dd1d4d3d6c40cf9afc6bea78bc968aa",
+};
+
+static DENSITY_RATIOS_WITH_SOLID_WALLS: Module = Module {
+    name: "DensityRatios+SOLID_WALLS",
+    entry: "DensityRatios",
+    stage: StageKind::Compute,
+    spirv: Spirv::Packed { pack: PACK, first: 33092, bytes: 10580 },
+    bindings: BINDINGS_1,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "measure/density_ratios.compute",
+    hash: "c16690213cf6be249feca266ffad1dc7002faa33de40ccf79c336fc1132a30d1",
+};
+
+static DENSITY_RATIOS_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
+    name: "DensityRatios+SOLID_WALLS+PERIODIC",
+    entry: "DensityRatios",
+    stage: StageKind::Compute,
+    spirv: Spirv::Packed { pack: PACK, first: 43672, bytes: 10752 },
+    bindings: BINDINGS_1,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "measure/density_ratios.compute",
+    hash: "151fe0c361d730c10a0a5d74260424f2dbaa664299e156d894a425c155fb6b7b",
 };

@@ -2,7 +2,9 @@
 // makes it anew from measure/measure_particles.compute.
 //! Kernels of `measure/measure_particles.compute`.
 
-use super::{ListHead, MeasureSums, Position, SmoothingKernelParams, StepParams, StepState, Velocity};
+use super::{
+    ListHead, MeasureSums, Position, SmoothingKernelParams, SolidContact, StepParams, StepState, Velocity, WallsKeyword,
+};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
     Uniform, bind,
@@ -13,8 +15,8 @@ use crate::{
 pub struct MeasureParticlesVariant {
     /// Keyword `DENSITY`.
     pub density: bool,
-    /// Keyword `WALLS`.
-    pub walls: bool,
+    /// Keyword `WALLS` or `SOLID_WALLS`.
+    pub walls: WallsKeyword,
     /// Keyword `PERIODIC`.
     pub periodic: bool,
 }
@@ -46,6 +48,8 @@ pub struct MeasureParticles<'a> {
     pub histograms: Option<BufMut<'a, u32>>,
     /// `ConstantBuffer<SmoothingKernelParams> kernel`.
     pub kernel: Option<Uniform<'a, SmoothingKernelParams>>,
+    /// `StructuredBuffer<SolidContact> solid_contacts`.
+    pub solid_contacts: Option<Buf<'a, SolidContact>>,
 }
 
 impl Kernel for MeasureParticles<'_> {
@@ -54,14 +58,18 @@ impl Kernel for MeasureParticles<'_> {
 
     fn module(&self) -> &'static Module {
         match (self.variant.density, self.variant.walls, self.variant.periodic) {
-            (false, false, false) => &MEASURE_PARTICLES,
-            (false, false, true) => &MEASURE_PARTICLES,
-            (false, true, false) => &MEASURE_PARTICLES,
-            (false, true, true) => &MEASURE_PARTICLES,
-            (true, false, false) => &MEASURE_PARTICLES_WITH_DENSITY,
-            (true, false, true) => &MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC,
-            (true, true, false) => &MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS,
-            (true, true, true) => &MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC,
+            (false, WallsKeyword::Off, false) => &MEASURE_PARTICLES,
+            (false, WallsKeyword::Off, true) => &MEASURE_PARTICLES,
+            (false, WallsKeyword::Walls, false) => &MEASURE_PARTICLES,
+            (false, WallsKeyword::Walls, true) => &MEASURE_PARTICLES,
+            (false, WallsKeyword::SolidWalls, false) => &MEASURE_PARTICLES,
+            (false, WallsKeyword::SolidWalls, true) => &MEASURE_PARTICLES,
+            (true, WallsKeyword::Off, false) => &MEASURE_PARTICLES_WITH_DENSITY,
+            (true, WallsKeyword::Off, true) => &MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC,
+            (true, WallsKeyword::Walls, false) => &MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS,
+            (true, WallsKeyword::Walls, true) => &MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC,
+            (true, WallsKeyword::SolidWalls, false) => &MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS,
+            (true, WallsKeyword::SolidWalls, true) => &MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS_WITH_PERIODIC,
         }
     }
     fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
@@ -77,6 +85,7 @@ impl Kernel for MeasureParticles<'_> {
                 ("list_heads", self.list_heads.as_ref().map(|bound| bound.id)),
                 ("histograms", self.histograms.as_ref().map(|bound| bound.id)),
                 ("kernel", self.kernel.as_ref().map(|bound| bound.id)),
+                ("solid_contacts", self.solid_contacts.as_ref().map(|bound| bound.id)),
             ],
         )
     }
@@ -89,6 +98,8 @@ pub(super) static MODULES: &[&Module] = &[
     &MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC,
     &MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS,
     &MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC,
+    &MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS,
+    &MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS_WITH_PERIODIC,
 ];
 
 static BINDINGS_0: &[BindingInfo] = &[
@@ -123,6 +134,31 @@ static BINDINGS_1: &[BindingInfo] = &[
     BindingInfo { name: "kernel", slot: 8, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
+static BINDINGS_2: &[BindingInfo] = &[
+    BindingInfo { name: "positions", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
+    BindingInfo { name: "velocities", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
+    BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo { name: "list_heads", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo {
+        name: "solid_contacts",
+        slot: 4,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 48 },
+    },
+    BindingInfo {
+        name: "group_measures",
+        slot: 5,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 64 },
+    },
+    BindingInfo {
+        name: "histograms",
+        slot: 6,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 },
+    },
+    BindingInfo { name: "step_state", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 8, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 9, kind: BindingKind::Uniform { bytes: 48 } },
+];
+
 static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/measure_measure_particles.deflate"));
 
 static MEASURE_PARTICLES: Module = Module {
@@ -135,7 +171,7 @@ static MEASURE_PARTICLES: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "e6a7f4cf09cfd7fc0e147a821b4638e0bb62f67966232d27b238d0f557228cfe",
+    hash: "6f1042e59d4685ab487538195dac2b0101e37bbe824eb59e581cce0a4f0957a0",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
@@ -148,7 +184,7 @@ static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "c806fac3c296f55d5b0c027c0af9034e1275945458c61e79d86552a7ddd2700c",
+    hash: "0ffcd3c52908870dc8cdfe183e6200c8e88fc1cecb7406e0824c19e13c911103",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
@@ -161,7 +197,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "990591369f533c37c3385c1f6bd72964f4866e74c49a70a9967091f05e4c354d",
+    hash: "9e103b9db2842ac5278745812cf5a741eb82951dd68ab2c0e45c3ffe6f7c9431",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
@@ -174,7 +210,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "be119bd1c35aa6008e3f99dce74d149365e84a314ef6afe0b4529af1cf27a9c3",
+    hash: "476dc1f9bd5ac3ca170c97027c23c545c80f38eabacdd102506f5a6263b217ff",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -187,5 +223,31 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module 
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "3e0216b0854978dab042556a6196e89991f6685872ceec1024cf8832f30931a2",
+    hash: "f4b105c6c622e2dd64b97e2a63e169b42974460ad6460d6edf24e41dd34e6e3a",
+};
+
+static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS: Module = Module {
+    name: "MeasureParticles+DENSITY+SOLID_WALLS",
+    entry: "MeasureParticles",
+    stage: StageKind::Compute,
+    spirv: Spirv::Packed { pack: PACK, first: 62600, bytes: 16092 },
+    bindings: BINDINGS_2,
+    group_size: [64, 1, 1],
+    shared_bytes: 8192,
+    tier: Tier::Floor,
+    source: "measure/measure_particles.compute",
+    hash: "731668648252b992eecc5d9f4c8b258aa750dcc8c508d99550c7c81f50da15f0",
+};
+
+static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
+    name: "MeasureParticles+DENSITY+SOLID_WALLS+PERIODIC",
+    entry: "MeasureParticles",
+    stage: StageKind::Compute,
+    spirv: Spirv::Packed { pack: PACK, first: 78692, bytes: 16264 },
+    bindings: BINDINGS_2,
+    group_size: [64, 1, 1],
+    shared_bytes: 8192,
+    tier: Tier::Floor,
+    source: "measure/measure_particles.compute",
+    hash: "72a24bbbae3060954eec5a43cf26084664f9e33ca36bac4ea78b60a5bef8d66e",
 };

@@ -4,6 +4,12 @@
 
 mod boundary_drag_walls;
 mod boundary_layout;
+mod boundary_solids_collide_solids;
+mod boundary_solids_confine_displacements;
+mod boundary_solids_layout;
+mod boundary_solids_mark_solids;
+mod boundary_solids_move_solids;
+mod boundary_solids_sample_solids;
 mod forces_apply_fields;
 mod forces_confine_vorticity;
 mod forces_curl;
@@ -32,6 +38,7 @@ mod measure_sample_particles;
 mod particles_activate;
 mod particles_advect;
 mod particles_begin_substep;
+mod particles_bounce_walls;
 mod particles_deactivate;
 mod particles_drag;
 mod particles_end_step;
@@ -59,6 +66,8 @@ mod solver_pbf_relax_multiplier;
 mod solver_pbf_start_warm;
 mod solver_pbf_update_velocity;
 mod solver_sph_accelerate;
+mod solver_sph_add_solid_acceleration;
+mod solver_sph_add_solid_density;
 mod solver_sph_choose_time_step;
 mod solver_sph_compute_density;
 mod solver_sph_layout;
@@ -108,6 +117,12 @@ mod surface_water;
 
 pub use boundary_drag_walls::*;
 pub use boundary_layout::*;
+pub use boundary_solids_collide_solids::*;
+pub use boundary_solids_confine_displacements::*;
+pub use boundary_solids_layout::*;
+pub use boundary_solids_mark_solids::*;
+pub use boundary_solids_move_solids::*;
+pub use boundary_solids_sample_solids::*;
 pub use forces_apply_fields::*;
 pub use forces_confine_vorticity::*;
 pub use forces_curl::*;
@@ -136,6 +151,7 @@ pub use measure_sample_particles::*;
 pub use particles_activate::*;
 pub use particles_advect::*;
 pub use particles_begin_substep::*;
+pub use particles_bounce_walls::*;
 pub use particles_deactivate::*;
 pub use particles_drag::*;
 pub use particles_end_step::*;
@@ -163,6 +179,8 @@ pub use solver_pbf_relax_multiplier::*;
 pub use solver_pbf_start_warm::*;
 pub use solver_pbf_update_velocity::*;
 pub use solver_sph_accelerate::*;
+pub use solver_sph_add_solid_acceleration::*;
+pub use solver_sph_add_solid_density::*;
 pub use solver_sph_choose_time_step::*;
 pub use solver_sph_compute_density::*;
 pub use solver_sph_layout::*;
@@ -214,6 +232,11 @@ pub use surface_water::*;
 pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
     [
         boundary_drag_walls::MODULES,
+        boundary_solids_collide_solids::MODULES,
+        boundary_solids_confine_displacements::MODULES,
+        boundary_solids_mark_solids::MODULES,
+        boundary_solids_move_solids::MODULES,
+        boundary_solids_sample_solids::MODULES,
         forces_apply_fields::MODULES,
         forces_confine_vorticity::MODULES,
         forces_curl::MODULES,
@@ -240,6 +263,7 @@ pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
         particles_activate::MODULES,
         particles_advect::MODULES,
         particles_begin_substep::MODULES,
+        particles_bounce_walls::MODULES,
         particles_deactivate::MODULES,
         particles_drag::MODULES,
         particles_end_step::MODULES,
@@ -263,6 +287,8 @@ pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
         solver_pbf_start_warm::MODULES,
         solver_pbf_update_velocity::MODULES,
         solver_sph_accelerate::MODULES,
+        solver_sph_add_solid_acceleration::MODULES,
+        solver_sph_add_solid_density::MODULES,
         solver_sph_choose_time_step::MODULES,
         solver_sph_compute_density::MODULES,
         surface_anisotropy::MODULES,

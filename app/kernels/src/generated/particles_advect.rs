@@ -143,7 +143,7 @@ static ADVECT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "d082884933ceb4bab960db72cf426b0f78d981c00d2116700dc53e3893761300",
+    hash: "51bb6ec317141a36966ce099388c27a987a927eabf198e3175111932d5dff595",
 };
 
 static ADVECT_WITH_PERIODIC: Module = Module {
@@ -156,7 +156,7 @@ static ADVECT_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "f35c8076b23455cf7a7de4c51cfc4fdcfdf392ca4f0c41bf7de23e0d43fe3dfc",
+    hash: "79c2ae78647d390d48d73d51c3a4556cc20fb3b3eddf7332fec04a7e643052f6",
 };
 
 static ADVECT_WITH_WALLS: Module = Module {
@@ -169,7 +169,7 @@ static ADVECT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "fb5b09a5769d3f4581b436605b802868558c5385998ff10d4e015c6746478a97",
+    hash: "780cc4cdcdf8f0e7de92d708842da2337b4eaae462b535e2db6f579dd73121d6",
 };
 
 static ADVECT_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -182,7 +182,7 @@ static ADVECT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "5d26a52b9dda92b057618221c2e6e5ce8e64e5453f9a150bddd4ab4f013e966a",
+    hash: "7212a767d75af92eaa095d3634f302e4f0d2942cc16618eed0c3cc02f45bdf51",
 };
 
 static ADVECT_WITH_ACCELERATED: Module = Module {
@@ -195,7 +195,7 @@ static ADVECT_WITH_ACCELERATED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "4dda24adfec80f93433741a72af1c2470f6ded92aad5118d6529f1047020bfbb",
+    hash: "d07042cbf8b9308ae208cb455c7c3eb7566b859f0438e94653078e8127b13360",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_PERIODIC: Module = Module {
@@ -208,7 +208,7 @@ static ADVECT_WITH_ACCELERATED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "b5241b88baff77d4c9fb60d275894e3dc66e59283b40a97c2f1eb1a1f322f980",
+    hash: "f2cd1386c0a966f78cdca5ec9c8ed30dccdac548fdef4431403b607ae7568a89",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_WALLS: Module = Module {
@@ -221,7 +221,7 @@ static ADVECT_WITH_ACCELERATED_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "06e2d0ad73921127ce67ecfa17ef61b9af1ff5950273b6330b59a04422f79a7c",
+    hash: "01e8335e0bf459c8676e3eaf9552d08def9a5145b39848201b43ecc6f1ee4355",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -234,5 +234,5 @@ static ADVECT_WITH_ACCELERATED_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "a8a4e72493db2d292a6644c55c9f7140802ef939069f6f62682fdf203f17bb12",
+    hash: "ba1e7e4731c3c495b2167d4659fc8486778529ba66e955990063982014fd306b",
 };

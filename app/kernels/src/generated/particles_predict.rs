@@ -97,7 +97,7 @@ static PREDICT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "40e87ed0a3946eca1f6faa86cf68334939086910040e7322f65a9ba127eb4f3f",
+    hash: "353b4a1f38ecc07e4916fb27fd4f3a37b7de034ff68844153b2de82c4d82f38d",
 };
 
 static PREDICT_WITH_PERIODIC: Module = Module {
@@ -110,7 +110,7 @@ static PREDICT_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "da4a8819ac2ab881defba9a864999b63e4399e810a278cab57241220a92f9df7",
+    hash: "5edaa74f1432a85270cd64178c7d1ee5b07381cf8a98d22e9954e15a78345915",
 };
 
 static PREDICT_WITH_WALLS: Module = Module {
@@ -123,7 +123,7 @@ static PREDICT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "4f60687c0710d97021838a6d3545a38bd55337c817084ede03d04d2a50804410",
+    hash: "15184f4ea3ebbe2b2915d3af45fc0cf44dea9256eb1f7c45bef020a284f6ff1a",
 };
 
 static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -136,5 +136,5 @@ static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "6be231fc1a54ce236c9444cad0e5c9ff09d27b1fc2fb7d9cdbd4282e48dbcbd3",
+    hash: "6abe8b9943cb6f8279077fe6b286cf9cbe0169d86c8554a91e9e16392c5f0be4",
 };

@@ -99,7 +99,7 @@ static SHIFT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "f71515e984500cf61bf06efa4c2b16d90dc9cd8281ab2887ef228b2bc3eaf010",
+    hash: "53f80c493367e1a5d6b52555536a26596784a03b8200c78cd341cbab310087da",
 };
 
 static SHIFT_POSITIONS_WITH_PERIODIC: Module = Module {
@@ -112,7 +112,7 @@ static SHIFT_POSITIONS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "b0382b8287ffb1007eeb3ba08bff3db001398e2ba848954e34197e007e687484",
+    hash: "00f1d89290f34b7d3add28f48dff93c25405693588de8ee952dc219a5530da1f",
 };
 
 static SHIFT_POSITIONS_WITH_WALLS: Module = Module {
@@ -125,7 +125,7 @@ static SHIFT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "fd20ba0538f32dec103c970bdccd41b2beaba91378924e34ff722fef87ee6d21",
+    hash: "e545e910f013fcda8d53994c61a96acbc0c7d58a5f1c1405fd1ee98fbb07037e",
 };
 
 static SHIFT_POSITIONS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -138,5 +138,5 @@ static SHIFT_POSITIONS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "21375a5e2636140095233243febffb7228f5061314fc77f40f140c834159ecfa",
+    hash: "177351dd9c7ba794f2facdd937f89c7f7da86cf7977617f6f08059a745872312",
 };

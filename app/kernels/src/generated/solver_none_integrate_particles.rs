@@ -105,7 +105,7 @@ static INTEGRATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "8309a3bb3b77f28dd9d1378fdeb2674b237c84d9e547fab1efc5ddf577f6b846",
+    hash: "37fd4250c843b2749698128a8c00106e86d8646f810ce55ab6aa9fdd43eb1b2b",
 };
 
 static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
@@ -118,7 +118,7 @@ static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "8947e511fba7436d679141bd56cd74aa801b9f9b3dbbe440d24b4e2a027419f5",
+    hash: "886afa3e554cf4d40ccad7e92231a0b95d097eaeac75ad5d6a104acfc2ea1516",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
@@ -131,7 +131,7 @@ static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "0b294e579caad78480f6df18988fd2a0aee661f72840199c580f2b7b485ec7ce",
+    hash: "f4c1a5de074bade40691d4f36b1af66fb1bf2ddb0bc64a92b25c814dd857d060",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -144,5 +144,5 @@ static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "43194a90abdedb2314ff614a0f77d70489a2ecb4efa33cf196bd78d49eda422e",
+    hash: "3055bb23e487e77154dc0d37aff35d46ba6b8dcc021b7c47993eb98c12deb64b",
 };

@@ -4,7 +4,7 @@
 
 use super::{
     CoarseCell, CoarseGridParams, ListHead, MomentumKeyword, PbfIteration, PbfParams, Position, PositionLambda,
-    PrecisionKeyword, SmoothingKernelParams, StepParams, StepState,
+    PrecisionKeyword, SmoothingKernelParams, SolidContact, StepParams, StepState, WallsKeyword,
 };
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
@@ -14,8 +14,8 @@ use crate::{
 /// Which variant of [`ConstrainDensity`] runs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct ConstrainDensityVariant {
-    /// Keyword `WALLS`.
-    pub walls: bool,
+    /// Keyword `WALLS` or `SOLID_WALLS`.
+    pub walls: WallsKeyword,
     /// Keyword `MOMENTUM` or `ACCUMULATED_MOMENTUM` or `RESTRICTED_MOMENTUM`.
     pub momentum: MomentumKeyword,
     /// Keyword `RELAXED_PRECISION` or `HALF_PRECISION`.
@@ -55,6 +55,8 @@ pub struct ConstrainDensity<'a> {
     pub coarse_cells: Option<BufMut<'a, CoarseCell>>,
     /// `ConstantBuffer<CoarseGridParams> coarse`.
     pub coarse: Option<Uniform<'a, CoarseGridParams>>,
+    /// `StructuredBuffer<SolidContact> solid_contacts`.
+    pub solid_contacts: Option<Buf<'a, SolidContact>>,
 }
 
 impl Kernel for ConstrainDensity<'_> {
@@ -63,67 +65,107 @@ impl Kernel for ConstrainDensity<'_> {
 
     fn module(&self) -> &'static Module {
         match (self.variant.walls, self.variant.momentum, self.variant.precision) {
-            (false, MomentumKeyword::Off, PrecisionKeyword::Off) => &CONSTRAIN_DENSITY,
-            (false, MomentumKeyword::Off, PrecisionKeyword::RelaxedPrecision) => {
+            (WallsKeyword::Off, MomentumKeyword::Off, PrecisionKeyword::Off) => &CONSTRAIN_DENSITY,
+            (WallsKeyword::Off, MomentumKeyword::Off, PrecisionKeyword::RelaxedPrecision) => {
                 &CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION
             }
-            (false, MomentumKeyword::Off, PrecisionKeyword::HalfPrecision) => &CONSTRAIN_DENSITY_WITH_HALF_PRECISION,
-            (false, MomentumKeyword::Momentum, PrecisionKeyword::Off) => &CONSTRAIN_DENSITY_WITH_MOMENTUM,
-            (false, MomentumKeyword::Momentum, PrecisionKeyword::RelaxedPrecision) => {
+            (WallsKeyword::Off, MomentumKeyword::Off, PrecisionKeyword::HalfPrecision) => {
+                &CONSTRAIN_DENSITY_WITH_HALF_PRECISION
+            }
+            (WallsKeyword::Off, MomentumKeyword::Momentum, PrecisionKeyword::Off) => &CONSTRAIN_DENSITY_WITH_MOMENTUM,
+            (WallsKeyword::Off, MomentumKeyword::Momentum, PrecisionKeyword::RelaxedPrecision) => {
                 &CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION
             }
-            (false, MomentumKeyword::Momentum, PrecisionKeyword::HalfPrecision) => {
+            (WallsKeyword::Off, MomentumKeyword::Momentum, PrecisionKeyword::HalfPrecision) => {
                 &CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION
             }
-            (false, MomentumKeyword::AccumulatedMomentum, PrecisionKeyword::Off) => {
+            (WallsKeyword::Off, MomentumKeyword::AccumulatedMomentum, PrecisionKeyword::Off) => {
                 &CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM
             }
-            (false, MomentumKeyword::AccumulatedMomentum, PrecisionKeyword::RelaxedPrecision) => {
+            (WallsKeyword::Off, MomentumKeyword::AccumulatedMomentum, PrecisionKeyword::RelaxedPrecision) => {
                 &CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION
             }
-            (false, MomentumKeyword::AccumulatedMomentum, PrecisionKeyword::HalfPrecision) => {
+            (WallsKeyword::Off, MomentumKeyword::AccumulatedMomentum, PrecisionKeyword::HalfPrecision) => {
                 &CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION
             }
-            (false, MomentumKeyword::RestrictedMomentum, PrecisionKeyword::Off) => {
+            (WallsKeyword::Off, MomentumKeyword::RestrictedMomentum, PrecisionKeyword::Off) => {
                 &CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM
             }
-            (false, MomentumKeyword::RestrictedMomentum, PrecisionKeyword::RelaxedPrecision) => {
+            (WallsKeyword::Off, MomentumKeyword::RestrictedMomentum, PrecisionKeyword::RelaxedPrecision) => {
                 &CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION
             }
-            (false, MomentumKeyword::RestrictedMomentum, PrecisionKeyword::HalfPrecision) => {
+            (WallsKeyword::Off, MomentumKeyword::RestrictedMomentum, PrecisionKeyword::HalfPrecision) => {
                 &CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION
             }
-            (true, MomentumKeyword::Off, PrecisionKeyword::Off) => &CONSTRAIN_DENSITY_WITH_WALLS,
-            (true, MomentumKeyword::Off, PrecisionKeyword::RelaxedPrecision) => {
+            (WallsKeyword::Walls, MomentumKeyword::Off, PrecisionKeyword::Off) => &CONSTRAIN_DENSITY_WITH_WALLS,
+            (WallsKeyword::Walls, MomentumKeyword::Off, PrecisionKeyword::RelaxedPrecision) => {
                 &CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION
             }
-            (true, MomentumKeyword::Off, PrecisionKeyword::HalfPrecision) => {
+            (WallsKeyword::Walls, MomentumKeyword::Off, PrecisionKeyword::HalfPrecision) => {
                 &CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION
             }
-            (true, MomentumKeyword::Momentum, PrecisionKeyword::Off) => &CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM,
-            (true, MomentumKeyword::Momentum, PrecisionKeyword::RelaxedPrecision) => {
+            (WallsKeyword::Walls, MomentumKeyword::Momentum, PrecisionKeyword::Off) => {
+                &CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM
+            }
+            (WallsKeyword::Walls, MomentumKeyword::Momentum, PrecisionKeyword::RelaxedPrecision) => {
                 &CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION
             }
-            (true, MomentumKeyword::Momentum, PrecisionKeyword::HalfPrecision) => {
+            (WallsKeyword::Walls, MomentumKeyword::Momentum, PrecisionKeyword::HalfPrecision) => {
                 &CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION
             }
-            (true, MomentumKeyword::AccumulatedMomentum, PrecisionKeyword::Off) => {
+            (WallsKeyword::Walls, MomentumKeyword::AccumulatedMomentum, PrecisionKeyword::Off) => {
                 &CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM
             }
-            (true, MomentumKeyword::AccumulatedMomentum, PrecisionKeyword::RelaxedPrecision) => {
+            (WallsKeyword::Walls, MomentumKeyword::AccumulatedMomentum, PrecisionKeyword::RelaxedPrecision) => {
                 &CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION
             }
-            (true, MomentumKeyword::AccumulatedMomentum, PrecisionKeyword::HalfPrecision) => {
+            (WallsKeyword::Walls, MomentumKeyword::AccumulatedMomentum, PrecisionKeyword::HalfPrecision) => {
                 &CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION
             }
-            (true, MomentumKeyword::RestrictedMomentum, PrecisionKeyword::Off) => {
+            (WallsKeyword::Walls, MomentumKeyword::RestrictedMomentum, PrecisionKeyword::Off) => {
                 &CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM
             }
-            (true, MomentumKeyword::RestrictedMomentum, PrecisionKeyword::RelaxedPrecision) => {
+            (WallsKeyword::Walls, MomentumKeyword::RestrictedMomentum, PrecisionKeyword::RelaxedPrecision) => {
                 &CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION
             }
-            (true, MomentumKeyword::RestrictedMomentum, PrecisionKeyword::HalfPrecision) => {
+            (WallsKeyword::Walls, MomentumKeyword::RestrictedMomentum, PrecisionKeyword::HalfPrecision) => {
                 &CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION
+            }
+            (WallsKeyword::SolidWalls, MomentumKeyword::Off, PrecisionKeyword::Off) => {
+                &CONSTRAIN_DENSITY_WITH_SOLID_WALLS
+            }
+            (WallsKeyword::SolidWalls, MomentumKeyword::Off, PrecisionKeyword::RelaxedPrecision) => {
+                &CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION
+            }
+            (WallsKeyword::SolidWalls, MomentumKeyword::Off, PrecisionKeyword::HalfPrecision) => {
+                &CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_HALF_PRECISION
+            }
+            (WallsKeyword::SolidWalls, MomentumKeyword::Momentum, PrecisionKeyword::Off) => {
+                &CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM
+            }
+            (WallsKeyword::SolidWalls, MomentumKeyword::Momentum, PrecisionKeyword::RelaxedPrecision) => {
+                &CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION
+            }
+            (WallsKeyword::SolidWalls, MomentumKeyword::Momentum, PrecisionKeyword::HalfPrecision) => {
+                &CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION
+            }
+            (WallsKeyword::SolidWalls, MomentumKeyword::AccumulatedMomentum, PrecisionKeyword::Off) => {
+                &CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM
+            }
+            (WallsKeyword::SolidWalls, MomentumKeyword::AccumulatedMomentum, PrecisionKeyword::RelaxedPrecision) => {
+                &CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION
+            }
+            (WallsKeyword::SolidWalls, MomentumKeyword::AccumulatedMomentum, PrecisionKeyword::HalfPrecision) => {
+                &CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION
+            }
+            (WallsKeyword::SolidWalls, MomentumKeyword::RestrictedMomentum, PrecisionKeyword::Off) => {
+                &CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM
+            }
+            (WallsKeyword::SolidWalls, MomentumKeyword::RestrictedMomentum, PrecisionKeyword::RelaxedPrecision) => {
+                &CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION
+            }
+            (WallsKeyword::SolidWalls, MomentumKeyword::RestrictedMomentum, PrecisionKeyword::HalfPrecision) => {
+                &CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION
             }
         }
     }
@@ -145,6 +187,7 @@ impl Kernel for ConstrainDensity<'_> {
                 ("sorted_positions", self.sorted_positions.as_ref().map(|bound| bound.id)),
                 ("coarse_cells", self.coarse_cells.as_ref().map(|bound| bound.id)),
                 ("coarse", self.coarse.as_ref().map(|bound| bound.id)),
+                ("solid_contacts", self.solid_contacts.as_ref().map(|bound| bound.id)),
             ],
         )
     }
@@ -176,6 +219,18 @@ pub(super) static MODULES: &[&Module] = &[
     &CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM,
     &CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION,
     &CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION,
+    &CONSTRAIN_DENSITY_WITH_SOLID_WALLS,
+    &CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION,
+    &CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_HALF_PRECISION,
+    &CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM,
+    &CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION,
+    &CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION,
+    &CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM,
+    &CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION,
+    &CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION,
+    &CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM,
+    &CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION,
+    &CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION,
 ];
 
 static BINDINGS_0: &[BindingInfo] = &[
@@ -476,6 +531,236 @@ static BINDINGS_11: &[BindingInfo] = &[
     BindingInfo { name: "iteration", slot: 10, kind: BindingKind::Uniform { bytes: 16 } },
 ];
 
+static BINDINGS_12: &[BindingInfo] = &[
+    BindingInfo {
+        name: "quantized_positions",
+        slot: 0,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 },
+    },
+    BindingInfo {
+        name: "sorted_positions",
+        slot: 1,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+    },
+    BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo { name: "list_heads", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo {
+        name: "solid_contacts",
+        slot: 4,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 48 },
+    },
+    BindingInfo {
+        name: "position_lambdas",
+        slot: 5,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
+    },
+    BindingInfo { name: "step_state", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 7, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 8, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "pbf", slot: 9, kind: BindingKind::Uniform { bytes: 32 } },
+];
+
+static BINDINGS_13: &[BindingInfo] = &[
+    BindingInfo {
+        name: "quantized_positions",
+        slot: 0,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 },
+    },
+    BindingInfo {
+        name: "sorted_positions",
+        slot: 1,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+    },
+    BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo { name: "list_heads", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo {
+        name: "solid_contacts",
+        slot: 4,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 48 },
+    },
+    BindingInfo {
+        name: "packed_position_lambdas",
+        slot: 5,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
+    },
+    BindingInfo { name: "step_state", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 7, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 8, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "pbf", slot: 9, kind: BindingKind::Uniform { bytes: 32 } },
+];
+
+static BINDINGS_14: &[BindingInfo] = &[
+    BindingInfo {
+        name: "quantized_positions",
+        slot: 0,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 },
+    },
+    BindingInfo {
+        name: "sorted_positions",
+        slot: 1,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+    },
+    BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo { name: "list_heads", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo {
+        name: "solid_contacts",
+        slot: 4,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 48 },
+    },
+    BindingInfo {
+        name: "position_lambdas",
+        slot: 5,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
+    },
+    BindingInfo { name: "step_state", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 7, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 8, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "pbf", slot: 9, kind: BindingKind::Uniform { bytes: 32 } },
+    BindingInfo { name: "iteration", slot: 10, kind: BindingKind::Uniform { bytes: 16 } },
+];
+
+static BINDINGS_15: &[BindingInfo] = &[
+    BindingInfo {
+        name: "quantized_positions",
+        slot: 0,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 },
+    },
+    BindingInfo {
+        name: "sorted_positions",
+        slot: 1,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+    },
+    BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo { name: "list_heads", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo {
+        name: "solid_contacts",
+        slot: 4,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 48 },
+    },
+    BindingInfo {
+        name: "packed_position_lambdas",
+        slot: 5,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
+    },
+    BindingInfo { name: "step_state", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 7, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 8, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "pbf", slot: 9, kind: BindingKind::Uniform { bytes: 32 } },
+    BindingInfo { name: "iteration", slot: 10, kind: BindingKind::Uniform { bytes: 16 } },
+];
+
+static BINDINGS_16: &[BindingInfo] = &[
+    BindingInfo {
+        name: "quantized_positions",
+        slot: 0,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 },
+    },
+    BindingInfo {
+        name: "sorted_positions",
+        slot: 1,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+    },
+    BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo { name: "list_heads", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo {
+        name: "solid_contacts",
+        slot: 4,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 48 },
+    },
+    BindingInfo {
+        name: "packed_position_lambdas",
+        slot: 5,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
+    },
+    BindingInfo {
+        name: "lambda_totals",
+        slot: 6,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 },
+    },
+    BindingInfo { name: "step_state", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 8, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 9, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "pbf", slot: 10, kind: BindingKind::Uniform { bytes: 32 } },
+    BindingInfo { name: "iteration", slot: 11, kind: BindingKind::Uniform { bytes: 16 } },
+];
+
+static BINDINGS_17: &[BindingInfo] = &[
+    BindingInfo {
+        name: "quantized_positions",
+        slot: 0,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 },
+    },
+    BindingInfo {
+        name: "sorted_positions",
+        slot: 1,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+    },
+    BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo { name: "list_heads", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo {
+        name: "solid_contacts",
+        slot: 4,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 48 },
+    },
+    BindingInfo {
+        name: "position_lambdas",
+        slot: 5,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
+    },
+    BindingInfo {
+        name: "coarse_cells",
+        slot: 6,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
+    },
+    BindingInfo { name: "step_state", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 8, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 9, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "pbf", slot: 10, kind: BindingKind::Uniform { bytes: 32 } },
+    BindingInfo { name: "iteration", slot: 11, kind: BindingKind::Uniform { bytes: 16 } },
+    BindingInfo { name: "coarse", slot: 12, kind: BindingKind::Uniform { bytes: 96 } },
+];
+
+static BINDINGS_18: &[BindingInfo] = &[
+    BindingInfo {
+        name: "quantized_positions",
+        slot: 0,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 },
+    },
+    BindingInfo {
+        name: "sorted_positions",
+        slot: 1,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+    },
+    BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo { name: "list_heads", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo {
+        name: "solid_contacts",
+        slot: 4,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 48 },
+    },
+    BindingInfo {
+        name: "packed_position_lambdas",
+        slot: 5,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
+    },
+    BindingInfo {
+        name: "lambda_totals",
+        slot: 6,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 },
+    },
+    BindingInfo {
+        name: "coarse_cells",
+        slot: 7,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
+    },
+    BindingInfo { name: "step_state", slot: 8, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 9, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 10, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "pbf", slot: 11, kind: BindingKind::Uniform { bytes: 32 } },
+    BindingInfo { name: "iteration", slot: 12, kind: BindingKind::Uniform { bytes: 16 } },
+    BindingInfo { name: "coarse", slot: 13, kind: BindingKind::Uniform { bytes: 96 } },
+];
+
 static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/solver_pbf_constrain_density.deflate"));
 
 static CONSTRAIN_DENSITY: Module = Module {
@@ -488,7 +773,7 @@ static CONSTRAIN_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "9ee7acf438c6ff81491b1ed1f7238e6aec1ec70abdc5330a74cf0985bf1117fa",
+    hash: "3f95ef05a35632aff8e5cf7b980930cd08ce95549d18ba9d28ade62ce37e7c7d",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -501,7 +786,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "4adb46358e3f778434b6d3189751d316427e7a580e9376415d802dcad11eed5d",
+    hash: "020453ad87efe1153abce2a0af045026c887d913279eba567076c021afd486b4",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -514,7 +799,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "8cfd54864fdeaf8e15321d2a613c0d7f7ee0d54b7bb0caf6c7f2e7b9025a5184",
+    hash: "41a28b83170d8f5efd8a6ab111c4c08d11a4f4c24e72ea672947cc2c0925f732",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
@@ -527,7 +812,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "b36c3f904e83413a3f484e150692c33806dd98133681b2225fcbe3c65524e868",
+    hash: "b3f8675c0b4d255ab4844ca57555c5a26b492d99dda9f9f541f67315094df480",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -540,7 +825,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "601aef41f287ba39a88797b2ce8cb7765e02978066ce67eac8da673ea22c7e55",
+    hash: "750183ac29281d6f6ffa190cdde0d3732f0360505c2c3a0a14ade3565448b62f",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -553,7 +838,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "678d5ace11bf8ce2bee5542a97b57843b6b5d592ab85b0efe5fdb003dd770c62",
+    hash: "cc9f920868616a0f878097ac49a36d2140abfe192c562a78756eb617715dd8d2",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -566,7 +851,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "bbff9724e7af48143e0a5207d52269fb1d6baf8f97020afbd46c5cf753fd4dab",
+    hash: "293d8b126132c75c9d0cdad0e4d5117267f410eee34689cf7d32fc3b112d63fb",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -579,7 +864,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "5a1d6f3d2df8393e2f728d941324e446ad3f6fcd9b6de61e4b903ac2d66b8491",
+    hash: "6a7d12372a34763b5fd115f351c42494b6431aff8fccb626ae2242cf9d92eda5",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -592,7 +877,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "a51a46620f72c3f6bfb3c028456c3edbe8cdd52c10f611d4a2cdab9dec8c3b56",
+    hash: "e71126b258cfb648cfd5e098b0ee43b43730db96b481175bd854f846a85317de",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -605,7 +890,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "b38b60c79428cab34fe856775a040299e170a6021941b37b9ca25c7581a1651d",
+    hash: "fbf64aa025101bb8421b265feafc1583d628355a9b400e23cbb1c33e5c065789",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -618,7 +903,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "a7cfdc60aecc91ab48dccbbb483649cf5b98fee8bbc3b45e0883ad09ccdfe8c5",
+    hash: "dfcf937eac7be076dc7c92429389d02424a4f6b6e53522c4b74d0b9191aa0a24",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -631,7 +916,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "7c6e4711e83da64553dff2100493b1b894a54d557add2016741972d7cea8f058",
+    hash: "344655672b610bcd515fe152b405c54300a6abbec9c784cd34ed90d7b161b8e2",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
@@ -644,7 +929,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "0affe6c02eca8971809c05f6cb01a31e72b92d606ba6efbe53476c75d4abcc62",
+    hash: "71913b6acd873f2faf0ecbf6d3242985714a4b296b72367a1d38b0dc10c8b793",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -657,7 +942,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "8ba9d2b5dd699ecb2e01eb6b6e0b0b63ad4e31644e29c763f75f8ca1c60293c7",
+    hash: "75bd5ff06bc88d25891c530b6504ec65e15cc6e2c3ed64d7c2d0cd5f7d8a1904",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -670,7 +955,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "1bda8555c934a7173a5c93b545f544ca837336ea878a7a01138ebdebe916d618",
+    hash: "d0cd1b4f9301fea8e6ecee550ae937b48b36978a8920a19401cd408d7faed179",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
@@ -683,7 +968,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "56d7eb5b7b39200c91961ccd1da3954fde50868587011469cdf7e89cc299c677",
+    hash: "e20dbc5d8c62391ea1f63520a9f92827a86451b4c1b1b2dc259b8bcc05bd60e3",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -696,7 +981,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "08433f0ba0aeed2b9cd4ee46fe0dd4b976524bae92c94e30ed5ac7d5785c4043",
+    hash: "64923f27e52d57c2a875ed85aa3b900f19ad6aa301de295a65af064fac2fc500",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -709,7 +994,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "be1c4475079901a57bb2d5ff96fd6f9574360f3a141a151998afc28f13fa1623",
+    hash: "436067d9b92f187fe246898a460b1b7ebd4a3a69cd31c421ef7e62ca5b8e01e5",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -722,7 +1007,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "ed34c70b9f7dbb010d76a2f5cd0ee295724cbcc0fe85744ff7a19473f478611b",
+    hash: "2f58f58b6a5b01ed5a5fec18428b0552b83376e172e2714b1a0990bfd65efad3",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -735,7 +1020,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECI
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "152b784148029acb6635587726b3e22d36f53f0f48587bb15178a13ac33e9a99",
+    hash: "61d811bad17fe2feeb56ce6184695a865c1d9b1eee839c9114f896986456620a",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -748,7 +1033,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISIO
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "3960f1125e6d22a85c71d57dadb52fdc6208c976f10daf52d77f2b261082ed15",
+    hash: "6d552e0ffa2801741a711be59fd07ebeb8d07e01a6cd2d9d71fe932f26533493",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -761,7 +1046,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "d746835900d1f9014203bb748d2b8e4af25412bd94c08132443e24aa3d007f5d",
+    hash: "e7aa3e2468930aa34bd4227ed893b0cb08aabcda95c2355421a33b839c432caa",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -774,7 +1059,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECIS
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "68c63acdbf78a59b74423dd81648ed877a16c1c6b52320d0f39eca7e07e3950b",
+    hash: "2a11b143a010156c400219c1d81829c42d08af50f5b55838d013f136a967fb7c",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -787,5 +1072,161 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "77b8ec017d94867791523f41b84fcefc2b54198a9641708c4058a6430ff3c6ab",
+    hash: "a799dc84897c0a110bffbe61c980469abed6b496158f3c1eb693347c20809ec4",
+};
+
+static CONSTRAIN_DENSITY_WITH_SOLID_WALLS: Module = Module {
+    name: "ConstrainDensity+SOLID_WALLS",
+    entry: "ConstrainDensity",
+    stage: StageKind::Compute,
+    spirv: Spirv::Packed { pack: PACK, first: 292824, bytes: 14308 },
+    bindings: BINDINGS_12,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/pbf/constrain_density.compute",
+    hash: "ef2f816dfce3a6e2f742d634cbd8df4a8f9e115bb7a89d23f87f18c08f98d7bc",
+};
+
+static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
+    name: "ConstrainDensity+SOLID_WALLS+RELAXED_PRECISION",
+    entry: "ConstrainDensity",
+    stage: StageKind::Compute,
+    spirv: Spirv::Packed { pack: PACK, first: 307132, bytes: 13804 },
+    bindings: BINDINGS_13,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/pbf/constrain_density.compute",
+    hash: "4eb08dc53ba117b340833ea876dbb1a2a47e13d190596824787ca372887df29c",
+};
+
+static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
+    name: "ConstrainDensity+SOLID_WALLS+HALF_PRECISION",
+    entry: "ConstrainDensity",
+    stage: StageKind::Compute,
+    spirv: Spirv::Packed { pack: PACK, first: 320936, bytes: 13788 },
+    bindings: BINDINGS_13,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Desktop,
+    source: "solver/pbf/constrain_density.compute",
+    hash: "4409d0ab83efb46a3ca854c7781773cf0982a5da452a695920ed10c52214e683",
+};
+
+static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM: Module = Module {
+    name: "ConstrainDensity+SOLID_WALLS+MOMENTUM",
+    entry: "ConstrainDensity",
+    stage: StageKind::Compute,
+    spirv: Spirv::Packed { pack: PACK, first: 334724, bytes: 15232 },
+    bindings: BINDINGS_14,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/pbf/constrain_density.compute",
+    hash: "4453fa1036ec3d38fe13a0088b2113d6f4ad6a73e8039e97d2d7f415079e83fc",
+};
+
+static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
+    name: "ConstrainDensity+SOLID_WALLS+MOMENTUM+RELAXED_PRECISION",
+    entry: "ConstrainDensity",
+    stage: StageKind::Compute,
+    spirv: Spirv::Packed { pack: PACK, first: 349956, bytes: 14808 },
+    bindings: BINDINGS_15,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/pbf/constrain_density.compute",
+    hash: "4de091cb4280b9e280186cae4366d2d4601cf4ec5c7b503d2ed6311695312f9a",
+};
+
+static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
+    name: "ConstrainDensity+SOLID_WALLS+MOMENTUM+HALF_PRECISION",
+    entry: "ConstrainDensity",
+    stage: StageKind::Compute,
+    spirv: Spirv::Packed { pack: PACK, first: 364764, bytes: 14792 },
+    bindings: BINDINGS_15,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Desktop,
+    source: "solver/pbf/constrain_density.compute",
+    hash: "92556826d1f0e93dd508695348b577e214fadf44cb9d4196fdffcae5d4087d7b",
+};
+
+static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
+    name: "ConstrainDensity+SOLID_WALLS+ACCUMULATED_MOMENTUM",
+    entry: "ConstrainDensity",
+    stage: StageKind::Compute,
+    spirv: Spirv::Packed { pack: PACK, first: 379556, bytes: 15348 },
+    bindings: BINDINGS_14,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/pbf/constrain_density.compute",
+    hash: "0ca8713920af1fcf595e8b6a4249b4f4a71b60022666380139469461ccfc8088",
+};
+
+static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
+    name: "ConstrainDensity+SOLID_WALLS+ACCUMULATED_MOMENTUM+RELAXED_PRECISION",
+    entry: "ConstrainDensity",
+    stage: StageKind::Compute,
+    spirv: Spirv::Packed { pack: PACK, first: 394904, bytes: 15156 },
+    bindings: BINDINGS_16,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/pbf/constrain_density.compute",
+    hash: "2c617c7f61b003fbdd7e02019f6758cdef516d705026179f3198968a331fb021",
+};
+
+static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
+    name: "ConstrainDensity+SOLID_WALLS+ACCUMULATED_MOMENTUM+HALF_PRECISION",
+    entry: "ConstrainDensity",
+    stage: StageKind::Compute,
+    spirv: Spirv::Packed { pack: PACK, first: 410060, bytes: 15140 },
+    bindings: BINDINGS_16,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Desktop,
+    source: "solver/pbf/constrain_density.compute",
+    hash: "1671cc35fabf77fd94b46b18c24468139e39bf98ca45a2b4768cd4cfdefbe2bb",
+};
+
+static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
+    name: "ConstrainDensity+SOLID_WALLS+RESTRICTED_MOMENTUM",
+    entry: "ConstrainDensity",
+    stage: StageKind::Compute,
+    spirv: Spirv::Packed { pack: PACK, first: 425200, bytes: 18092 },
+    bindings: BINDINGS_17,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/pbf/constrain_density.compute",
+    hash: "20a22f38c6b3c8eed099b20c4a0c5cf3b11880c2384d1d5ac492c82560eae508",
+};
+
+static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
+    name: "ConstrainDensity+SOLID_WALLS+RESTRICTED_MOMENTUM+RELAXED_PRECISION",
+    entry: "ConstrainDensity",
+    stage: StageKind::Compute,
+    spirv: Spirv::Packed { pack: PACK, first: 443292, bytes: 17884 },
+    bindings: BINDINGS_18,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/pbf/constrain_density.compute",
+    hash: "77afc12a67fe1ab685ee787c91afc2c7d9d8df35458c3fd354d9d0559291135b",
+};
+
+static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
+    name: "ConstrainDensity+SOLID_WALLS+RESTRICTED_MOMENTUM+HALF_PRECISION",
+    entry: "ConstrainDensity",
+    stage: StageKind::Compute,
+    spirv: Spirv::Packed { pack: PACK, first: 461176, bytes: 17868 },
+    bindings: BINDINGS_18,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Desktop,
+    source: "solver/pbf/constrain_density.compute",
+    hash: "793d641361c4b85cd79997dadbb989fc72e114b501af03787a02306587266825",
 };

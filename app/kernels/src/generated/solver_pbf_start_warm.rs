@@ -204,7 +204,7 @@ static START_WARM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "088eddeb384c9f8ac3decf0ab42cb5fd4c64657be14a224c6338bc87dc09894d",
+    hash: "eb327f2265571d535a4268ce0da648b21326fdca0ab2381872517e67384f8031",
 };
 
 static START_WARM_WITH_RELAXED_PRECISION: Module = Module {
@@ -217,7 +217,7 @@ static START_WARM_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "1e9ddaaa62deba1d83426b614e4c45688769c9cc7f7cf43751999d2cca71859a",
+    hash: "2d7586afa8c1db7f7f919aeccaa1e2733ac2dfbfe6a6badba66bdb9fd332376a",
 };
 
 static START_WARM_WITH_WALLS: Module = Module {
@@ -230,7 +230,7 @@ static START_WARM_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "8a9383bb636b005b720371f463da5ad31758ed71426cbb0051457d0395568767",
+    hash: "5deda9a2fbcd3de251a6bfd69a8aa3b240daedaa5426fd4c16c74430542f5ca0",
 };
 
 static START_WARM_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -243,5 +243,5 @@ static START_WARM_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "6c728a206c2d046312e0fe33370c419c3ee075e3bbb31b52fbf519351282988f",
+    hash: "35ea197eeb6776ba6c86e2913782f61d7d90272786cbbe1e5d460abbc9e76986",
 };

@@ -258,310 +258,310 @@ static ACCELERATE: Module = Module {
     name: "Accelerate",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 15804 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 15808 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "79322c7ae7c9f6d7c79ef31affce2eb460cf55585c4cff6d0856e93fe1a60b16",
+    hash: "9bbcc6f1a86471fa447b16e57b884f7e6d7a3825b44d5c0bcc86c6e1a906cd2c",
 };
 
 static ACCELERATE_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 15804, bytes: 15168 },
+    spirv: Spirv::Packed { pack: PACK, first: 15808, bytes: 15172 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "03f9b3133c93149bf1f4d75e7820bfd5f638e96c9e55dfb00dd97b9db8dec485",
+    hash: "0d51774fd5f09cd32cff7a3f324c120b248c198d416e8aff6a42a0d815a14aa6",
 };
 
 static ACCELERATE_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 30972, bytes: 15248 },
+    spirv: Spirv::Packed { pack: PACK, first: 30980, bytes: 15252 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "3d82c1e41ba55149a8f474e109c81c9a88821f0273495370bd82e639367b2446",
+    hash: "ab5a13d6a11c5ccc4a51e818cda7d961167b37a75f1437864155acadbd3e27e8",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION: Module = Module {
     name: "Accelerate+SURFACE_TENSION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 46220, bytes: 17984 },
+    spirv: Spirv::Packed { pack: PACK, first: 46232, bytes: 17988 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "e2a9a91d2eec3c7f9edbad1657e3074ccf3b1cffb6e2db8cb6a3e482100bae83",
+    hash: "dd70eee326795a047cb0994c2daebee3f529e8775ceb8ef673befbf29a3b959f",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 64204, bytes: 17348 },
+    spirv: Spirv::Packed { pack: PACK, first: 64220, bytes: 17352 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "e345c935484c95b25ac66c7dbd533cba9533c9a5bb3bcac537d5de366b4eb8e9",
+    hash: "2cd18deae5f7f35198d680e7b6900e86d65971ebe89377ac9049324fb908e1ea",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+SURFACE_TENSION+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 81552, bytes: 17428 },
+    spirv: Spirv::Packed { pack: PACK, first: 81572, bytes: 17432 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "a20f4bc226a45f976e24e6c949e63033c55dd19c1746936d38377225c7edd12f",
+    hash: "6ede9473a6d279ba6a007d714e7c97d1f71d0a08e135f9cf6ba2f171aa0a35a3",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS: Module = Module {
     name: "Accelerate+CHOSEN_KERNELS",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 98980, bytes: 18636 },
+    spirv: Spirv::Packed { pack: PACK, first: 99004, bytes: 18640 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "a1a9413e65f4da7e3879e36e372ef0772c82c3e97b8bf59b7f8f6e2c559bcc19",
+    hash: "ba7e68a52d1e1ff979036b12ea84dccfff3e0ef4b79ecd1dce9db593a62b5a79",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+CHOSEN_KERNELS+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 117616, bytes: 17904 },
+    spirv: Spirv::Packed { pack: PACK, first: 117644, bytes: 17908 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "646c156798e84939cf577f603d1c1d44061d710dbb83c7e1ae2b2c604f19e58c",
+    hash: "a8fa5a73f935aa94662c0b0e9d5b6d33c5d7f97c8cd44649b6d16376ed4fb76a",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+CHOSEN_KERNELS+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 135520, bytes: 17904 },
+    spirv: Spirv::Packed { pack: PACK, first: 135552, bytes: 17908 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "73483ff3b42b9bce506a90d2b29f8a65f18f46b00077bf3476177e18683124ea",
+    hash: "b78bf896c00a948799f0187f48c835b2f01339d91928f848041b5b532b371f5f",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
     name: "Accelerate+CHOSEN_KERNELS+SURFACE_TENSION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 153424, bytes: 20796 },
+    spirv: Spirv::Packed { pack: PACK, first: 153460, bytes: 20800 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "3ed5b127af6c130ff61dc75bcc7e3633ea3755154295484ae115525f369b3cf5",
+    hash: "3bcd207f25f61fa085708751d4d6b3499e0b07613b3668e57fb85503f633841b",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+CHOSEN_KERNELS+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 174220, bytes: 20064 },
+    spirv: Spirv::Packed { pack: PACK, first: 174260, bytes: 20068 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "cd90b86a63a9bfb8a37acb18645d5f0776be5d1ad910101b63b1ce0ed2e17160",
+    hash: "ca9afc8ffbe4166065fd7de432b52b0f8f0aeeb3b121bf7c39ada57af85715fe",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+CHOSEN_KERNELS+SURFACE_TENSION+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 194284, bytes: 20064 },
+    spirv: Spirv::Packed { pack: PACK, first: 194328, bytes: 20068 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "fca1abb78118e6ac4c7bc167138128d717bf9ca1f0bfa7035b479472fd11a0dc",
+    hash: "e0237cdbcd668c7473142c6a96a2497660d092177e8a02bd4436ba49f124b55c",
 };
 
 static ACCELERATE_WITH_WALLS: Module = Module {
     name: "Accelerate+WALLS",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 214348, bytes: 18548 },
+    spirv: Spirv::Packed { pack: PACK, first: 214396, bytes: 18552 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "45bb3f557ede89275d48cda1865a5c9520a4dd031e523873ee10dc07ee27a6d8",
+    hash: "488f648cfe35b05dac05bba14635d5fc98e6063684b676f142b7f6653967cf15",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+WALLS+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 232896, bytes: 17912 },
+    spirv: Spirv::Packed { pack: PACK, first: 232948, bytes: 17916 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "f3e3871d1a98494a52ae482e0f48e712093ee23325b103ea9f6a22ee5e177d37",
+    hash: "bebf29b3dbcc3fbc145aeb22bbf632847d8e6ef5cd58900f174f8e8028994503",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+WALLS+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 250808, bytes: 17992 },
+    spirv: Spirv::Packed { pack: PACK, first: 250864, bytes: 17996 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "0990b6cb70925da091776b388eb580b9060cefb7a2e406ba5167bdb5e4b38121",
+    hash: "bca2e91b1d0397ee2e209deb52b1a4e4792347320ff0be91b6ab06a85673e416",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
     name: "Accelerate+WALLS+SURFACE_TENSION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 268800, bytes: 20728 },
+    spirv: Spirv::Packed { pack: PACK, first: 268860, bytes: 20732 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "38de51c88048c8074308b3d39e53029317b93305c9421f65cdb1358548cdf6d0",
+    hash: "100aaaf6462ac77de1ee881d974dbb05a3fc439d21a91b963b87926d593c3a44",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+WALLS+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 289528, bytes: 20092 },
+    spirv: Spirv::Packed { pack: PACK, first: 289592, bytes: 20096 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "a8724e93d7c2738668f05b9fd0a947c1f38ab4740de053e35c2cc9028913e1a1",
+    hash: "1cd04ed4eb24e695ba5865ecd99045e52ea879a076485916ac087d36b9d093e4",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+WALLS+SURFACE_TENSION+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 309620, bytes: 20172 },
+    spirv: Spirv::Packed { pack: PACK, first: 309688, bytes: 20176 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "267b67853660a4cd69d33a8c6765ee150c62ad8bf4e082f25e779676031e38e2",
+    hash: "691afa446224fbc79ad84cf1b994eb8541af0b013502a156bd37a1a019e0175a",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 329792, bytes: 21332 },
+    spirv: Spirv::Packed { pack: PACK, first: 329864, bytes: 21336 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "e80e0ecb1353e38467afd5bc1b47b21f0a0a21e34c6108e75884452a44e8148e",
+    hash: "b9898ec4abb6de135070db72deed810ed0b5c385b4fba04ed8861bac3e7f5c08",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 351124, bytes: 20600 },
+    spirv: Spirv::Packed { pack: PACK, first: 351200, bytes: 20604 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "de3438ef6ef641f58f62e5cb5d82ed2d74aa98868bdc3994c22261cb4a52b548",
+    hash: "10a3e28ec9ca042492d9b8ba5cb09ed9e69345c55660610f23b645b2c1f54947",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 371724, bytes: 20600 },
+    spirv: Spirv::Packed { pack: PACK, first: 371804, bytes: 20604 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "cc9835b9e8db80b80d38c51b099c7e3028f1504ef225293c7fc97fd5d96fd63d",
+    hash: "3fdc69c844f614186f6b4a89d6f3aa49d480c385034ed825a8c6c5097e76b33f",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS+SURFACE_TENSION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 392324, bytes: 23492 },
+    spirv: Spirv::Packed { pack: PACK, first: 392408, bytes: 23496 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "4a71798694909fe9ab75a2239d10d8ed0e56aaac9cb4c2016293393a148896b4",
+    hash: "6785a91fe2a1ea28ed86a98db129c7b536991b96fb77dc418cc552f290f8efed",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 415816, bytes: 22760 },
+    spirv: Spirv::Packed { pack: PACK, first: 415904, bytes: 22764 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "9869fc19582e69286081e89de12b3aaee9c71c54a0c001666f5e574a0f44dd57",
+    hash: "89cef17dbc0e89eae16a1f4111109d9639f7c9bd338222ca68f0966ee743edd1",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS+SURFACE_TENSION+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 438576, bytes: 22760 },
+    spirv: Spirv::Packed { pack: PACK, first: 438668, bytes: 22764 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "83bc646a808cd0a68b3845b7f8593217235d1a3491f06c99f11895360c7aaad1",
+    hash: "5f31a8bffda029f2f1edf1725216ce8601d74b64f3b6d196e1dff357302cb7d1",
 };

@@ -108,7 +108,7 @@ static CHOOSE_TIME_STEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/choose_time_step.compute",
-    hash: "e731303916957b9ce8214363e99aea1ac6c0690c0eb87f38362f1d61293e6e6e",
+    hash: "b489d9fbb44c4e9966eff635052bc4bad992229ee92cf2e3f0938bd4a10e2e51",
 };
 
 static CHOOSE_TIME_STEP_WITH_ADAPTIVE: Module = Module {
@@ -121,5 +121,5 @@ static CHOOSE_TIME_STEP_WITH_ADAPTIVE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/choose_time_step.compute",
-    hash: "96cb22088e6f2893eb2e6316355ee4c58fe8b665b2905fde6f97384c33e0a605",
+    hash: "758f69cba9bc1745e8cf350ea0c610d4b311e7bafa195f36bcefc26750506ead",
 };

@@ -335,310 +335,310 @@ static COMPUTE_DENSITY: Module = Module {
     name: "ComputeDensity",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 10376 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 10476 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "69fec3e9e63873f21c0f15d7488394b292fc2b45c17b767ad7a948775dbeb38b",
+    hash: "347e972cdd08d7deacc7b61d1e7ce57df72a0a1871a95d33160d763ef5beb818",
 };
 
 static COMPUTE_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     name: "ComputeDensity+RELAXED_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 10376, bytes: 9968 },
+    spirv: Spirv::Packed { pack: PACK, first: 10476, bytes: 10068 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "69451fa2619e87ef7c2ea5d23c2adf2ae8f08d8b20db241d9403020623796013",
+    hash: "509903a19232e60b0e118517f40ae0d79628645294546b5d50564e7f3cdf6ae5",
 };
 
 static COMPUTE_DENSITY_WITH_HALF_PRECISION: Module = Module {
     name: "ComputeDensity+HALF_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 20344, bytes: 9904 },
+    spirv: Spirv::Packed { pack: PACK, first: 20544, bytes: 10004 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "eaa14b772e55442c14ace07c3a9b6642f86bbe71c150ef44597346aa3f726ce1",
+    hash: "d14b735b6292de175281dab86fd2c787280da8cfea2525cbc5e7f7ca489bdec1",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION: Module = Module {
     name: "ComputeDensity+SURFACE_TENSION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 30248, bytes: 11072 },
+    spirv: Spirv::Packed { pack: PACK, first: 30548, bytes: 11172 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "0edc31a2555488ae08ef1acb1b59bfbcc5655150732dcd5d06575921a4deeb00",
+    hash: "a8f45883f73c7cae524319801d7b7b3eb48dcc3cbe31b79f85f2bc7dd0085de0",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "ComputeDensity+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 41320, bytes: 10712 },
+    spirv: Spirv::Packed { pack: PACK, first: 41720, bytes: 10812 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "ba5c7536df9cc7b3c81c9ae8de7aaefe3ffeb38d891757f0e85d9fd1692821a8",
+    hash: "03f1467d475e037da17f00e2651e02fed4e0119f75955837a59e2617ca17a960",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "ComputeDensity+SURFACE_TENSION+HALF_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 52032, bytes: 10664 },
+    spirv: Spirv::Packed { pack: PACK, first: 52532, bytes: 10764 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "d408e6cf8a3059148a022c5a72cbd7312cdf0b4370e6be50086f1d40cb05050d",
+    hash: "1a52025f183d61ca0e23ca625ec498334f23b6f7ae21d6a4a5c4bcfe08ea7ccc",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS: Module = Module {
     name: "ComputeDensity+CHOSEN_KERNELS",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 62696, bytes: 11436 },
+    spirv: Spirv::Packed { pack: PACK, first: 63296, bytes: 11536 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "fe7a5af8ab3fb7dc2b9aa94fba580da9c61981ca416ace6d5b106efe6d77d4c2",
+    hash: "96cd15a8648328f228cafa740a9e7b006ec563de893e704d81969e6e123e50a5",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
     name: "ComputeDensity+CHOSEN_KERNELS+RELAXED_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 74132, bytes: 10788 },
+    spirv: Spirv::Packed { pack: PACK, first: 74832, bytes: 10888 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "23fd8d5ffff72170c6ff92c85807f2af3cdb6dadbf12cd135ad6052318fb5248",
+    hash: "40afd0061a2606e0cc795015c055e959e887d8fba14c1495e99dfdfc5d8e4a39",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
     name: "ComputeDensity+CHOSEN_KERNELS+HALF_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 84920, bytes: 10788 },
+    spirv: Spirv::Packed { pack: PACK, first: 85720, bytes: 10888 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "1ebcec1b3477879d04115a32e930e809a65598e5d8941116733c1aa034caecc1",
+    hash: "f57b15946194ec02a7c680c30d20576cac9d0da940ac0835679aabd0d10f7603",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
     name: "ComputeDensity+CHOSEN_KERNELS+SURFACE_TENSION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 95708, bytes: 13460 },
+    spirv: Spirv::Packed { pack: PACK, first: 96608, bytes: 13560 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "188b82369594d78af3154664394a0c5ed8f0e844438c63cc7705cbffcd1a1e11",
+    hash: "12aa9c0ca8bc8927d79605ba6e058113a4cea57b69c4627f84b12700d8577c8e",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "ComputeDensity+CHOSEN_KERNELS+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 109168, bytes: 12812 },
+    spirv: Spirv::Packed { pack: PACK, first: 110168, bytes: 12912 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "83061279d526935dbc39034d705fccc2569de6d6655f5079cd4cb326b556bf8d",
+    hash: "160896431b55691e22da1c10f86b35ac6ec4bf9f7472a0d4f3342fd60d894456",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "ComputeDensity+CHOSEN_KERNELS+SURFACE_TENSION+HALF_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 121980, bytes: 12812 },
+    spirv: Spirv::Packed { pack: PACK, first: 123080, bytes: 12912 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "c544d980ecc231e84a4a4690fce6fcb60d799afcd073eeb80e2f0881500b5bc2",
+    hash: "463dbc33598beca3a8e17fbcaec90e1347a7aab1733ba5d596d6069993529ba6",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS: Module = Module {
     name: "ComputeDensity+WALLS",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 134792, bytes: 12480 },
+    spirv: Spirv::Packed { pack: PACK, first: 135992, bytes: 12580 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "ca409ccbf09965559343353d2539815f2aad9d257d4eeab99ad92c1b190df3c5",
+    hash: "7f0ff991ecdb563116916ecc746a610368a1a0c95e858afb2c50b17e15a52d76",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     name: "ComputeDensity+WALLS+RELAXED_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 147272, bytes: 12072 },
+    spirv: Spirv::Packed { pack: PACK, first: 148572, bytes: 12172 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "01b3de69d6a61e52741f15a430660d6ac15bb8933c068651f121302c7b0024be",
+    hash: "958ac6fee7d71c9d72024536d7976e7dc6e3155637dc994960fdd8dcbcb74d47",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     name: "ComputeDensity+WALLS+HALF_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 159344, bytes: 12008 },
+    spirv: Spirv::Packed { pack: PACK, first: 160744, bytes: 12108 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "b3e75a679f57357bc87204244f7a5f065daedfbefdf30bedde5cf608a165cc0e",
+    hash: "a5469553ff41f782656435953e882bb550b5f306f40377f9fffcf60f58ad8d59",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
     name: "ComputeDensity+WALLS+SURFACE_TENSION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 171352, bytes: 13948 },
+    spirv: Spirv::Packed { pack: PACK, first: 172852, bytes: 14048 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "b86bc599b1c9219fc6f4a22525c4acff9f13fd9e032de328b01c67fcffd126b1",
+    hash: "11a81330188a3776790b6cb8356dd4a8905e0bc1a50ff6520e42b7afc0bdd25b",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "ComputeDensity+WALLS+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 185300, bytes: 13588 },
+    spirv: Spirv::Packed { pack: PACK, first: 186900, bytes: 13688 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "58878796968cb39f9f553f0162c88805624a1f12a29fd1f8c9ab057960b2aab5",
+    hash: "069121bdd1730b1f56993836d572e5791255386668c6fbeea2a8009c145951b7",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "ComputeDensity+WALLS+SURFACE_TENSION+HALF_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 198888, bytes: 13556 },
+    spirv: Spirv::Packed { pack: PACK, first: 200588, bytes: 13656 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "899c4c4695a3df8a58d94b6c66b319c4437df2da978d3e8e2e098fd7fe1045a9",
+    hash: "52e3af542b81ec344a9ca3c4feb6e0f55baf4ba0dc134b32af402def3844fc3f",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
     name: "ComputeDensity+WALLS+CHOSEN_KERNELS",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 212444, bytes: 13524 },
+    spirv: Spirv::Packed { pack: PACK, first: 214244, bytes: 13624 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "c3c416be367ebe433de6321b5cba006f834065ecb6aa6ec3e8831687ff3993e5",
+    hash: "3c77427e51e71960f3899350449ba4523cae3dfcb826b26c4b563c41bbd22cd2",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
     name: "ComputeDensity+WALLS+CHOSEN_KERNELS+RELAXED_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 225968, bytes: 12876 },
+    spirv: Spirv::Packed { pack: PACK, first: 227868, bytes: 12976 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "fcfb8c19539202b44504b5923155bf799714488bbace111004143c9758546f6b",
+    hash: "0b938f06f580f8a111cec9d5bb5827fa2bbff6f80b45ba92d51359b32c7c873d",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
     name: "ComputeDensity+WALLS+CHOSEN_KERNELS+HALF_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 238844, bytes: 12876 },
+    spirv: Spirv::Packed { pack: PACK, first: 240844, bytes: 12976 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "58ad78e29824da66c03c02bca60095cb1e44036109d3093e9b184a0b65c5bb36",
+    hash: "0e075864d319f837e7119ef98bb9cf7c348325de75b42c7b4a5c0f8731669a01",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
     name: "ComputeDensity+WALLS+CHOSEN_KERNELS+SURFACE_TENSION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 251720, bytes: 16304 },
+    spirv: Spirv::Packed { pack: PACK, first: 253820, bytes: 16404 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "5f6fb979950e3e36f69a5ee73322226813e3c2f7a790283074732d2fcd259af1",
+    hash: "7a28f155c6d4c5756dbffb8e71e5457fd718d040ea834d944ab938fa8f14bef4",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "ComputeDensity+WALLS+CHOSEN_KERNELS+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 268024, bytes: 15656 },
+    spirv: Spirv::Packed { pack: PACK, first: 270224, bytes: 15756 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "a282545c870f050d6a6e79c52add57492675330270778b876cfb3f372a57e4ab",
+    hash: "089debd4575d39432c25ef7710a1e9df23ce4e671673db600c6985fdc5be940e",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "ComputeDensity+WALLS+CHOSEN_KERNELS+SURFACE_TENSION+HALF_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 283680, bytes: 15656 },
+    spirv: Spirv::Packed { pack: PACK, first: 285980, bytes: 15756 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "779570fdc1fd892c3364d25d37b794221ea77b413bb81d42d51ebf91103eae08",
+    hash: "35952293b89bc83516cdac186c81c5398f06bf99e8cd8e9ecdc49cb60b0ebd44",
 };

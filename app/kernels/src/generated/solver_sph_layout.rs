@@ -119,8 +119,8 @@ pub struct SphParams {
     pub borne_scale: f32,
     /// KickParams::end
     pub end_kick: f32,
-    /// `float`.
-    pub reserved0: f32,
+    /// 1 where solids add to the density before it becomes a pressure (add\_solid\_density.compute)
+    pub defers_pressure: u32,
     /// `float`.
     pub reserved1: f32,
 }
@@ -135,7 +135,7 @@ const _: () = {
     assert!(offset_of!(SphParams, supported_per_m2_s2) == 28);
     assert!(offset_of!(SphParams, borne_scale) == 32);
     assert!(offset_of!(SphParams, end_kick) == 36);
-    assert!(offset_of!(SphParams, reserved0) == 40);
+    assert!(offset_of!(SphParams, defers_pressure) == 40);
     assert!(offset_of!(SphParams, reserved1) == 44);
     assert!(size_of::<SphParams>() == 48);
 };

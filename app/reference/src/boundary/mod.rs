@@ -3,6 +3,7 @@
 
 pub mod drag_walls;
 pub mod mirror;
+pub mod solids;
 pub mod wall_integrals;
 pub mod walls;
 

@@ -54,7 +54,7 @@ struct SphParams
     float supported_per_m2_s2;  // 1 over the pressure from which on walls bear all of the fluid's weight
     float borne_scale;          // of what walls bear, so that the lattice's first layer is at rest
     float end_kick;             // KickParams::end
-    float reserved0;
+    uint defers_pressure;       // 1 where solids add to the density before it becomes a pressure (add_solid_density.compute)
     float reserved1;
 };
 

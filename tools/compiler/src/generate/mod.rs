@@ -104,6 +104,13 @@ fn keywords(model: &Model) -> String {
             text.push_str(&format!("    /// {doc}\n    {default}{},\n", entry_name(entry.as_deref())));
         }
         text.push_str("}\n");
+        if let [None, Some(first), ..] = axis.entries.as_slice() {
+            text.push_str(&format!(
+                "\n/// `{first}` on or off, and no other.\nimpl From<bool> for {name} {{\n    fn from(on: bool) -> Self {{\n        \
+                 if on {{ Self::{} }} else {{ Self::Off }}\n    }}\n}}\n",
+                pascal(first)
+            ));
+        }
     }
     text
 }

@@ -2,7 +2,7 @@
 //! (Shader: `solver/none/integrate_particles.compute`.)
 
 use brooklet_gpu::{Recording, Resources};
-use brooklet_kernels::{Buffer, IntegrateParticles, IntegrateParticlesVariant, NoneParams};
+use brooklet_kernels::{BounceWalls, Buffer, IntegrateParticles, IntegrateParticlesVariant, NoneParams};
 
 use crate::scene::Scene;
 use crate::step_context::{Particles, StepContext};
@@ -42,10 +42,34 @@ impl NonInteracting {
         context.slots.dispatch(
             recording,
             &IntegrateParticles {
-                variant: IntegrateParticlesVariant { walls: context.walls, periodic: context.periodic },
+                variant: IntegrateParticlesVariant {
+                    walls: context.walls && context.solids.is_none(),
+                    periodic: context.periodic,
+                },
                 positions: particles.positions.write(),
                 velocities: particles.velocities.write(),
                 counters: context.counters.write(),
+                step_state: context.slots.state.uniform(),
+                step_params: context.step.uniform(),
+                none: self.params.uniform(),
+            },
+        );
+        context.with_solids(|solids, context| {
+            solids.record_collide(recording, context, particles);
+            self.bounce_walls(recording, context, particles);
+        });
+    }
+
+    /// Where solids are met before walls. (Shader: `particles/bounce_walls.compute`.)
+    fn bounce_walls(&self, recording: &mut Recording, context: &StepContext, particles: &mut Particles) {
+        if !context.walls {
+            return;
+        }
+        context.slots.dispatch(
+            recording,
+            &BounceWalls {
+                positions: particles.positions.write(),
+                velocities: particles.velocities.write(),
                 step_state: context.slots.state.uniform(),
                 step_params: context.step.uniform(),
                 none: self.params.uniform(),

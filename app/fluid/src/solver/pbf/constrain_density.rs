@@ -1,7 +1,7 @@
 //! λ of each particle. (Shader: `solver/pbf/constrain_density.compute`.)
 
 use brooklet_gpu::Recording;
-use brooklet_kernels::{ConstrainDensity, ConstrainDensityVariant, MomentumKeyword};
+use brooklet_kernels::{ConstrainDensity, ConstrainDensityVariant, MomentumKeyword, WallsKeyword};
 
 use super::{CoarseCorrection, Momentum, Pbf};
 use crate::step_context::StepContext;
@@ -23,14 +23,16 @@ pub(super) fn constrain_density(recording: &mut Recording, pbf: &mut Pbf, contex
     let (coarse_cells, coarse) = coarse.map(|(cells, params)| (cells.write(), params.uniform())).unzip();
     let (position_lambdas, packed_position_lambdas) = pbf.lambdas.write();
     let (sorted, neighbours) = (&pbf.search.sorted, &pbf.search.neighbours);
+    let walls = context.boundary();
     context.slots.dispatch(
         recording,
         &ConstrainDensity {
-            variant: ConstrainDensityVariant { walls: context.walls, momentum, precision: sorted.precision },
+            variant: ConstrainDensityVariant { walls, momentum, precision: sorted.precision },
             quantized_positions: sorted.quantized_positions.read(),
-            sorted_positions: (context.walls || coarse.is_some()).then(|| sorted.positions.read()),
+            sorted_positions: (walls != WallsKeyword::Off || coarse.is_some()).then(|| sorted.positions.read()),
             neighbours: neighbours.deltas.read(),
             list_heads: neighbours.heads.read(),
+            solid_contacts: context.solids.as_ref().map(|solids| solids.contacts().read()),
             position_lambdas,
             packed_position_lambdas,
             lambda_totals,

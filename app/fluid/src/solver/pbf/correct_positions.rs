@@ -12,18 +12,20 @@ pub(super) fn correct_positions(recording: &mut Recording, pbf: &mut Pbf, contex
     context.slots.dispatch(
         recording,
         &CorrectPositions {
-            variant: CorrectPositionsVariant { walls: context.walls, s_corr, precision: sorted.precision },
+            variant: CorrectPositionsVariant { walls: context.boundary(), s_corr, precision: sorted.precision },
             position_lambdas,
             packed_position_lambdas,
             sorted_positions: sorted.positions.read(),
             neighbours: neighbours.deltas.read(),
             list_heads: neighbours.heads.read(),
+            solid_contacts: context.solids.as_ref().map(|solids| solids.contacts().read()),
             quantized_positions: sorted.quantized_positions.write(),
             counters: context.counters.write(),
             step_state: context.slots.state.uniform(),
             step_params: context.step.uniform(),
             kernel: pbf.search.smoothing_kernel.uniform(),
             pbf: pbf.params.uniform(),
+            solids_params: context.solids.as_ref().map(|solids| solids.params().uniform()),
         },
     );
 }

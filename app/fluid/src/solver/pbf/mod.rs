@@ -169,11 +169,14 @@ impl Pbf {
         particles: &mut Particles,
     ) {
         predict(recording, context, particles);
+        context.with_solids(|solids, context| solids.record_collide(recording, context, particles));
         self.search.sort_forgetting(recording, context, particles);
         self.search.list(recording, context);
+        self.meet_solids(recording, context);
         self.start_warm(recording, context, particles);
         particles.forget_until_moved(recording, &context.slots);
         self.iterate(recording, context, self.s_corr);
+        self.confine(recording, context);
         self.keep_pressure(recording, context);
         let what = if self.forces.smooth() { Velocities::TakeInPlace } else { Velocities::TakeCorrections };
         update_velocity(recording, context, &mut self.search, particles, what);
@@ -204,9 +207,12 @@ impl Pbf {
     ) {
         self.search.sort_forgetting(recording, context, particles);
         self.search.list(recording, context);
+        context.with_solids(|solids, context| solids.record_move(recording, context));
+        self.meet_solids(recording, context);
         self.begin_cold(recording);
         particles.forget_until_moved(recording, &context.slots);
         self.iterate(recording, context, false);
+        self.confine(recording, context);
         self.move_particles(recording, context, particles);
     }
 
@@ -221,6 +227,17 @@ impl Pbf {
             }
             correct_positions(recording, self, context, s_corr);
         }
+    }
+
+    /// Tells particles of the solids near them.
+    fn meet_solids(&mut self, recording: &mut Recording, context: &mut StepContext) {
+        let (positions, kernel) = (&self.search.sorted.positions, &self.search.smoothing_kernel);
+        context.with_solids(|solids, context| solids.record_sample(recording, &context.slots, positions, kernel));
+    }
+
+    /// Holds what the iterations moved to what solids let through.
+    fn confine(&mut self, recording: &mut Recording, context: &mut StepContext) {
+        context.with_solids(|solids, context| solids.record_confine(recording, context, &mut self.search));
     }
 
     fn start_warm(&mut self, recording: &mut Recording, context: &StepContext, particles: &Particles) {

@@ -7,6 +7,7 @@
 mod accelerate;
 mod compute_density;
 mod kernels;
+mod solids;
 mod time_step;
 
 use brooklet_gpu::{Recording, Resources};
@@ -22,6 +23,7 @@ use accelerate::accelerate;
 use compute_density::compute_density;
 pub(crate) use kernels::shear_beyond;
 pub use kernels::{density_walls, pressure_walls, sph_kernels};
+use solids::{add_solid_acceleration, add_solid_density};
 use time_step::TimeStep;
 pub use time_step::limits;
 
@@ -75,6 +77,7 @@ pub fn params(scene: &Scene) -> SphParams {
         supported_per_m2_s2: if g_m_s2 > 0.0 { (4.0 / (g_m_s2 * support_m)) as f32 } else { 0.0 },
         borne_scale: kernels::borne_scale(scene) as f32,
         end_kick: end_kick as f32,
+        defers_pressure: u32::from(!scene.solids.is_empty()),
         ..SphParams::default()
     }
 }
@@ -128,10 +131,17 @@ impl Sph {
         particles: &mut Particles,
     ) {
         advect(recording, context, particles, Some((&self.accelerations, &self.kicks)));
+        context.with_solids(|solids, context| solids.record_collide(recording, context, particles));
         self.search.sort(recording, context, particles);
         self.search.list(recording, context);
         compute_density(recording, self, context, particles);
+        context.with_solids(|solids, context| {
+            let (positions, kernel) = (&self.search.sorted.positions, &self.search.smoothing_kernel);
+            solids.record_sample(recording, &context.slots, positions, kernel);
+            add_solid_density(recording, self, solids, context);
+        });
         accelerate(recording, self, context, particles);
+        context.with_solids(|solids, context| add_solid_acceleration(recording, self, solids, context, particles));
     }
 
     /// What the next substep's move takes of the last one's acceleration, by slot.

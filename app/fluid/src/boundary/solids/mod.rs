@@ -1,0 +1,218 @@
+//! Solids that the fluid flows around. (Shaders: `boundary/solids/`.)
+//!
+//! A substep moves them, marks which of them are near each block of the domain, and stops particles' paths at them. Each
+//! particle is then told once what it needs to know while iterations move it: the half-space that adds as much density as
+//! the solids near it, which counts as a wall does, and the plane of the nearest surface. So an iteration's cost does not
+//! grow with the solids, and that of the rest only with the particles in blocks that one is near.
+
+mod shapes;
+
+use brooklet_gpu::{Recording, Resources};
+use brooklet_kernels::{
+    Buffer, CollideSolids, ConfineDisplacements, ConfineDisplacementsVariant, Keyframe, MAX_SOLIDS, MarkSolids,
+    MoveSolids, Position, SampleSolids, SmoothingKernelParams, Solid, SolidContact, SolidPose, SolidsParams,
+};
+
+use crate::grid::NeighbourSearch;
+use crate::scene::Scene;
+use crate::slots::Slots;
+use crate::step_context::{Particles, StepContext};
+pub use shapes::solids;
+pub(crate) use shapes::{StandingSolid, fastest_m_s, motion};
+
+/// Blocks along the longest side of the domain, at most.
+const MOST_BLOCKS: f64 = 16.0;
+/// Solids that a scene may have.
+pub const MOST_SOLIDS: usize = MAX_SOLIDS as usize;
+
+/// The solids of a scene.
+pub struct Solids {
+    solids: Buffer<Solid>,
+    keyframes: Buffer<Keyframe>,
+    poses: Buffer<SolidPose>,
+    blocks: Buffer<[u32; 4]>,
+    block_count: u32,
+    contacts: Buffer<SolidContact>,
+    params: Buffer<SolidsParams>,
+}
+
+/// What the shaders are told of all of them.
+pub fn solids_params(scene: &Scene) -> SolidsParams {
+    let size_m = scene.domain.size_m();
+    let longest_m = size_m.into_iter().fold(0.0, f64::max);
+    let wanted_m = (longest_m / MOST_BLOCKS).max(2.0 * scene.support_m());
+    let blocks = size_m.map(|side_m| (side_m / wanted_m).floor().max(1.0));
+    let block_m: [f64; 3] = std::array::from_fn(|axis| size_m[axis] / blocks[axis]);
+    // Whom a substep may bring to a surface, and whom its iterations may.
+    let path_m = (scene.max_speed_m_s() * scene.substep_s()).min(2.0 * longest_m);
+    SolidsParams {
+        blocks: blocks.map(|blocks| blocks as u32),
+        solid_count: scene.solids.len() as u32,
+        inverse_block_per_m: block_m.map(|side_m| (1.0 / side_m) as f32),
+        reach_m: (path_m.max(2.0 * scene.support_m()) + scene.wall_offset_m()) as f32,
+        block_m: block_m.map(|side_m| side_m as f32),
+        stop_m: scene.wall_offset_m() as f32,
+    }
+}
+
+impl Solids {
+    /// None of a scene that has none.
+    pub fn declare(resources: &mut Resources, scene: &Scene, capacity: u32) -> Option<Self> {
+        let count = scene.solids.len() as u32;
+        if count == 0 {
+            return None;
+        }
+        let keyframe_count = scene.solids.iter().map(|solid| motion(solid).0.len() as u32).sum();
+        let block_count = solids_params(scene).blocks.into_iter().product();
+        Some(Self {
+            solids: resources.persistent("solids", count),
+            keyframes: resources.persistent("keyframes", keyframe_count),
+            poses: resources.persistent("solid_poses", count),
+            blocks: resources.buffer("solid_blocks", block_count),
+            block_count,
+            contacts: resources.buffer("solid_contacts", capacity),
+            params: resources.persistent("solids_params", 1),
+        })
+    }
+
+    /// Uploads them.
+    pub(crate) fn record_init(&mut self, init: &mut Recording, scene: &Scene) {
+        let (solids, keyframes) = solids(scene);
+        init.upload(&mut self.solids, &solids);
+        init.upload(&mut self.keyframes, &keyframes);
+        init.upload(&mut self.params, &[solids_params(scene)]);
+        init.clear(&mut self.poses);
+    }
+
+    /// Moves the solids to where they are at the substep's end.
+    pub(crate) fn record_move(&mut self, recording: &mut Recording, context: &StepContext) {
+        let count = self.solids.len;
+        recording.dispatch(
+            &MoveSolids {
+                solids: self.solids.read(),
+                keyframes: self.keyframes.read(),
+                solid_poses: self.poses.write(),
+                step_state: context.slots.state.uniform(),
+                solids_params: self.params.uniform(),
+            },
+            count,
+        );
+        self.mark(recording);
+    }
+
+    fn mark(&mut self, recording: &mut Recording) {
+        recording.dispatch(
+            &MarkSolids {
+                solid_poses: self.poses.read(),
+                solid_blocks: self.blocks.write(),
+                solids_params: self.params.uniform(),
+            },
+            self.block_count,
+        );
+    }
+
+    /// Stops the paths that particles took in the substep.
+    pub(crate) fn record_collide(&self, recording: &mut Recording, context: &StepContext, particles: &mut Particles) {
+        context.slots.dispatch(
+            recording,
+            &CollideSolids {
+                solids: self.solids.read(),
+                solid_poses: self.poses.read(),
+                solid_blocks: self.blocks.read(),
+                positions: particles.positions.write(),
+                velocities: particles.velocities.write(),
+                step_state: context.slots.state.uniform(),
+                step_params: context.step.uniform(),
+                solids_params: self.params.uniform(),
+            },
+        );
+    }
+
+    /// The same of particles at `positions` in another recording than the step's.
+    pub(crate) fn record_sample_anew(
+        &mut self,
+        recording: &mut Recording,
+        slots: &Slots,
+        positions: &Buffer<Position>,
+        kernel: &Buffer<SmoothingKernelParams>,
+    ) {
+        self.mark(recording);
+        self.record_sample(recording, slots, positions, kernel);
+    }
+
+    /// Tells particles at `positions` of the solids near them.
+    pub(crate) fn record_sample(
+        &mut self,
+        recording: &mut Recording,
+        slots: &Slots,
+        positions: &Buffer<Position>,
+        kernel: &Buffer<SmoothingKernelParams>,
+    ) {
+        slots.dispatch(
+            recording,
+            &SampleSolids {
+                positions: positions.read(),
+                solids: self.solids.read(),
+                solid_poses: self.poses.read(),
+                solid_blocks: self.blocks.read(),
+                solid_contacts: self.contacts.write(),
+                step_state: slots.state.uniform(),
+                solids_params: self.params.uniform(),
+                kernel: kernel.uniform(),
+            },
+        );
+    }
+
+    /// Holds the displacements of a substep's iterations to what solids let through.
+    pub(crate) fn record_confine(
+        &self,
+        recording: &mut Recording,
+        context: &StepContext,
+        search: &mut NeighbourSearch,
+    ) {
+        let sorted = &mut search.sorted;
+        context.slots.dispatch(
+            recording,
+            &ConfineDisplacements {
+                variant: ConfineDisplacementsVariant { precision: sorted.precision },
+                solids: self.solids.read(),
+                solid_poses: self.poses.read(),
+                solid_blocks: self.blocks.read(),
+                sorted_positions: sorted.positions.read(),
+                quantized_positions: sorted.quantized_positions.write(),
+                step_state: context.slots.state.uniform(),
+                step_params: context.step.uniform(),
+                solids_params: self.params.uniform(),
+                kernel: search.smoothing_kernel.uniform(),
+            },
+        );
+    }
+
+    /// What each particle knows of the solids near it.
+    pub(crate) fn contacts(&self) -> &Buffer<SolidContact> {
+        &self.contacts
+    }
+
+    /// What the shaders know of all of them.
+    pub(crate) fn params(&self) -> &Buffer<SolidsParams> {
+        &self.params
+    }
+
+    /// Where they are.
+    pub(crate) fn poses(&self) -> &Buffer<SolidPose> {
+        &self.poses
+    }
+
+    /// The same solids, for another owner.
+    pub(crate) fn alias(&self) -> Self {
+        Self {
+            solids: self.solids.alias(),
+            keyframes: self.keyframes.alias(),
+            poses: self.poses.alias(),
+            blocks: self.blocks.alias(),
+            contacts: self.contacts.alias(),
+            params: self.params.alias(),
+            ..*self
+        }
+    }
+}

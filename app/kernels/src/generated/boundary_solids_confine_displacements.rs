@@ -1,0 +1,126 @@
+// Written by the shader compiler; do not edit. `cargo run -p brooklet-compiler -- build`
+// makes it anew from boundary/solids/confine_displacements.compute.
+//! Kernels of `boundary/solids/confine_displacements.compute`.
+
+use super::{Position, PrecisionKeyword, SmoothingKernelParams, Solid, SolidPose, SolidsParams, StepParams, StepState};
+use crate::{
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
+    Uniform, bind,
+};
+
+/// Which variant of [`ConfineDisplacements`] runs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct ConfineDisplacementsVariant {
+    /// Keyword `RELAXED_PRECISION` or `HALF_PRECISION`.
+    pub precision: PrecisionKeyword,
+}
+
+/// Holds what a substep's iterations displaced particles by to what solids let through: the iterations themselves know no
+/// more of a solid than the plane of its nearest part.
+#[derive(Debug)]
+pub struct ConfineDisplacements<'a> {
+    /// Its variant.
+    pub variant: ConfineDisplacementsVariant,
+    /// `StructuredBuffer<Solid> solids`.
+    pub solids: Buf<'a, Solid>,
+    /// `StructuredBuffer<SolidPose> solid_poses`.
+    pub solid_poses: Buf<'a, SolidPose>,
+    /// `StructuredBuffer<uint4> solid_blocks`.
+    pub solid_blocks: Buf<'a, [u32; 4]>,
+    /// `StructuredBuffer<Position> sorted_positions`.
+    pub sorted_positions: Buf<'a, Position>,
+    /// `RWStructuredBuffer<uint2> quantized_positions`.
+    pub quantized_positions: BufMut<'a, [u32; 2]>,
+    /// `ConstantBuffer<StepState> step_state`.
+    pub step_state: Uniform<'a, StepState>,
+    /// `ConstantBuffer<StepParams> step_params`.
+    pub step_params: Uniform<'a, StepParams>,
+    /// `ConstantBuffer<SolidsParams> solids_params`.
+    pub solids_params: Uniform<'a, SolidsParams>,
+    /// `ConstantBuffer<SmoothingKernelParams> kernel`.
+    pub kernel: Uniform<'a, SmoothingKernelParams>,
+}
+
+impl Kernel for ConfineDisplacements<'_> {
+    const STAGE: &'static str = "confine_displacements";
+    const GROUP_SIZE: [u32; 3] = [64, 1, 1];
+
+    fn module(&self) -> &'static Module {
+        match self.variant.precision {
+            PrecisionKeyword::Off => &CONFINE_DISPLACEMENTS,
+            PrecisionKeyword::RelaxedPrecision => &CONFINE_DISPLACEMENTS_WITH_RELAXED_PRECISION,
+            PrecisionKeyword::HalfPrecision => &CONFINE_DISPLACEMENTS_WITH_RELAXED_PRECISION,
+        }
+    }
+    fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
+        bind(
+            self.module(),
+            &[
+                ("solids", Some(self.solids.id)),
+                ("solid_poses", Some(self.solid_poses.id)),
+                ("solid_blocks", Some(self.solid_blocks.id)),
+                ("sorted_positions", Some(self.sorted_positions.id)),
+                ("quantized_positions", Some(self.quantized_positions.id)),
+                ("step_state", Some(self.step_state.id)),
+                ("step_params", Some(self.step_params.id)),
+                ("solids_params", Some(self.solids_params.id)),
+                ("kernel", Some(self.kernel.id)),
+            ],
+        )
+    }
+}
+
+/// The modules of this file.
+pub(super) static MODULES: &[&Module] = &[&CONFINE_DISPLACEMENTS, &CONFINE_DISPLACEMENTS_WITH_RELAXED_PRECISION];
+
+static BINDINGS_0: &[BindingInfo] = &[
+    BindingInfo { name: "solids", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 80 } },
+    BindingInfo { name: "solid_poses", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 96 } },
+    BindingInfo {
+        name: "solid_blocks",
+        slot: 2,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+    },
+    BindingInfo {
+        name: "sorted_positions",
+        slot: 3,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+    },
+    BindingInfo {
+        name: "quantized_positions",
+        slot: 4,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
+    },
+    BindingInfo { name: "step_state", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 6, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "solids_params", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "kernel", slot: 8, kind: BindingKind::Uniform { bytes: 48 } },
+];
+
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/boundary_solids_confine_displacements.deflate"));
+
+static CONFINE_DISPLACEMENTS: Module = Module {
+    name: "ConfineDisplacements",
+    entry: "ConfineDisplacements",
+    stage: StageKind::Compute,
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 33900 },
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "boundary/solids/confine_displacements.compute",
+    hash: "798746eba828d6dc628450ddd9183bc4efb8824aa0d67236d4e1071107f0f85f",
+};
+
+static CONFINE_DISPLACEMENTS_WITH_RELAXED_PRECISION: Module = Module {
+    name: "ConfineDisplacements+RELAXED_PRECISION",
+    entry: "ConfineDisplacements",
+    stage: StageKind::Compute,
+    spirv: Spirv::Packed { pack: PACK, first: 33900, bytes: 33492 },
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "boundary/solids/confine_displacements.compute",
+    hash: "e6aa1269211d059776210e7d5311a398c28ebe75abfe0f6c5cfd7267e0d1d19b",
+};

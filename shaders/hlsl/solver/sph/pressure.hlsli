@@ -1,0 +1,18 @@
+// Tait's equation of state. Includers declare `sph`.
+#ifndef BROOKLET_SPH_PRESSURE
+#define BROOKLET_SPH_PRESSURE
+
+// Over the rest density, m^2/s^2.
+float PressureOf(float density_ratio)
+{
+    float power = sph.exponent == 1.0 ? density_ratio : pow(density_ratio, sph.exponent);
+    return max(sph.stiffness_m2_s2 / sph.exponent * (power - 1.0), sph.least_pressure_m2_s2);
+}
+
+// What pairs gather of it: over the square of the density.
+float GatheredPressureOf(float density_ratio)
+{
+    return PressureOf(density_ratio) / (density_ratio * density_ratio);
+}
+
+#endif

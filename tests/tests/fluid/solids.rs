@@ -1,0 +1,95 @@
+//! Solids that stand and move: nobody passes one, and fluid at one is as dense as fluid elsewhere.
+
+use brooklet_fluid::{Scene, Session};
+use brooklet_tests::solids::{BOX, CUP, JET, Leak};
+use brooklet_tests::{gpu, small};
+
+fn scene(leak: &Leak, settings: &[&str]) -> Scene {
+    let settings: Vec<String> = settings.iter().map(|&setting| setting.into()).collect();
+    Scene::from_toml(leak.scene, leak.name, &settings).unwrap()
+}
+
+/// Runs for so many steps, and returns how many particles are through at the end.
+fn through(leak: &Leak, settings: &[&str], steps: u32) -> usize {
+    let scene = scene(leak, settings);
+    let mut session = Session::new(&gpu(), &scene).unwrap();
+    for _ in 0..steps {
+        session.step().unwrap();
+    }
+    let particles = session.read_particles().unwrap();
+    let time_s = f64::from(steps) * scene.solver.dt_s;
+    assert!(!particles.positions.is_empty());
+    particles.positions.iter().filter(|at| (leak.is_through)(&scene, time_s, at.position_m)).count()
+}
+
+/// The whole of each motion, 10 s, is the example `leaks`.
+#[test]
+fn nobody_passes_a_wall_of_one_spacing() {
+    let (coarse, steps) = if small() { ("spacing_m=0.04", 10) } else { ("spacing_m=0.02", 60) };
+    // As thick as a spacing.
+    let thickness = coarse.replace("spacing_m", "solid.0.thickness_m");
+    for method in ["solver.method=pbf", "solver.method=none", "solver.method=sph"] {
+        for leak in [&CUP, &BOX] {
+            assert_eq!(through(leak, &[coarse, &thickness, method], steps), 0, "{} with {method}", leak.name);
+        }
+    }
+    assert_eq!(through(&JET, &[coarse, "solid.0.box.size_m.0=0.02"], steps / 2), 0, "jet");
+    assert_eq!(through(&JET, &[coarse, "solver.method=none"], steps / 2), 0, "jet of particles alone");
+}
+
+/// The comparator that all of the above rest on.
+#[test]
+fn without_the_solid_particles_are_through() {
+    let scene = scene(&JET, &["spacing_m=0.04"]);
+    let mut open = scene.clone();
+    open.solids.clear();
+    let mut session = Session::new(&gpu(), &open).unwrap();
+    for _ in 0..4 {
+        session.step().unwrap();
+    }
+    let particles = session.read_particles().unwrap();
+    let through = particles.positions.iter().filter(|at| (JET.is_through)(&scene, 0.1, at.position_m)).count();
+    assert!(through > 100, "{through} through");
+}
+
+/// Water in a box that stands in the domain rests as water in the domain's own box does.
+#[test]
+fn a_box_that_stands_is_as_calm_and_dense_as_walls_are() {
+    let steps = if small() { 10 } else { 120 };
+    let run = |solid: &str, domain: &str| {
+        let text = format!(
+            "spacing_m = 0.04\n[domain]\n{domain}\n[[fluid]]\nblock = {{ min_m = [0.4, 0.4, 0.4], max_m = [0.8, 0.72, 0.8] }}\n\
+             {solid}[outputs]\nmeasure_every_steps = 1\n"
+        );
+        let scene = Scene::from_toml(&text, "calm", &[]).unwrap();
+        let mut session = Session::new(&gpu(), &scene).unwrap();
+        for _ in 0..steps {
+            session.step().unwrap();
+        }
+        session.measure().unwrap();
+        session.finish().unwrap().into_iter().filter_map(|report| report.stats).next_back().unwrap()
+    };
+    let walls = run("", "min_m = [0.4, 0.4, 0.4]\nmax_m = [0.8, 0.8, 0.8]");
+    let solid = "[[solid]]\nbox = { size_m = [0.48, 0.48, 0.48] }\nthickness_m = 0.04\ncentre_m = [0.6, 0.6, 0.6]\n";
+    let solids = run(solid, "min_m = [0, 0, 0]\nmax_m = [1.2, 1.2, 1.2]");
+    assert_eq!(solids.particles, walls.particles);
+    println!("walls {walls:?}\nsolids {solids:?}");
+    assert!(solids.compression.mean < 2.0 * walls.compression.mean + 0.002);
+    assert!(solids.density_error.mean < walls.density_error.mean + 0.02);
+    assert!(solids.kinetic_j < 4.0 * walls.kinetic_j + 1e-3, "{} J and {} J", solids.kinetic_j, walls.kinetic_j);
+}
+
+#[test]
+fn a_scene_without_solids_has_nothing_of_them() {
+    use brooklet_fluid::{ParticleSource, SessionRecorder};
+    let plan = |settings: &[&str]| {
+        let mut scene = scene(&CUP, settings);
+        if settings.is_empty() {
+            scene.solids.clear();
+        }
+        let planned = SessionRecorder::new(&scene, ParticleSource::Count(1000)).sweep().unwrap();
+        format!("{:?}", planned.plan.passes().into_iter().map(|pass| pass.stage).collect::<Vec<_>>())
+    };
+    assert!(!plan(&[]).contains("solid"));
+    assert!(plan(&["solver.pbf.iterations=2"]).contains("collide_solids"));
+}
