@@ -12,9 +12,11 @@ use crate::{
 pub struct DrawFloorVariant {
     /// Keyword `POINTS_SHADOW` or `WATER_SHADOW` or `CAUSTICS_SHADOW`.
     pub shadow: ShadowKeyword,
+    /// Keyword `SOLIDS_SHADOW`.
+    pub solids_shadow: bool,
 }
 
-/// The floor under the domain: satin tiles with the fluid's soft shadow, melting into the horizon.
+/// The floor under the domain: satin tiles with the soft shadow of fluid and solids, melting into the horizon.
 #[derive(Debug)]
 pub struct DrawFloor<'a> {
     /// Its variant.
@@ -25,6 +27,8 @@ pub struct DrawFloor<'a> {
     pub style: Uniform<'a, FrameStyle>,
     /// `ConstantBuffer<FrameLight> light`.
     pub light: Uniform<'a, FrameLight>,
+    /// `Texture2D<float> solids_shadow_map`.
+    pub solids_shadow_map: Option<Tex<'a>>,
     /// `Texture2D<float> shadow_map`.
     pub shadow_map: Option<Tex<'a>>,
     /// `Texture2D<float> sun_thickness`.
@@ -43,19 +47,27 @@ impl Draw for DrawFloor<'_> {
     const STAGE: &'static str = "draw_floor";
 
     fn vertex(&self) -> &'static Module {
-        match self.variant.shadow {
-            ShadowKeyword::Off => &DRAW_FLOOR_VERTEX,
-            ShadowKeyword::PointsShadow => &DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW,
-            ShadowKeyword::WaterShadow => &DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW,
-            ShadowKeyword::CausticsShadow => &DRAW_FLOOR_VERTEX_WITH_CAUSTICS_SHADOW,
+        match (self.variant.shadow, self.variant.solids_shadow) {
+            (ShadowKeyword::Off, false) => &DRAW_FLOOR_VERTEX,
+            (ShadowKeyword::Off, true) => &DRAW_FLOOR_VERTEX_WITH_SOLIDS_SHADOW,
+            (ShadowKeyword::PointsShadow, false) => &DRAW_FLOOR_VERTEX_WITH_SOLIDS_SHADOW,
+            (ShadowKeyword::PointsShadow, true) => &DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW_WITH_SOLIDS_SHADOW,
+            (ShadowKeyword::WaterShadow, false) => &DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW,
+            (ShadowKeyword::WaterShadow, true) => &DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW_WITH_SOLIDS_SHADOW,
+            (ShadowKeyword::CausticsShadow, false) => &DRAW_FLOOR_VERTEX_WITH_CAUSTICS_SHADOW,
+            (ShadowKeyword::CausticsShadow, true) => &DRAW_FLOOR_VERTEX_WITH_CAUSTICS_SHADOW_WITH_SOLIDS_SHADOW,
         }
     }
     fn fragment(&self) -> Option<&'static Module> {
-        match self.variant.shadow {
-            ShadowKeyword::Off => Some(&DRAW_FLOOR_FRAGMENT),
-            ShadowKeyword::PointsShadow => Some(&DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW),
-            ShadowKeyword::WaterShadow => Some(&DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW),
-            ShadowKeyword::CausticsShadow => Some(&DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW),
+        match (self.variant.shadow, self.variant.solids_shadow) {
+            (ShadowKeyword::Off, false) => Some(&DRAW_FLOOR_FRAGMENT),
+            (ShadowKeyword::Off, true) => Some(&DRAW_FLOOR_FRAGMENT_WITH_SOLIDS_SHADOW),
+            (ShadowKeyword::PointsShadow, false) => Some(&DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW),
+            (ShadowKeyword::PointsShadow, true) => Some(&DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW_WITH_SOLIDS_SHADOW),
+            (ShadowKeyword::WaterShadow, false) => Some(&DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW),
+            (ShadowKeyword::WaterShadow, true) => Some(&DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW_WITH_SOLIDS_SHADOW),
+            (ShadowKeyword::CausticsShadow, false) => Some(&DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW),
+            (ShadowKeyword::CausticsShadow, true) => Some(&DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW_WITH_SOLIDS_SHADOW),
         }
     }
     fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
@@ -66,6 +78,7 @@ impl Draw for DrawFloor<'_> {
                 ("view", Some(self.view.id)),
                 ("style", Some(self.style.id)),
                 ("light", Some(self.light.id)),
+                ("solids_shadow_map", self.solids_shadow_map.as_ref().map(|bound| bound.id)),
                 ("shadow_map", self.shadow_map.as_ref().map(|bound| bound.id)),
                 ("sun_thickness", self.sun_thickness.as_ref().map(|bound| bound.id)),
                 ("surface", self.surface.as_ref().map(|bound| bound.id)),
@@ -81,12 +94,19 @@ impl Draw for DrawFloor<'_> {
 pub(super) static MODULES: &[&Module] = &[
     &DRAW_FLOOR_VERTEX,
     &DRAW_FLOOR_FRAGMENT,
-    &DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW,
+    &DRAW_FLOOR_VERTEX_WITH_SOLIDS_SHADOW,
+    &DRAW_FLOOR_FRAGMENT_WITH_SOLIDS_SHADOW,
     &DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW,
+    &DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW_WITH_SOLIDS_SHADOW,
+    &DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW_WITH_SOLIDS_SHADOW,
     &DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW,
     &DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW,
+    &DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW_WITH_SOLIDS_SHADOW,
+    &DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW_WITH_SOLIDS_SHADOW,
     &DRAW_FLOOR_VERTEX_WITH_CAUSTICS_SHADOW,
     &DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW,
+    &DRAW_FLOOR_VERTEX_WITH_CAUSTICS_SHADOW_WITH_SOLIDS_SHADOW,
+    &DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW_WITH_SOLIDS_SHADOW,
 ];
 
 static BINDINGS_0: &[BindingInfo] = &[
@@ -106,18 +126,38 @@ static BINDINGS_2: &[BindingInfo] = &[
 ];
 
 static BINDINGS_3: &[BindingInfo] = &[
-    BindingInfo { name: "shadow_map", slot: 0, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "solids_shadow_map", slot: 0, kind: BindingKind::Texture { filterable: false } },
     BindingInfo { name: "view", slot: 1, kind: BindingKind::Uniform { bytes: 80 } },
     BindingInfo { name: "light", slot: 2, kind: BindingKind::Uniform { bytes: 112 } },
     BindingInfo { name: "style", slot: 3, kind: BindingKind::Uniform { bytes: 80 } },
 ];
 
 static BINDINGS_4: &[BindingInfo] = &[
+    BindingInfo { name: "shadow_map", slot: 0, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "view", slot: 1, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "light", slot: 2, kind: BindingKind::Uniform { bytes: 112 } },
+    BindingInfo { name: "style", slot: 3, kind: BindingKind::Uniform { bytes: 80 } },
+];
+
+static BINDINGS_5: &[BindingInfo] = &[
+    BindingInfo { name: "view", slot: 2, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "style", slot: 4, kind: BindingKind::Uniform { bytes: 80 } },
+];
+
+static BINDINGS_6: &[BindingInfo] = &[
+    BindingInfo { name: "shadow_map", slot: 0, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "solids_shadow_map", slot: 1, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "view", slot: 2, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "light", slot: 3, kind: BindingKind::Uniform { bytes: 112 } },
+    BindingInfo { name: "style", slot: 4, kind: BindingKind::Uniform { bytes: 80 } },
+];
+
+static BINDINGS_7: &[BindingInfo] = &[
     BindingInfo { name: "view", slot: 4, kind: BindingKind::Uniform { bytes: 80 } },
     BindingInfo { name: "style", slot: 6, kind: BindingKind::Uniform { bytes: 80 } },
 ];
 
-static BINDINGS_5: &[BindingInfo] = &[
+static BINDINGS_8: &[BindingInfo] = &[
     BindingInfo { name: "sun_thickness", slot: 0, kind: BindingKind::Texture { filterable: true } },
     BindingInfo { name: "sampler_linear_clamp", slot: 1, kind: BindingKind::Sampler },
     BindingInfo { name: "surface", slot: 2, kind: BindingKind::Uniform { bytes: 64 } },
@@ -127,7 +167,23 @@ static BINDINGS_5: &[BindingInfo] = &[
     BindingInfo { name: "style", slot: 6, kind: BindingKind::Uniform { bytes: 80 } },
 ];
 
-static BINDINGS_6: &[BindingInfo] = &[
+static BINDINGS_9: &[BindingInfo] = &[
+    BindingInfo { name: "view", slot: 5, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "style", slot: 7, kind: BindingKind::Uniform { bytes: 80 } },
+];
+
+static BINDINGS_10: &[BindingInfo] = &[
+    BindingInfo { name: "sun_thickness", slot: 0, kind: BindingKind::Texture { filterable: true } },
+    BindingInfo { name: "sampler_linear_clamp", slot: 1, kind: BindingKind::Sampler },
+    BindingInfo { name: "surface", slot: 2, kind: BindingKind::Uniform { bytes: 64 } },
+    BindingInfo { name: "water", slot: 3, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "solids_shadow_map", slot: 4, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "view", slot: 5, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "light", slot: 6, kind: BindingKind::Uniform { bytes: 112 } },
+    BindingInfo { name: "style", slot: 7, kind: BindingKind::Uniform { bytes: 80 } },
+];
+
+static BINDINGS_11: &[BindingInfo] = &[
     BindingInfo { name: "sun_depth", slot: 0, kind: BindingKind::Texture { filterable: false } },
     BindingInfo { name: "caustics", slot: 1, kind: BindingKind::Texture { filterable: true } },
     BindingInfo { name: "sampler_linear_clamp", slot: 2, kind: BindingKind::Sampler },
@@ -135,6 +191,17 @@ static BINDINGS_6: &[BindingInfo] = &[
     BindingInfo { name: "view", slot: 4, kind: BindingKind::Uniform { bytes: 80 } },
     BindingInfo { name: "light", slot: 5, kind: BindingKind::Uniform { bytes: 112 } },
     BindingInfo { name: "style", slot: 6, kind: BindingKind::Uniform { bytes: 80 } },
+];
+
+static BINDINGS_12: &[BindingInfo] = &[
+    BindingInfo { name: "sun_depth", slot: 0, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "caustics", slot: 1, kind: BindingKind::Texture { filterable: true } },
+    BindingInfo { name: "sampler_linear_clamp", slot: 2, kind: BindingKind::Sampler },
+    BindingInfo { name: "surface", slot: 3, kind: BindingKind::Uniform { bytes: 64 } },
+    BindingInfo { name: "solids_shadow_map", slot: 4, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "view", slot: 5, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "light", slot: 6, kind: BindingKind::Uniform { bytes: 112 } },
+    BindingInfo { name: "style", slot: 7, kind: BindingKind::Uniform { bytes: 80 } },
 ];
 
 static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/frame_floor.deflate"));
@@ -149,7 +216,7 @@ static DRAW_FLOOR_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "fa6ced010ddde1f69bd0584bdb5aa53ca5df9cb67fcd7fe6f65530048484dc23",
+    hash: "1474673928485dc7588578bdfd3560bdb90677e63a255ad0810ea497fc3089ec",
 };
 
 static DRAW_FLOOR_FRAGMENT: Module = Module {
@@ -162,11 +229,11 @@ static DRAW_FLOOR_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "99aff0b0b9a6824933f3bee2a597bd939fbb5bf9f71f211d9ea7fb2a5bfef5fd",
+    hash: "3e2ecff38d17e405c8c767aa26cfe3f2a1ea0fedad4ee0ca37014129be403ada",
 };
 
-static DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW: Module = Module {
-    name: "DrawFloor.vertex+POINTS_SHADOW",
+static DRAW_FLOOR_VERTEX_WITH_SOLIDS_SHADOW: Module = Module {
+    name: "DrawFloor.vertex+SOLIDS_SHADOW",
     entry: "FloorVertex",
     stage: StageKind::Vertex,
     spirv: Spirv::Packed { pack: PACK, first: 9900, bytes: 3128 },
@@ -175,70 +242,161 @@ static DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "84de2f1507314f145df254f16384017cba19c33d246febd012942a3a7e2dbb8f",
+    hash: "f3504ccfe9665ec593111050506fdb1c5caf185265c46daff11115fb5b32177a",
+};
+
+static DRAW_FLOOR_FRAGMENT_WITH_SOLIDS_SHADOW: Module = Module {
+    name: "DrawFloor.fragment+SOLIDS_SHADOW",
+    entry: "FloorFragment",
+    stage: StageKind::Fragment,
+    spirv: Spirv::Packed { pack: PACK, first: 13028, bytes: 16192 },
+    bindings: BINDINGS_3,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "frame/floor.hlsl",
+    hash: "e08c46b61b6d2d8403ef991bd73e807d10c3c41228f21c91ff02452c9429ff01",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW: Module = Module {
     name: "DrawFloor.fragment+POINTS_SHADOW",
     entry: "FloorFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 13028, bytes: 15292 },
-    bindings: BINDINGS_3,
+    spirv: Spirv::Packed { pack: PACK, first: 29220, bytes: 15272 },
+    bindings: BINDINGS_4,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "0f0c6548b50f8e04d6fe5ab4a12bb097feaab90a2de7c7b639d4c3cc97b6b819",
+    hash: "61fad63aa375493df4e992346837f4f45701415ed3cd91dd43f4f9e472f0bc6c",
+};
+
+static DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW_WITH_SOLIDS_SHADOW: Module = Module {
+    name: "DrawFloor.vertex+POINTS_SHADOW+SOLIDS_SHADOW",
+    entry: "FloorVertex",
+    stage: StageKind::Vertex,
+    spirv: Spirv::Packed { pack: PACK, first: 44492, bytes: 3128 },
+    bindings: BINDINGS_5,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "frame/floor.hlsl",
+    hash: "dbf368cc4ead50c777f821ad07b85d402247c0f83908cf15c38e7a17023615d6",
+};
+
+static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW_WITH_SOLIDS_SHADOW: Module = Module {
+    name: "DrawFloor.fragment+POINTS_SHADOW+SOLIDS_SHADOW",
+    entry: "FloorFragment",
+    stage: StageKind::Fragment,
+    spirv: Spirv::Packed { pack: PACK, first: 47620, bytes: 22800 },
+    bindings: BINDINGS_6,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "frame/floor.hlsl",
+    hash: "233dc4a689dd9de286bce632ed5a843d0600c6fbcdc1c784853b71758128a2ca",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW: Module = Module {
     name: "DrawFloor.vertex+WATER_SHADOW",
     entry: "FloorVertex",
     stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 28320, bytes: 3128 },
-    bindings: BINDINGS_4,
+    spirv: Spirv::Packed { pack: PACK, first: 70420, bytes: 3128 },
+    bindings: BINDINGS_7,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "46007170048444487f2b96b9d978486a9bcbfa424e397513f2d1d3fd66866f1e",
+    hash: "b2acc7355e213378bc9657026d1b35827aaff57597fea9c06799117e76582f33",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW: Module = Module {
     name: "DrawFloor.fragment+WATER_SHADOW",
     entry: "FloorFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 31448, bytes: 11288 },
-    bindings: BINDINGS_5,
+    spirv: Spirv::Packed { pack: PACK, first: 73548, bytes: 11288 },
+    bindings: BINDINGS_8,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "5295dbbca1caffdac0efbd8e9c46f2c7139ccada5b865bb1cdd57712a943586b",
+    hash: "55f66ea001263b63b6e7f16b7ded830c9f2011f322166291c08aa9b8f0588260",
+};
+
+static DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW_WITH_SOLIDS_SHADOW: Module = Module {
+    name: "DrawFloor.vertex+WATER_SHADOW+SOLIDS_SHADOW",
+    entry: "FloorVertex",
+    stage: StageKind::Vertex,
+    spirv: Spirv::Packed { pack: PACK, first: 84836, bytes: 3128 },
+    bindings: BINDINGS_9,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "frame/floor.hlsl",
+    hash: "07339c8c10ef57175901bdc142caac851227c069161b974262a79a359978a479",
+};
+
+static DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW_WITH_SOLIDS_SHADOW: Module = Module {
+    name: "DrawFloor.fragment+WATER_SHADOW+SOLIDS_SHADOW",
+    entry: "FloorFragment",
+    stage: StageKind::Fragment,
+    spirv: Spirv::Packed { pack: PACK, first: 87964, bytes: 19904 },
+    bindings: BINDINGS_10,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "frame/floor.hlsl",
+    hash: "f28bafe8f46bc4661fdfc373089ac6d58359016afb44cfe94ffbf32b15245918",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_CAUSTICS_SHADOW: Module = Module {
     name: "DrawFloor.vertex+CAUSTICS_SHADOW",
     entry: "FloorVertex",
     stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 42736, bytes: 3128 },
-    bindings: BINDINGS_4,
+    spirv: Spirv::Packed { pack: PACK, first: 107868, bytes: 3128 },
+    bindings: BINDINGS_7,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "84f660caf326355b50ec1dbab6d9a23c463295b96dded80fa27e23744bc2469c",
+    hash: "b88c6d522919e5ce35caf36addf8417fe7c4c577b86441dacd1b1ca08fd10706",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW: Module = Module {
     name: "DrawFloor.fragment+CAUSTICS_SHADOW",
     entry: "FloorFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 45864, bytes: 10320 },
-    bindings: BINDINGS_6,
+    spirv: Spirv::Packed { pack: PACK, first: 110996, bytes: 10320 },
+    bindings: BINDINGS_11,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "6e110e9676f618e1ec3d3054bf071884e1b87c1bbae9ff4f693271d30a786f2a",
+    hash: "9e722a5c559e11efc325520c69e23db364ec01418c026f6835cd7bfd8afec941",
+};
+
+static DRAW_FLOOR_VERTEX_WITH_CAUSTICS_SHADOW_WITH_SOLIDS_SHADOW: Module = Module {
+    name: "DrawFloor.vertex+CAUSTICS_SHADOW+SOLIDS_SHADOW",
+    entry: "FloorVertex",
+    stage: StageKind::Vertex,
+    spirv: Spirv::Packed { pack: PACK, first: 121316, bytes: 3128 },
+    bindings: BINDINGS_9,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "frame/floor.hlsl",
+    hash: "ac67dbe6691f6cbc86ca552461fe496d62e3a42edac6732465917c964328da51",
+};
+
+static DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW_WITH_SOLIDS_SHADOW: Module = Module {
+    name: "DrawFloor.fragment+CAUSTICS_SHADOW+SOLIDS_SHADOW",
+    entry: "FloorFragment",
+    stage: StageKind::Fragment,
+    spirv: Spirv::Packed { pack: PACK, first: 124444, bytes: 19288 },
+    bindings: BINDINGS_12,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "frame/floor.hlsl",
+    hash: "88d90fbf6e7b1a0898fb75546a501afb0434b04f68e36b02c1c141dca481e0ba",
 };

@@ -24,13 +24,6 @@ pub enum ColorKeyword {
     ColorDensity,
 }
 
-/// `COLOR_FLUID` on or off, and no other.
-impl From<bool> for ColorKeyword {
-    fn from(on: bool) -> Self {
-        if on { Self::ColorFluid } else { Self::Off }
-    }
-}
-
 /// `#pragma multi_compile FILTER_X FILTER_Y FILTER_PLANE`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum FilterKeyword {
@@ -57,13 +50,6 @@ pub enum MomentumKeyword {
     RestrictedMomentum,
 }
 
-/// `MOMENTUM` on or off, and no other.
-impl From<bool> for MomentumKeyword {
-    fn from(on: bool) -> Self {
-        if on { Self::Momentum } else { Self::Off }
-    }
-}
-
 /// `#pragma multi_compile _ VELOCITIES_ONLY POSITIONS_ONLY`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum OnlyKeyword {
@@ -76,13 +62,6 @@ pub enum OnlyKeyword {
     PositionsOnly,
 }
 
-/// `VELOCITIES_ONLY` on or off, and no other.
-impl From<bool> for OnlyKeyword {
-    fn from(on: bool) -> Self {
-        if on { Self::VelocitiesOnly } else { Self::Off }
-    }
-}
-
 /// `#pragma multi_compile _ RELAXED_PRECISION HALF_PRECISION`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum PrecisionKeyword {
@@ -93,13 +72,6 @@ pub enum PrecisionKeyword {
     RelaxedPrecision,
     /// `HALF_PRECISION` is on.
     HalfPrecision,
-}
-
-/// `RELAXED_PRECISION` on or off, and no other.
-impl From<bool> for PrecisionKeyword {
-    fn from(on: bool) -> Self {
-        if on { Self::RelaxedPrecision } else { Self::Off }
-    }
 }
 
 /// `#pragma multi_compile _ POINTS_SHADOW WATER_SHADOW CAUSTICS_SHADOW`.
@@ -116,13 +88,6 @@ pub enum ShadowKeyword {
     CausticsShadow,
 }
 
-/// `POINTS_SHADOW` on or off, and no other.
-impl From<bool> for ShadowKeyword {
-    fn from(on: bool) -> Self {
-        if on { Self::PointsShadow } else { Self::Off }
-    }
-}
-
 /// `#pragma multi_compile _ SPRAY_SHAPE ELLIPSOID_SHAPE`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum ShapeKeyword {
@@ -135,11 +100,16 @@ pub enum ShapeKeyword {
     EllipsoidShape,
 }
 
-/// `SPRAY_SHAPE` on or off, and no other.
-impl From<bool> for ShapeKeyword {
-    fn from(on: bool) -> Self {
-        if on { Self::SprayShape } else { Self::Off }
-    }
+/// `#pragma multi_compile _ POINTS_SUN VOLUME_SUN`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum SunKeyword {
+    /// None of them is on.
+    #[default]
+    Off,
+    /// `POINTS_SUN` is on.
+    PointsSun,
+    /// `VOLUME_SUN` is on.
+    VolumeSun,
 }
 
 /// `#pragma multi_compile _ KEEP_VELOCITY IN_PLACE_VELOCITY`.
@@ -154,13 +124,6 @@ pub enum VelocityKeyword {
     InPlaceVelocity,
 }
 
-/// `KEEP_VELOCITY` on or off, and no other.
-impl From<bool> for VelocityKeyword {
-    fn from(on: bool) -> Self {
-        if on { Self::KeepVelocity } else { Self::Off }
-    }
-}
-
 /// `#pragma multi_compile _ WALLS SOLID_WALLS`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum WallsKeyword {
@@ -173,13 +136,6 @@ pub enum WallsKeyword {
     SolidWalls,
 }
 
-/// `WALLS` on or off, and no other.
-impl From<bool> for WallsKeyword {
-    fn from(on: bool) -> Self {
-        if on { Self::Walls } else { Self::Off }
-    }
-}
-
 /// `#pragma multi_compile _ BEHIND_WATER BEFORE_WATER`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum WaterKeyword {
@@ -190,11 +146,4 @@ pub enum WaterKeyword {
     BehindWater,
     /// `BEFORE_WATER` is on.
     BeforeWater,
-}
-
-/// `BEHIND_WATER` on or off, and no other.
-impl From<bool> for WaterKeyword {
-    fn from(on: bool) -> Self {
-        if on { Self::BehindWater } else { Self::Off }
-    }
 }

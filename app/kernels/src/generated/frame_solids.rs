@@ -1,0 +1,263 @@
+// Written by the shader compiler; do not edit. `cargo run -p brooklet-compiler -- build`
+// makes it anew from frame/solids.hlsl.
+//! Kernels of `frame/solids.hlsl`.
+
+use super::{
+    FrameLight, FrameStyle, FrameView, SolidPaint, SolidPose, SolidVertex, SunKeyword, SunVolumeParams, WaterStyle,
+};
+use crate::{
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, Draw, Module, Spirv, StageKind, Tex, Tier, Uniform,
+    bind_draw,
+};
+
+/// Which variant of [`DrawSolids`] runs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct DrawSolidsVariant {
+    /// Keyword `POINTS_SUN` or `VOLUME_SUN`.
+    pub sun: SunKeyword,
+}
+
+/// The opaque solids: smooth paint in the light of sun and sky, shaded by each other and by the fluid.
+#[derive(Debug)]
+pub struct DrawSolids<'a> {
+    /// Its variant.
+    pub variant: DrawSolidsVariant,
+    /// `StructuredBuffer<uint> solid_indices`.
+    pub solid_indices: Buf<'a, u32>,
+    /// `StructuredBuffer<SolidVertex> solid_vertices`.
+    pub solid_vertices: Buf<'a, SolidVertex>,
+    /// `StructuredBuffer<SolidPose> solid_poses`.
+    pub solid_poses: Buf<'a, SolidPose>,
+    /// `StructuredBuffer<SolidPaint> solid_paints`.
+    pub solid_paints: Buf<'a, SolidPaint>,
+    /// `ConstantBuffer<FrameView> view`.
+    pub view: Uniform<'a, FrameView>,
+    /// `Texture2D<float> solids_shadow_map`.
+    pub solids_shadow_map: Tex<'a>,
+    /// `ConstantBuffer<FrameLight> light`.
+    pub light: Uniform<'a, FrameLight>,
+    /// `ConstantBuffer<FrameStyle> style`.
+    pub style: Uniform<'a, FrameStyle>,
+    /// `Texture2D<float> shadow_map`.
+    pub shadow_map: Option<Tex<'a>>,
+    /// `StructuredBuffer<float> sun_volume`.
+    pub sun_volume: Option<Buf<'a, f32>>,
+    /// `ConstantBuffer<SunVolumeParams> volume`.
+    pub volume: Option<Uniform<'a, SunVolumeParams>>,
+    /// `ConstantBuffer<WaterStyle> water`.
+    pub water: Option<Uniform<'a, WaterStyle>>,
+}
+
+impl Draw for DrawSolids<'_> {
+    const STAGE: &'static str = "draw_solids";
+
+    fn vertex(&self) -> &'static Module {
+        match self.variant.sun {
+            SunKeyword::Off => &DRAW_SOLIDS_VERTEX,
+            SunKeyword::PointsSun => &DRAW_SOLIDS_VERTEX_WITH_POINTS_SUN,
+            SunKeyword::VolumeSun => &DRAW_SOLIDS_VERTEX_WITH_VOLUME_SUN,
+        }
+    }
+    fn fragment(&self) -> Option<&'static Module> {
+        match self.variant.sun {
+            SunKeyword::Off => Some(&DRAW_SOLIDS_FRAGMENT),
+            SunKeyword::PointsSun => Some(&DRAW_SOLIDS_FRAGMENT_WITH_POINTS_SUN),
+            SunKeyword::VolumeSun => Some(&DRAW_SOLIDS_FRAGMENT_WITH_VOLUME_SUN),
+        }
+    }
+    fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
+        bind_draw(
+            self.vertex(),
+            self.fragment(),
+            &[
+                ("solid_indices", Some(self.solid_indices.id)),
+                ("solid_vertices", Some(self.solid_vertices.id)),
+                ("solid_poses", Some(self.solid_poses.id)),
+                ("solid_paints", Some(self.solid_paints.id)),
+                ("view", Some(self.view.id)),
+                ("solids_shadow_map", Some(self.solids_shadow_map.id)),
+                ("light", Some(self.light.id)),
+                ("style", Some(self.style.id)),
+                ("shadow_map", self.shadow_map.as_ref().map(|bound| bound.id)),
+                ("sun_volume", self.sun_volume.as_ref().map(|bound| bound.id)),
+                ("volume", self.volume.as_ref().map(|bound| bound.id)),
+                ("water", self.water.as_ref().map(|bound| bound.id)),
+            ],
+        )
+    }
+}
+
+/// The modules of this file.
+pub(super) static MODULES: &[&Module] = &[
+    &DRAW_SOLIDS_VERTEX,
+    &DRAW_SOLIDS_FRAGMENT,
+    &DRAW_SOLIDS_VERTEX_WITH_POINTS_SUN,
+    &DRAW_SOLIDS_FRAGMENT_WITH_POINTS_SUN,
+    &DRAW_SOLIDS_VERTEX_WITH_VOLUME_SUN,
+    &DRAW_SOLIDS_FRAGMENT_WITH_VOLUME_SUN,
+];
+
+static BINDINGS_0: &[BindingInfo] = &[
+    BindingInfo {
+        name: "solid_indices",
+        slot: 0,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 },
+    },
+    BindingInfo {
+        name: "solid_vertices",
+        slot: 1,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 32 },
+    },
+    BindingInfo { name: "solid_poses", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 96 } },
+    BindingInfo {
+        name: "solid_paints",
+        slot: 3,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+    },
+    BindingInfo { name: "view", slot: 5, kind: BindingKind::Uniform { bytes: 80 } },
+];
+
+static BINDINGS_1: &[BindingInfo] = &[
+    BindingInfo { name: "solids_shadow_map", slot: 4, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "view", slot: 5, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "light", slot: 6, kind: BindingKind::Uniform { bytes: 112 } },
+    BindingInfo { name: "style", slot: 7, kind: BindingKind::Uniform { bytes: 80 } },
+];
+
+static BINDINGS_2: &[BindingInfo] = &[
+    BindingInfo {
+        name: "solid_indices",
+        slot: 0,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 },
+    },
+    BindingInfo {
+        name: "solid_vertices",
+        slot: 1,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 32 },
+    },
+    BindingInfo { name: "solid_poses", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 96 } },
+    BindingInfo {
+        name: "solid_paints",
+        slot: 3,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+    },
+    BindingInfo { name: "view", slot: 6, kind: BindingKind::Uniform { bytes: 80 } },
+];
+
+static BINDINGS_3: &[BindingInfo] = &[
+    BindingInfo { name: "solids_shadow_map", slot: 4, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "shadow_map", slot: 5, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "view", slot: 6, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "light", slot: 7, kind: BindingKind::Uniform { bytes: 112 } },
+    BindingInfo { name: "style", slot: 8, kind: BindingKind::Uniform { bytes: 80 } },
+];
+
+static BINDINGS_4: &[BindingInfo] = &[
+    BindingInfo {
+        name: "solid_indices",
+        slot: 0,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 },
+    },
+    BindingInfo {
+        name: "solid_vertices",
+        slot: 1,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 32 },
+    },
+    BindingInfo { name: "solid_poses", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 96 } },
+    BindingInfo {
+        name: "solid_paints",
+        slot: 3,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+    },
+    BindingInfo { name: "view", slot: 8, kind: BindingKind::Uniform { bytes: 80 } },
+];
+
+static BINDINGS_5: &[BindingInfo] = &[
+    BindingInfo { name: "solids_shadow_map", slot: 4, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "sun_volume", slot: 5, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 } },
+    BindingInfo { name: "volume", slot: 6, kind: BindingKind::Uniform { bytes: 16 } },
+    BindingInfo { name: "water", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "view", slot: 8, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "light", slot: 9, kind: BindingKind::Uniform { bytes: 112 } },
+    BindingInfo { name: "style", slot: 10, kind: BindingKind::Uniform { bytes: 80 } },
+];
+
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/frame_solids.deflate"));
+
+static DRAW_SOLIDS_VERTEX: Module = Module {
+    name: "DrawSolids.vertex",
+    entry: "SolidsVertex",
+    stage: StageKind::Vertex,
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 4300 },
+    bindings: BINDINGS_0,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "frame/solids.hlsl",
+    hash: "d96a7b6762d69b6dda7cb0e6beb5b81b45add7292a7168d458b24f2edffd6734",
+};
+
+static DRAW_SOLIDS_FRAGMENT: Module = Module {
+    name: "DrawSolids.fragment",
+    entry: "SolidsFragment",
+    stage: StageKind::Fragment,
+    spirv: Spirv::Packed { pack: PACK, first: 4300, bytes: 14224 },
+    bindings: BINDINGS_1,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "frame/solids.hlsl",
+    hash: "c7f90dfee3a95fc359c6e126b9a52ee946574e9d71cd11402195e35673c26fdc",
+};
+
+static DRAW_SOLIDS_VERTEX_WITH_POINTS_SUN: Module = Module {
+    name: "DrawSolids.vertex+POINTS_SUN",
+    entry: "SolidsVertex",
+    stage: StageKind::Vertex,
+    spirv: Spirv::Packed { pack: PACK, first: 18524, bytes: 4300 },
+    bindings: BINDINGS_2,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "frame/solids.hlsl",
+    hash: "b387b19e1060c7702effd30b86b4a0749ef367624edab3feab2c0eb847d40628",
+};
+
+static DRAW_SOLIDS_FRAGMENT_WITH_POINTS_SUN: Module = Module {
+    name: "DrawSolids.fragment+POINTS_SUN",
+    entry: "SolidsFragment",
+    stage: StageKind::Fragment,
+    spirv: Spirv::Packed { pack: PACK, first: 22824, bytes: 21868 },
+    bindings: BINDINGS_3,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "frame/solids.hlsl",
+    hash: "fe8bcedc52c1e517506a3f34e9f1c6a01d34bd74832d601a83513c61d4ac78cb",
+};
+
+static DRAW_SOLIDS_VERTEX_WITH_VOLUME_SUN: Module = Module {
+    name: "DrawSolids.vertex+VOLUME_SUN",
+    entry: "SolidsVertex",
+    stage: StageKind::Vertex,
+    spirv: Spirv::Packed { pack: PACK, first: 44692, bytes: 4300 },
+    bindings: BINDINGS_4,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "frame/solids.hlsl",
+    hash: "41b9107532e98839639a3fb7e861abe8cd0904efe3102563e799176c42b0592d",
+};
+
+static DRAW_SOLIDS_FRAGMENT_WITH_VOLUME_SUN: Module = Module {
+    name: "DrawSolids.fragment+VOLUME_SUN",
+    entry: "SolidsFragment",
+    stage: StageKind::Fragment,
+    spirv: Spirv::Packed { pack: PACK, first: 48992, bytes: 17308 },
+    bindings: BINDINGS_5,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "frame/solids.hlsl",
+    hash: "9bac58621707e1f2391ccedbc7d04f155548e41ecebecc21f39a3c0b455cf41b",
+};
