@@ -23,12 +23,12 @@ Texture2D<float4> caustics;
 SamplerState sampler_linear_clamp;
 ConstantBuffer<SurfaceParams> surface;
 #endif
-#if defined(SOLIDS_SHADOW)
-Texture2D<float> solids_shadow_map;
-#endif
 ConstantBuffer<FrameView> view;
 ConstantBuffer<FrameLight> light;
 ConstantBuffer<FrameStyle> style;
+#if defined(SOLIDS_SHADOW)
+Texture2D<float> solids_shadow_map;
+#endif
 
 struct Varyings
 {

@@ -11,7 +11,6 @@
 
 #if defined(BEHIND_WATER) || defined(BEFORE_WATER)
 #define WATER
-Texture2D<float> inverse_depth;
 #endif
 StructuredBuffer<uint> solid_indices;
 StructuredBuffer<SolidVertex> solid_vertices;
@@ -20,6 +19,9 @@ StructuredBuffer<SolidPaint> solid_paints;
 ConstantBuffer<FrameView> view;
 ConstantBuffer<FrameLight> light;
 ConstantBuffer<FrameStyle> style;
+#if defined(WATER)
+Texture2D<float> inverse_depth;
+#endif
 
 // Reflectance at normal incidence, n = 1.5.
 static const float GLASS_F0 = 0.04;

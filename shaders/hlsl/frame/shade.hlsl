@@ -20,12 +20,12 @@ StructuredBuffer<float> density_ratios;
 StructuredBuffer<Velocity> velocities;
 #endif
 Texture2D<float> shadow_map;
-#if defined(SOLIDS_SHADOW)
-Texture2D<float> solids_shadow_map;
-#endif
 ConstantBuffer<FrameView> view;
 ConstantBuffer<FrameLight> light;
 ConstantBuffer<FrameStyle> style;
+#if defined(SOLIDS_SHADOW)
+Texture2D<float> solids_shadow_map;
+#endif
 
 struct Varyings
 {

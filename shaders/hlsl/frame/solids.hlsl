@@ -12,6 +12,9 @@ StructuredBuffer<SolidVertex> solid_vertices;
 StructuredBuffer<SolidPose> solid_poses;
 StructuredBuffer<SolidPaint> solid_paints;
 Texture2D<float> solids_shadow_map;
+ConstantBuffer<FrameView> view;
+ConstantBuffer<FrameLight> light;
+ConstantBuffer<FrameStyle> style;
 #if defined(POINTS_SUN)
 Texture2D<float> shadow_map;
 #elif defined(VOLUME_SUN)
@@ -20,9 +23,6 @@ StructuredBuffer<float> sun_volume;
 ConstantBuffer<SunVolumeParams> volume;
 ConstantBuffer<WaterStyle> water;
 #endif
-ConstantBuffer<FrameView> view;
-ConstantBuffer<FrameLight> light;
-ConstantBuffer<FrameStyle> style;
 
 struct Varyings
 {
@@ -70,7 +70,6 @@ float4 SolidsFragment(Varyings input) : SV_Target0
     float3 sun = 0.0;
     if (n_dot_l > 0.0)
         sun = SunArriving(input.world_m, normal, input.position.xy) * light.sun_color;
-    // The sky from where it is not the floor or the ground near it that is seen.
     float3 color = input.color * (0.75 * n_dot_l * sun + AmbientLight(light, style.floor_color, normal));
     color += Fresnel(0.04, dot(normal, to_eye)) * 0.6 * SkyGradient(light, reflect(-to_eye, normal));
     float3 halfway = normalize(light.to_sun + to_eye);

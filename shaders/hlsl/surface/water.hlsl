@@ -27,15 +27,15 @@ Texture2D<float4> mesh_normals;
 StructuredBuffer<float> sun_volume;
 ConstantBuffer<SunVolumeParams> volume;
 #endif
-#if defined(SOLIDS_SHADOW)
-Texture2D<float> solids_shadow_map;
-#endif
 SamplerState sampler_linear_clamp;
 ConstantBuffer<FrameView> view;
 ConstantBuffer<FrameLight> light;
 ConstantBuffer<FrameStyle> style;
 ConstantBuffer<SurfaceParams> surface;
 ConstantBuffer<WaterStyle> water;
+#if defined(SOLIDS_SHADOW)
+Texture2D<float> solids_shadow_map;
+#endif
 
 struct Varyings
 {

@@ -49,13 +49,13 @@ impl Draw for DrawFloor<'_> {
     fn vertex(&self) -> &'static Module {
         match (self.variant.shadow, self.variant.solids_shadow) {
             (ShadowKeyword::Off, false) => &DRAW_FLOOR_VERTEX,
-            (ShadowKeyword::Off, true) => &DRAW_FLOOR_VERTEX_WITH_SOLIDS_SHADOW,
-            (ShadowKeyword::PointsShadow, false) => &DRAW_FLOOR_VERTEX_WITH_SOLIDS_SHADOW,
-            (ShadowKeyword::PointsShadow, true) => &DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW_WITH_SOLIDS_SHADOW,
+            (ShadowKeyword::Off, true) => &DRAW_FLOOR_VERTEX,
+            (ShadowKeyword::PointsShadow, false) => &DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW,
+            (ShadowKeyword::PointsShadow, true) => &DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW,
             (ShadowKeyword::WaterShadow, false) => &DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW,
-            (ShadowKeyword::WaterShadow, true) => &DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW_WITH_SOLIDS_SHADOW,
+            (ShadowKeyword::WaterShadow, true) => &DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW,
             (ShadowKeyword::CausticsShadow, false) => &DRAW_FLOOR_VERTEX_WITH_CAUSTICS_SHADOW,
-            (ShadowKeyword::CausticsShadow, true) => &DRAW_FLOOR_VERTEX_WITH_CAUSTICS_SHADOW_WITH_SOLIDS_SHADOW,
+            (ShadowKeyword::CausticsShadow, true) => &DRAW_FLOOR_VERTEX_WITH_CAUSTICS_SHADOW,
         }
     }
     fn fragment(&self) -> Option<&'static Module> {
@@ -94,18 +94,15 @@ impl Draw for DrawFloor<'_> {
 pub(super) static MODULES: &[&Module] = &[
     &DRAW_FLOOR_VERTEX,
     &DRAW_FLOOR_FRAGMENT,
-    &DRAW_FLOOR_VERTEX_WITH_SOLIDS_SHADOW,
     &DRAW_FLOOR_FRAGMENT_WITH_SOLIDS_SHADOW,
+    &DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW,
     &DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW,
-    &DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW_WITH_SOLIDS_SHADOW,
     &DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW_WITH_SOLIDS_SHADOW,
     &DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW,
     &DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW,
-    &DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW_WITH_SOLIDS_SHADOW,
     &DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW_WITH_SOLIDS_SHADOW,
     &DRAW_FLOOR_VERTEX_WITH_CAUSTICS_SHADOW,
     &DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW,
-    &DRAW_FLOOR_VERTEX_WITH_CAUSTICS_SHADOW_WITH_SOLIDS_SHADOW,
     &DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW_WITH_SOLIDS_SHADOW,
 ];
 
@@ -121,14 +118,14 @@ static BINDINGS_1: &[BindingInfo] = &[
 ];
 
 static BINDINGS_2: &[BindingInfo] = &[
-    BindingInfo { name: "view", slot: 1, kind: BindingKind::Uniform { bytes: 80 } },
-    BindingInfo { name: "style", slot: 3, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "view", slot: 0, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "light", slot: 1, kind: BindingKind::Uniform { bytes: 112 } },
+    BindingInfo { name: "style", slot: 2, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "solids_shadow_map", slot: 3, kind: BindingKind::Texture { filterable: false } },
 ];
 
 static BINDINGS_3: &[BindingInfo] = &[
-    BindingInfo { name: "solids_shadow_map", slot: 0, kind: BindingKind::Texture { filterable: false } },
     BindingInfo { name: "view", slot: 1, kind: BindingKind::Uniform { bytes: 80 } },
-    BindingInfo { name: "light", slot: 2, kind: BindingKind::Uniform { bytes: 112 } },
     BindingInfo { name: "style", slot: 3, kind: BindingKind::Uniform { bytes: 80 } },
 ];
 
@@ -140,20 +137,25 @@ static BINDINGS_4: &[BindingInfo] = &[
 ];
 
 static BINDINGS_5: &[BindingInfo] = &[
-    BindingInfo { name: "view", slot: 2, kind: BindingKind::Uniform { bytes: 80 } },
-    BindingInfo { name: "style", slot: 4, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "shadow_map", slot: 0, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "view", slot: 1, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "light", slot: 2, kind: BindingKind::Uniform { bytes: 112 } },
+    BindingInfo { name: "style", slot: 3, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "solids_shadow_map", slot: 4, kind: BindingKind::Texture { filterable: false } },
 ];
 
 static BINDINGS_6: &[BindingInfo] = &[
-    BindingInfo { name: "shadow_map", slot: 0, kind: BindingKind::Texture { filterable: false } },
-    BindingInfo { name: "solids_shadow_map", slot: 1, kind: BindingKind::Texture { filterable: false } },
-    BindingInfo { name: "view", slot: 2, kind: BindingKind::Uniform { bytes: 80 } },
-    BindingInfo { name: "light", slot: 3, kind: BindingKind::Uniform { bytes: 112 } },
-    BindingInfo { name: "style", slot: 4, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "view", slot: 4, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "style", slot: 6, kind: BindingKind::Uniform { bytes: 80 } },
 ];
 
 static BINDINGS_7: &[BindingInfo] = &[
+    BindingInfo { name: "sun_thickness", slot: 0, kind: BindingKind::Texture { filterable: true } },
+    BindingInfo { name: "sampler_linear_clamp", slot: 1, kind: BindingKind::Sampler },
+    BindingInfo { name: "surface", slot: 2, kind: BindingKind::Uniform { bytes: 64 } },
+    BindingInfo { name: "water", slot: 3, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "view", slot: 4, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "light", slot: 5, kind: BindingKind::Uniform { bytes: 112 } },
     BindingInfo { name: "style", slot: 6, kind: BindingKind::Uniform { bytes: 80 } },
 ];
 
@@ -165,25 +167,10 @@ static BINDINGS_8: &[BindingInfo] = &[
     BindingInfo { name: "view", slot: 4, kind: BindingKind::Uniform { bytes: 80 } },
     BindingInfo { name: "light", slot: 5, kind: BindingKind::Uniform { bytes: 112 } },
     BindingInfo { name: "style", slot: 6, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "solids_shadow_map", slot: 7, kind: BindingKind::Texture { filterable: false } },
 ];
 
 static BINDINGS_9: &[BindingInfo] = &[
-    BindingInfo { name: "view", slot: 5, kind: BindingKind::Uniform { bytes: 80 } },
-    BindingInfo { name: "style", slot: 7, kind: BindingKind::Uniform { bytes: 80 } },
-];
-
-static BINDINGS_10: &[BindingInfo] = &[
-    BindingInfo { name: "sun_thickness", slot: 0, kind: BindingKind::Texture { filterable: true } },
-    BindingInfo { name: "sampler_linear_clamp", slot: 1, kind: BindingKind::Sampler },
-    BindingInfo { name: "surface", slot: 2, kind: BindingKind::Uniform { bytes: 64 } },
-    BindingInfo { name: "water", slot: 3, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "solids_shadow_map", slot: 4, kind: BindingKind::Texture { filterable: false } },
-    BindingInfo { name: "view", slot: 5, kind: BindingKind::Uniform { bytes: 80 } },
-    BindingInfo { name: "light", slot: 6, kind: BindingKind::Uniform { bytes: 112 } },
-    BindingInfo { name: "style", slot: 7, kind: BindingKind::Uniform { bytes: 80 } },
-];
-
-static BINDINGS_11: &[BindingInfo] = &[
     BindingInfo { name: "sun_depth", slot: 0, kind: BindingKind::Texture { filterable: false } },
     BindingInfo { name: "caustics", slot: 1, kind: BindingKind::Texture { filterable: true } },
     BindingInfo { name: "sampler_linear_clamp", slot: 2, kind: BindingKind::Sampler },
@@ -193,15 +180,15 @@ static BINDINGS_11: &[BindingInfo] = &[
     BindingInfo { name: "style", slot: 6, kind: BindingKind::Uniform { bytes: 80 } },
 ];
 
-static BINDINGS_12: &[BindingInfo] = &[
+static BINDINGS_10: &[BindingInfo] = &[
     BindingInfo { name: "sun_depth", slot: 0, kind: BindingKind::Texture { filterable: false } },
     BindingInfo { name: "caustics", slot: 1, kind: BindingKind::Texture { filterable: true } },
     BindingInfo { name: "sampler_linear_clamp", slot: 2, kind: BindingKind::Sampler },
     BindingInfo { name: "surface", slot: 3, kind: BindingKind::Uniform { bytes: 64 } },
-    BindingInfo { name: "solids_shadow_map", slot: 4, kind: BindingKind::Texture { filterable: false } },
-    BindingInfo { name: "view", slot: 5, kind: BindingKind::Uniform { bytes: 80 } },
-    BindingInfo { name: "light", slot: 6, kind: BindingKind::Uniform { bytes: 112 } },
-    BindingInfo { name: "style", slot: 7, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "view", slot: 4, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "light", slot: 5, kind: BindingKind::Uniform { bytes: 112 } },
+    BindingInfo { name: "style", slot: 6, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "solids_shadow_map", slot: 7, kind: BindingKind::Texture { filterable: false } },
 ];
 
 static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/frame_floor.deflate"));
@@ -216,7 +203,7 @@ static DRAW_FLOOR_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "1474673928485dc7588578bdfd3560bdb90677e63a255ad0810ea497fc3089ec",
+    hash: "67eb38b36da646f5e28a0c633600ab938f0429584dd2d58185a50f9093eb92c3",
 };
 
 static DRAW_FLOOR_FRAGMENT: Module = Module {
@@ -229,33 +216,33 @@ static DRAW_FLOOR_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "3e2ecff38d17e405c8c767aa26cfe3f2a1ea0fedad4ee0ca37014129be403ada",
-};
-
-static DRAW_FLOOR_VERTEX_WITH_SOLIDS_SHADOW: Module = Module {
-    name: "DrawFloor.vertex+SOLIDS_SHADOW",
-    entry: "FloorVertex",
-    stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 9900, bytes: 3128 },
-    bindings: BINDINGS_2,
-    group_size: [1, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Floor,
-    source: "frame/floor.hlsl",
-    hash: "f3504ccfe9665ec593111050506fdb1c5caf185265c46daff11115fb5b32177a",
+    hash: "071794e332ccfe5af2afa44eb7220dd343ba0687615bd240b37ad506b1f39797",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_SOLIDS_SHADOW: Module = Module {
     name: "DrawFloor.fragment+SOLIDS_SHADOW",
     entry: "FloorFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 13028, bytes: 16192 },
+    spirv: Spirv::Packed { pack: PACK, first: 9900, bytes: 16192 },
+    bindings: BINDINGS_2,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "frame/floor.hlsl",
+    hash: "8e4c5c5ed88e9acd47b34e26bb8c26d2146bc8eecff2b3cee676ae50ee952a76",
+};
+
+static DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW: Module = Module {
+    name: "DrawFloor.vertex+POINTS_SHADOW",
+    entry: "FloorVertex",
+    stage: StageKind::Vertex,
+    spirv: Spirv::Packed { pack: PACK, first: 26092, bytes: 3128 },
     bindings: BINDINGS_3,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "e08c46b61b6d2d8403ef991bd73e807d10c3c41228f21c91ff02452c9429ff01",
+    hash: "09b10960a37cd9ace486ac0eee52ca8200bd79c49bb8e15040cb47e3ec1e242d",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW: Module = Module {
@@ -268,135 +255,96 @@ static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "61fad63aa375493df4e992346837f4f45701415ed3cd91dd43f4f9e472f0bc6c",
-};
-
-static DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW_WITH_SOLIDS_SHADOW: Module = Module {
-    name: "DrawFloor.vertex+POINTS_SHADOW+SOLIDS_SHADOW",
-    entry: "FloorVertex",
-    stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 44492, bytes: 3128 },
-    bindings: BINDINGS_5,
-    group_size: [1, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Floor,
-    source: "frame/floor.hlsl",
-    hash: "dbf368cc4ead50c777f821ad07b85d402247c0f83908cf15c38e7a17023615d6",
+    hash: "dd56783e516b549b64ae24bae5537e36763444f6d13f5ecf470bc3b9879a6a00",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW_WITH_SOLIDS_SHADOW: Module = Module {
     name: "DrawFloor.fragment+POINTS_SHADOW+SOLIDS_SHADOW",
     entry: "FloorFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 47620, bytes: 22800 },
-    bindings: BINDINGS_6,
+    spirv: Spirv::Packed { pack: PACK, first: 44492, bytes: 22800 },
+    bindings: BINDINGS_5,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "233dc4a689dd9de286bce632ed5a843d0600c6fbcdc1c784853b71758128a2ca",
+    hash: "22dcbd725ba81080dad71447a88ea32425e28e7bd9fc5ac239a9f084b11d91c1",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW: Module = Module {
     name: "DrawFloor.vertex+WATER_SHADOW",
     entry: "FloorVertex",
     stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 70420, bytes: 3128 },
-    bindings: BINDINGS_7,
+    spirv: Spirv::Packed { pack: PACK, first: 67292, bytes: 3128 },
+    bindings: BINDINGS_6,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "b2acc7355e213378bc9657026d1b35827aaff57597fea9c06799117e76582f33",
+    hash: "007c2ef700aae7f1746e5bb111add9544d9a60ab3780939b54f00f0393618e5b",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW: Module = Module {
     name: "DrawFloor.fragment+WATER_SHADOW",
     entry: "FloorFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 73548, bytes: 11288 },
-    bindings: BINDINGS_8,
+    spirv: Spirv::Packed { pack: PACK, first: 70420, bytes: 11288 },
+    bindings: BINDINGS_7,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "55f66ea001263b63b6e7f16b7ded830c9f2011f322166291c08aa9b8f0588260",
-};
-
-static DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW_WITH_SOLIDS_SHADOW: Module = Module {
-    name: "DrawFloor.vertex+WATER_SHADOW+SOLIDS_SHADOW",
-    entry: "FloorVertex",
-    stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 84836, bytes: 3128 },
-    bindings: BINDINGS_9,
-    group_size: [1, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Floor,
-    source: "frame/floor.hlsl",
-    hash: "07339c8c10ef57175901bdc142caac851227c069161b974262a79a359978a479",
+    hash: "66a0b11b27727398e89ae1978d3cb7b51b57aebbdfc9d625d0f86816258e57e3",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW_WITH_SOLIDS_SHADOW: Module = Module {
     name: "DrawFloor.fragment+WATER_SHADOW+SOLIDS_SHADOW",
     entry: "FloorFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 87964, bytes: 19904 },
-    bindings: BINDINGS_10,
+    spirv: Spirv::Packed { pack: PACK, first: 81708, bytes: 19904 },
+    bindings: BINDINGS_8,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "f28bafe8f46bc4661fdfc373089ac6d58359016afb44cfe94ffbf32b15245918",
+    hash: "3f52072694a087e4fdf4c8239a6085a22c8d588a781c07a277b112a6d0088e33",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_CAUSTICS_SHADOW: Module = Module {
     name: "DrawFloor.vertex+CAUSTICS_SHADOW",
     entry: "FloorVertex",
     stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 107868, bytes: 3128 },
-    bindings: BINDINGS_7,
+    spirv: Spirv::Packed { pack: PACK, first: 101612, bytes: 3128 },
+    bindings: BINDINGS_6,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "b88c6d522919e5ce35caf36addf8417fe7c4c577b86441dacd1b1ca08fd10706",
+    hash: "5a725b8c09f603ab6e00dd0c9cd91b98e0dc61fb21089e61b1872cd3d25a64c9",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW: Module = Module {
     name: "DrawFloor.fragment+CAUSTICS_SHADOW",
     entry: "FloorFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 110996, bytes: 10320 },
-    bindings: BINDINGS_11,
-    group_size: [1, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Floor,
-    source: "frame/floor.hlsl",
-    hash: "9e722a5c559e11efc325520c69e23db364ec01418c026f6835cd7bfd8afec941",
-};
-
-static DRAW_FLOOR_VERTEX_WITH_CAUSTICS_SHADOW_WITH_SOLIDS_SHADOW: Module = Module {
-    name: "DrawFloor.vertex+CAUSTICS_SHADOW+SOLIDS_SHADOW",
-    entry: "FloorVertex",
-    stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 121316, bytes: 3128 },
+    spirv: Spirv::Packed { pack: PACK, first: 104740, bytes: 10320 },
     bindings: BINDINGS_9,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "ac67dbe6691f6cbc86ca552461fe496d62e3a42edac6732465917c964328da51",
+    hash: "31c3f83d4faad7f440df53b7a8f8637f954b496856d0f54bdb4a09d42490c0a9",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW_WITH_SOLIDS_SHADOW: Module = Module {
     name: "DrawFloor.fragment+CAUSTICS_SHADOW+SOLIDS_SHADOW",
     entry: "FloorFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 124444, bytes: 19288 },
-    bindings: BINDINGS_12,
+    spirv: Spirv::Packed { pack: PACK, first: 115060, bytes: 19288 },
+    bindings: BINDINGS_10,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "88d90fbf6e7b1a0898fb75546a501afb0434b04f68e36b02c1c141dca481e0ba",
+    hash: "7f7a4e6d2ef047c094e81d6fbb654662e80bf17516c0474ce94b055a41636385",
 };

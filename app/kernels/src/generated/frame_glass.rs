@@ -44,11 +44,7 @@ impl Draw for DrawGlass<'_> {
     const STAGE: &'static str = "draw_glass";
 
     fn vertex(&self) -> &'static Module {
-        match self.variant.water {
-            WaterKeyword::Off => &DRAW_GLASS_VERTEX,
-            WaterKeyword::BehindWater => &DRAW_GLASS_VERTEX_WITH_BEHIND_WATER,
-            WaterKeyword::BeforeWater => &DRAW_GLASS_VERTEX_WITH_BEHIND_WATER,
-        }
+        &DRAW_GLASS_VERTEX
     }
     fn fragment(&self) -> Option<&'static Module> {
         match self.variant.water {
@@ -79,7 +75,6 @@ impl Draw for DrawGlass<'_> {
 pub(super) static MODULES: &[&Module] = &[
     &DRAW_GLASS_VERTEX,
     &DRAW_GLASS_FRAGMENT,
-    &DRAW_GLASS_VERTEX_WITH_BEHIND_WATER,
     &DRAW_GLASS_FRAGMENT_WITH_BEHIND_WATER,
     &DRAW_GLASS_FRAGMENT_WITH_BEFORE_WATER,
 ];
@@ -111,30 +106,10 @@ static BINDINGS_1: &[BindingInfo] = &[
 ];
 
 static BINDINGS_2: &[BindingInfo] = &[
-    BindingInfo {
-        name: "solid_indices",
-        slot: 1,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 },
-    },
-    BindingInfo {
-        name: "solid_vertices",
-        slot: 2,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 32 },
-    },
-    BindingInfo { name: "solid_poses", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 96 } },
-    BindingInfo {
-        name: "solid_paints",
-        slot: 4,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
-    },
-    BindingInfo { name: "view", slot: 5, kind: BindingKind::Uniform { bytes: 80 } },
-];
-
-static BINDINGS_3: &[BindingInfo] = &[
-    BindingInfo { name: "inverse_depth", slot: 0, kind: BindingKind::Texture { filterable: false } },
-    BindingInfo { name: "view", slot: 5, kind: BindingKind::Uniform { bytes: 80 } },
-    BindingInfo { name: "light", slot: 6, kind: BindingKind::Uniform { bytes: 112 } },
-    BindingInfo { name: "style", slot: 7, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "view", slot: 4, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "light", slot: 5, kind: BindingKind::Uniform { bytes: 112 } },
+    BindingInfo { name: "style", slot: 6, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "inverse_depth", slot: 7, kind: BindingKind::Texture { filterable: false } },
 ];
 
 static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/frame_glass.deflate"));
@@ -149,7 +124,7 @@ static DRAW_GLASS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/glass.hlsl",
-    hash: "7154f4d1cd4aff62c4138f67b9e52b564bdf14d4017f2293dab39dea86a8a3cb",
+    hash: "a46c5fac755212f199deb516f7fa2b7812f5a04a6cf408f9a5bfb17445318a90",
 };
 
 static DRAW_GLASS_FRAGMENT: Module = Module {
@@ -162,44 +137,31 @@ static DRAW_GLASS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/glass.hlsl",
-    hash: "3e042028d795456fb45826988ff93282b57453edb97fc0acfef987de7aedddff",
-};
-
-static DRAW_GLASS_VERTEX_WITH_BEHIND_WATER: Module = Module {
-    name: "DrawGlass.vertex+BEHIND_WATER",
-    entry: "GlassVertex",
-    stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 11024, bytes: 4368 },
-    bindings: BINDINGS_2,
-    group_size: [1, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Floor,
-    source: "frame/glass.hlsl",
-    hash: "c5af5a5a76da3d932902aad6f239a15155ec4cc1943d4c31a8b6f76ebf3a02cc",
+    hash: "adf2ae80aee0ccd7dc2bccccdf93ca0926a07f4e657afcb864be7705c10968ac",
 };
 
 static DRAW_GLASS_FRAGMENT_WITH_BEHIND_WATER: Module = Module {
     name: "DrawGlass.fragment+BEHIND_WATER",
     entry: "GlassFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 15392, bytes: 7408 },
-    bindings: BINDINGS_3,
+    spirv: Spirv::Packed { pack: PACK, first: 11024, bytes: 7408 },
+    bindings: BINDINGS_2,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/glass.hlsl",
-    hash: "2509ffd6ffff9d3e8a27900dfa3bf6c95e471dbdd2fb0780da6eb60ed61f0432",
+    hash: "5187f28298b073c012985ab41e3975a377ed63abf325229c7c49e23168e5ef0f",
 };
 
 static DRAW_GLASS_FRAGMENT_WITH_BEFORE_WATER: Module = Module {
     name: "DrawGlass.fragment+BEFORE_WATER",
     entry: "GlassFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 22800, bytes: 7424 },
-    bindings: BINDINGS_3,
+    spirv: Spirv::Packed { pack: PACK, first: 18432, bytes: 7424 },
+    bindings: BINDINGS_2,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/glass.hlsl",
-    hash: "9d64276c71bcdccd21160fecd87635007a6fa594df0a4bc09b0f99e14fc007b8",
+    hash: "a2d621a6b4f307f39118136d8e6654eec1f49a40e07c521d83f2c33c734c854b",
 };

@@ -50,11 +50,11 @@ impl Draw for DrawShade<'_> {
     fn vertex(&self) -> &'static Module {
         match (self.variant.color, self.variant.solids_shadow) {
             (ColorKeyword::Off, false) => &DRAW_SHADE_VERTEX,
-            (ColorKeyword::Off, true) => &DRAW_SHADE_VERTEX_WITH_SOLIDS_SHADOW,
+            (ColorKeyword::Off, true) => &DRAW_SHADE_VERTEX,
             (ColorKeyword::ColorFluid, false) => &DRAW_SHADE_VERTEX_WITH_COLOR_FLUID,
-            (ColorKeyword::ColorFluid, true) => &DRAW_SHADE_VERTEX,
+            (ColorKeyword::ColorFluid, true) => &DRAW_SHADE_VERTEX_WITH_COLOR_FLUID,
             (ColorKeyword::ColorDensity, false) => &DRAW_SHADE_VERTEX,
-            (ColorKeyword::ColorDensity, true) => &DRAW_SHADE_VERTEX_WITH_SOLIDS_SHADOW,
+            (ColorKeyword::ColorDensity, true) => &DRAW_SHADE_VERTEX,
         }
     }
     fn fragment(&self) -> Option<&'static Module> {
@@ -90,7 +90,6 @@ impl Draw for DrawShade<'_> {
 pub(super) static MODULES: &[&Module] = &[
     &DRAW_SHADE_VERTEX,
     &DRAW_SHADE_FRAGMENT,
-    &DRAW_SHADE_VERTEX_WITH_SOLIDS_SHADOW,
     &DRAW_SHADE_FRAGMENT_WITH_SOLIDS_SHADOW,
     &DRAW_SHADE_VERTEX_WITH_COLOR_FLUID,
     &DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID,
@@ -111,22 +110,20 @@ static BINDINGS_1: &[BindingInfo] = &[
     BindingInfo { name: "style", slot: 6, kind: BindingKind::Uniform { bytes: 80 } },
 ];
 
-static BINDINGS_2: &[BindingInfo] = &[BindingInfo { name: "view", slot: 5, kind: BindingKind::Uniform { bytes: 80 } }];
-
-static BINDINGS_3: &[BindingInfo] = &[
+static BINDINGS_2: &[BindingInfo] = &[
     BindingInfo { name: "seen", slot: 0, kind: BindingKind::Texture { filterable: false } },
     BindingInfo { name: "positions", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
     BindingInfo { name: "velocities", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
     BindingInfo { name: "shadow_map", slot: 3, kind: BindingKind::Texture { filterable: false } },
-    BindingInfo { name: "solids_shadow_map", slot: 4, kind: BindingKind::Texture { filterable: false } },
-    BindingInfo { name: "view", slot: 5, kind: BindingKind::Uniform { bytes: 80 } },
-    BindingInfo { name: "light", slot: 6, kind: BindingKind::Uniform { bytes: 112 } },
-    BindingInfo { name: "style", slot: 7, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "view", slot: 4, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "light", slot: 5, kind: BindingKind::Uniform { bytes: 112 } },
+    BindingInfo { name: "style", slot: 6, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "solids_shadow_map", slot: 7, kind: BindingKind::Texture { filterable: false } },
 ];
 
-static BINDINGS_4: &[BindingInfo] = &[BindingInfo { name: "view", slot: 3, kind: BindingKind::Uniform { bytes: 80 } }];
+static BINDINGS_3: &[BindingInfo] = &[BindingInfo { name: "view", slot: 3, kind: BindingKind::Uniform { bytes: 80 } }];
 
-static BINDINGS_5: &[BindingInfo] = &[
+static BINDINGS_4: &[BindingInfo] = &[
     BindingInfo { name: "seen", slot: 0, kind: BindingKind::Texture { filterable: false } },
     BindingInfo { name: "positions", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
     BindingInfo { name: "shadow_map", slot: 2, kind: BindingKind::Texture { filterable: false } },
@@ -135,11 +132,25 @@ static BINDINGS_5: &[BindingInfo] = &[
     BindingInfo { name: "style", slot: 5, kind: BindingKind::Uniform { bytes: 80 } },
 ];
 
-static BINDINGS_6: &[BindingInfo] = &[
+static BINDINGS_5: &[BindingInfo] = &[
     BindingInfo { name: "seen", slot: 0, kind: BindingKind::Texture { filterable: false } },
     BindingInfo { name: "positions", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
     BindingInfo { name: "shadow_map", slot: 2, kind: BindingKind::Texture { filterable: false } },
-    BindingInfo { name: "solids_shadow_map", slot: 3, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "view", slot: 3, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "light", slot: 4, kind: BindingKind::Uniform { bytes: 112 } },
+    BindingInfo { name: "style", slot: 5, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "solids_shadow_map", slot: 6, kind: BindingKind::Texture { filterable: false } },
+];
+
+static BINDINGS_6: &[BindingInfo] = &[
+    BindingInfo { name: "seen", slot: 0, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "positions", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
+    BindingInfo {
+        name: "density_ratios",
+        slot: 2,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 },
+    },
+    BindingInfo { name: "shadow_map", slot: 3, kind: BindingKind::Texture { filterable: false } },
     BindingInfo { name: "view", slot: 4, kind: BindingKind::Uniform { bytes: 80 } },
     BindingInfo { name: "light", slot: 5, kind: BindingKind::Uniform { bytes: 112 } },
     BindingInfo { name: "style", slot: 6, kind: BindingKind::Uniform { bytes: 80 } },
@@ -157,21 +168,7 @@ static BINDINGS_7: &[BindingInfo] = &[
     BindingInfo { name: "view", slot: 4, kind: BindingKind::Uniform { bytes: 80 } },
     BindingInfo { name: "light", slot: 5, kind: BindingKind::Uniform { bytes: 112 } },
     BindingInfo { name: "style", slot: 6, kind: BindingKind::Uniform { bytes: 80 } },
-];
-
-static BINDINGS_8: &[BindingInfo] = &[
-    BindingInfo { name: "seen", slot: 0, kind: BindingKind::Texture { filterable: false } },
-    BindingInfo { name: "positions", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
-    BindingInfo {
-        name: "density_ratios",
-        slot: 2,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 },
-    },
-    BindingInfo { name: "shadow_map", slot: 3, kind: BindingKind::Texture { filterable: false } },
-    BindingInfo { name: "solids_shadow_map", slot: 4, kind: BindingKind::Texture { filterable: false } },
-    BindingInfo { name: "view", slot: 5, kind: BindingKind::Uniform { bytes: 80 } },
-    BindingInfo { name: "light", slot: 6, kind: BindingKind::Uniform { bytes: 112 } },
-    BindingInfo { name: "style", slot: 7, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "solids_shadow_map", slot: 7, kind: BindingKind::Texture { filterable: false } },
 ];
 
 static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/frame_shade.deflate"));
@@ -186,7 +183,7 @@ static DRAW_SHADE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "3e7b8651eedf553c07edba6cab50adbf95cdbc31d38e031db4f3bf25224e8adb",
+    hash: "da65490b8e4cbdd2448d3d13d93194efb256a88f07b31111db0256a52669dcbd",
 };
 
 static DRAW_SHADE_FRAGMENT: Module = Module {
@@ -199,96 +196,83 @@ static DRAW_SHADE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "c0a933e0257804006df6cbe2e62bf25c0d8a590af17d633c07f113cb0fb8b053",
-};
-
-static DRAW_SHADE_VERTEX_WITH_SOLIDS_SHADOW: Module = Module {
-    name: "DrawShade.vertex+SOLIDS_SHADOW",
-    entry: "ShadeVertex",
-    stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 12608, bytes: 1716 },
-    bindings: BINDINGS_2,
-    group_size: [1, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Floor,
-    source: "frame/shade.hlsl",
-    hash: "efef35e292602659c030666948d10617be3b67debcac67ab61fbeff4242c3f29",
+    hash: "c24ac5f5ed947b14d0e7dcd9826233e19854305bf57614a23d0e3f156fec237f",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_SOLIDS_SHADOW: Module = Module {
     name: "DrawShade.fragment+SOLIDS_SHADOW",
     entry: "ShadeFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 14324, bytes: 13268 },
-    bindings: BINDINGS_3,
+    spirv: Spirv::Packed { pack: PACK, first: 12608, bytes: 13268 },
+    bindings: BINDINGS_2,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "7902be8dec370d93d91f92b3cc0d052d2c2bb27a0e2423c65cda59b1e87fa3e4",
+    hash: "99996ca7c3051d3ed508772b7905d0a57748ab6c6b152de7ae2dd30279bb7cfc",
 };
 
 static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
     name: "DrawShade.vertex+COLOR_FLUID",
     entry: "ShadeVertex",
     stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 27592, bytes: 1716 },
-    bindings: BINDINGS_4,
+    spirv: Spirv::Packed { pack: PACK, first: 25876, bytes: 1716 },
+    bindings: BINDINGS_3,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "93d6321a710b5055cea1614f0590638c5d5ab481adb891daff7457ef4bf67967",
+    hash: "cb825a568d35b3552fc34063db17e3f82e091d4620c0f96e7e9a30f2e4e9a98c",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
     name: "DrawShade.fragment+COLOR_FLUID",
     entry: "ShadeFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 29308, bytes: 10332 },
-    bindings: BINDINGS_5,
+    spirv: Spirv::Packed { pack: PACK, first: 27592, bytes: 10332 },
+    bindings: BINDINGS_4,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "85518e43787f4dcd3b86abc35400cf4855fb8f6ee7a649213eba3cc0e7d63021",
+    hash: "f86d3b9a53bda5220957bf9567b68a621dcf53e8385e5eac3c08396c481c590d",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID_WITH_SOLIDS_SHADOW: Module = Module {
     name: "DrawShade.fragment+COLOR_FLUID+SOLIDS_SHADOW",
     entry: "ShadeFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 39640, bytes: 12740 },
-    bindings: BINDINGS_6,
+    spirv: Spirv::Packed { pack: PACK, first: 37924, bytes: 12740 },
+    bindings: BINDINGS_5,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "20810627e2b8fbdd005d8fc7cee9bc786ebfcd3ae00e444145f722647f252c7f",
+    hash: "b7c359a89e5071e7f92d274db5bf22d4cc1672e0105b98ae6063f9ad5ddbda26",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
     name: "DrawShade.fragment+COLOR_DENSITY",
     entry: "ShadeFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 52380, bytes: 10416 },
-    bindings: BINDINGS_7,
+    spirv: Spirv::Packed { pack: PACK, first: 50664, bytes: 10416 },
+    bindings: BINDINGS_6,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "8af4b10f30113e8c2847017344d283d98b2e1ed47bca46d2d275c323277c4225",
+    hash: "c020e6fb631842d3cb9dc2def3a9a1bb53e07c0c5381863f0fdafab6d145261f",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY_WITH_SOLIDS_SHADOW: Module = Module {
     name: "DrawShade.fragment+COLOR_DENSITY+SOLIDS_SHADOW",
     entry: "ShadeFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 62796, bytes: 12808 },
-    bindings: BINDINGS_8,
+    spirv: Spirv::Packed { pack: PACK, first: 61080, bytes: 12808 },
+    bindings: BINDINGS_7,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "f45a96e0db58b9fded28179267efce752091e055bcabfc071ff94a2dce702fe6",
+    hash: "04919cdc9714abfae88a33cbbbf17990dca5ed064e57766aafc75f7bbb945d96",
 };

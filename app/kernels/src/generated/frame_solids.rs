@@ -54,7 +54,7 @@ impl Draw for DrawSolids<'_> {
     fn vertex(&self) -> &'static Module {
         match self.variant.sun {
             SunKeyword::Off => &DRAW_SOLIDS_VERTEX,
-            SunKeyword::PointsSun => &DRAW_SOLIDS_VERTEX_WITH_POINTS_SUN,
+            SunKeyword::PointsSun => &DRAW_SOLIDS_VERTEX,
             SunKeyword::VolumeSun => &DRAW_SOLIDS_VERTEX_WITH_VOLUME_SUN,
         }
     }
@@ -91,7 +91,6 @@ impl Draw for DrawSolids<'_> {
 pub(super) static MODULES: &[&Module] = &[
     &DRAW_SOLIDS_VERTEX,
     &DRAW_SOLIDS_FRAGMENT,
-    &DRAW_SOLIDS_VERTEX_WITH_POINTS_SUN,
     &DRAW_SOLIDS_FRAGMENT_WITH_POINTS_SUN,
     &DRAW_SOLIDS_VERTEX_WITH_VOLUME_SUN,
     &DRAW_SOLIDS_FRAGMENT_WITH_VOLUME_SUN,
@@ -125,61 +124,21 @@ static BINDINGS_1: &[BindingInfo] = &[
 ];
 
 static BINDINGS_2: &[BindingInfo] = &[
-    BindingInfo {
-        name: "solid_indices",
-        slot: 0,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 },
-    },
-    BindingInfo {
-        name: "solid_vertices",
-        slot: 1,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 32 },
-    },
-    BindingInfo { name: "solid_poses", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 96 } },
-    BindingInfo {
-        name: "solid_paints",
-        slot: 3,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
-    },
-    BindingInfo { name: "view", slot: 6, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "solids_shadow_map", slot: 4, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "view", slot: 5, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "light", slot: 6, kind: BindingKind::Uniform { bytes: 112 } },
+    BindingInfo { name: "style", slot: 7, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "shadow_map", slot: 8, kind: BindingKind::Texture { filterable: false } },
 ];
 
 static BINDINGS_3: &[BindingInfo] = &[
     BindingInfo { name: "solids_shadow_map", slot: 4, kind: BindingKind::Texture { filterable: false } },
-    BindingInfo { name: "shadow_map", slot: 5, kind: BindingKind::Texture { filterable: false } },
-    BindingInfo { name: "view", slot: 6, kind: BindingKind::Uniform { bytes: 80 } },
-    BindingInfo { name: "light", slot: 7, kind: BindingKind::Uniform { bytes: 112 } },
-    BindingInfo { name: "style", slot: 8, kind: BindingKind::Uniform { bytes: 80 } },
-];
-
-static BINDINGS_4: &[BindingInfo] = &[
-    BindingInfo {
-        name: "solid_indices",
-        slot: 0,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 },
-    },
-    BindingInfo {
-        name: "solid_vertices",
-        slot: 1,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 32 },
-    },
-    BindingInfo { name: "solid_poses", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 96 } },
-    BindingInfo {
-        name: "solid_paints",
-        slot: 3,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
-    },
-    BindingInfo { name: "view", slot: 8, kind: BindingKind::Uniform { bytes: 80 } },
-];
-
-static BINDINGS_5: &[BindingInfo] = &[
-    BindingInfo { name: "solids_shadow_map", slot: 4, kind: BindingKind::Texture { filterable: false } },
-    BindingInfo { name: "sun_volume", slot: 5, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 } },
-    BindingInfo { name: "volume", slot: 6, kind: BindingKind::Uniform { bytes: 16 } },
-    BindingInfo { name: "water", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "view", slot: 8, kind: BindingKind::Uniform { bytes: 80 } },
-    BindingInfo { name: "light", slot: 9, kind: BindingKind::Uniform { bytes: 112 } },
-    BindingInfo { name: "style", slot: 10, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "view", slot: 5, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "light", slot: 6, kind: BindingKind::Uniform { bytes: 112 } },
+    BindingInfo { name: "style", slot: 7, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "sun_volume", slot: 8, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 } },
+    BindingInfo { name: "volume", slot: 9, kind: BindingKind::Uniform { bytes: 16 } },
+    BindingInfo { name: "water", slot: 10, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
 static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/frame_solids.deflate"));
@@ -194,7 +153,7 @@ static DRAW_SOLIDS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "d96a7b6762d69b6dda7cb0e6beb5b81b45add7292a7168d458b24f2edffd6734",
+    hash: "3e530b4e6df662760c1f11c844c75d0c3903f122bd4d56207c9ea25ca16da609",
 };
 
 static DRAW_SOLIDS_FRAGMENT: Module = Module {
@@ -207,57 +166,44 @@ static DRAW_SOLIDS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "c7f90dfee3a95fc359c6e126b9a52ee946574e9d71cd11402195e35673c26fdc",
-};
-
-static DRAW_SOLIDS_VERTEX_WITH_POINTS_SUN: Module = Module {
-    name: "DrawSolids.vertex+POINTS_SUN",
-    entry: "SolidsVertex",
-    stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 18524, bytes: 4300 },
-    bindings: BINDINGS_2,
-    group_size: [1, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Floor,
-    source: "frame/solids.hlsl",
-    hash: "b387b19e1060c7702effd30b86b4a0749ef367624edab3feab2c0eb847d40628",
+    hash: "85523012ee0a8630ec307725c18a3356c07dbadae7f4caa6aefed9eebd6bedab",
 };
 
 static DRAW_SOLIDS_FRAGMENT_WITH_POINTS_SUN: Module = Module {
     name: "DrawSolids.fragment+POINTS_SUN",
     entry: "SolidsFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 22824, bytes: 21868 },
-    bindings: BINDINGS_3,
+    spirv: Spirv::Packed { pack: PACK, first: 18524, bytes: 21868 },
+    bindings: BINDINGS_2,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "fe8bcedc52c1e517506a3f34e9f1c6a01d34bd74832d601a83513c61d4ac78cb",
+    hash: "919911c805042ffda6cffa2b68879115096fe38f9bd1aef4cc01805404520837",
 };
 
 static DRAW_SOLIDS_VERTEX_WITH_VOLUME_SUN: Module = Module {
     name: "DrawSolids.vertex+VOLUME_SUN",
     entry: "SolidsVertex",
     stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 44692, bytes: 4300 },
-    bindings: BINDINGS_4,
+    spirv: Spirv::Packed { pack: PACK, first: 40392, bytes: 4300 },
+    bindings: BINDINGS_0,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "41b9107532e98839639a3fb7e861abe8cd0904efe3102563e799176c42b0592d",
+    hash: "50cd96847e3d8b0c8ff370d9a82840ed6ed9a6bd72446c299c6458330b92e5ba",
 };
 
 static DRAW_SOLIDS_FRAGMENT_WITH_VOLUME_SUN: Module = Module {
     name: "DrawSolids.fragment+VOLUME_SUN",
     entry: "SolidsFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 48992, bytes: 17308 },
-    bindings: BINDINGS_5,
+    spirv: Spirv::Packed { pack: PACK, first: 44692, bytes: 17308 },
+    bindings: BINDINGS_3,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "9bac58621707e1f2391ccedbc7d04f155548e41ecebecc21f39a3c0b455cf41b",
+    hash: "8f91bcc3c3bc04e556ff6d81f19f09a41bfd202fefdec8221ee5c48849ede1bd",
 };

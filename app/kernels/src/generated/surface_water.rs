@@ -59,13 +59,13 @@ impl Draw for DrawWater<'_> {
     fn vertex(&self) -> &'static Module {
         match (self.variant.mesh_normals, self.variant.self_shadow, self.variant.solids_shadow) {
             (false, false, false) => &DRAW_WATER_VERTEX,
-            (false, false, true) => &DRAW_WATER_VERTEX_WITH_SOLIDS_SHADOW,
+            (false, false, true) => &DRAW_WATER_VERTEX,
             (false, true, false) => &DRAW_WATER_VERTEX_WITH_SELF_SHADOW,
-            (false, true, true) => &DRAW_WATER_VERTEX_WITH_SELF_SHADOW_WITH_SOLIDS_SHADOW,
-            (true, false, false) => &DRAW_WATER_VERTEX_WITH_SOLIDS_SHADOW,
-            (true, false, true) => &DRAW_WATER_VERTEX_WITH_SELF_SHADOW,
-            (true, true, false) => &DRAW_WATER_VERTEX_WITH_SELF_SHADOW_WITH_SOLIDS_SHADOW,
-            (true, true, true) => &DRAW_WATER_VERTEX_WITH_MESH_NORMALS_WITH_SELF_SHADOW_WITH_SOLIDS_SHADOW,
+            (false, true, true) => &DRAW_WATER_VERTEX_WITH_SELF_SHADOW,
+            (true, false, false) => &DRAW_WATER_VERTEX_WITH_MESH_NORMALS,
+            (true, false, true) => &DRAW_WATER_VERTEX_WITH_MESH_NORMALS,
+            (true, true, false) => &DRAW_WATER_VERTEX_WITH_MESH_NORMALS_WITH_SELF_SHADOW,
+            (true, true, true) => &DRAW_WATER_VERTEX_WITH_MESH_NORMALS_WITH_SELF_SHADOW,
         }
     }
     fn fragment(&self) -> Option<&'static Module> {
@@ -107,16 +107,15 @@ impl Draw for DrawWater<'_> {
 pub(super) static MODULES: &[&Module] = &[
     &DRAW_WATER_VERTEX,
     &DRAW_WATER_FRAGMENT,
-    &DRAW_WATER_VERTEX_WITH_SOLIDS_SHADOW,
     &DRAW_WATER_FRAGMENT_WITH_SOLIDS_SHADOW,
     &DRAW_WATER_VERTEX_WITH_SELF_SHADOW,
     &DRAW_WATER_FRAGMENT_WITH_SELF_SHADOW,
-    &DRAW_WATER_VERTEX_WITH_SELF_SHADOW_WITH_SOLIDS_SHADOW,
     &DRAW_WATER_FRAGMENT_WITH_SELF_SHADOW_WITH_SOLIDS_SHADOW,
+    &DRAW_WATER_VERTEX_WITH_MESH_NORMALS,
     &DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS,
     &DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS_WITH_SOLIDS_SHADOW,
+    &DRAW_WATER_VERTEX_WITH_MESH_NORMALS_WITH_SELF_SHADOW,
     &DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS_WITH_SELF_SHADOW,
-    &DRAW_WATER_VERTEX_WITH_MESH_NORMALS_WITH_SELF_SHADOW_WITH_SOLIDS_SHADOW,
     &DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS_WITH_SELF_SHADOW_WITH_SOLIDS_SHADOW,
 ];
 
@@ -135,23 +134,36 @@ static BINDINGS_1: &[BindingInfo] = &[
     BindingInfo { name: "water", slot: 9, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
-static BINDINGS_2: &[BindingInfo] = &[BindingInfo { name: "view", slot: 6, kind: BindingKind::Uniform { bytes: 80 } }];
-
-static BINDINGS_3: &[BindingInfo] = &[
+static BINDINGS_2: &[BindingInfo] = &[
     BindingInfo { name: "inverse_depth", slot: 0, kind: BindingKind::Texture { filterable: false } },
     BindingInfo { name: "thickness", slot: 1, kind: BindingKind::Texture { filterable: true } },
     BindingInfo { name: "scene", slot: 2, kind: BindingKind::Texture { filterable: true } },
     BindingInfo { name: "scene_depth", slot: 3, kind: BindingKind::Texture { filterable: false } },
-    BindingInfo { name: "solids_shadow_map", slot: 4, kind: BindingKind::Texture { filterable: false } },
-    BindingInfo { name: "sampler_linear_clamp", slot: 5, kind: BindingKind::Sampler },
-    BindingInfo { name: "view", slot: 6, kind: BindingKind::Uniform { bytes: 80 } },
-    BindingInfo { name: "light", slot: 7, kind: BindingKind::Uniform { bytes: 112 } },
-    BindingInfo { name: "style", slot: 8, kind: BindingKind::Uniform { bytes: 80 } },
-    BindingInfo { name: "surface", slot: 9, kind: BindingKind::Uniform { bytes: 64 } },
-    BindingInfo { name: "water", slot: 10, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "sampler_linear_clamp", slot: 4, kind: BindingKind::Sampler },
+    BindingInfo { name: "view", slot: 5, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "light", slot: 6, kind: BindingKind::Uniform { bytes: 112 } },
+    BindingInfo { name: "style", slot: 7, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "surface", slot: 8, kind: BindingKind::Uniform { bytes: 64 } },
+    BindingInfo { name: "water", slot: 9, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "solids_shadow_map", slot: 10, kind: BindingKind::Texture { filterable: false } },
 ];
 
-static BINDINGS_4: &[BindingInfo] = &[BindingInfo { name: "view", slot: 7, kind: BindingKind::Uniform { bytes: 80 } }];
+static BINDINGS_3: &[BindingInfo] = &[BindingInfo { name: "view", slot: 7, kind: BindingKind::Uniform { bytes: 80 } }];
+
+static BINDINGS_4: &[BindingInfo] = &[
+    BindingInfo { name: "inverse_depth", slot: 0, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "thickness", slot: 1, kind: BindingKind::Texture { filterable: true } },
+    BindingInfo { name: "scene", slot: 2, kind: BindingKind::Texture { filterable: true } },
+    BindingInfo { name: "scene_depth", slot: 3, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "sun_volume", slot: 4, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 } },
+    BindingInfo { name: "volume", slot: 5, kind: BindingKind::Uniform { bytes: 16 } },
+    BindingInfo { name: "sampler_linear_clamp", slot: 6, kind: BindingKind::Sampler },
+    BindingInfo { name: "view", slot: 7, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "light", slot: 8, kind: BindingKind::Uniform { bytes: 112 } },
+    BindingInfo { name: "style", slot: 9, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "surface", slot: 10, kind: BindingKind::Uniform { bytes: 64 } },
+    BindingInfo { name: "water", slot: 11, kind: BindingKind::Uniform { bytes: 48 } },
+];
 
 static BINDINGS_5: &[BindingInfo] = &[
     BindingInfo { name: "inverse_depth", slot: 0, kind: BindingKind::Texture { filterable: false } },
@@ -166,24 +178,23 @@ static BINDINGS_5: &[BindingInfo] = &[
     BindingInfo { name: "style", slot: 9, kind: BindingKind::Uniform { bytes: 80 } },
     BindingInfo { name: "surface", slot: 10, kind: BindingKind::Uniform { bytes: 64 } },
     BindingInfo { name: "water", slot: 11, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "solids_shadow_map", slot: 12, kind: BindingKind::Texture { filterable: false } },
 ];
 
-static BINDINGS_6: &[BindingInfo] = &[BindingInfo { name: "view", slot: 8, kind: BindingKind::Uniform { bytes: 80 } }];
+static BINDINGS_6: &[BindingInfo] = &[BindingInfo { name: "view", slot: 6, kind: BindingKind::Uniform { bytes: 80 } }];
 
 static BINDINGS_7: &[BindingInfo] = &[
     BindingInfo { name: "inverse_depth", slot: 0, kind: BindingKind::Texture { filterable: false } },
     BindingInfo { name: "thickness", slot: 1, kind: BindingKind::Texture { filterable: true } },
     BindingInfo { name: "scene", slot: 2, kind: BindingKind::Texture { filterable: true } },
     BindingInfo { name: "scene_depth", slot: 3, kind: BindingKind::Texture { filterable: false } },
-    BindingInfo { name: "sun_volume", slot: 4, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 } },
-    BindingInfo { name: "volume", slot: 5, kind: BindingKind::Uniform { bytes: 16 } },
-    BindingInfo { name: "solids_shadow_map", slot: 6, kind: BindingKind::Texture { filterable: false } },
-    BindingInfo { name: "sampler_linear_clamp", slot: 7, kind: BindingKind::Sampler },
-    BindingInfo { name: "view", slot: 8, kind: BindingKind::Uniform { bytes: 80 } },
-    BindingInfo { name: "light", slot: 9, kind: BindingKind::Uniform { bytes: 112 } },
-    BindingInfo { name: "style", slot: 10, kind: BindingKind::Uniform { bytes: 80 } },
-    BindingInfo { name: "surface", slot: 11, kind: BindingKind::Uniform { bytes: 64 } },
-    BindingInfo { name: "water", slot: 12, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "mesh_normals", slot: 4, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "sampler_linear_clamp", slot: 5, kind: BindingKind::Sampler },
+    BindingInfo { name: "view", slot: 6, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "light", slot: 7, kind: BindingKind::Uniform { bytes: 112 } },
+    BindingInfo { name: "style", slot: 8, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "surface", slot: 9, kind: BindingKind::Uniform { bytes: 64 } },
+    BindingInfo { name: "water", slot: 10, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
 static BINDINGS_8: &[BindingInfo] = &[
@@ -198,22 +209,10 @@ static BINDINGS_8: &[BindingInfo] = &[
     BindingInfo { name: "style", slot: 8, kind: BindingKind::Uniform { bytes: 80 } },
     BindingInfo { name: "surface", slot: 9, kind: BindingKind::Uniform { bytes: 64 } },
     BindingInfo { name: "water", slot: 10, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "solids_shadow_map", slot: 11, kind: BindingKind::Texture { filterable: false } },
 ];
 
-static BINDINGS_9: &[BindingInfo] = &[
-    BindingInfo { name: "inverse_depth", slot: 0, kind: BindingKind::Texture { filterable: false } },
-    BindingInfo { name: "thickness", slot: 1, kind: BindingKind::Texture { filterable: true } },
-    BindingInfo { name: "scene", slot: 2, kind: BindingKind::Texture { filterable: true } },
-    BindingInfo { name: "scene_depth", slot: 3, kind: BindingKind::Texture { filterable: false } },
-    BindingInfo { name: "mesh_normals", slot: 4, kind: BindingKind::Texture { filterable: false } },
-    BindingInfo { name: "solids_shadow_map", slot: 5, kind: BindingKind::Texture { filterable: false } },
-    BindingInfo { name: "sampler_linear_clamp", slot: 6, kind: BindingKind::Sampler },
-    BindingInfo { name: "view", slot: 7, kind: BindingKind::Uniform { bytes: 80 } },
-    BindingInfo { name: "light", slot: 8, kind: BindingKind::Uniform { bytes: 112 } },
-    BindingInfo { name: "style", slot: 9, kind: BindingKind::Uniform { bytes: 80 } },
-    BindingInfo { name: "surface", slot: 10, kind: BindingKind::Uniform { bytes: 64 } },
-    BindingInfo { name: "water", slot: 11, kind: BindingKind::Uniform { bytes: 48 } },
-];
+static BINDINGS_9: &[BindingInfo] = &[BindingInfo { name: "view", slot: 8, kind: BindingKind::Uniform { bytes: 80 } }];
 
 static BINDINGS_10: &[BindingInfo] = &[
     BindingInfo { name: "inverse_depth", slot: 0, kind: BindingKind::Texture { filterable: false } },
@@ -231,9 +230,7 @@ static BINDINGS_10: &[BindingInfo] = &[
     BindingInfo { name: "water", slot: 12, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
-static BINDINGS_11: &[BindingInfo] = &[BindingInfo { name: "view", slot: 9, kind: BindingKind::Uniform { bytes: 80 } }];
-
-static BINDINGS_12: &[BindingInfo] = &[
+static BINDINGS_11: &[BindingInfo] = &[
     BindingInfo { name: "inverse_depth", slot: 0, kind: BindingKind::Texture { filterable: false } },
     BindingInfo { name: "thickness", slot: 1, kind: BindingKind::Texture { filterable: true } },
     BindingInfo { name: "scene", slot: 2, kind: BindingKind::Texture { filterable: true } },
@@ -241,13 +238,13 @@ static BINDINGS_12: &[BindingInfo] = &[
     BindingInfo { name: "mesh_normals", slot: 4, kind: BindingKind::Texture { filterable: false } },
     BindingInfo { name: "sun_volume", slot: 5, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 } },
     BindingInfo { name: "volume", slot: 6, kind: BindingKind::Uniform { bytes: 16 } },
-    BindingInfo { name: "solids_shadow_map", slot: 7, kind: BindingKind::Texture { filterable: false } },
-    BindingInfo { name: "sampler_linear_clamp", slot: 8, kind: BindingKind::Sampler },
-    BindingInfo { name: "view", slot: 9, kind: BindingKind::Uniform { bytes: 80 } },
-    BindingInfo { name: "light", slot: 10, kind: BindingKind::Uniform { bytes: 112 } },
-    BindingInfo { name: "style", slot: 11, kind: BindingKind::Uniform { bytes: 80 } },
-    BindingInfo { name: "surface", slot: 12, kind: BindingKind::Uniform { bytes: 64 } },
-    BindingInfo { name: "water", slot: 13, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "sampler_linear_clamp", slot: 7, kind: BindingKind::Sampler },
+    BindingInfo { name: "view", slot: 8, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "light", slot: 9, kind: BindingKind::Uniform { bytes: 112 } },
+    BindingInfo { name: "style", slot: 10, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "surface", slot: 11, kind: BindingKind::Uniform { bytes: 64 } },
+    BindingInfo { name: "water", slot: 12, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "solids_shadow_map", slot: 13, kind: BindingKind::Texture { filterable: false } },
 ];
 
 static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/surface_water.deflate"));
@@ -262,7 +259,7 @@ static DRAW_WATER_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "7a117e5d5c1ce62bdc1dc2a14d76324f217c0dc312e7c10fdfcb0b6f8a013282",
+    hash: "a8a6aad56dfed7dda76e69eaa12dce3e697c607c9fc10a68eb8f6fbffdd8548d",
 };
 
 static DRAW_WATER_FRAGMENT: Module = Module {
@@ -275,111 +272,111 @@ static DRAW_WATER_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "fd6c9a3f58562b646593d260cd53ee4442a696d2af9fb4ceb038cf663601f488",
-};
-
-static DRAW_WATER_VERTEX_WITH_SOLIDS_SHADOW: Module = Module {
-    name: "DrawWater.vertex+SOLIDS_SHADOW",
-    entry: "WaterVertex",
-    stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 16636, bytes: 1716 },
-    bindings: BINDINGS_2,
-    group_size: [1, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Floor,
-    source: "surface/water.hlsl",
-    hash: "1067c7ce42f0d8469e379b0f934dafdeb52154600532291a2c1d5a85e24c0110",
+    hash: "cbb68eb8b6eb107943b9ffc75a36d2b0c9713c00dbf4a24ddc86c25e4927c7fb",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_SOLIDS_SHADOW: Module = Module {
     name: "DrawWater.fragment+SOLIDS_SHADOW",
     entry: "WaterFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 18352, bytes: 17660 },
-    bindings: BINDINGS_3,
+    spirv: Spirv::Packed { pack: PACK, first: 16636, bytes: 17660 },
+    bindings: BINDINGS_2,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "0b3f583b581d4f2ec1d76a292688bac13f150f46e7a488f1cbea6023094f1f39",
+    hash: "daf4718dcdb221566d87c7a781adf6f056f8c3e85a2ebed50c6cd3633f40c7d8",
 };
 
 static DRAW_WATER_VERTEX_WITH_SELF_SHADOW: Module = Module {
     name: "DrawWater.vertex+SELF_SHADOW",
     entry: "WaterVertex",
     stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 36012, bytes: 1716 },
-    bindings: BINDINGS_4,
+    spirv: Spirv::Packed { pack: PACK, first: 34296, bytes: 1716 },
+    bindings: BINDINGS_3,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "b0c972f0371161c121c8699d7dee4d924a96163d1b24bd8528a57d1d91a2f308",
+    hash: "4dc3f01b4adf077269ee37b49b4f72a59c055375f8df4121ae858a558bc90db1",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_SELF_SHADOW: Module = Module {
     name: "DrawWater.fragment+SELF_SHADOW",
     entry: "WaterFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 37728, bytes: 17736 },
-    bindings: BINDINGS_5,
+    spirv: Spirv::Packed { pack: PACK, first: 36012, bytes: 17736 },
+    bindings: BINDINGS_4,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "ab84c64d70bd4b36116887482f6d831333c3f268bfff6d6de2644b30d5935ced",
-};
-
-static DRAW_WATER_VERTEX_WITH_SELF_SHADOW_WITH_SOLIDS_SHADOW: Module = Module {
-    name: "DrawWater.vertex+SELF_SHADOW+SOLIDS_SHADOW",
-    entry: "WaterVertex",
-    stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 55464, bytes: 1716 },
-    bindings: BINDINGS_6,
-    group_size: [1, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Floor,
-    source: "surface/water.hlsl",
-    hash: "f33921838c61b154a245bc6d952551908342bf5ba93e3b94baf82908454f9470",
+    hash: "565095aaa49f9a6a397246eba1b5668fa6fb0352db0eb6565feda3ab3ddefe04",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_SELF_SHADOW_WITH_SOLIDS_SHADOW: Module = Module {
     name: "DrawWater.fragment+SELF_SHADOW+SOLIDS_SHADOW",
     entry: "WaterFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 57180, bytes: 20204 },
-    bindings: BINDINGS_7,
+    spirv: Spirv::Packed { pack: PACK, first: 53748, bytes: 20204 },
+    bindings: BINDINGS_5,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "366c40394d81f8ba7eb65e13693ee75224c1d8d157ab2455bbd6146257f28092",
+    hash: "6d44e0d56e3ae7bea863289b7b6401d004da74fb27bd55d27f8b4873f7f09a72",
+};
+
+static DRAW_WATER_VERTEX_WITH_MESH_NORMALS: Module = Module {
+    name: "DrawWater.vertex+MESH_NORMALS",
+    entry: "WaterVertex",
+    stage: StageKind::Vertex,
+    spirv: Spirv::Packed { pack: PACK, first: 73952, bytes: 1716 },
+    bindings: BINDINGS_6,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "surface/water.hlsl",
+    hash: "308dc3e28cdac89f4b7173aeea37f6af4c22bd1bb785f249f4425c7d501342a9",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS: Module = Module {
     name: "DrawWater.fragment+MESH_NORMALS",
     entry: "WaterFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 77384, bytes: 11920 },
-    bindings: BINDINGS_8,
+    spirv: Spirv::Packed { pack: PACK, first: 75668, bytes: 11920 },
+    bindings: BINDINGS_7,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "799f59913a23d8e93bd3e0b53a8c2fb94aff2a1fbcc97d8141d70a59dbfdfc9a",
+    hash: "4fb5e63b8d84fc8595eb101e7612ec155c32c809354f7cf4ff23b51958bef2a3",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS_WITH_SOLIDS_SHADOW: Module = Module {
     name: "DrawWater.fragment+MESH_NORMALS+SOLIDS_SHADOW",
     entry: "WaterFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 89304, bytes: 14676 },
+    spirv: Spirv::Packed { pack: PACK, first: 87588, bytes: 14676 },
+    bindings: BINDINGS_8,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "surface/water.hlsl",
+    hash: "5394ebc0e2ad30f18a79f9ae471e725767a4350bd7cd8c252e8d7e2431fdaac1",
+};
+
+static DRAW_WATER_VERTEX_WITH_MESH_NORMALS_WITH_SELF_SHADOW: Module = Module {
+    name: "DrawWater.vertex+MESH_NORMALS+SELF_SHADOW",
+    entry: "WaterVertex",
+    stage: StageKind::Vertex,
+    spirv: Spirv::Packed { pack: PACK, first: 102264, bytes: 1716 },
     bindings: BINDINGS_9,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "5fb8efe80939b5a1c8e82945c67fa5ccc5f2658dacc2126654a1e163bb22f512",
+    hash: "3476c0b4cfeb8987ffc041e5cc21be47ab1197775d93010193ceafabdc148af5",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS_WITH_SELF_SHADOW: Module = Module {
@@ -392,31 +389,18 @@ static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS_WITH_SELF_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "a8455be816701f871539525ddafa3b94a0af712229457b2d1d7836c29ab6bc83",
-};
-
-static DRAW_WATER_VERTEX_WITH_MESH_NORMALS_WITH_SELF_SHADOW_WITH_SOLIDS_SHADOW: Module = Module {
-    name: "DrawWater.vertex+MESH_NORMALS+SELF_SHADOW+SOLIDS_SHADOW",
-    entry: "WaterVertex",
-    stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 118716, bytes: 1716 },
-    bindings: BINDINGS_11,
-    group_size: [1, 1, 1],
-    shared_bytes: 0,
-    tier: Tier::Floor,
-    source: "surface/water.hlsl",
-    hash: "f9c0a41cc8a70b5b4f951c84cb46668e96098bb51b64d4cdc5d5a4ef4e5006f2",
+    hash: "7a9c0530f43fdcd870c348977f62fec823128944f6fd085a321a9b1dc1f4ddb7",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS_WITH_SELF_SHADOW_WITH_SOLIDS_SHADOW: Module = Module {
     name: "DrawWater.fragment+MESH_NORMALS+SELF_SHADOW+SOLIDS_SHADOW",
     entry: "WaterFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 120432, bytes: 17220 },
-    bindings: BINDINGS_12,
+    spirv: Spirv::Packed { pack: PACK, first: 118716, bytes: 17220 },
+    bindings: BINDINGS_11,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "c470678f6ede843ad6f41a04e330334f029eaf6740cefe3d9b9770c7adcf06d2",
+    hash: "9d19b6572ece38886db9030479fbcd4724abca349889549d1708ac072592fa2d",
 };
