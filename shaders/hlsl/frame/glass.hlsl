@@ -26,8 +26,8 @@ Texture2D<float> inverse_depth;
 // Reflectance at normal incidence, n = 1.5.
 static const float GLASS_F0 = 0.04;
 // Light that a face keeps, looked at straight, and a rim.
-static const float FACE_DEPTH = 0.035;
-static const float RIM_DEPTH = 0.5;
+static const float FACE_DEPTH = 0.012;
+static const float RIM_DEPTH = 0.3;
 
 struct Varyings
 {
@@ -70,10 +70,10 @@ float4 GlassFragment(Varyings input) : SV_Target0
     float cosine = dot(normal, to_eye);
     float mirrored = Fresnel(GLASS_F0, cosine);
     float kept = 1.0 - exp(-lerp(FACE_DEPTH, RIM_DEPTH, input.color_rim.w) / max(cosine, 0.12));
-    float3 glow = input.color_rim.rgb * (AmbientLight(light, style.floor_color, normal) + 0.15 * light.sun_color);
+    float3 glow = input.color_rim.rgb * (AmbientLight(light, style.floor_color, normal));
     float3 halfway = normalize(light.to_sun + to_eye);
     float3 color = mirrored * Surroundings(light, style, input.world_m, reflect(-to_eye, normal))
-        + (1.0 - mirrored) * kept * glow + 0.35 * Power64(saturate(dot(normal, halfway))) * light.sun_color;
+        + (1.0 - mirrored) * kept * glow + 0.5 * Power64(saturate(dot(normal, halfway))) * light.sun_color;
     float alpha = mirrored + (1.0 - mirrored) * kept;
     return float4(color / alpha, alpha);
 }

@@ -70,8 +70,11 @@ float4 SolidsFragment(Varyings input) : SV_Target0
     float3 sun = 0.0;
     if (n_dot_l > 0.0)
         sun = SunArriving(input.world_m, normal, input.position.xy) * light.sun_color;
-    float3 color = input.color * (0.75 * n_dot_l * sun + AmbientLight(light, style.floor_color, normal));
-    color += Fresnel(0.04, dot(normal, to_eye)) * 0.6 * SkyGradient(light, reflect(-to_eye, normal));
+    float n_dot_v = saturate(dot(normal, to_eye));
+    // A weak light from the viewer keeps what is round so in the shade.
+    float3 color = input.color * (0.75 * n_dot_l * sun + 0.85 * AmbientLight(light, style.floor_color, normal)
+        + 0.25 * n_dot_v * n_dot_v * light.sky_horizon);
+    color += Fresnel(0.04, n_dot_v) * 0.6 * SkyGradient(light, reflect(-to_eye, normal));
     float3 halfway = normalize(light.to_sun + to_eye);
     color += 0.16 * Power64(saturate(dot(normal, halfway))) * sun;
     return float4(color, 1.0);

@@ -33,8 +33,10 @@ float SunPast(Texture2D<float> shadow_map, FrameLight light, float3 world_m, flo
     for (uint i = 0; i < probes; i++)
     {
         float2 aside = 16.0 * texel * mul(turned, DiscTap(i, probes));
-        float depth = ShadowLoad(shadow_map, light, at.xy + aside) - dot(slope, aside);
-        float blocks = step(own, depth);
+        float held = ShadowLoad(shadow_map, light, at.xy + aside);
+        float depth = held - dot(slope, aside);
+        // Where the map is empty nothing blocks, wherever a slope leads.
+        float blocks = held > 0.0 ? step(own, depth) : 0.0;
         blockers += blocks;
         gap += blocks * (depth - own);
     }
@@ -49,7 +51,8 @@ float SunPast(Texture2D<float> shadow_map, FrameLight light, float3 world_m, flo
     for (uint k = 0; k < taps; k++)
     {
         float2 aside = soft * mul(turned, DiscTap(k, taps));
-        shaded += step(own, ShadowLoad(shadow_map, light, at.xy + aside) - dot(slope, aside));
+        float held = ShadowLoad(shadow_map, light, at.xy + aside);
+        shaded += held > 0.0 ? step(own, held - dot(slope, aside)) : 0.0;
     }
     return 1.0 - shaded / taps;
 }

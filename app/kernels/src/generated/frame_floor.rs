@@ -203,7 +203,7 @@ static DRAW_FLOOR_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "67eb38b36da646f5e28a0c633600ab938f0429584dd2d58185a50f9093eb92c3",
+    hash: "d6c736126c3fbd4125416acb87095b89e9c802897aa4c3d783fa47eaa58ab019",
 };
 
 static DRAW_FLOOR_FRAGMENT: Module = Module {
@@ -216,135 +216,135 @@ static DRAW_FLOOR_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "071794e332ccfe5af2afa44eb7220dd343ba0687615bd240b37ad506b1f39797",
+    hash: "f3ef98a2958745b77e50560141ca96db81affa8b8f5e1c0aa59a30c81ace4c2c",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_SOLIDS_SHADOW: Module = Module {
     name: "DrawFloor.fragment+SOLIDS_SHADOW",
     entry: "FloorFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 9900, bytes: 16192 },
+    spirv: Spirv::Packed { pack: PACK, first: 9900, bytes: 16896 },
     bindings: BINDINGS_2,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "8e4c5c5ed88e9acd47b34e26bb8c26d2146bc8eecff2b3cee676ae50ee952a76",
+    hash: "0df30dd96b36f686ae9e0428ace34d3d2a5e328fb3467a05a53858a49b40d812",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW: Module = Module {
     name: "DrawFloor.vertex+POINTS_SHADOW",
     entry: "FloorVertex",
     stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 26092, bytes: 3128 },
+    spirv: Spirv::Packed { pack: PACK, first: 26796, bytes: 3128 },
     bindings: BINDINGS_3,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "09b10960a37cd9ace486ac0eee52ca8200bd79c49bb8e15040cb47e3ec1e242d",
+    hash: "9281cdaba7c75da5ae9cb01019e99c7dba3f5d7a42d2d222c2a13947b2042cf2",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW: Module = Module {
     name: "DrawFloor.fragment+POINTS_SHADOW",
     entry: "FloorFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 29220, bytes: 15272 },
+    spirv: Spirv::Packed { pack: PACK, first: 29924, bytes: 15976 },
     bindings: BINDINGS_4,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "dd56783e516b549b64ae24bae5537e36763444f6d13f5ecf470bc3b9879a6a00",
+    hash: "16b85c363cfed9222cad0a0b3800e96925a0dc42bf695aa417b0e764275b0bfc",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW_WITH_SOLIDS_SHADOW: Module = Module {
     name: "DrawFloor.fragment+POINTS_SHADOW+SOLIDS_SHADOW",
     entry: "FloorFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 44492, bytes: 22800 },
+    spirv: Spirv::Packed { pack: PACK, first: 45900, bytes: 24208 },
     bindings: BINDINGS_5,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "22dcbd725ba81080dad71447a88ea32425e28e7bd9fc5ac239a9f084b11d91c1",
+    hash: "058cc5c5744c87fd8a3730f04140b6fea4f5ae9acf3c5d9639ff597fb94995bc",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW: Module = Module {
     name: "DrawFloor.vertex+WATER_SHADOW",
     entry: "FloorVertex",
     stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 67292, bytes: 3128 },
+    spirv: Spirv::Packed { pack: PACK, first: 70108, bytes: 3128 },
     bindings: BINDINGS_6,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "007c2ef700aae7f1746e5bb111add9544d9a60ab3780939b54f00f0393618e5b",
+    hash: "1e99235a28257c2a73a08d628f0e45329c1625aeb4e4bc7dfdacd9646f02db29",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW: Module = Module {
     name: "DrawFloor.fragment+WATER_SHADOW",
     entry: "FloorFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 70420, bytes: 11288 },
+    spirv: Spirv::Packed { pack: PACK, first: 73236, bytes: 11288 },
     bindings: BINDINGS_7,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "66a0b11b27727398e89ae1978d3cb7b51b57aebbdfc9d625d0f86816258e57e3",
+    hash: "d3079bb2d26a639b1a73624b053afe0a8848aa5ddecb03ca248c63b19f898302",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW_WITH_SOLIDS_SHADOW: Module = Module {
     name: "DrawFloor.fragment+WATER_SHADOW+SOLIDS_SHADOW",
     entry: "FloorFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 81708, bytes: 19904 },
+    spirv: Spirv::Packed { pack: PACK, first: 84524, bytes: 20608 },
     bindings: BINDINGS_8,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "3f52072694a087e4fdf4c8239a6085a22c8d588a781c07a277b112a6d0088e33",
+    hash: "d3eff81b0a34b8406ba18a9284096f968d769f693d8326a4ae43bf99255004ef",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_CAUSTICS_SHADOW: Module = Module {
     name: "DrawFloor.vertex+CAUSTICS_SHADOW",
     entry: "FloorVertex",
     stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 101612, bytes: 3128 },
+    spirv: Spirv::Packed { pack: PACK, first: 105132, bytes: 3128 },
     bindings: BINDINGS_6,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "5a725b8c09f603ab6e00dd0c9cd91b98e0dc61fb21089e61b1872cd3d25a64c9",
+    hash: "bf129fa04494f3202835e07c74c81871c5a2a541eff0fbf434d04bf4e838c1df",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW: Module = Module {
     name: "DrawFloor.fragment+CAUSTICS_SHADOW",
     entry: "FloorFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 104740, bytes: 10320 },
+    spirv: Spirv::Packed { pack: PACK, first: 108260, bytes: 10320 },
     bindings: BINDINGS_9,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "31c3f83d4faad7f440df53b7a8f8637f954b496856d0f54bdb4a09d42490c0a9",
+    hash: "269349f115773a9c6d8f87bb2e1604a5473b4d6b099d1ab04cc9df0cc4f98e34",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW_WITH_SOLIDS_SHADOW: Module = Module {
     name: "DrawFloor.fragment+CAUSTICS_SHADOW+SOLIDS_SHADOW",
     entry: "FloorFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 115060, bytes: 19288 },
+    spirv: Spirv::Packed { pack: PACK, first: 118580, bytes: 19992 },
     bindings: BINDINGS_10,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "7f7a4e6d2ef047c094e81d6fbb654662e80bf17516c0474ce94b055a41636385",
+    hash: "34304a7785e920637d8be6f3302ad085d3d49c82c878fa534bf6a4e259630803",
 };

@@ -124,44 +124,44 @@ static DRAW_GLASS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/glass.hlsl",
-    hash: "a46c5fac755212f199deb516f7fa2b7812f5a04a6cf408f9a5bfb17445318a90",
+    hash: "f2195428eb4f20b7867850d27c31083bbe64312a58f819955780a7c470038384",
 };
 
 static DRAW_GLASS_FRAGMENT: Module = Module {
     name: "DrawGlass.fragment",
     entry: "GlassFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 4368, bytes: 6656 },
+    spirv: Spirv::Packed { pack: PACK, first: 4368, bytes: 6600 },
     bindings: BINDINGS_1,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/glass.hlsl",
-    hash: "adf2ae80aee0ccd7dc2bccccdf93ca0926a07f4e657afcb864be7705c10968ac",
+    hash: "95a8c63b7fda3f2ee35e53c7b917c4ebb6cacc23aff5aefb9265c7c88f6b5a60",
 };
 
 static DRAW_GLASS_FRAGMENT_WITH_BEHIND_WATER: Module = Module {
     name: "DrawGlass.fragment+BEHIND_WATER",
     entry: "GlassFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 11024, bytes: 7408 },
+    spirv: Spirv::Packed { pack: PACK, first: 10968, bytes: 7352 },
     bindings: BINDINGS_2,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/glass.hlsl",
-    hash: "5187f28298b073c012985ab41e3975a377ed63abf325229c7c49e23168e5ef0f",
+    hash: "634ba5263a79eca96069d6213d0a28a6ffefd7a5c344868823a1687e4a36cd4d",
 };
 
 static DRAW_GLASS_FRAGMENT_WITH_BEFORE_WATER: Module = Module {
     name: "DrawGlass.fragment+BEFORE_WATER",
     entry: "GlassFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 18432, bytes: 7424 },
+    spirv: Spirv::Packed { pack: PACK, first: 18320, bytes: 7368 },
     bindings: BINDINGS_2,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/glass.hlsl",
-    hash: "a2d621a6b4f307f39118136d8e6654eec1f49a40e07c521d83f2c33c734c854b",
+    hash: "e1d19b34b898bee4f7a8dfb6f950a574a7db42943fef5d12182c9d019c9380e8",
 };

@@ -183,7 +183,7 @@ static DRAW_SHADE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "da65490b8e4cbdd2448d3d13d93194efb256a88f07b31111db0256a52669dcbd",
+    hash: "2ff0a6ce084a509d0c1a84bd2d89a9530862423c6246cd2daee2d3a64b98418e",
 };
 
 static DRAW_SHADE_FRAGMENT: Module = Module {
@@ -196,7 +196,7 @@ static DRAW_SHADE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "c24ac5f5ed947b14d0e7dcd9826233e19854305bf57614a23d0e3f156fec237f",
+    hash: "9de233ec3e174091f6c5f0a5d1e40fa2ef0e0057120552e9aa19c42711f55083",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_SOLIDS_SHADOW: Module = Module {
@@ -209,7 +209,7 @@ static DRAW_SHADE_FRAGMENT_WITH_SOLIDS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "99996ca7c3051d3ed508772b7905d0a57748ab6c6b152de7ae2dd30279bb7cfc",
+    hash: "30f34ff122725be63988bb77a1ea862f339390a4ec5cc4657f2dff687abdb9bd",
 };
 
 static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
@@ -222,7 +222,7 @@ static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "cb825a568d35b3552fc34063db17e3f82e091d4620c0f96e7e9a30f2e4e9a98c",
+    hash: "1110835f3cdad6d7ca3e2df918b3712d6eb5d574af2bed9f626a1278704d29a9",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
@@ -235,7 +235,7 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "f86d3b9a53bda5220957bf9567b68a621dcf53e8385e5eac3c08396c481c590d",
+    hash: "1b8e694ba069d19936ab9152cd5cdbbb4075349763d318490f7650ca4b8957bc",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID_WITH_SOLIDS_SHADOW: Module = Module {
@@ -248,7 +248,7 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID_WITH_SOLIDS_SHADOW: Module = Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "b7c359a89e5071e7f92d274db5bf22d4cc1672e0105b98ae6063f9ad5ddbda26",
+    hash: "5c57c4e605c75e464e2574a6c22c52c77c66f9eda868a36a8f762687a23d2ff5",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
@@ -261,7 +261,7 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "c020e6fb631842d3cb9dc2def3a9a1bb53e07c0c5381863f0fdafab6d145261f",
+    hash: "462da2c46408cb857ee0d2edfdad7b46a07637fff74dd142192cc06084ef5c80",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY_WITH_SOLIDS_SHADOW: Module = Module {
@@ -274,5 +274,5 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY_WITH_SOLIDS_SHADOW: Module = Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "04919cdc9714abfae88a33cbbbf17990dca5ed064e57766aafc75f7bbb945d96",
+    hash: "2ecbefebd05aedc8fc1a272f6abf79819a6013a2c2304ab632d3ba14ca9600b9",
 };

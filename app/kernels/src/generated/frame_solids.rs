@@ -153,57 +153,57 @@ static DRAW_SOLIDS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "3e530b4e6df662760c1f11c844c75d0c3903f122bd4d56207c9ea25ca16da609",
+    hash: "585951e09ded5fdca065f58c66cbb6bb221140e48035049b52160bc67d9aed46",
 };
 
 static DRAW_SOLIDS_FRAGMENT: Module = Module {
     name: "DrawSolids.fragment",
     entry: "SolidsFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 4300, bytes: 14224 },
+    spirv: Spirv::Packed { pack: PACK, first: 4300, bytes: 15144 },
     bindings: BINDINGS_1,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "85523012ee0a8630ec307725c18a3356c07dbadae7f4caa6aefed9eebd6bedab",
+    hash: "179ed0aed481be3b9ead459e7b2e924f680356c734868a8b80b3330fdef4e9be",
 };
 
 static DRAW_SOLIDS_FRAGMENT_WITH_POINTS_SUN: Module = Module {
     name: "DrawSolids.fragment+POINTS_SUN",
     entry: "SolidsFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 18524, bytes: 21868 },
+    spirv: Spirv::Packed { pack: PACK, first: 19444, bytes: 23492 },
     bindings: BINDINGS_2,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "919911c805042ffda6cffa2b68879115096fe38f9bd1aef4cc01805404520837",
+    hash: "2908684e8b52b4b91a8975379fae68769829cbded0d30cc38678ab3aadbeae2c",
 };
 
 static DRAW_SOLIDS_VERTEX_WITH_VOLUME_SUN: Module = Module {
     name: "DrawSolids.vertex+VOLUME_SUN",
     entry: "SolidsVertex",
     stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 40392, bytes: 4300 },
+    spirv: Spirv::Packed { pack: PACK, first: 42936, bytes: 4300 },
     bindings: BINDINGS_0,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "50cd96847e3d8b0c8ff370d9a82840ed6ed9a6bd72446c299c6458330b92e5ba",
+    hash: "fa762a421e92851a1f9ff2dd4cf1fdba2c6c21d4b7e17d5c0c0c4e30e6b25f28",
 };
 
 static DRAW_SOLIDS_FRAGMENT_WITH_VOLUME_SUN: Module = Module {
     name: "DrawSolids.fragment+VOLUME_SUN",
     entry: "SolidsFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 44692, bytes: 17308 },
+    spirv: Spirv::Packed { pack: PACK, first: 47236, bytes: 18228 },
     bindings: BINDINGS_3,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "8f91bcc3c3bc04e556ff6d81f19f09a41bfd202fefdec8221ee5c48849ede1bd",
+    hash: "2bcb8295d23d716eb4a2fde9207e5534b8d44d1758f840975806569437ba9888",
 };

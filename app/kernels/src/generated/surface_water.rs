@@ -259,7 +259,7 @@ static DRAW_WATER_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "a8a6aad56dfed7dda76e69eaa12dce3e697c607c9fc10a68eb8f6fbffdd8548d",
+    hash: "66ba7eb160911efc1545dcd679a93edb5303e57150a4da615c6634167d5ecd71",
 };
 
 static DRAW_WATER_FRAGMENT: Module = Module {
@@ -272,7 +272,7 @@ static DRAW_WATER_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "cbb68eb8b6eb107943b9ffc75a36d2b0c9713c00dbf4a24ddc86c25e4927c7fb",
+    hash: "f637ce1651c54a3c7822bd994077c822c872f4a8d889cbb8d61a7faaa09ca52d",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_SOLIDS_SHADOW: Module = Module {
@@ -285,7 +285,7 @@ static DRAW_WATER_FRAGMENT_WITH_SOLIDS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "daf4718dcdb221566d87c7a781adf6f056f8c3e85a2ebed50c6cd3633f40c7d8",
+    hash: "784a9e8c6e005234947be5a798b5665db61ed99b7b601b4430faa02c9a0d4944",
 };
 
 static DRAW_WATER_VERTEX_WITH_SELF_SHADOW: Module = Module {
@@ -298,7 +298,7 @@ static DRAW_WATER_VERTEX_WITH_SELF_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "4dc3f01b4adf077269ee37b49b4f72a59c055375f8df4121ae858a558bc90db1",
+    hash: "18dc03397c71c214594ec73041db514d8bacc4e5d8f0680da2aae9c3e40225e5",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_SELF_SHADOW: Module = Module {
@@ -311,7 +311,7 @@ static DRAW_WATER_FRAGMENT_WITH_SELF_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "565095aaa49f9a6a397246eba1b5668fa6fb0352db0eb6565feda3ab3ddefe04",
+    hash: "bd22a414468056276caa164b2d3880d51664466cb3b517b9f26403b38e9e63c0",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_SELF_SHADOW_WITH_SOLIDS_SHADOW: Module = Module {
@@ -324,7 +324,7 @@ static DRAW_WATER_FRAGMENT_WITH_SELF_SHADOW_WITH_SOLIDS_SHADOW: Module = Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "6d44e0d56e3ae7bea863289b7b6401d004da74fb27bd55d27f8b4873f7f09a72",
+    hash: "6c8d94b40b7aed3362556285d6e7808ae94a5b4c2120be36a868e2536d8c3611",
 };
 
 static DRAW_WATER_VERTEX_WITH_MESH_NORMALS: Module = Module {
@@ -337,7 +337,7 @@ static DRAW_WATER_VERTEX_WITH_MESH_NORMALS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "308dc3e28cdac89f4b7173aeea37f6af4c22bd1bb785f249f4425c7d501342a9",
+    hash: "8a09de199255ccffdfb081b2bff3fe70bde4b0b5ea68b55036c7b2e7001ca3dd",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS: Module = Module {
@@ -350,7 +350,7 @@ static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "4fb5e63b8d84fc8595eb101e7612ec155c32c809354f7cf4ff23b51958bef2a3",
+    hash: "b6b8c3365f0e1b12af34439b8e9ac58e892b27b4a779993dc852cea5283127d9",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS_WITH_SOLIDS_SHADOW: Module = Module {
@@ -363,7 +363,7 @@ static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS_WITH_SOLIDS_SHADOW: Module = Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "5394ebc0e2ad30f18a79f9ae471e725767a4350bd7cd8c252e8d7e2431fdaac1",
+    hash: "ced4515a77ba5fb71073e7e4eb550a4570c827ba7c1d7151bc1eb583658b83cc",
 };
 
 static DRAW_WATER_VERTEX_WITH_MESH_NORMALS_WITH_SELF_SHADOW: Module = Module {
@@ -376,7 +376,7 @@ static DRAW_WATER_VERTEX_WITH_MESH_NORMALS_WITH_SELF_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "3476c0b4cfeb8987ffc041e5cc21be47ab1197775d93010193ceafabdc148af5",
+    hash: "7a2d5a96a3bb2fda9146f516ab8fc79d48498855ea67a1a772b3f20d0d0dece2",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS_WITH_SELF_SHADOW: Module = Module {
@@ -389,7 +389,7 @@ static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS_WITH_SELF_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "7a9c0530f43fdcd870c348977f62fec823128944f6fd085a321a9b1dc1f4ddb7",
+    hash: "de90a5962e5d54757c9de8ec861b2267d4e1ed2fba5c4c3dad42cd5f045ea319",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS_WITH_SELF_SHADOW_WITH_SOLIDS_SHADOW: Module = Module {
@@ -402,5 +402,5 @@ static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS_WITH_SELF_SHADOW_WITH_SOLIDS_SHADOW
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "9d19b6572ece38886db9030479fbcd4724abca349889549d1708ac072592fa2d",
+    hash: "add0435ab827c410b515940247a8c5a49c3c3062d60584d8c50cc58bf806499b",
 };

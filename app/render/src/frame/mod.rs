@@ -35,6 +35,8 @@ pub struct FramePasses {
     /// The picture: `Rgba8Unorm`, already sRGB-encoded, of the view's size. This is what to want
     /// of a plan, and to read back.
     pub color: Texture,
+    /// Light of what is opaque, and of glass behind water, in the drawn pixels.
+    pub radiance: Texture,
     /// Depth of what is opaque in the drawn pixels, supersampled and reversed: near / distance, 0
     /// where the sky is.
     pub depth: Texture,
@@ -201,7 +203,7 @@ pub fn record_with_solids(
             Some(water)
         }
     };
-    Ok(FramePasses { init, draw, color, depth, water, auto, uniforms })
+    Ok(FramePasses { init, draw, color, radiance, depth, water, auto, uniforms })
 }
 
 /// What shades the floor.
