@@ -149,12 +149,12 @@ fn what_draws_solids_is_in_no_plan_without_them() {
         let planned = |solids: &str| ScenePlan::new(&scene(solids, method), tier).expect("a plan");
         let stages = |solids: &str| {
             let passes = planned(solids).plan().passes();
-            ["draw_solids", "draw_solids_shadow", "draw_glass"]
-                .map(|name| passes.iter().any(|pass| pass.stage == name))
+            ["draw_solids", "draw_solids_shadow", "draw_glass"].map(|name| passes.iter().any(|pass| pass.stage == name))
         };
         let bare = planned("");
         assert!(!bare.plan().passes().iter().any(|pass| pass.module.name.contains("solids")), "{method}: solids' code");
-        let labels = bare.plan().buffers().into_iter().map(|buffer| buffer.label).filter(|label| label.contains("solid"));
+        let labels =
+            bare.plan().buffers().into_iter().map(|buffer| buffer.label).filter(|label| label.contains("solid"));
         assert_eq!(labels.collect::<Vec<_>>(), Vec::<String>::new(), "{method}: solids' buffers");
         assert_eq!(stages(""), [false; 3], "{method}");
         assert_eq!(stages(opaque), [true, true, false], "{method}");

@@ -8,7 +8,7 @@ use brooklet_fluid::boundary::solids::solids;
 use brooklet_fluid::scene::{Scene, SolidLook};
 use brooklet_fluid::{Slots, visit_slots};
 use brooklet_gpu::{Plan, Resources, Tier};
-use brooklet_kernels::{FrameLight, FrameStyle, FrameView, SHAPE_BOX, SHAPE_CAPSULE, Solid, SolidPaint, SolidPose};
+use brooklet_kernels::{FrameLight, FrameStyle, SHAPE_BOX, SHAPE_CAPSULE, Solid, SolidPaint, SolidPose};
 use brooklet_reference::surface::ray_of;
 use brooklet_reference::surface::solids::{SolidHit, SolidScene, glass_film, solid_light};
 use brooklet_render::frame::FrameValues;
@@ -205,7 +205,8 @@ fn compare(drawn: &Drawn, scene: &SolidScene, size_px: [u32; 2]) -> Compared {
         let mut differs = off(got, lit.low, lit.high);
         if let Some(&depth) = drawn.depth.get(index) {
             let expected = f64::from(view.near_m) / hit.along;
-            differs = differs.max((f64::from(depth) - expected).abs() / expected / DEPTH_TOLERANCE / device_slope(&hit, ray));
+            differs =
+                differs.max((f64::from(depth) - expected).abs() / expected / DEPTH_TOLERANCE / device_slope(&hit, ray));
         }
         compared.covered += 1;
         compared.lit += usize::from(lit.sun == Some(true));
@@ -239,7 +240,10 @@ pub(crate) fn solids_are_lit_where_their_poses_put_them(device: &Device) {
         );
         device.compared("draw_solids", covered, [worst * LIGHT_TOLERANCE, LIGHT_TOLERANCE]);
         device.compared("draw_solids_shadow", shaded, [worst * LIGHT_TOLERANCE, LIGHT_TOLERANCE]);
-        note!(device, "draw_solids {size_px:?}: {beyond} of {covered} pixels on edges, the others within {worst:.2}; {lit} lit, {shaded} shaded");
+        note!(
+            device,
+            "draw_solids {size_px:?}: {beyond} of {covered} pixels on edges, the others within {worst:.2}; {lit} lit, {shaded} shaded"
+        );
 
         // One solid that is a little elsewhere, or turned a little, is told apart.
         let mut moved = poses.clone();
@@ -274,7 +278,8 @@ pub(crate) fn glass_lets_through_what_its_twin_does(device: &Device) {
                 continue;
             }
             // What faces away first, each half in its triangles' order.
-            let halves = [false, true].into_iter().flat_map(|front| hits.iter().filter(move |hit| hit.is_front == front));
+            let halves =
+                [false, true].into_iter().flat_map(|front| hits.iter().filter(move |hit| hit.is_front == front));
             let expected = halves.fold(below, |below, hit| {
                 let (color, alpha) = glass_film(&hit.at, eye_m, (&light, &style));
                 color + (1.0 - alpha) * below
@@ -290,9 +295,9 @@ pub(crate) fn glass_lets_through_what_its_twin_does(device: &Device) {
             }
         }
         ensure!(covered > drawn.light.len() / 8 && taken > covered / 4, "{taken} of {covered} pixels show glass");
-        ensure!((beyond as f64) < ON_EDGES * f64::from(covered), "{beyond} of {covered} pixels differ");
+        ensure!((beyond as f64) < ON_EDGES * covered as f64, "{beyond} of {covered} pixels differ");
         // No glass at all is told apart.
-        ensure!(unlike as f64 > ON_EDGES * f64::from(covered), "glass is not seen: {unlike} of {covered}");
+        ensure!(unlike as f64 > ON_EDGES * covered as f64, "glass is not seen: {unlike} of {covered}");
         device.compared("draw_glass", covered as usize, [worst * LIGHT_TOLERANCE, LIGHT_TOLERANCE]);
         note!(device, "draw_glass {size_px:?}: {beyond} of {covered} pixels on edges, the others within {worst:.2}");
     }
@@ -322,8 +327,7 @@ pub(crate) fn triangles_lie_on_their_shapes_and_close_them(_: &Device) {
         let triangles = Solids { scene: &scene, poses: &shapes }.triangles(look);
         let (all, _) = solids(&scene);
         for vertex in &triangles.vertices {
-            let (solid, at_m, normal) =
-                (&all[vertex.solid as usize], vector(vertex.position_m), vector(vertex.normal));
+            let (solid, at_m, normal) = (&all[vertex.solid as usize], vector(vertex.position_m), vector(vertex.normal));
             ensure!((normal.length() - 1.0).abs() < 1e-6, "a normal of length {}", normal.length());
             let [inside_m, on_m] = [-1e-4, 0.0].map(|along_m| from_solid_m(solid, at_m + along_m * normal));
             ensure!(on_m.abs() < 1e-6, "a corner is {on_m} m from its shape, {at_m}");
@@ -347,9 +351,7 @@ fn volume_m3(solid: &Solid) -> f64 {
     let half_m = vector(solid.half_m);
     let of = |half_m: DVec3| match solid.shape {
         SHAPE_BOX => 8.0 * half_m.element_product(),
-        SHAPE_CAPSULE => {
-            std::f64::consts::PI * half_m.x * half_m.x * (2.0 * half_m.y + 4.0 / 3.0 * half_m.x)
-        }
+        SHAPE_CAPSULE => std::f64::consts::PI * half_m.x * half_m.x * (2.0 * half_m.y + 4.0 / 3.0 * half_m.x),
         _ => 2.0 * std::f64::consts::PI * half_m.x * half_m.x * half_m.y,
     };
     let [low_m, high_m] = [solid.cavity_min_m, solid.cavity_max_m].map(|end_m| vector(end_m).clamp(-half_m, half_m));

@@ -165,12 +165,8 @@ method = \"pbf\"
 dt_s = 0.002
 ";
 
-const POINTS_AND_SOLIDS: Picture = Picture {
-    name: "points and solids",
-    has_solids: true,
-    settings: &["surface.method=points"],
-    means: [0; 45],
-};
+const POINTS_AND_SOLIDS: Picture =
+    Picture { name: "points and solids", has_solids: true, settings: &["surface.method=points"], means: [0; 45] };
 
 const WATER_AND_SOLIDS: Picture = Picture {
     name: "water and solids",

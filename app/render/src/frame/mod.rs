@@ -384,9 +384,7 @@ impl Frame<'_> {
             let into = (&mut *init, &mut *self.recording);
             sun_volume::record(self.resources, into, particles, &uniforms.light, values)
         });
-        let through = volume
-            .as_ref()
-            .map_or(SunThrough::Nothing, |volume| SunThrough::Water { volume, style: &style });
+        let through = volume.as_ref().map_or(SunThrough::Nothing, |volume| SunThrough::Water { volume, style: &style });
         let drawn = self.solids((radiance, depth), false, &through);
         self.surroundings((radiance, depth), shadow, drawn);
         let behind = Some((WaterKeyword::BehindWater, &surface.inverse_depth));
@@ -397,13 +395,8 @@ impl Frame<'_> {
         let (eye, opaque_planes) =
             screen_space::record_thickness(self.resources, self.recording, &shapes, &surface.params, looks);
         let solids_shadow_map = self.solids.and_then(SolidPasses::shadow_map);
-        let water = Water {
-            surface: &surface,
-            thickness: &eye,
-            style: &style,
-            sun_volume: volume.as_ref(),
-            solids_shadow_map,
-        };
+        let water =
+            Water { surface: &surface, thickness: &eye, style: &style, sun_volume: volume.as_ref(), solids_shadow_map };
         let seen = screen_space::record_water(self.resources, self.recording, uniforms, &water, (radiance, depth));
         // Solids hide edges that are before the water behind them.
         let hiding = solids_shadow_map.map(|_| depth);

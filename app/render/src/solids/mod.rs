@@ -189,12 +189,8 @@ impl SolidPasses {
             true => Targets { color: vec![(radiance, Load::Keep)], depth: Some((depth, Load::Keep)) },
             false => Targets { color: vec![(radiance, Load::Clear([0.0; 4]))], depth: Some((depth, Load::Clear(0.0))) },
         };
-        let nearer = DrawState {
-            depth_test: DepthTest::Greater,
-            depth_write: true,
-            cull: Cull::Back,
-            ..DrawState::default()
-        };
+        let nearer =
+            DrawState { depth_test: DepthTest::Greater, depth_write: true, cull: Cull::Back, ..DrawState::default() };
         recording.draw(&draw, &targets, nearer, mesh.indices.len, 1);
         true
     }
