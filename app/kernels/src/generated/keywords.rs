@@ -24,6 +24,13 @@ pub enum ColorKeyword {
     ColorDensity,
 }
 
+/// `COLOR_FLUID` on or off, and no other.
+impl From<bool> for ColorKeyword {
+    fn from(on: bool) -> Self {
+        if on { Self::ColorFluid } else { Self::Off }
+    }
+}
+
 /// `#pragma multi_compile FILTER_X FILTER_Y FILTER_PLANE`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum FilterKeyword {
@@ -50,6 +57,13 @@ pub enum MomentumKeyword {
     RestrictedMomentum,
 }
 
+/// `MOMENTUM` on or off, and no other.
+impl From<bool> for MomentumKeyword {
+    fn from(on: bool) -> Self {
+        if on { Self::Momentum } else { Self::Off }
+    }
+}
+
 /// `#pragma multi_compile _ VELOCITIES_ONLY POSITIONS_ONLY`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum OnlyKeyword {
@@ -62,6 +76,13 @@ pub enum OnlyKeyword {
     PositionsOnly,
 }
 
+/// `VELOCITIES_ONLY` on or off, and no other.
+impl From<bool> for OnlyKeyword {
+    fn from(on: bool) -> Self {
+        if on { Self::VelocitiesOnly } else { Self::Off }
+    }
+}
+
 /// `#pragma multi_compile _ RELAXED_PRECISION HALF_PRECISION`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum PrecisionKeyword {
@@ -72,6 +93,13 @@ pub enum PrecisionKeyword {
     RelaxedPrecision,
     /// `HALF_PRECISION` is on.
     HalfPrecision,
+}
+
+/// `RELAXED_PRECISION` on or off, and no other.
+impl From<bool> for PrecisionKeyword {
+    fn from(on: bool) -> Self {
+        if on { Self::RelaxedPrecision } else { Self::Off }
+    }
 }
 
 /// `#pragma multi_compile _ POINTS_SHADOW WATER_SHADOW CAUSTICS_SHADOW`.
@@ -88,6 +116,13 @@ pub enum ShadowKeyword {
     CausticsShadow,
 }
 
+/// `POINTS_SHADOW` on or off, and no other.
+impl From<bool> for ShadowKeyword {
+    fn from(on: bool) -> Self {
+        if on { Self::PointsShadow } else { Self::Off }
+    }
+}
+
 /// `#pragma multi_compile _ SPRAY_SHAPE ELLIPSOID_SHAPE`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum ShapeKeyword {
@@ -98,6 +133,13 @@ pub enum ShapeKeyword {
     SprayShape,
     /// `ELLIPSOID_SHAPE` is on.
     EllipsoidShape,
+}
+
+/// `SPRAY_SHAPE` on or off, and no other.
+impl From<bool> for ShapeKeyword {
+    fn from(on: bool) -> Self {
+        if on { Self::SprayShape } else { Self::Off }
+    }
 }
 
 /// `#pragma multi_compile _ POINTS_SUN VOLUME_SUN`.
@@ -112,6 +154,13 @@ pub enum SunKeyword {
     VolumeSun,
 }
 
+/// `POINTS_SUN` on or off, and no other.
+impl From<bool> for SunKeyword {
+    fn from(on: bool) -> Self {
+        if on { Self::PointsSun } else { Self::Off }
+    }
+}
+
 /// `#pragma multi_compile _ KEEP_VELOCITY IN_PLACE_VELOCITY`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum VelocityKeyword {
@@ -122,6 +171,13 @@ pub enum VelocityKeyword {
     KeepVelocity,
     /// `IN_PLACE_VELOCITY` is on.
     InPlaceVelocity,
+}
+
+/// `KEEP_VELOCITY` on or off, and no other.
+impl From<bool> for VelocityKeyword {
+    fn from(on: bool) -> Self {
+        if on { Self::KeepVelocity } else { Self::Off }
+    }
 }
 
 /// `#pragma multi_compile _ WALLS SOLID_WALLS`.
@@ -136,6 +192,13 @@ pub enum WallsKeyword {
     SolidWalls,
 }
 
+/// `WALLS` on or off, and no other.
+impl From<bool> for WallsKeyword {
+    fn from(on: bool) -> Self {
+        if on { Self::Walls } else { Self::Off }
+    }
+}
+
 /// `#pragma multi_compile _ BEHIND_WATER BEFORE_WATER`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum WaterKeyword {
@@ -146,4 +209,11 @@ pub enum WaterKeyword {
     BehindWater,
     /// `BEFORE_WATER` is on.
     BeforeWater,
+}
+
+/// `BEHIND_WATER` on or off, and no other.
+impl From<bool> for WaterKeyword {
+    fn from(on: bool) -> Self {
+        if on { Self::BehindWater } else { Self::Off }
+    }
 }
