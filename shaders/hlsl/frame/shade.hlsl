@@ -104,7 +104,7 @@ float4 ShadeFragment(Varyings input) : SV_Target0
 #endif
     float sun = SunReaching(found.position_m);
 #if defined(SOLIDS_SHADOW)
-    sun *= SunPastAbout(solids_shadow_map, light, found.position_m);
+    sun *= SunPastNear(solids_shadow_map, light, found.position_m, 0.0);
 #endif
     return float4(Shade(normal, -direction, albedo, sun), 1.0);
 }

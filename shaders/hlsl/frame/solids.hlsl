@@ -45,15 +45,15 @@ Varyings SolidsVertex(uint vertex : SV_VertexID)
 }
 
 // Share of the sun that arrives, of each color.
-float3 SunArriving(float3 world_m, float3 normal, float2 pixel)
+float3 SunArriving(float3 world_m, float3 normal)
 {
     // Off the surface by as much as the map's own texels are wide.
     float3 above_m = world_m + 1.5 * light.shadow_texel_m * normal;
     float2 slope = SunSlope(light, normal);
-    float3 arriving = SunPast(solids_shadow_map, light, above_m, slope, pixel);
+    float3 arriving = SunPastNear(solids_shadow_map, light, above_m, slope);
 #if defined(POINTS_SUN)
     // Particles that touch a surface reach over it in the map.
-    float sun = SunPast(shadow_map, light, world_m + style.radius_m * normal, slope, pixel);
+    float sun = SunPastNear(shadow_map, light, world_m + style.radius_m * normal, slope);
     arriving *= lerp(float3(0.05, 0.16, 0.24), float3(1.0, 1.0, 1.0), sun);
 #elif defined(VOLUME_SUN)
     float through_m = WaterTowardSun(sun_volume, light, volume.cells, above_m, 0.0);
@@ -69,7 +69,7 @@ float4 SolidsFragment(Varyings input) : SV_Target0
     float n_dot_l = dot(normal, light.to_sun);
     float3 sun = 0.0;
     if (n_dot_l > 0.0)
-        sun = SunArriving(input.world_m, normal, input.position.xy) * light.sun_color;
+        sun = SunArriving(input.world_m, normal) * light.sun_color;
     float n_dot_v = saturate(dot(normal, to_eye));
     // A weak light from the viewer keeps what is round so in the shade.
     float3 color = input.color * (0.75 * n_dot_l * sun + 0.85 * AmbientLight(light, style.floor_color, normal)

@@ -57,18 +57,22 @@ float SunPast(Texture2D<float> shadow_map, FrameLight light, float3 world_m, flo
     return 1.0 - shaded / taps;
 }
 
-// The same in a few taps, for what is rough or wavy anyway.
-float SunPastAbout(Texture2D<float> shadow_map, FrameLight light, float3 world_m)
+// The same in a few taps, for what is not the floor: its shadows are as soft as the map is coarse.
+float SunPastNear(Texture2D<float> shadow_map, FrameLight light, float3 world_m, float2 slope)
 {
     float3 at = ShadowPosition(light, world_m);
     if (any(abs(at.xy - 0.5) > 0.5))
         return 1.0;
-    float own = max(at.z, 0.0) + 1.5 * light.shadow_texel_m / light.shadow_range_m;
-    const uint taps = 5;
+    float own = max(at.z, 0.0) + 0.5 * light.shadow_texel_m / light.shadow_range_m;
+    const uint taps = 7;
     float shaded = 0.0;
     [unroll]
     for (uint k = 0; k < taps; k++)
-        shaded += step(own, ShadowLoad(shadow_map, light, at.xy + 3.0 / light.shadow_texels * DiscTap(k, taps)));
+    {
+        float2 aside = 2.5 / light.shadow_texels * DiscTap(k, taps);
+        float held = ShadowLoad(shadow_map, light, at.xy + aside);
+        shaded += held > 0.0 ? step(own, held - dot(slope, aside)) : 0.0;
+    }
     return 1.0 - shaded / taps;
 }
 

@@ -88,7 +88,7 @@ float4 WaterFragment(Varyings input) : SV_Target0
     point_.sunlight = 1.0;
 #endif
 #if defined(SOLIDS_SHADOW)
-    point_.sunlight *= SunPastAbout(solids_shadow_map, light, point_.position_m);
+    point_.sunlight *= SunPastNear(solids_shadow_map, light, point_.position_m, 0.0);
 #endif
     float3 behind = SceneBehind(RefractedEnd(water, point_), pixel, here);
     return float4(WaterRadiance(light, style, water, point_, behind), 1.0);

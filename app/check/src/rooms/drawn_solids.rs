@@ -24,7 +24,7 @@ const DEPTH_TOLERANCE: f64 = 2e-5;
 /// Share of the covered pixels on an edge, where a device may see one face or the other.
 const ON_EDGES: f64 = 0.03;
 /// As far as the widest of a soft shadow's taps, in texels of the map, and a few more.
-const SOFT_TEXELS: f64 = 19.0;
+const SOFT_TEXELS: f64 = 5.0;
 const SIZES: [[u32; 2]; 2] = [[96, 64], [37, 53]];
 
 const OPAQUE: &str = "
@@ -341,7 +341,7 @@ pub(crate) fn triangles_lie_on_their_shapes_and_close_them(_: &Device) {
             let volume = |of: &[u32]| corner(&of[0]).dot(corner(&of[1]).cross(corner(&of[2]))) / 6.0;
             let got_m3: f64 = triangles.indices.chunks_exact(3).filter(own).map(volume).sum();
             let expected_m3 = volume_m3(solid);
-            // 64 corners around lack 1 - sinc(2 pi / 64) of a circle, and a wall's two sides more of what it holds.
+            // 48 corners around lack 1 - sinc(2 pi / 48) of a circle, and a wall's two sides more of what it holds.
             ensure!((got_m3 / expected_m3 - 1.0).abs() < 0.01, "solid {number}: {got_m3} m3 of {expected_m3}");
         }
     }

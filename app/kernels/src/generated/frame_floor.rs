@@ -203,7 +203,7 @@ static DRAW_FLOOR_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "d6c736126c3fbd4125416acb87095b89e9c802897aa4c3d783fa47eaa58ab019",
+    hash: "c3df54438ac4399638bf4706c7712540eebb235ed386d870d0a8b4cc03ab9d1f",
 };
 
 static DRAW_FLOOR_FRAGMENT: Module = Module {
@@ -216,7 +216,7 @@ static DRAW_FLOOR_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "f3ef98a2958745b77e50560141ca96db81affa8b8f5e1c0aa59a30c81ace4c2c",
+    hash: "c353a213d05b1d88807c1fc5694794f55f82d4bddd0e491edb87a7f7ea9ec08e",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_SOLIDS_SHADOW: Module = Module {
@@ -229,7 +229,7 @@ static DRAW_FLOOR_FRAGMENT_WITH_SOLIDS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "0df30dd96b36f686ae9e0428ace34d3d2a5e328fb3467a05a53858a49b40d812",
+    hash: "d88712636a1547756a1a2ab63d1424d138b7f05296fb38f383b74f529771dd87",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW: Module = Module {
@@ -242,7 +242,7 @@ static DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "9281cdaba7c75da5ae9cb01019e99c7dba3f5d7a42d2d222c2a13947b2042cf2",
+    hash: "0b5cda1647f64ea9b4211669cd46797af6f35499dd7532d01d31b2aba9299608",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW: Module = Module {
@@ -255,7 +255,7 @@ static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "16b85c363cfed9222cad0a0b3800e96925a0dc42bf695aa417b0e764275b0bfc",
+    hash: "e6d0cd2b836477674f0f61783573b789c4b1a59c682a19d01ee49a8a7feca4c9",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW_WITH_SOLIDS_SHADOW: Module = Module {
@@ -268,7 +268,7 @@ static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW_WITH_SOLIDS_SHADOW: Module = Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "058cc5c5744c87fd8a3730f04140b6fea4f5ae9acf3c5d9639ff597fb94995bc",
+    hash: "c847dae731298a13d07c4e4fa829763de8dfd38169c735a8d97198f04792776a",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW: Module = Module {
@@ -281,7 +281,7 @@ static DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "1e99235a28257c2a73a08d628f0e45329c1625aeb4e4bc7dfdacd9646f02db29",
+    hash: "37834399d0c6904aaad3099d13585b8ba34df6ae5d27809abd6eed75e68b306e",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW: Module = Module {
@@ -294,7 +294,7 @@ static DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "d3079bb2d26a639b1a73624b053afe0a8848aa5ddecb03ca248c63b19f898302",
+    hash: "b4a5ecc15261c4794b2d895e360bfea05f9744520b8fbca9b00f431774c3eaf0",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW_WITH_SOLIDS_SHADOW: Module = Module {
@@ -307,7 +307,7 @@ static DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW_WITH_SOLIDS_SHADOW: Module = Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "d3eff81b0a34b8406ba18a9284096f968d769f693d8326a4ae43bf99255004ef",
+    hash: "a74598085da2091ad3334fb61b30525b87514eba78b0923416995e76eba6e466",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_CAUSTICS_SHADOW: Module = Module {
@@ -320,7 +320,7 @@ static DRAW_FLOOR_VERTEX_WITH_CAUSTICS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "bf129fa04494f3202835e07c74c81871c5a2a541eff0fbf434d04bf4e838c1df",
+    hash: "c0be6eb447566fe5132fe7cf6388dd2ee5a32a26d9a58d880e3078b4adeecec7",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW: Module = Module {
@@ -333,7 +333,7 @@ static DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "269349f115773a9c6d8f87bb2e1604a5473b4d6b099d1ab04cc9df0cc4f98e34",
+    hash: "865c5975a88664c435ddc95f7783aada31017c2e9d4dd33347ac5693dfffe6a3",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW_WITH_SOLIDS_SHADOW: Module = Module {
@@ -346,5 +346,5 @@ static DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW_WITH_SOLIDS_SHADOW: Module = Mod
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "34304a7785e920637d8be6f3302ad085d3d49c82c878fa534bf6a4e259630803",
+    hash: "93f131c380fbf5e0fd40dd552006973d7853e16da93eb0b6a7785333def00412",
 };

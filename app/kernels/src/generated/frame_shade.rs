@@ -183,7 +183,7 @@ static DRAW_SHADE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "2ff0a6ce084a509d0c1a84bd2d89a9530862423c6246cd2daee2d3a64b98418e",
+    hash: "304d11152487b06cf8e24799ba65131698c4b2f6a2cc2c6fe01b293f3301fb5c",
 };
 
 static DRAW_SHADE_FRAGMENT: Module = Module {
@@ -196,83 +196,83 @@ static DRAW_SHADE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "9de233ec3e174091f6c5f0a5d1e40fa2ef0e0057120552e9aa19c42711f55083",
+    hash: "e971ff3d9685d6ede234256dee152b2b85f26e09749a80afcc90c8fd6688f007",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_SOLIDS_SHADOW: Module = Module {
     name: "DrawShade.fragment+SOLIDS_SHADOW",
     entry: "ShadeFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 12608, bytes: 13268 },
+    spirv: Spirv::Packed { pack: PACK, first: 12608, bytes: 14320 },
     bindings: BINDINGS_2,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "30f34ff122725be63988bb77a1ea862f339390a4ec5cc4657f2dff687abdb9bd",
+    hash: "09828863656a4e323d9abeeca435cf68c328622dc3f2709c72e6a340f48159e5",
 };
 
 static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
     name: "DrawShade.vertex+COLOR_FLUID",
     entry: "ShadeVertex",
     stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 25876, bytes: 1716 },
+    spirv: Spirv::Packed { pack: PACK, first: 26928, bytes: 1716 },
     bindings: BINDINGS_3,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "1110835f3cdad6d7ca3e2df918b3712d6eb5d574af2bed9f626a1278704d29a9",
+    hash: "815dcbc8853b1e55145095e33b708932900e02453a1cb52658a5ef2a8b628cc5",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
     name: "DrawShade.fragment+COLOR_FLUID",
     entry: "ShadeFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 27592, bytes: 10332 },
+    spirv: Spirv::Packed { pack: PACK, first: 28644, bytes: 10332 },
     bindings: BINDINGS_4,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "1b8e694ba069d19936ab9152cd5cdbbb4075349763d318490f7650ca4b8957bc",
+    hash: "9bb0a7936bceeb0ad3f00be64d9757b39b2127e6125e04ed27b51a1886374b0d",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID_WITH_SOLIDS_SHADOW: Module = Module {
     name: "DrawShade.fragment+COLOR_FLUID+SOLIDS_SHADOW",
     entry: "ShadeFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 37924, bytes: 12740 },
+    spirv: Spirv::Packed { pack: PACK, first: 38976, bytes: 13792 },
     bindings: BINDINGS_5,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "5c57c4e605c75e464e2574a6c22c52c77c66f9eda868a36a8f762687a23d2ff5",
+    hash: "73befc58542d05101b3a7ee6332b1551fc250f706c6f034c6162a8574167266f",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
     name: "DrawShade.fragment+COLOR_DENSITY",
     entry: "ShadeFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 50664, bytes: 10416 },
+    spirv: Spirv::Packed { pack: PACK, first: 52768, bytes: 10416 },
     bindings: BINDINGS_6,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "462da2c46408cb857ee0d2edfdad7b46a07637fff74dd142192cc06084ef5c80",
+    hash: "daa890f2b613327e3782a39679abf2bff980f21cfd31a7dc019cdedca48bf6ae",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY_WITH_SOLIDS_SHADOW: Module = Module {
     name: "DrawShade.fragment+COLOR_DENSITY+SOLIDS_SHADOW",
     entry: "ShadeFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 61080, bytes: 12808 },
+    spirv: Spirv::Packed { pack: PACK, first: 63184, bytes: 13860 },
     bindings: BINDINGS_7,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "2ecbefebd05aedc8fc1a272f6abf79819a6013a2c2304ab632d3ba14ca9600b9",
+    hash: "55691d3d11a5871340513a59063baba0995029af11c9b45b1ba58283deb3e38c",
 };

@@ -153,57 +153,57 @@ static DRAW_SOLIDS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "585951e09ded5fdca065f58c66cbb6bb221140e48035049b52160bc67d9aed46",
+    hash: "5753680525c328b8b51ff7b6254bfe0ab52c86cd4f38aefafae67e8df5bacb74",
 };
 
 static DRAW_SOLIDS_FRAGMENT: Module = Module {
     name: "DrawSolids.fragment",
     entry: "SolidsFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 4300, bytes: 15144 },
+    spirv: Spirv::Packed { pack: PACK, first: 4300, bytes: 9796 },
     bindings: BINDINGS_1,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "179ed0aed481be3b9ead459e7b2e924f680356c734868a8b80b3330fdef4e9be",
+    hash: "3047c966f9fc562c075c55b8c86e2f1bd8ed19485c83ccfea2c7fd491739f363",
 };
 
 static DRAW_SOLIDS_FRAGMENT_WITH_POINTS_SUN: Module = Module {
     name: "DrawSolids.fragment+POINTS_SUN",
     entry: "SolidsFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 19444, bytes: 23492 },
+    spirv: Spirv::Packed { pack: PACK, first: 14096, bytes: 13476 },
     bindings: BINDINGS_2,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "2908684e8b52b4b91a8975379fae68769829cbded0d30cc38678ab3aadbeae2c",
+    hash: "45268211b4b29035275e13544d3c85941385fc5d6dc599da096fc6e0b4bd0d11",
 };
 
 static DRAW_SOLIDS_VERTEX_WITH_VOLUME_SUN: Module = Module {
     name: "DrawSolids.vertex+VOLUME_SUN",
     entry: "SolidsVertex",
     stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 42936, bytes: 4300 },
+    spirv: Spirv::Packed { pack: PACK, first: 27572, bytes: 4300 },
     bindings: BINDINGS_0,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "fa762a421e92851a1f9ff2dd4cf1fdba2c6c21d4b7e17d5c0c0c4e30e6b25f28",
+    hash: "3f624817eceb850149942f47ef4383e704a79609b150823f79cf3632c38d5a9b",
 };
 
 static DRAW_SOLIDS_FRAGMENT_WITH_VOLUME_SUN: Module = Module {
     name: "DrawSolids.fragment+VOLUME_SUN",
     entry: "SolidsFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 47236, bytes: 18228 },
+    spirv: Spirv::Packed { pack: PACK, first: 31872, bytes: 12880 },
     bindings: BINDINGS_3,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "2bcb8295d23d716eb4a2fde9207e5534b8d44d1758f840975806569437ba9888",
+    hash: "adc4a327fb4e47c41eb111928651efda0d1f5d852ae7fde8572b28bec6d4c692",
 };

@@ -259,7 +259,7 @@ static DRAW_WATER_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "66ba7eb160911efc1545dcd679a93edb5303e57150a4da615c6634167d5ecd71",
+    hash: "db643794c559127f55ea42113660e6704c7a6f64a3b7811e2768f94b53d4d440",
 };
 
 static DRAW_WATER_FRAGMENT: Module = Module {
@@ -272,135 +272,135 @@ static DRAW_WATER_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "f637ce1651c54a3c7822bd994077c822c872f4a8d889cbb8d61a7faaa09ca52d",
+    hash: "66a539380400fa96cdcd4d5225748c6adf29c0d86fab2399bb3ed49182fe7cc2",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_SOLIDS_SHADOW: Module = Module {
     name: "DrawWater.fragment+SOLIDS_SHADOW",
     entry: "WaterFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 16636, bytes: 17660 },
+    spirv: Spirv::Packed { pack: PACK, first: 16636, bytes: 18712 },
     bindings: BINDINGS_2,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "784a9e8c6e005234947be5a798b5665db61ed99b7b601b4430faa02c9a0d4944",
+    hash: "6c26a9d4c3f5c71b47b3ecba4ccd0785845af8fc5b40b56c9fcbf82a9c52248b",
 };
 
 static DRAW_WATER_VERTEX_WITH_SELF_SHADOW: Module = Module {
     name: "DrawWater.vertex+SELF_SHADOW",
     entry: "WaterVertex",
     stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 34296, bytes: 1716 },
+    spirv: Spirv::Packed { pack: PACK, first: 35348, bytes: 1716 },
     bindings: BINDINGS_3,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "18dc03397c71c214594ec73041db514d8bacc4e5d8f0680da2aae9c3e40225e5",
+    hash: "0326e15b0ee1b96a2ac345106ed61be389e1d0cd9b31a58c0e1c6f6384e707aa",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_SELF_SHADOW: Module = Module {
     name: "DrawWater.fragment+SELF_SHADOW",
     entry: "WaterFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 36012, bytes: 17736 },
+    spirv: Spirv::Packed { pack: PACK, first: 37064, bytes: 17736 },
     bindings: BINDINGS_4,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "bd22a414468056276caa164b2d3880d51664466cb3b517b9f26403b38e9e63c0",
+    hash: "06d99966bf4caf2a03c2b759bd063e500bb622e4d057d1c65c51134085932d38",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_SELF_SHADOW_WITH_SOLIDS_SHADOW: Module = Module {
     name: "DrawWater.fragment+SELF_SHADOW+SOLIDS_SHADOW",
     entry: "WaterFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 53748, bytes: 20204 },
+    spirv: Spirv::Packed { pack: PACK, first: 54800, bytes: 21256 },
     bindings: BINDINGS_5,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "6c8d94b40b7aed3362556285d6e7808ae94a5b4c2120be36a868e2536d8c3611",
+    hash: "add857db15264401b6c909a2e1131ca870cd9760c901e8f90e01d21cf30bd7dc",
 };
 
 static DRAW_WATER_VERTEX_WITH_MESH_NORMALS: Module = Module {
     name: "DrawWater.vertex+MESH_NORMALS",
     entry: "WaterVertex",
     stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 73952, bytes: 1716 },
+    spirv: Spirv::Packed { pack: PACK, first: 76056, bytes: 1716 },
     bindings: BINDINGS_6,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "8a09de199255ccffdfb081b2bff3fe70bde4b0b5ea68b55036c7b2e7001ca3dd",
+    hash: "fd8371ce3200e59e9ceda163360f879bcae31727f859c9da41c05e1410b617d4",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS: Module = Module {
     name: "DrawWater.fragment+MESH_NORMALS",
     entry: "WaterFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 75668, bytes: 11920 },
+    spirv: Spirv::Packed { pack: PACK, first: 77772, bytes: 11920 },
     bindings: BINDINGS_7,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "b6b8c3365f0e1b12af34439b8e9ac58e892b27b4a779993dc852cea5283127d9",
+    hash: "dc1a43586a9cceca9d3c3b792cd7f9ee33a200c5b5fde260cec2e23bc082a3fe",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS_WITH_SOLIDS_SHADOW: Module = Module {
     name: "DrawWater.fragment+MESH_NORMALS+SOLIDS_SHADOW",
     entry: "WaterFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 87588, bytes: 14676 },
+    spirv: Spirv::Packed { pack: PACK, first: 89692, bytes: 15728 },
     bindings: BINDINGS_8,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "ced4515a77ba5fb71073e7e4eb550a4570c827ba7c1d7151bc1eb583658b83cc",
+    hash: "35dfc99ef93d2402a804ca32e81c065d595ebe941b73febc2d9ac238b181b9b6",
 };
 
 static DRAW_WATER_VERTEX_WITH_MESH_NORMALS_WITH_SELF_SHADOW: Module = Module {
     name: "DrawWater.vertex+MESH_NORMALS+SELF_SHADOW",
     entry: "WaterVertex",
     stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 102264, bytes: 1716 },
+    spirv: Spirv::Packed { pack: PACK, first: 105420, bytes: 1716 },
     bindings: BINDINGS_9,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "7a2d5a96a3bb2fda9146f516ab8fc79d48498855ea67a1a772b3f20d0d0dece2",
+    hash: "34cde6b5a781aed5174bd5899684601604a7b8e7c78177a144261c544be928b1",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS_WITH_SELF_SHADOW: Module = Module {
     name: "DrawWater.fragment+MESH_NORMALS+SELF_SHADOW",
     entry: "WaterFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 103980, bytes: 14736 },
+    spirv: Spirv::Packed { pack: PACK, first: 107136, bytes: 14736 },
     bindings: BINDINGS_10,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "de90a5962e5d54757c9de8ec861b2267d4e1ed2fba5c4c3dad42cd5f045ea319",
+    hash: "489e1ca1e9100624142fa5f02823c8cde51d37bb5c081b252cf158344c1257b5",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS_WITH_SELF_SHADOW_WITH_SOLIDS_SHADOW: Module = Module {
     name: "DrawWater.fragment+MESH_NORMALS+SELF_SHADOW+SOLIDS_SHADOW",
     entry: "WaterFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 118716, bytes: 17220 },
+    spirv: Spirv::Packed { pack: PACK, first: 121872, bytes: 18272 },
     bindings: BINDINGS_11,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "add0435ab827c410b515940247a8c5a49c3c3062d60584d8c50cc58bf806499b",
+    hash: "8cd0d712878c9260dbfb117610b2b1b3c8ec5b61435e590d652b237ab58dfeef",
 };

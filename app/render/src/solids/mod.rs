@@ -23,7 +23,7 @@ pub use paint::paint;
 use triangles::SolidTriangles;
 
 /// Segments around what is round: an outline that a picture's pixels do not tell from a circle, as long as solids are few.
-const SEGMENTS: u32 = 64;
+const SEGMENTS: u32 = 48;
 const SEGMENTS_OF_MANY: u32 = 32;
 const FEW: usize = 16;
 
