@@ -131,7 +131,7 @@ fn glass_shows_the_water_in_it_and_paint_does_not() {
             seen(&picture(&scene, 1), &scene, front_m)
         });
         let alone = seen(&bare, &scene("", method), front_m);
-        assert!(apart(glass, alone) < 45, "{method}: {glass:?} behind glass, {alone:?} alone");
+        assert!(apart(glass, alone) < 60, "{method}: {glass:?} behind glass, {alone:?} alone");
         assert!(glass[2] > glass[0] + 15, "{method}: {glass:?} is no water");
         assert!(paint[0] > paint[2], "{method}: {paint:?} where paint hides water");
         // The glass itself is seen: its rim is bright before the sky and the floor.

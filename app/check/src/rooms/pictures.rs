@@ -172,21 +172,33 @@ const WATER_AND_SOLIDS: Picture = Picture {
     name: "water and solids",
     has_solids: true,
     settings: &["surface.caustics=true", "surface.self_shadow=true"],
-    means: [1; 45],
+    means: [
+        164, 174, 182, 163, 172, 180, 163, 166, 155, 158, 174, 183, 162, 172, 181, 173, 178, 178, 138, 126, 118, 123,
+        152, 147, 140, 174, 186, 166, 174, 177, 186, 184, 178, 158, 172, 171, 129, 159, 164, 96, 142, 154, 145, 166,
+        168,
+    ],
 };
 
 const PLAIN_AND_SOLIDS: Picture = Picture {
     name: "water without light of its own and solids",
     has_solids: true,
     settings: &["surface.caustics=false", "surface.self_shadow=false"],
-    means: [2; 45],
+    means: [
+        164, 174, 182, 163, 172, 180, 163, 166, 155, 158, 174, 183, 162, 172, 181, 173, 178, 178, 136, 123, 115, 122,
+        146, 143, 139, 171, 184, 166, 174, 176, 186, 184, 178, 151, 165, 166, 121, 150, 157, 90, 136, 149, 134, 157,
+        160,
+    ],
 };
 
 const MESHED_AND_SOLIDS: Picture = Picture {
     name: "meshed water and solids",
     has_solids: true,
     settings: &["surface.method=marching-cubes", "surface.caustics=false", "surface.self_shadow=true"],
-    means: [3; 45],
+    means: [
+        164, 174, 182, 163, 172, 180, 163, 166, 155, 161, 176, 184, 162, 172, 181, 174, 178, 179, 140, 124, 114, 129,
+        151, 146, 142, 172, 184, 166, 174, 177, 186, 184, 178, 151, 165, 166, 122, 151, 157, 96, 140, 151, 135, 157,
+        160,
+    ],
 };
 
 /// The mean colors of a picture's blocks after two steps.
