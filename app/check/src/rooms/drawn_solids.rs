@@ -301,7 +301,7 @@ pub(crate) fn glass_lets_through_what_its_twin_does(device: &Device) {
         ensure!((beyond as f64) < ON_EDGES * covered as f64, "{beyond} of {covered} pixels differ");
         // No glass at all is told apart.
         ensure!(unlike as f64 > ON_EDGES * covered as f64, "glass is not seen: {unlike} of {covered}");
-        device.compared("draw_glass", covered as usize, [worst * LIGHT_TOLERANCE, LIGHT_TOLERANCE]);
+        device.compared("draw_glass", covered, [worst * LIGHT_TOLERANCE, LIGHT_TOLERANCE]);
         note!(device, "draw_glass {size_px:?}: {beyond} of {covered} pixels on edges, the others within {worst:.2}");
     }
 }

@@ -165,8 +165,15 @@ method = \"pbf\"
 dt_s = 0.002
 ";
 
-const POINTS_AND_SOLIDS: Picture =
-    Picture { name: "points and solids", has_solids: true, settings: &["surface.method=points"], means: [0; 45] };
+const POINTS_AND_SOLIDS: Picture = Picture {
+    name: "points and solids",
+    has_solids: true,
+    settings: &["surface.method=points"],
+    means: [
+        164, 174, 182, 163, 172, 180, 163, 166, 155, 146, 160, 177, 162, 172, 181, 156, 162, 171, 117, 94, 104, 96,
+        104, 119, 100, 118, 153, 157, 162, 170, 178, 176, 173, 127, 134, 147, 95, 108, 134, 66, 86, 125, 110, 126, 141,
+    ],
+};
 
 const WATER_AND_SOLIDS: Picture = Picture {
     name: "water and solids",
