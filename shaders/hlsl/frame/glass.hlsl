@@ -12,16 +12,16 @@
 #if defined(BEHIND_WATER) || defined(BEFORE_WATER)
 #define WATER
 #endif
-StructuredBuffer<uint> solid_indices;
-StructuredBuffer<SolidVertex> solid_vertices;
-StructuredBuffer<SolidPose> solid_poses;
-StructuredBuffer<SolidPaint> solid_paints;
 ConstantBuffer<FrameView> view;
 ConstantBuffer<FrameLight> light;
 ConstantBuffer<FrameStyle> style;
 #if defined(WATER)
 Texture2D<float> inverse_depth;
 #endif
+StructuredBuffer<uint> solid_indices;
+StructuredBuffer<SolidVertex> solid_vertices;
+StructuredBuffer<SolidPose> solid_poses;
+StructuredBuffer<SolidPaint> solid_paints;
 
 // Reflectance at normal incidence, n = 1.5.
 static const float GLASS_F0 = 0.04;

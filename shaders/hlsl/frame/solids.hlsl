@@ -7,10 +7,6 @@
 #include "camera.hlsli"
 #include "sun_past.hlsli"
 
-StructuredBuffer<uint> solid_indices;
-StructuredBuffer<SolidVertex> solid_vertices;
-StructuredBuffer<SolidPose> solid_poses;
-StructuredBuffer<SolidPaint> solid_paints;
 Texture2D<float> solids_shadow_map;
 ConstantBuffer<FrameView> view;
 ConstantBuffer<FrameLight> light;
@@ -23,6 +19,10 @@ StructuredBuffer<float> sun_volume;
 ConstantBuffer<SunVolumeParams> volume;
 ConstantBuffer<WaterStyle> water;
 #endif
+StructuredBuffer<uint> solid_indices;
+StructuredBuffer<SolidVertex> solid_vertices;
+StructuredBuffer<SolidPose> solid_poses;
+StructuredBuffer<SolidPaint> solid_paints;
 
 struct Varyings
 {

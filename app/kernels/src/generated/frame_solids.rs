@@ -22,6 +22,8 @@ pub struct DrawSolidsVariant {
 pub struct DrawSolids<'a> {
     /// Its variant.
     pub variant: DrawSolidsVariant,
+    /// `ConstantBuffer<FrameView> view`.
+    pub view: Uniform<'a, FrameView>,
     /// `StructuredBuffer<uint> solid_indices`.
     pub solid_indices: Buf<'a, u32>,
     /// `StructuredBuffer<SolidVertex> solid_vertices`.
@@ -30,8 +32,6 @@ pub struct DrawSolids<'a> {
     pub solid_poses: Buf<'a, SolidPose>,
     /// `StructuredBuffer<SolidPaint> solid_paints`.
     pub solid_paints: Buf<'a, SolidPaint>,
-    /// `ConstantBuffer<FrameView> view`.
-    pub view: Uniform<'a, FrameView>,
     /// `Texture2D<float> solids_shadow_map`.
     pub solids_shadow_map: Tex<'a>,
     /// `ConstantBuffer<FrameLight> light`.
@@ -54,7 +54,7 @@ impl Draw for DrawSolids<'_> {
     fn vertex(&self) -> &'static Module {
         match self.variant.sun {
             SunKeyword::Off => &DRAW_SOLIDS_VERTEX,
-            SunKeyword::PointsSun => &DRAW_SOLIDS_VERTEX,
+            SunKeyword::PointsSun => &DRAW_SOLIDS_VERTEX_WITH_POINTS_SUN,
             SunKeyword::VolumeSun => &DRAW_SOLIDS_VERTEX_WITH_VOLUME_SUN,
         }
     }
@@ -70,11 +70,11 @@ impl Draw for DrawSolids<'_> {
             self.vertex(),
             self.fragment(),
             &[
+                ("view", Some(self.view.id)),
                 ("solid_indices", Some(self.solid_indices.id)),
                 ("solid_vertices", Some(self.solid_vertices.id)),
                 ("solid_poses", Some(self.solid_poses.id)),
                 ("solid_paints", Some(self.solid_paints.id)),
-                ("view", Some(self.view.id)),
                 ("solids_shadow_map", Some(self.solids_shadow_map.id)),
                 ("light", Some(self.light.id)),
                 ("style", Some(self.style.id)),
@@ -91,54 +91,95 @@ impl Draw for DrawSolids<'_> {
 pub(super) static MODULES: &[&Module] = &[
     &DRAW_SOLIDS_VERTEX,
     &DRAW_SOLIDS_FRAGMENT,
+    &DRAW_SOLIDS_VERTEX_WITH_POINTS_SUN,
     &DRAW_SOLIDS_FRAGMENT_WITH_POINTS_SUN,
     &DRAW_SOLIDS_VERTEX_WITH_VOLUME_SUN,
     &DRAW_SOLIDS_FRAGMENT_WITH_VOLUME_SUN,
 ];
 
 static BINDINGS_0: &[BindingInfo] = &[
+    BindingInfo { name: "view", slot: 1, kind: BindingKind::Uniform { bytes: 80 } },
     BindingInfo {
         name: "solid_indices",
-        slot: 0,
+        slot: 4,
         kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 },
     },
     BindingInfo {
         name: "solid_vertices",
-        slot: 1,
+        slot: 5,
         kind: BindingKind::Storage { access: Access::Read, stride_bytes: 32 },
     },
-    BindingInfo { name: "solid_poses", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 96 } },
+    BindingInfo { name: "solid_poses", slot: 6, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 96 } },
     BindingInfo {
         name: "solid_paints",
-        slot: 3,
+        slot: 7,
         kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
     },
-    BindingInfo { name: "view", slot: 5, kind: BindingKind::Uniform { bytes: 80 } },
 ];
 
 static BINDINGS_1: &[BindingInfo] = &[
-    BindingInfo { name: "solids_shadow_map", slot: 4, kind: BindingKind::Texture { filterable: false } },
-    BindingInfo { name: "view", slot: 5, kind: BindingKind::Uniform { bytes: 80 } },
-    BindingInfo { name: "light", slot: 6, kind: BindingKind::Uniform { bytes: 112 } },
-    BindingInfo { name: "style", slot: 7, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "solids_shadow_map", slot: 0, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "view", slot: 1, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "light", slot: 2, kind: BindingKind::Uniform { bytes: 112 } },
+    BindingInfo { name: "style", slot: 3, kind: BindingKind::Uniform { bytes: 80 } },
 ];
 
 static BINDINGS_2: &[BindingInfo] = &[
-    BindingInfo { name: "solids_shadow_map", slot: 4, kind: BindingKind::Texture { filterable: false } },
-    BindingInfo { name: "view", slot: 5, kind: BindingKind::Uniform { bytes: 80 } },
-    BindingInfo { name: "light", slot: 6, kind: BindingKind::Uniform { bytes: 112 } },
-    BindingInfo { name: "style", slot: 7, kind: BindingKind::Uniform { bytes: 80 } },
-    BindingInfo { name: "shadow_map", slot: 8, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "view", slot: 1, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo {
+        name: "solid_indices",
+        slot: 5,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 },
+    },
+    BindingInfo {
+        name: "solid_vertices",
+        slot: 6,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 32 },
+    },
+    BindingInfo { name: "solid_poses", slot: 7, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 96 } },
+    BindingInfo {
+        name: "solid_paints",
+        slot: 8,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+    },
 ];
 
 static BINDINGS_3: &[BindingInfo] = &[
-    BindingInfo { name: "solids_shadow_map", slot: 4, kind: BindingKind::Texture { filterable: false } },
-    BindingInfo { name: "view", slot: 5, kind: BindingKind::Uniform { bytes: 80 } },
-    BindingInfo { name: "light", slot: 6, kind: BindingKind::Uniform { bytes: 112 } },
-    BindingInfo { name: "style", slot: 7, kind: BindingKind::Uniform { bytes: 80 } },
-    BindingInfo { name: "sun_volume", slot: 8, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 } },
-    BindingInfo { name: "volume", slot: 9, kind: BindingKind::Uniform { bytes: 16 } },
-    BindingInfo { name: "water", slot: 10, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "solids_shadow_map", slot: 0, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "view", slot: 1, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "light", slot: 2, kind: BindingKind::Uniform { bytes: 112 } },
+    BindingInfo { name: "style", slot: 3, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "shadow_map", slot: 4, kind: BindingKind::Texture { filterable: false } },
+];
+
+static BINDINGS_4: &[BindingInfo] = &[
+    BindingInfo { name: "view", slot: 1, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo {
+        name: "solid_indices",
+        slot: 7,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 },
+    },
+    BindingInfo {
+        name: "solid_vertices",
+        slot: 8,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 32 },
+    },
+    BindingInfo { name: "solid_poses", slot: 9, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 96 } },
+    BindingInfo {
+        name: "solid_paints",
+        slot: 10,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+    },
+];
+
+static BINDINGS_5: &[BindingInfo] = &[
+    BindingInfo { name: "solids_shadow_map", slot: 0, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "view", slot: 1, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "light", slot: 2, kind: BindingKind::Uniform { bytes: 112 } },
+    BindingInfo { name: "style", slot: 3, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "sun_volume", slot: 4, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 } },
+    BindingInfo { name: "volume", slot: 5, kind: BindingKind::Uniform { bytes: 16 } },
+    BindingInfo { name: "water", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
 static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/frame_solids.deflate"));
@@ -153,7 +194,7 @@ static DRAW_SOLIDS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "5753680525c328b8b51ff7b6254bfe0ab52c86cd4f38aefafae67e8df5bacb74",
+    hash: "e6116081f242d0bde0a560e8da7977adb5b99cbdadc9d1573895ea53b0f2f392",
 };
 
 static DRAW_SOLIDS_FRAGMENT: Module = Module {
@@ -166,44 +207,57 @@ static DRAW_SOLIDS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "3047c966f9fc562c075c55b8c86e2f1bd8ed19485c83ccfea2c7fd491739f363",
+    hash: "a578be515a14a44f5cf4ab9a08697ad37d95c1b48d731b91b65237d5806791b3",
+};
+
+static DRAW_SOLIDS_VERTEX_WITH_POINTS_SUN: Module = Module {
+    name: "DrawSolids.vertex+POINTS_SUN",
+    entry: "SolidsVertex",
+    stage: StageKind::Vertex,
+    spirv: Spirv::Packed { pack: PACK, first: 14096, bytes: 4300 },
+    bindings: BINDINGS_2,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "frame/solids.hlsl",
+    hash: "4c916a7c4be219b0b09218d5aa551af7fa885d5013cd7309eb44b39539577b87",
 };
 
 static DRAW_SOLIDS_FRAGMENT_WITH_POINTS_SUN: Module = Module {
     name: "DrawSolids.fragment+POINTS_SUN",
     entry: "SolidsFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 14096, bytes: 13476 },
-    bindings: BINDINGS_2,
+    spirv: Spirv::Packed { pack: PACK, first: 18396, bytes: 13476 },
+    bindings: BINDINGS_3,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "45268211b4b29035275e13544d3c85941385fc5d6dc599da096fc6e0b4bd0d11",
+    hash: "96a9a94e93eb6050dbc88bbdf2fdcc62ffe6687043bd14e2714db0b323a8b6f9",
 };
 
 static DRAW_SOLIDS_VERTEX_WITH_VOLUME_SUN: Module = Module {
     name: "DrawSolids.vertex+VOLUME_SUN",
     entry: "SolidsVertex",
     stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 27572, bytes: 4300 },
-    bindings: BINDINGS_0,
+    spirv: Spirv::Packed { pack: PACK, first: 31872, bytes: 4300 },
+    bindings: BINDINGS_4,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "3f624817eceb850149942f47ef4383e704a79609b150823f79cf3632c38d5a9b",
+    hash: "ce44bef4fb6af4b55092bb6c05753cfa5b2ad91c831216690356da7fdd3897cf",
 };
 
 static DRAW_SOLIDS_FRAGMENT_WITH_VOLUME_SUN: Module = Module {
     name: "DrawSolids.fragment+VOLUME_SUN",
     entry: "SolidsFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 31872, bytes: 12880 },
-    bindings: BINDINGS_3,
+    spirv: Spirv::Packed { pack: PACK, first: 36172, bytes: 12880 },
+    bindings: BINDINGS_5,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "adc4a327fb4e47c41eb111928651efda0d1f5d852ae7fde8572b28bec6d4c692",
+    hash: "be277ba4c4327975e6aa72928dbc45fef7dcfb4406f6d9cc60ad021a3d6a0fc2",
 };
