@@ -77,6 +77,11 @@ macro_rules! for_each_known_answer {
                 a_lattice_does_not_comb_the_light: ["draw_caustics", "refract_photons"],
                 flux_is_kept: ["draw_caustics"],
             }
+            drawn_solids {
+                solids_are_lit_where_their_poses_put_them: ["draw_solids", "draw_solids_shadow"],
+                glass_lets_through_what_its_twin_does: ["draw_glass"],
+                triangles_lie_on_their_shapes_and_close_them: [],
+            }
             drawn_sun_volume {
                 the_suns_volume_is_its_twin: ["count_sun_volume", "sum_sun_volume"],
                 a_ball_shades_the_pool_below_it: ["count_sun_volume", "sum_sun_volume"],
@@ -177,6 +182,18 @@ macro_rules! for_each_known_answer {
                 meshed_water_without_light_of_its_own_is_as_stored: [
                     "draw_floor", "draw_mesh_depth", "draw_sun_thickness", "draw_opaque_planes", "draw_thickness",
                     "draw_water",
+                ],
+                points_and_solids_are_as_stored: [
+                    "draw_floor", "draw_shade", "draw_solids", "draw_solids_shadow", "draw_glass",
+                ],
+                water_and_solids_are_as_stored: [
+                    "draw_floor", "draw_water", "draw_solids", "draw_solids_shadow", "draw_glass",
+                ],
+                water_without_light_of_its_own_and_solids_are_as_stored: [
+                    "draw_floor", "draw_water", "draw_solids", "draw_solids_shadow", "draw_glass",
+                ],
+                meshed_water_and_solids_are_as_stored: [
+                    "draw_floor", "draw_water", "draw_solids", "draw_solids_shadow", "draw_glass",
                 ],
                 a_cross_fade_is_as_stored: ["draw_fluid_depth", "draw_mesh_depth", "draw_water", "draw_cross_fade"],
             }

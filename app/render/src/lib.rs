@@ -11,14 +11,16 @@ pub mod frame;
 pub mod left_out;
 pub mod png;
 mod scene_plan;
+pub mod solids;
 mod start;
 pub mod step_down;
 pub mod surface;
 
 pub use camera::{Camera, View};
 pub use error::RenderError;
-pub use frame::{Coloring, FrameOptions, FramePasses, FrameUniforms, record};
+pub use frame::{Coloring, FrameOptions, FramePasses, FrameUniforms, record, record_with_solids};
 pub use scene_plan::{ScenePlan, ScenePlanError};
+pub use solids::Solids;
 pub use start::{StartError, start};
 pub use step_down::{Concession, start_stepping_down};
 pub use surface::{MarchingCubesOptions, Particles, ScreenSpaceOptions, SmoothedSurface, SurfaceOptions};

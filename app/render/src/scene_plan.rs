@@ -4,7 +4,7 @@ use brooklet_fluid::{ParticleSource, Scene, SessionPlan, SessionRecorder};
 use brooklet_gpu::{FRAMES_IN_FLIGHT, Plan, PlanError, Tier, timestamp_bytes};
 
 use crate::surface::marching_cubes::MeshRoom;
-use crate::{FrameOptions, FramePasses, Particles, RenderError, View};
+use crate::{FrameOptions, FramePasses, Particles, RenderError, Solids, View};
 
 /// A scene's plan for a session, and the picture's handles in it.
 pub struct ScenePlan {
@@ -81,7 +81,8 @@ impl ScenePlan {
         let (mut passes, mut mesh_room) = (None, None);
         if let Some((view, options)) = looks {
             let particles = Particles::of(&recorder.recorded);
-            let drawn = crate::record(&mut recorder.resources, &view, &particles, &options)
+            let solids = Solids::of(scene, &recorder.recorded);
+            let drawn = crate::record_with_solids(&mut recorder.resources, &view, &particles, solids, &options)
                 .map_err(|error| ScenePlanError::Render { scene: scene.name.clone(), error })?;
             recorder.add_init(&drawn.init);
             drawn.recordings().for_each(|recording| recorder.add(recording));

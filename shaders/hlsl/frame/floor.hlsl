@@ -1,11 +1,12 @@
-// The floor under the domain: satin tiles with the fluid's soft shadow, melting into the horizon.
+// The floor under the domain: satin tiles with the soft shadow of fluid and solids, melting into the horizon.
 #pragma vertex FloorVertex
 #pragma fragment FloorFragment
 #pragma multi_compile _ POINTS_SHADOW WATER_SHADOW CAUSTICS_SHADOW
+#pragma multi_compile _ SOLIDS_SHADOW
 
 #include "camera.hlsli"
 #include "environment.hlsli"
-#include "sampling.hlsli"
+#include "sun_past.hlsli"
 
 #if defined(POINTS_SHADOW)
 Texture2D<float> shadow_map;
@@ -25,6 +26,9 @@ ConstantBuffer<SurfaceParams> surface;
 ConstantBuffer<FrameView> view;
 ConstantBuffer<FrameLight> light;
 ConstantBuffer<FrameStyle> style;
+#if defined(SOLIDS_SHADOW)
+Texture2D<float> solids_shadow_map;
+#endif
 
 struct Varyings
 {
@@ -62,44 +66,7 @@ float TileTone(float2 tile)
     return frac((h.x + h.y) * h.x * 7.13);
 }
 
-#if defined(POINTS_SHADOW)
-// Share of the sun that arrives: a disc of taps that widens with the blocker's distance, for a
-// shadow that is crisp where the fluid stands on the floor and soft far from it. The disc is
-// turned from pixel to pixel, which breaks the taps' pattern up.
-float SunPastPoints(float3 world_m, float2 pixel)
-{
-    float3 at = ShadowPosition(light, world_m);
-    if (any(abs(at.xy - 0.5) > 0.5))
-        return 1.0;
-    float own = max(at.z, 0.0) + 0.5 * light.shadow_texel_m / light.shadow_range_m;
-    float texel = 1.0 / light.shadow_texels;
-    float turn = 6.2831853 * PixelNoise(pixel);
-    float2x2 turned = float2x2(cos(turn), -sin(turn), sin(turn), cos(turn));
-
-    const uint probes = 6;
-    float blockers = 0.0;
-    float gap = 0.0;
-    [unroll]
-    for (uint i = 0; i < probes; i++)
-    {
-        float depth = ShadowLoad(shadow_map, light, at.xy + 16.0 * texel * mul(turned, DiscTap(i, probes)));
-        float blocks = step(own, depth);
-        blockers += blocks;
-        gap += blocks * (depth - own);
-    }
-    if (blockers == 0.0)
-        return 1.0;
-    float gap_m = gap / blockers * light.shadow_range_m;
-    float soft = clamp(0.07 * gap_m / light.shadow_texel_m, 2.5, 16.0) * texel;
-
-    const uint taps = 10;
-    float shaded = 0.0;
-    [unroll]
-    for (uint k = 0; k < taps; k++)
-        shaded += step(own, ShadowLoad(shadow_map, light, at.xy + soft * mul(turned, DiscTap(k, taps))));
-    return 1.0 - shaded / taps;
-}
-#elif defined(WATER_SHADOW)
+#if defined(WATER_SHADOW)
 // Sunlight after the water it went through: absorbed, and a part of it led elsewhere. The map has
 // an empty margin, which clamping repeats: beyond it there is no water.
 float3 SunThroughWater(float3 world_m, float2 pixel)
@@ -151,7 +118,7 @@ float4 FloorFragment(Varyings input) : SV_Target0
     albedo *= 1.0 - 0.40 * Joints(at, width, 0.022);
 
 #if defined(POINTS_SHADOW)
-    float sun = SunPastPoints(input.world_m, input.position.xy);
+    float sun = SunPast(shadow_map, light, input.world_m, 0.0, input.position.xy);
     // Sunlight that went through the fluid is not gone: it arrives blue.
     float3 arriving = lerp(float3(0.05, 0.16, 0.24), float3(1.0, 1.0, 1.0), sun);
 #elif defined(WATER_SHADOW)
@@ -164,6 +131,11 @@ float4 FloorFragment(Varyings input) : SV_Target0
 #else
     float3 arriving = 1.0;
     float sun = 1.0;
+#endif
+#if defined(SOLIDS_SHADOW)
+    float past = SunPast(solids_shadow_map, light, input.world_m, SunSlope(light, float3(0.0, 1.0, 0.0)), input.position.xy);
+    arriving *= past;
+    sun *= past;
 #endif
     float3 up = float3(0.0, 1.0, 0.0);
     float3 ambient = 1.5 * lerp(light.sky_horizon, light.sky_zenith, 0.4);

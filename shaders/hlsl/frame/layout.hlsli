@@ -62,4 +62,20 @@ struct CrossFadeParams
     float3 reserved;
 };
 
+// A corner of a solid's triangles, in the solid's own frame.
+struct SolidVertex
+{
+    float3 position_m;
+    uint solid;             // of the scene's
+    float3 normal;          // out of what is solid, into a cavity
+    float rim;              // 1 where a hollow one's wall ends, which shows its thickness
+};
+
+// What a solid looks like.
+struct SolidPaint
+{
+    float3 color;           // of its surface, in linear light
+    float reserved;
+};
+
 #endif

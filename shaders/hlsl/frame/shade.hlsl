@@ -2,11 +2,15 @@
 #pragma vertex ShadeVertex
 #pragma fragment ShadeFragment
 #pragma multi_compile _ COLOR_FLUID COLOR_DENSITY
+#pragma multi_compile _ SOLIDS_SHADOW
 
 #include "../shared/layout.hlsli"
 #include "camera.hlsli"
 #include "environment.hlsli"
 #include "palette.hlsli"
+#if defined(SOLIDS_SHADOW)
+#include "sun_past.hlsli"
+#endif
 
 Texture2D<float> seen;      // index + 1 of the particle seen in a pixel, 0 where there is none
 StructuredBuffer<Position> positions;
@@ -19,6 +23,9 @@ Texture2D<float> shadow_map;
 ConstantBuffer<FrameView> view;
 ConstantBuffer<FrameLight> light;
 ConstantBuffer<FrameStyle> style;
+#if defined(SOLIDS_SHADOW)
+Texture2D<float> solids_shadow_map;
+#endif
 
 struct Varyings
 {
@@ -95,5 +102,9 @@ float4 ShadeFragment(Varyings input) : SV_Target0
 #else
     float3 albedo = SpeedColor(length(velocities[particle].velocity_m_s) * style.inverse_speed_scale_s_m);
 #endif
-    return float4(Shade(normal, -direction, albedo, SunReaching(found.position_m)), 1.0);
+    float sun = SunReaching(found.position_m);
+#if defined(SOLIDS_SHADOW)
+    sun *= SunPastNear(solids_shadow_map, light, found.position_m, 0.0);
+#endif
+    return float4(Shade(normal, -direction, albedo, sun), 1.0);
 }

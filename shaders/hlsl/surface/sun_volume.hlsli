@@ -20,4 +20,24 @@ uint SunCellIndex(uint cells, uint3 at)
     return (at.y * cells + at.x) * cells + at.z;
 }
 
+// Water between the sun and a point, m. A point of the water's own surface is asked for a cell nearer to the sun, where
+// the tents of the particles below it have ended.
+float WaterTowardSun(StructuredBuffer<float> sun_volume, FrameLight light, uint cells, float3 world_m, float nearer)
+{
+    float3 at = SunCellPosition(light, cells, world_m);
+    at.z -= nearer;
+    at = clamp(at, 0.0, float(cells) - 1.001);
+    uint3 low = uint3(at);
+    float3 share = at - float3(low);
+    float2 along[4];
+    [unroll]
+    for (uint i = 0; i < 4; i++)
+    {
+        uint first = SunCellIndex(cells, low + uint3(i & 1, i >> 1, 0));
+        along[i] = float2(sun_volume[first], sun_volume[first + 1]);
+    }
+    float2 ray = lerp(lerp(along[0], along[1], share.x), lerp(along[2], along[3], share.x), share.y);
+    return lerp(ray.x, ray.y, share.z);
+}
+
 #endif

@@ -4,12 +4,16 @@
 #pragma fragment WaterFragment
 #pragma multi_compile _ MESH_NORMALS
 #pragma multi_compile _ SELF_SHADOW
+#pragma multi_compile _ SOLIDS_SHADOW
 
 #include "inverse_depth.hlsli"
 #include "normal.hlsli"
 #include "water_shading.hlsli"
 #if defined(SELF_SHADOW)
 #include "sun_volume.hlsli"
+#endif
+#if defined(SOLIDS_SHADOW)
+#include "../frame/sun_past.hlsli"
 #endif
 
 Texture2D<float> inverse_depth;
@@ -29,6 +33,9 @@ ConstantBuffer<FrameLight> light;
 ConstantBuffer<FrameStyle> style;
 ConstantBuffer<SurfaceParams> surface;
 ConstantBuffer<WaterStyle> water;
+#if defined(SOLIDS_SHADOW)
+Texture2D<float> solids_shadow_map;
+#endif
 
 struct Varyings
 {
@@ -58,29 +65,6 @@ float3 SceneBehind(float3 end_m, int2 own_px, float here)
     return scene.SampleLevel(sampler_linear_clamp, at, 0.0).rgb;
 }
 
-#if defined(SELF_SHADOW)
-// Water between the sun and a point, m. It is asked for a cell nearer to the sun, where the tents of the surface's
-// own particles have ended.
-float WaterTowardSun(float3 world_m)
-{
-    uint cells = volume.cells;
-    float3 at = SunCellPosition(light, cells, world_m);
-    at.z -= 1.0;
-    at = clamp(at, 0.0, float(cells) - 1.001);
-    uint3 low = uint3(at);
-    float3 share = at - float3(low);
-    float2 along[4];
-    [unroll]
-    for (uint i = 0; i < 4; i++)
-    {
-        uint first = SunCellIndex(cells, low + uint3(i & 1, i >> 1, 0));
-        along[i] = float2(sun_volume[first], sun_volume[first + 1]);
-    }
-    float2 ray = lerp(lerp(along[0], along[1], share.x), lerp(along[2], along[3], share.x), share.y);
-    return lerp(ray.x, ray.y, share.z);
-}
-#endif
-
 float4 WaterFragment(Varyings input) : SV_Target0
 {
     int2 pixel = int2(input.position.xy);
@@ -99,9 +83,12 @@ float4 WaterFragment(Varyings input) : SV_Target0
     float2 uv = input.position.xy / view.size_px;
     point_.thickness_m = thickness.SampleLevel(sampler_linear_clamp, uv, 0.0) * surface.spacing_m;
 #if defined(SELF_SHADOW)
-    point_.sunlight = exp(-(water.absorption_per_m + water.scatter_per_m) * WaterTowardSun(point_.position_m));
+    point_.sunlight = exp(-(water.absorption_per_m + water.scatter_per_m) * WaterTowardSun(sun_volume, light, volume.cells, point_.position_m, 1.0));
 #else
     point_.sunlight = 1.0;
+#endif
+#if defined(SOLIDS_SHADOW)
+    point_.sunlight *= SunPastNear(solids_shadow_map, light, point_.position_m, 0.0);
 #endif
     float3 behind = SceneBehind(RefractedEnd(water, point_), pixel, here);
     return float4(WaterRadiance(light, style, water, point_, behind), 1.0);

@@ -8,6 +8,7 @@ mod mesh_room;
 mod phones;
 mod picture;
 mod picture_water;
+mod solids;
 mod step_down;
 mod support;
 mod surface_ellipsoids;

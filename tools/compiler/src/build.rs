@@ -15,7 +15,7 @@ use crate::program::Tree;
 use crate::text::Text;
 
 /// A repository may hold so many modules...
-pub const MAX_MODULES: usize = 400;
+pub const MAX_MODULES: usize = 420;
 /// ...and so many bytes of SPIR-V.
 pub const MAX_BYTES: u64 = 4 << 20;
 

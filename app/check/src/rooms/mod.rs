@@ -14,6 +14,7 @@ pub(crate) mod dfsph_solves;
 pub(crate) mod drag;
 pub(crate) mod drag_walls;
 pub(crate) mod drawn_caustics;
+pub(crate) mod drawn_solids;
 pub(crate) mod drawn_sun_volume;
 pub(crate) mod drawn_thickness;
 pub(crate) mod grid;

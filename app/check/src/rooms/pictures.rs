@@ -22,12 +22,14 @@ type Means = [u8; 45];
 /// What is changed of the scene, and what is seen.
 struct Picture {
     name: &'static str,
+    has_solids: bool,
     settings: &'static [&'static str],
     means: Means,
 }
 
 const POINTS: Picture = Picture {
     name: "points",
+    has_solids: false,
     settings: &["surface.method=points"],
     means: [
         165, 176, 184, 149, 163, 180, 161, 172, 183, 164, 175, 183, 163, 174, 182, 158, 164, 172, 24, 50, 107, 130,
@@ -38,6 +40,7 @@ const POINTS: Picture = Picture {
 
 const DENSITIES: Picture = Picture {
     name: "points by density",
+    has_solids: false,
     settings: &["surface.method=points", "surface.color_by=density"],
     means: [
         165, 176, 184, 168, 179, 188, 166, 176, 185, 164, 175, 183, 163, 174, 182, 177, 180, 181, 159, 169, 177, 166,
@@ -48,6 +51,7 @@ const DENSITIES: Picture = Picture {
 
 const FLUIDS: Picture = Picture {
     name: "points by fluid",
+    has_solids: false,
     settings: &["surface.method=points", "surface.color_by=fluid"],
     means: [
         165, 176, 184, 149, 170, 186, 161, 174, 185, 164, 175, 183, 163, 174, 182, 158, 169, 178, 25, 90, 156, 131,
@@ -58,6 +62,7 @@ const FLUIDS: Picture = Picture {
 
 const NOTHING: Picture = Picture {
     name: "no fluid",
+    has_solids: false,
     settings: &["surface.method=none"],
     means: [
         165, 176, 184, 163, 173, 182, 165, 176, 184, 164, 175, 183, 163, 174, 182, 177, 179, 179, 183, 183, 183, 187,
@@ -68,6 +73,7 @@ const NOTHING: Picture = Picture {
 
 const WATER: Picture = Picture {
     name: "water",
+    has_solids: false,
     settings: &["surface.caustics=true", "surface.self_shadow=true"],
     means: [
         165, 176, 184, 160, 175, 184, 164, 175, 184, 164, 175, 183, 163, 174, 182, 173, 178, 179, 64, 134, 156, 166,
@@ -78,6 +84,7 @@ const WATER: Picture = Picture {
 
 const PLAIN: Picture = Picture {
     name: "water without light of its own",
+    has_solids: false,
     settings: &["surface.anisotropic=false", "surface.caustics=false", "surface.self_shadow=false"],
     means: [
         165, 176, 184, 160, 175, 185, 164, 175, 184, 164, 175, 183, 163, 174, 182, 173, 177, 179, 62, 135, 157, 166,
@@ -88,6 +95,7 @@ const PLAIN: Picture = Picture {
 
 const SPHERES: Picture = Picture {
     name: "water of spheres",
+    has_solids: false,
     settings: &["surface.anisotropic=false", "surface.caustics=true"],
     means: [
         165, 176, 184, 160, 175, 185, 164, 175, 184, 164, 175, 183, 163, 174, 182, 173, 177, 179, 62, 133, 155, 165,
@@ -98,6 +106,7 @@ const SPHERES: Picture = Picture {
 
 const MESHED: Picture = Picture {
     name: "meshed water",
+    has_solids: false,
     settings: &["surface.method=marching-cubes", "surface.caustics=true", "surface.self_shadow=true"],
     means: [
         165, 176, 184, 164, 177, 186, 165, 176, 185, 164, 175, 183, 163, 174, 182, 173, 178, 179, 67, 135, 156, 167,
@@ -108,6 +117,7 @@ const MESHED: Picture = Picture {
 
 const PLAIN_MESHED: Picture = Picture {
     name: "meshed water without light of its own",
+    has_solids: false,
     settings: &["surface.method=marching-cubes", "surface.caustics=false", "surface.self_shadow=false"],
     means: [
         165, 176, 184, 164, 177, 186, 165, 176, 185, 164, 175, 183, 163, 174, 182, 173, 178, 179, 68, 136, 158, 168,
@@ -118,6 +128,7 @@ const PLAIN_MESHED: Picture = Picture {
 
 const BOTH: Picture = Picture {
     name: "half meshed water over the other",
+    has_solids: false,
     settings: &["surface.method=auto", "surface.caustics=false", "surface.self_shadow=false"],
     means: [
         165, 176, 184, 162, 176, 185, 164, 176, 184, 164, 175, 183, 163, 174, 182, 173, 178, 179, 66, 136, 158, 167,
@@ -126,13 +137,88 @@ const BOTH: Picture = Picture {
     ],
 };
 
+/// Half of them under water, one of glass.
+const SOLIDS: &str = "
+spacing_m = 0.05
+[domain]
+min_m = [0, 0, 0]
+max_m = [1.6, 0.8, 0.8]
+[[fluid]]
+block = { min_m = [0, 0, 0], max_m = [1.6, 0.25, 0.8] }
+[[fluid]]
+block = { min_m = [1.1, 0.45, 0.25], max_m = [1.4, 0.65, 0.55] }
+[[solid]]
+sphere = { radius_m = 0.2 }
+centre_m = [0.35, 0.3, 0.45]
+[[solid]]
+cylinder = { radius_m = 0.1, length_m = 0.5 }
+centre_m = [0.75, 0.5, 0.4]
+turned_deg = [0, 0, 40]
+[[solid]]
+box = { size_m = [0.5, 0.4, 0.5] }
+thickness_m = 0.05
+open = \"y_max\"
+centre_m = [1.25, 0.55, 0.4]
+look = \"glass\"
+[solver]
+method = \"pbf\"
+dt_s = 0.002
+";
+
+const POINTS_AND_SOLIDS: Picture = Picture {
+    name: "points and solids",
+    has_solids: true,
+    settings: &["surface.method=points"],
+    means: [
+        164, 174, 182, 163, 172, 180, 163, 166, 155, 146, 160, 177, 162, 172, 181, 156, 162, 171, 117, 94, 104, 96,
+        104, 119, 100, 118, 153, 157, 162, 170, 178, 176, 173, 127, 134, 147, 95, 108, 134, 66, 86, 125, 110, 126, 141,
+    ],
+};
+
+const WATER_AND_SOLIDS: Picture = Picture {
+    name: "water and solids",
+    has_solids: true,
+    settings: &["surface.caustics=true", "surface.self_shadow=true"],
+    means: [
+        164, 174, 182, 163, 172, 180, 163, 166, 155, 158, 174, 183, 162, 172, 181, 173, 178, 178, 138, 126, 118, 123,
+        152, 147, 140, 174, 186, 166, 174, 177, 186, 184, 178, 158, 172, 171, 129, 159, 164, 96, 142, 154, 145, 166,
+        168,
+    ],
+};
+
+const PLAIN_AND_SOLIDS: Picture = Picture {
+    name: "water without light of its own and solids",
+    has_solids: true,
+    settings: &["surface.caustics=false", "surface.self_shadow=false"],
+    means: [
+        164, 174, 182, 163, 172, 180, 163, 166, 155, 158, 174, 183, 162, 172, 181, 173, 178, 178, 136, 123, 115, 122,
+        146, 143, 139, 171, 184, 166, 174, 176, 186, 184, 178, 151, 165, 166, 121, 150, 157, 90, 136, 149, 134, 157,
+        160,
+    ],
+};
+
+const MESHED_AND_SOLIDS: Picture = Picture {
+    name: "meshed water and solids",
+    has_solids: true,
+    settings: &["surface.method=marching-cubes", "surface.caustics=false", "surface.self_shadow=true"],
+    means: [
+        164, 174, 182, 163, 172, 180, 163, 166, 155, 161, 176, 184, 162, 172, 181, 174, 178, 179, 140, 124, 114, 129,
+        151, 146, 142, 172, 184, 166, 174, 177, 186, 184, 178, 151, 165, 166, 122, 151, 157, 96, 140, 151, 135, 157,
+        160,
+    ],
+};
+
 /// The mean colors of a picture's blocks after two steps.
-fn drawn(device: &Device, settings: &[&str]) -> Means {
+fn drawn(device: &Device, has_solids: bool, settings: &[&str]) -> Means {
     let [width, height] = [0, 1].map(|axis| BLOCK_PX[axis] * BLOCKS[axis]);
     let sizes = [format!("outputs.width_px={width}"), format!("outputs.height_px={height}")];
     let fixed = ["spacing_m=0.05", "outputs.images=1", "solver.deterministic=true"].map(String::from);
     let settings: Vec<String> = settings.iter().map(|s| (*s).to_owned()).chain(fixed).chain(sizes).collect();
-    let scene = Scene::load("dam-break", &settings).or_raise();
+    let scene = match has_solids {
+        true => Scene::from_toml(SOLIDS, "solids", &settings),
+        false => Scene::load("dam-break", &settings),
+    };
+    let scene = scene.or_raise();
     let mut planned = ScenePlan::new(&scene, device.gpu().tier()).or_raise();
     let mut passes = planned.passes.take().or_raise();
     planned.session.plan = device.plan(planned.session.plan);
@@ -189,7 +275,7 @@ fn compare(got: &Means, expected: &Means) -> Result<i32, Wrong> {
 }
 
 fn is_as_stored(device: &Device, picture: &Picture) {
-    let got = drawn(device, picture.settings);
+    let got = drawn(device, picture.has_solids, picture.settings);
     let worst = compare(&got, &picture.means).map_err(|wrong| wrong.named(picture.name)).or_raise();
     device.compared("draw", BLOCKS[0] * BLOCKS[1], [f64::from(worst), f64::from(TOLERANCE)]);
     note!(device, "picture of {}: within {worst} of 255, tolerance {TOLERANCE}", picture.name);
@@ -236,4 +322,20 @@ pub(crate) fn meshed_water_without_light_of_its_own_is_as_stored(device: &Device
 
 pub(crate) fn a_cross_fade_is_as_stored(device: &Device) {
     is_as_stored(device, &BOTH);
+}
+
+pub(crate) fn points_and_solids_are_as_stored(device: &Device) {
+    is_as_stored(device, &POINTS_AND_SOLIDS);
+}
+
+pub(crate) fn water_and_solids_are_as_stored(device: &Device) {
+    is_as_stored(device, &WATER_AND_SOLIDS);
+}
+
+pub(crate) fn water_without_light_of_its_own_and_solids_are_as_stored(device: &Device) {
+    is_as_stored(device, &PLAIN_AND_SOLIDS);
+}
+
+pub(crate) fn meshed_water_and_solids_are_as_stored(device: &Device) {
+    is_as_stored(device, &MESHED_AND_SOLIDS);
 }

@@ -6,7 +6,7 @@
 use super::faces::Slip;
 use super::field::{Field, Kind, Limits};
 use super::pbf::Acceleration;
-use super::solids::OpenFaces;
+use super::solids::{OpenFaces, SolidLook};
 use super::solver::{Method, Precision};
 use super::sph::{Integrator, SmoothingKernel};
 use super::update::{Update, UpdateRule};
@@ -145,6 +145,8 @@ pub const FIELDS: &[Field] = &[
     Field::new("solid.*.repeat", Kind::Switch, REBUILD),
     Field::new("solid.*.friction", number(0.0, 10.0, ""), REBUILD).slider(0.0, 1.0),
     Field::new("solid.*.restitution", number(0.0, 1.0, ""), REBUILD).slider(0.0, 1.0),
+    Field::new("solid.*.look", Kind::Choice(SolidLook::NAMES), REBUILD),
+    Field::new("solid.*.color", Kind::Vector(within(0.0, 1.0, "")), REBUILD),
     Field::new("solver", Kind::Table, REBUILD),
     Field::new("solver.method", Kind::Choice(Method::NAMES), RESET),
     Field::new("solver.dt_s", number(1.0e-9, 1.0e3, "s"), LIVE).logarithmic(5e-4, 0.02),

@@ -52,7 +52,7 @@ pub use pbf::{Acceleration, PbfSettings};
 #[cfg(feature = "schema")]
 pub use schema::schema;
 pub use shipped::shipped_scenes;
-pub use solids::{BoxShape, KeyframeSettings, OpenFaces, RoundShape, Shape, SolidSettings, SphereShape};
+pub use solids::{BoxShape, KeyframeSettings, OpenFaces, RoundShape, Shape, SolidLook, SolidSettings, SphereShape};
 pub use solver::{Method, Precision, Solver};
 pub use sph::{Integrator, SmoothingKernel, SphSettings};
 pub use surface::{AutoSettings, MeshSettings, PointColor, Smoothing, Surface, SurfaceMethod};

@@ -43,6 +43,29 @@ pub struct SolidSettings {
     pub friction: f64,
     /// Share of the speed across it that particles which run into it keep.
     pub restitution: f64,
+    /// What it is drawn as.
+    pub look: SolidLook,
+    /// Its color: red, green and blue as displays take them (sRGB), 0 to 1. Default: of a few by its number; of glass a pale
+    /// green.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub color: Option<[f64; 3]>,
+}
+
+/// What a solid is drawn as.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum SolidLook {
+    /// Opaque, with a shadow.
+    #[default]
+    Solid,
+    /// Thin and clear, without a shadow: what is in it and behind it is seen.
+    Glass,
+}
+
+impl SolidLook {
+    /// Every choice by its name.
+    pub const NAMES: &[&str] = &["solid", "glass"];
 }
 
 /// A box.

@@ -54,7 +54,7 @@ static DRAW_CROSS_FADE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/cross_fade.hlsl",
-    hash: "e8586937d7279517f63708dc3ef6ba3a7de5d6817720ea4d20dab632abf443b6",
+    hash: "5e6d5b4b7c317a7d62666282bf08d924331b57dbfd8c8d9a3146d1ab41be4d2e",
 };
 
 static DRAW_CROSS_FADE_FRAGMENT: Module = Module {
@@ -67,5 +67,5 @@ static DRAW_CROSS_FADE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/cross_fade.hlsl",
-    hash: "1962845892b3cb4aa90a23a5fcf3f6114857e071a778a72d755de4bde6aeffa9",
+    hash: "1428313e8cd3a5e357026f5119f63618c22f488085b6b1d04c5ee89f8df7c5b6",
 };

@@ -96,7 +96,7 @@ static DRAW_EDGES_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/edges.hlsl",
-    hash: "f6fed7545707ba2ff7f96ab452ae770a26935dfde3317171079371a451a09f75",
+    hash: "30964634ca5c72d66a3fa10f706dd0e46909fb5227305211a063576222b34a49",
 };
 
 static DRAW_EDGES_FRAGMENT: Module = Module {
@@ -109,7 +109,7 @@ static DRAW_EDGES_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/edges.hlsl",
-    hash: "7ac69b7fca90d1916b1b9c4fb852bf0e99947cc3b2f63f2764eb09a8d4aa5279",
+    hash: "7a652657b8501e27e91f978f600b996ca001633199ac4ed260fa9460e2aa0819",
 };
 
 static DRAW_EDGES_VERTEX_WITH_BEHIND_WATER: Module = Module {
@@ -122,7 +122,7 @@ static DRAW_EDGES_VERTEX_WITH_BEHIND_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/edges.hlsl",
-    hash: "fa8194f56d6c57664534c63efc6cb86e79ab4a4f51992186e0b8ac97baa1b00e",
+    hash: "5b214f228eeaf94d250a67b2958505284db96521b303ae1fa336205ca2eafb01",
 };
 
 static DRAW_EDGES_FRAGMENT_WITH_BEHIND_WATER: Module = Module {
@@ -135,7 +135,7 @@ static DRAW_EDGES_FRAGMENT_WITH_BEHIND_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/edges.hlsl",
-    hash: "47d41837162fb14a54ef31a9ad799587cca7642858ba1791f0e4da86ac4aa384",
+    hash: "f1a154aa4e6fd3da02930fd6714bcb4f085756f0e37a41f7dfbd948844b69ff5",
 };
 
 static DRAW_EDGES_FRAGMENT_WITH_BEFORE_WATER: Module = Module {
@@ -148,5 +148,5 @@ static DRAW_EDGES_FRAGMENT_WITH_BEFORE_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/edges.hlsl",
-    hash: "3d8ec5a921158ab75470b1afa21c021625db626cc3434b2caa78c06e3d3527ae",
+    hash: "433fa96176a814a44892d46f35582cf1d4eb6e742a63341f6fca10ddb703fb71",
 };

@@ -12,9 +12,11 @@ use crate::{
 pub struct DrawFloorVariant {
     /// Keyword `POINTS_SHADOW` or `WATER_SHADOW` or `CAUSTICS_SHADOW`.
     pub shadow: ShadowKeyword,
+    /// Keyword `SOLIDS_SHADOW`.
+    pub solids_shadow: bool,
 }
 
-/// The floor under the domain: satin tiles with the fluid's soft shadow, melting into the horizon.
+/// The floor under the domain: satin tiles with the soft shadow of fluid and solids, melting into the horizon.
 #[derive(Debug)]
 pub struct DrawFloor<'a> {
     /// Its variant.
@@ -25,6 +27,8 @@ pub struct DrawFloor<'a> {
     pub style: Uniform<'a, FrameStyle>,
     /// `ConstantBuffer<FrameLight> light`.
     pub light: Uniform<'a, FrameLight>,
+    /// `Texture2D<float> solids_shadow_map`.
+    pub solids_shadow_map: Option<Tex<'a>>,
     /// `Texture2D<float> shadow_map`.
     pub shadow_map: Option<Tex<'a>>,
     /// `Texture2D<float> sun_thickness`.
@@ -43,19 +47,27 @@ impl Draw for DrawFloor<'_> {
     const STAGE: &'static str = "draw_floor";
 
     fn vertex(&self) -> &'static Module {
-        match self.variant.shadow {
-            ShadowKeyword::Off => &DRAW_FLOOR_VERTEX,
-            ShadowKeyword::PointsShadow => &DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW,
-            ShadowKeyword::WaterShadow => &DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW,
-            ShadowKeyword::CausticsShadow => &DRAW_FLOOR_VERTEX_WITH_CAUSTICS_SHADOW,
+        match (self.variant.shadow, self.variant.solids_shadow) {
+            (ShadowKeyword::Off, false) => &DRAW_FLOOR_VERTEX,
+            (ShadowKeyword::Off, true) => &DRAW_FLOOR_VERTEX,
+            (ShadowKeyword::PointsShadow, false) => &DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW,
+            (ShadowKeyword::PointsShadow, true) => &DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW,
+            (ShadowKeyword::WaterShadow, false) => &DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW,
+            (ShadowKeyword::WaterShadow, true) => &DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW,
+            (ShadowKeyword::CausticsShadow, false) => &DRAW_FLOOR_VERTEX_WITH_CAUSTICS_SHADOW,
+            (ShadowKeyword::CausticsShadow, true) => &DRAW_FLOOR_VERTEX_WITH_CAUSTICS_SHADOW,
         }
     }
     fn fragment(&self) -> Option<&'static Module> {
-        match self.variant.shadow {
-            ShadowKeyword::Off => Some(&DRAW_FLOOR_FRAGMENT),
-            ShadowKeyword::PointsShadow => Some(&DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW),
-            ShadowKeyword::WaterShadow => Some(&DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW),
-            ShadowKeyword::CausticsShadow => Some(&DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW),
+        match (self.variant.shadow, self.variant.solids_shadow) {
+            (ShadowKeyword::Off, false) => Some(&DRAW_FLOOR_FRAGMENT),
+            (ShadowKeyword::Off, true) => Some(&DRAW_FLOOR_FRAGMENT_WITH_SOLIDS_SHADOW),
+            (ShadowKeyword::PointsShadow, false) => Some(&DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW),
+            (ShadowKeyword::PointsShadow, true) => Some(&DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW_WITH_SOLIDS_SHADOW),
+            (ShadowKeyword::WaterShadow, false) => Some(&DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW),
+            (ShadowKeyword::WaterShadow, true) => Some(&DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW_WITH_SOLIDS_SHADOW),
+            (ShadowKeyword::CausticsShadow, false) => Some(&DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW),
+            (ShadowKeyword::CausticsShadow, true) => Some(&DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW_WITH_SOLIDS_SHADOW),
         }
     }
     fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
@@ -66,6 +78,7 @@ impl Draw for DrawFloor<'_> {
                 ("view", Some(self.view.id)),
                 ("style", Some(self.style.id)),
                 ("light", Some(self.light.id)),
+                ("solids_shadow_map", self.solids_shadow_map.as_ref().map(|bound| bound.id)),
                 ("shadow_map", self.shadow_map.as_ref().map(|bound| bound.id)),
                 ("sun_thickness", self.sun_thickness.as_ref().map(|bound| bound.id)),
                 ("surface", self.surface.as_ref().map(|bound| bound.id)),
@@ -81,12 +94,16 @@ impl Draw for DrawFloor<'_> {
 pub(super) static MODULES: &[&Module] = &[
     &DRAW_FLOOR_VERTEX,
     &DRAW_FLOOR_FRAGMENT,
+    &DRAW_FLOOR_FRAGMENT_WITH_SOLIDS_SHADOW,
     &DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW,
     &DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW,
+    &DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW_WITH_SOLIDS_SHADOW,
     &DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW,
     &DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW,
+    &DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW_WITH_SOLIDS_SHADOW,
     &DRAW_FLOOR_VERTEX_WITH_CAUSTICS_SHADOW,
     &DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW,
+    &DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW_WITH_SOLIDS_SHADOW,
 ];
 
 static BINDINGS_0: &[BindingInfo] = &[
@@ -101,23 +118,38 @@ static BINDINGS_1: &[BindingInfo] = &[
 ];
 
 static BINDINGS_2: &[BindingInfo] = &[
+    BindingInfo { name: "view", slot: 0, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "light", slot: 1, kind: BindingKind::Uniform { bytes: 112 } },
+    BindingInfo { name: "style", slot: 2, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "solids_shadow_map", slot: 3, kind: BindingKind::Texture { filterable: false } },
+];
+
+static BINDINGS_3: &[BindingInfo] = &[
     BindingInfo { name: "view", slot: 1, kind: BindingKind::Uniform { bytes: 80 } },
     BindingInfo { name: "style", slot: 3, kind: BindingKind::Uniform { bytes: 80 } },
 ];
 
-static BINDINGS_3: &[BindingInfo] = &[
+static BINDINGS_4: &[BindingInfo] = &[
     BindingInfo { name: "shadow_map", slot: 0, kind: BindingKind::Texture { filterable: false } },
     BindingInfo { name: "view", slot: 1, kind: BindingKind::Uniform { bytes: 80 } },
     BindingInfo { name: "light", slot: 2, kind: BindingKind::Uniform { bytes: 112 } },
     BindingInfo { name: "style", slot: 3, kind: BindingKind::Uniform { bytes: 80 } },
 ];
 
-static BINDINGS_4: &[BindingInfo] = &[
+static BINDINGS_5: &[BindingInfo] = &[
+    BindingInfo { name: "shadow_map", slot: 0, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "view", slot: 1, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "light", slot: 2, kind: BindingKind::Uniform { bytes: 112 } },
+    BindingInfo { name: "style", slot: 3, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "solids_shadow_map", slot: 4, kind: BindingKind::Texture { filterable: false } },
+];
+
+static BINDINGS_6: &[BindingInfo] = &[
     BindingInfo { name: "view", slot: 4, kind: BindingKind::Uniform { bytes: 80 } },
     BindingInfo { name: "style", slot: 6, kind: BindingKind::Uniform { bytes: 80 } },
 ];
 
-static BINDINGS_5: &[BindingInfo] = &[
+static BINDINGS_7: &[BindingInfo] = &[
     BindingInfo { name: "sun_thickness", slot: 0, kind: BindingKind::Texture { filterable: true } },
     BindingInfo { name: "sampler_linear_clamp", slot: 1, kind: BindingKind::Sampler },
     BindingInfo { name: "surface", slot: 2, kind: BindingKind::Uniform { bytes: 64 } },
@@ -127,7 +159,18 @@ static BINDINGS_5: &[BindingInfo] = &[
     BindingInfo { name: "style", slot: 6, kind: BindingKind::Uniform { bytes: 80 } },
 ];
 
-static BINDINGS_6: &[BindingInfo] = &[
+static BINDINGS_8: &[BindingInfo] = &[
+    BindingInfo { name: "sun_thickness", slot: 0, kind: BindingKind::Texture { filterable: true } },
+    BindingInfo { name: "sampler_linear_clamp", slot: 1, kind: BindingKind::Sampler },
+    BindingInfo { name: "surface", slot: 2, kind: BindingKind::Uniform { bytes: 64 } },
+    BindingInfo { name: "water", slot: 3, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "view", slot: 4, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "light", slot: 5, kind: BindingKind::Uniform { bytes: 112 } },
+    BindingInfo { name: "style", slot: 6, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "solids_shadow_map", slot: 7, kind: BindingKind::Texture { filterable: false } },
+];
+
+static BINDINGS_9: &[BindingInfo] = &[
     BindingInfo { name: "sun_depth", slot: 0, kind: BindingKind::Texture { filterable: false } },
     BindingInfo { name: "caustics", slot: 1, kind: BindingKind::Texture { filterable: true } },
     BindingInfo { name: "sampler_linear_clamp", slot: 2, kind: BindingKind::Sampler },
@@ -135,6 +178,17 @@ static BINDINGS_6: &[BindingInfo] = &[
     BindingInfo { name: "view", slot: 4, kind: BindingKind::Uniform { bytes: 80 } },
     BindingInfo { name: "light", slot: 5, kind: BindingKind::Uniform { bytes: 112 } },
     BindingInfo { name: "style", slot: 6, kind: BindingKind::Uniform { bytes: 80 } },
+];
+
+static BINDINGS_10: &[BindingInfo] = &[
+    BindingInfo { name: "sun_depth", slot: 0, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "caustics", slot: 1, kind: BindingKind::Texture { filterable: true } },
+    BindingInfo { name: "sampler_linear_clamp", slot: 2, kind: BindingKind::Sampler },
+    BindingInfo { name: "surface", slot: 3, kind: BindingKind::Uniform { bytes: 64 } },
+    BindingInfo { name: "view", slot: 4, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "light", slot: 5, kind: BindingKind::Uniform { bytes: 112 } },
+    BindingInfo { name: "style", slot: 6, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "solids_shadow_map", slot: 7, kind: BindingKind::Texture { filterable: false } },
 ];
 
 static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/frame_floor.deflate"));
@@ -149,7 +203,7 @@ static DRAW_FLOOR_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "fa6ced010ddde1f69bd0584bdb5aa53ca5df9cb67fcd7fe6f65530048484dc23",
+    hash: "c3df54438ac4399638bf4706c7712540eebb235ed386d870d0a8b4cc03ab9d1f",
 };
 
 static DRAW_FLOOR_FRAGMENT: Module = Module {
@@ -162,83 +216,135 @@ static DRAW_FLOOR_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "99aff0b0b9a6824933f3bee2a597bd939fbb5bf9f71f211d9ea7fb2a5bfef5fd",
+    hash: "c353a213d05b1d88807c1fc5694794f55f82d4bddd0e491edb87a7f7ea9ec08e",
+};
+
+static DRAW_FLOOR_FRAGMENT_WITH_SOLIDS_SHADOW: Module = Module {
+    name: "DrawFloor.fragment+SOLIDS_SHADOW",
+    entry: "FloorFragment",
+    stage: StageKind::Fragment,
+    spirv: Spirv::Packed { pack: PACK, first: 9900, bytes: 16896 },
+    bindings: BINDINGS_2,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "frame/floor.hlsl",
+    hash: "d88712636a1547756a1a2ab63d1424d138b7f05296fb38f383b74f529771dd87",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW: Module = Module {
     name: "DrawFloor.vertex+POINTS_SHADOW",
     entry: "FloorVertex",
     stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 9900, bytes: 3128 },
-    bindings: BINDINGS_2,
+    spirv: Spirv::Packed { pack: PACK, first: 26796, bytes: 3128 },
+    bindings: BINDINGS_3,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "84de2f1507314f145df254f16384017cba19c33d246febd012942a3a7e2dbb8f",
+    hash: "0b5cda1647f64ea9b4211669cd46797af6f35499dd7532d01d31b2aba9299608",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW: Module = Module {
     name: "DrawFloor.fragment+POINTS_SHADOW",
     entry: "FloorFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 13028, bytes: 15292 },
-    bindings: BINDINGS_3,
+    spirv: Spirv::Packed { pack: PACK, first: 29924, bytes: 15976 },
+    bindings: BINDINGS_4,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "0f0c6548b50f8e04d6fe5ab4a12bb097feaab90a2de7c7b639d4c3cc97b6b819",
+    hash: "e6d0cd2b836477674f0f61783573b789c4b1a59c682a19d01ee49a8a7feca4c9",
+};
+
+static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW_WITH_SOLIDS_SHADOW: Module = Module {
+    name: "DrawFloor.fragment+POINTS_SHADOW+SOLIDS_SHADOW",
+    entry: "FloorFragment",
+    stage: StageKind::Fragment,
+    spirv: Spirv::Packed { pack: PACK, first: 45900, bytes: 24208 },
+    bindings: BINDINGS_5,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "frame/floor.hlsl",
+    hash: "c847dae731298a13d07c4e4fa829763de8dfd38169c735a8d97198f04792776a",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW: Module = Module {
     name: "DrawFloor.vertex+WATER_SHADOW",
     entry: "FloorVertex",
     stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 28320, bytes: 3128 },
-    bindings: BINDINGS_4,
+    spirv: Spirv::Packed { pack: PACK, first: 70108, bytes: 3128 },
+    bindings: BINDINGS_6,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "46007170048444487f2b96b9d978486a9bcbfa424e397513f2d1d3fd66866f1e",
+    hash: "37834399d0c6904aaad3099d13585b8ba34df6ae5d27809abd6eed75e68b306e",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW: Module = Module {
     name: "DrawFloor.fragment+WATER_SHADOW",
     entry: "FloorFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 31448, bytes: 11288 },
-    bindings: BINDINGS_5,
+    spirv: Spirv::Packed { pack: PACK, first: 73236, bytes: 11288 },
+    bindings: BINDINGS_7,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "5295dbbca1caffdac0efbd8e9c46f2c7139ccada5b865bb1cdd57712a943586b",
+    hash: "b4a5ecc15261c4794b2d895e360bfea05f9744520b8fbca9b00f431774c3eaf0",
+};
+
+static DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW_WITH_SOLIDS_SHADOW: Module = Module {
+    name: "DrawFloor.fragment+WATER_SHADOW+SOLIDS_SHADOW",
+    entry: "FloorFragment",
+    stage: StageKind::Fragment,
+    spirv: Spirv::Packed { pack: PACK, first: 84524, bytes: 20608 },
+    bindings: BINDINGS_8,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "frame/floor.hlsl",
+    hash: "a74598085da2091ad3334fb61b30525b87514eba78b0923416995e76eba6e466",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_CAUSTICS_SHADOW: Module = Module {
     name: "DrawFloor.vertex+CAUSTICS_SHADOW",
     entry: "FloorVertex",
     stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 42736, bytes: 3128 },
-    bindings: BINDINGS_4,
+    spirv: Spirv::Packed { pack: PACK, first: 105132, bytes: 3128 },
+    bindings: BINDINGS_6,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "84f660caf326355b50ec1dbab6d9a23c463295b96dded80fa27e23744bc2469c",
+    hash: "c0be6eb447566fe5132fe7cf6388dd2ee5a32a26d9a58d880e3078b4adeecec7",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW: Module = Module {
     name: "DrawFloor.fragment+CAUSTICS_SHADOW",
     entry: "FloorFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 45864, bytes: 10320 },
-    bindings: BINDINGS_6,
+    spirv: Spirv::Packed { pack: PACK, first: 108260, bytes: 10320 },
+    bindings: BINDINGS_9,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "6e110e9676f618e1ec3d3054bf071884e1b87c1bbae9ff4f693271d30a786f2a",
+    hash: "865c5975a88664c435ddc95f7783aada31017c2e9d4dd33347ac5693dfffe6a3",
+};
+
+static DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW_WITH_SOLIDS_SHADOW: Module = Module {
+    name: "DrawFloor.fragment+CAUSTICS_SHADOW+SOLIDS_SHADOW",
+    entry: "FloorFragment",
+    stage: StageKind::Fragment,
+    spirv: Spirv::Packed { pack: PACK, first: 118580, bytes: 19992 },
+    bindings: BINDINGS_10,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "frame/floor.hlsl",
+    hash: "93f131c380fbf5e0fd40dd552006973d7853e16da93eb0b6a7785333def00412",
 };

@@ -153,3 +153,39 @@ const _: () = {
     assert!(offset_of!(CrossFadeParams, reserved) == 4);
     assert!(size_of::<CrossFadeParams>() == 16);
 };
+
+/// A corner of a solid's triangles, in the solid's own frame.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+pub struct SolidVertex {
+    /// `float3`.
+    pub position_m: [f32; 3],
+    /// of the scene's
+    pub solid: u32,
+    /// out of what is solid, into a cavity
+    pub normal: [f32; 3],
+    /// 1 where a hollow one's wall ends, which shows its thickness
+    pub rim: f32,
+}
+const _: () = {
+    assert!(offset_of!(SolidVertex, position_m) == 0);
+    assert!(offset_of!(SolidVertex, solid) == 12);
+    assert!(offset_of!(SolidVertex, normal) == 16);
+    assert!(offset_of!(SolidVertex, rim) == 28);
+    assert!(size_of::<SolidVertex>() == 32);
+};
+
+/// What a solid looks like.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+pub struct SolidPaint {
+    /// of its surface, in linear light
+    pub color: [f32; 3],
+    /// `float`.
+    pub reserved: f32,
+}
+const _: () = {
+    assert!(offset_of!(SolidPaint, color) == 0);
+    assert!(offset_of!(SolidPaint, reserved) == 12);
+    assert!(size_of::<SolidPaint>() == 16);
+};

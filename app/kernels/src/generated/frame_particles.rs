@@ -65,7 +65,7 @@ static DRAW_PARTICLES_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "007718f8d61dec01910416b0b65279c31caf12cdcc64ededac76e8324afb077d",
+    hash: "0565db2e2ce08dac518002dbb6a1f20b26ae4dafcfee4c9470e43046a92084f2",
 };
 
 static DRAW_PARTICLES_FRAGMENT: Module = Module {
@@ -78,5 +78,5 @@ static DRAW_PARTICLES_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "0011adc2c809e089ba56eb9b06e2221ba62868ef84971734fb1882276a8af389",
+    hash: "64c3588cbbd3e676fd000c4fb528ceee06d4fe2ce7aa0b959b3628bc79b5bddc",
 };

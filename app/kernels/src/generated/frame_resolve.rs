@@ -92,7 +92,7 @@ static DRAW_RESOLVE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/resolve.hlsl",
-    hash: "a5f0d1a85137e08ecd180be0ff0bc8cae924fb870101b57fcb22cf6aebf9ce00",
+    hash: "fc43aa2328cba736693a79e5c096c57312a80e9950de479cad9f00339e099c76",
 };
 
 static DRAW_RESOLVE_FRAGMENT: Module = Module {
@@ -105,7 +105,7 @@ static DRAW_RESOLVE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/resolve.hlsl",
-    hash: "4e68803eca3207452ff5a861a657a8b10e1aea2f6ba5c6124bc96103040cb6ac",
+    hash: "3a01c1401736a9ebce2eabeeda21d9abfb7594a395239e0285d038321aa51a66",
 };
 
 static DRAW_RESOLVE_FRAGMENT_WITH_WATER: Module = Module {
@@ -118,5 +118,5 @@ static DRAW_RESOLVE_FRAGMENT_WITH_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/resolve.hlsl",
-    hash: "8b8eb0d953e49d3622f3536391a8570dc928a37c98409e6873d04e2dc86d026b",
+    hash: "a48f5e86507c56335b19b9e948592a8af06950dddfca2311e9cd185c0961249d",
 };

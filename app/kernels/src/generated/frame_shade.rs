@@ -13,6 +13,8 @@ use crate::{
 pub struct DrawShadeVariant {
     /// Keyword `COLOR_FLUID` or `COLOR_DENSITY`.
     pub color: ColorKeyword,
+    /// Keyword `SOLIDS_SHADOW`.
+    pub solids_shadow: bool,
 }
 
 /// The particles' colours: each pixel in which one is seen is shaded once.
@@ -36,6 +38,8 @@ pub struct DrawShade<'a> {
     pub light: Uniform<'a, FrameLight>,
     /// `ConstantBuffer<FrameStyle> style`.
     pub style: Uniform<'a, FrameStyle>,
+    /// `Texture2D<float> solids_shadow_map`.
+    pub solids_shadow_map: Option<Tex<'a>>,
     /// `StructuredBuffer<float> density_ratios`.
     pub density_ratios: Option<Buf<'a, f32>>,
 }
@@ -44,17 +48,23 @@ impl Draw for DrawShade<'_> {
     const STAGE: &'static str = "draw_shade";
 
     fn vertex(&self) -> &'static Module {
-        match self.variant.color {
-            ColorKeyword::Off => &DRAW_SHADE_VERTEX,
-            ColorKeyword::ColorFluid => &DRAW_SHADE_VERTEX_WITH_COLOR_FLUID,
-            ColorKeyword::ColorDensity => &DRAW_SHADE_VERTEX,
+        match (self.variant.color, self.variant.solids_shadow) {
+            (ColorKeyword::Off, false) => &DRAW_SHADE_VERTEX,
+            (ColorKeyword::Off, true) => &DRAW_SHADE_VERTEX,
+            (ColorKeyword::ColorFluid, false) => &DRAW_SHADE_VERTEX_WITH_COLOR_FLUID,
+            (ColorKeyword::ColorFluid, true) => &DRAW_SHADE_VERTEX_WITH_COLOR_FLUID,
+            (ColorKeyword::ColorDensity, false) => &DRAW_SHADE_VERTEX,
+            (ColorKeyword::ColorDensity, true) => &DRAW_SHADE_VERTEX,
         }
     }
     fn fragment(&self) -> Option<&'static Module> {
-        match self.variant.color {
-            ColorKeyword::Off => Some(&DRAW_SHADE_FRAGMENT),
-            ColorKeyword::ColorFluid => Some(&DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID),
-            ColorKeyword::ColorDensity => Some(&DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY),
+        match (self.variant.color, self.variant.solids_shadow) {
+            (ColorKeyword::Off, false) => Some(&DRAW_SHADE_FRAGMENT),
+            (ColorKeyword::Off, true) => Some(&DRAW_SHADE_FRAGMENT_WITH_SOLIDS_SHADOW),
+            (ColorKeyword::ColorFluid, false) => Some(&DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID),
+            (ColorKeyword::ColorFluid, true) => Some(&DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID_WITH_SOLIDS_SHADOW),
+            (ColorKeyword::ColorDensity, false) => Some(&DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY),
+            (ColorKeyword::ColorDensity, true) => Some(&DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY_WITH_SOLIDS_SHADOW),
         }
     }
     fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
@@ -69,6 +79,7 @@ impl Draw for DrawShade<'_> {
                 ("shadow_map", Some(self.shadow_map.id)),
                 ("light", Some(self.light.id)),
                 ("style", Some(self.style.id)),
+                ("solids_shadow_map", self.solids_shadow_map.as_ref().map(|bound| bound.id)),
                 ("density_ratios", self.density_ratios.as_ref().map(|bound| bound.id)),
             ],
         )
@@ -79,9 +90,12 @@ impl Draw for DrawShade<'_> {
 pub(super) static MODULES: &[&Module] = &[
     &DRAW_SHADE_VERTEX,
     &DRAW_SHADE_FRAGMENT,
+    &DRAW_SHADE_FRAGMENT_WITH_SOLIDS_SHADOW,
     &DRAW_SHADE_VERTEX_WITH_COLOR_FLUID,
     &DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID,
+    &DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID_WITH_SOLIDS_SHADOW,
     &DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY,
+    &DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY_WITH_SOLIDS_SHADOW,
 ];
 
 static BINDINGS_0: &[BindingInfo] = &[BindingInfo { name: "view", slot: 4, kind: BindingKind::Uniform { bytes: 80 } }];
@@ -96,9 +110,20 @@ static BINDINGS_1: &[BindingInfo] = &[
     BindingInfo { name: "style", slot: 6, kind: BindingKind::Uniform { bytes: 80 } },
 ];
 
-static BINDINGS_2: &[BindingInfo] = &[BindingInfo { name: "view", slot: 3, kind: BindingKind::Uniform { bytes: 80 } }];
+static BINDINGS_2: &[BindingInfo] = &[
+    BindingInfo { name: "seen", slot: 0, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "positions", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
+    BindingInfo { name: "velocities", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
+    BindingInfo { name: "shadow_map", slot: 3, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "view", slot: 4, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "light", slot: 5, kind: BindingKind::Uniform { bytes: 112 } },
+    BindingInfo { name: "style", slot: 6, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "solids_shadow_map", slot: 7, kind: BindingKind::Texture { filterable: false } },
+];
 
-static BINDINGS_3: &[BindingInfo] = &[
+static BINDINGS_3: &[BindingInfo] = &[BindingInfo { name: "view", slot: 3, kind: BindingKind::Uniform { bytes: 80 } }];
+
+static BINDINGS_4: &[BindingInfo] = &[
     BindingInfo { name: "seen", slot: 0, kind: BindingKind::Texture { filterable: false } },
     BindingInfo { name: "positions", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
     BindingInfo { name: "shadow_map", slot: 2, kind: BindingKind::Texture { filterable: false } },
@@ -107,7 +132,17 @@ static BINDINGS_3: &[BindingInfo] = &[
     BindingInfo { name: "style", slot: 5, kind: BindingKind::Uniform { bytes: 80 } },
 ];
 
-static BINDINGS_4: &[BindingInfo] = &[
+static BINDINGS_5: &[BindingInfo] = &[
+    BindingInfo { name: "seen", slot: 0, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "positions", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
+    BindingInfo { name: "shadow_map", slot: 2, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "view", slot: 3, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "light", slot: 4, kind: BindingKind::Uniform { bytes: 112 } },
+    BindingInfo { name: "style", slot: 5, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "solids_shadow_map", slot: 6, kind: BindingKind::Texture { filterable: false } },
+];
+
+static BINDINGS_6: &[BindingInfo] = &[
     BindingInfo { name: "seen", slot: 0, kind: BindingKind::Texture { filterable: false } },
     BindingInfo { name: "positions", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
     BindingInfo {
@@ -119,6 +154,21 @@ static BINDINGS_4: &[BindingInfo] = &[
     BindingInfo { name: "view", slot: 4, kind: BindingKind::Uniform { bytes: 80 } },
     BindingInfo { name: "light", slot: 5, kind: BindingKind::Uniform { bytes: 112 } },
     BindingInfo { name: "style", slot: 6, kind: BindingKind::Uniform { bytes: 80 } },
+];
+
+static BINDINGS_7: &[BindingInfo] = &[
+    BindingInfo { name: "seen", slot: 0, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "positions", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
+    BindingInfo {
+        name: "density_ratios",
+        slot: 2,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 },
+    },
+    BindingInfo { name: "shadow_map", slot: 3, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "view", slot: 4, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "light", slot: 5, kind: BindingKind::Uniform { bytes: 112 } },
+    BindingInfo { name: "style", slot: 6, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "solids_shadow_map", slot: 7, kind: BindingKind::Texture { filterable: false } },
 ];
 
 static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/frame_shade.deflate"));
@@ -133,7 +183,7 @@ static DRAW_SHADE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "f85a69685e60810d46deb6e92312164775a6e1ef8326f2ee06b2466f7c980385",
+    hash: "304d11152487b06cf8e24799ba65131698c4b2f6a2cc2c6fe01b293f3301fb5c",
 };
 
 static DRAW_SHADE_FRAGMENT: Module = Module {
@@ -146,44 +196,83 @@ static DRAW_SHADE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "83c25561f1ecdf05c9814e88323cfac54267bc434be44c7062895e23411da1e6",
+    hash: "e971ff3d9685d6ede234256dee152b2b85f26e09749a80afcc90c8fd6688f007",
+};
+
+static DRAW_SHADE_FRAGMENT_WITH_SOLIDS_SHADOW: Module = Module {
+    name: "DrawShade.fragment+SOLIDS_SHADOW",
+    entry: "ShadeFragment",
+    stage: StageKind::Fragment,
+    spirv: Spirv::Packed { pack: PACK, first: 12608, bytes: 14320 },
+    bindings: BINDINGS_2,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "frame/shade.hlsl",
+    hash: "09828863656a4e323d9abeeca435cf68c328622dc3f2709c72e6a340f48159e5",
 };
 
 static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
     name: "DrawShade.vertex+COLOR_FLUID",
     entry: "ShadeVertex",
     stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 12608, bytes: 1716 },
-    bindings: BINDINGS_2,
+    spirv: Spirv::Packed { pack: PACK, first: 26928, bytes: 1716 },
+    bindings: BINDINGS_3,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "0a845c94229fc27e83fc573ef48fa91f0e8c41baf1f8582efe26b7bde001a39e",
+    hash: "815dcbc8853b1e55145095e33b708932900e02453a1cb52658a5ef2a8b628cc5",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
     name: "DrawShade.fragment+COLOR_FLUID",
     entry: "ShadeFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 14324, bytes: 10332 },
-    bindings: BINDINGS_3,
+    spirv: Spirv::Packed { pack: PACK, first: 28644, bytes: 10332 },
+    bindings: BINDINGS_4,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "a4d8a4dadbab0fd8b32f8c90018ccd66d86c89e20cf2779fd66344ea8c378551",
+    hash: "9bb0a7936bceeb0ad3f00be64d9757b39b2127e6125e04ed27b51a1886374b0d",
+};
+
+static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID_WITH_SOLIDS_SHADOW: Module = Module {
+    name: "DrawShade.fragment+COLOR_FLUID+SOLIDS_SHADOW",
+    entry: "ShadeFragment",
+    stage: StageKind::Fragment,
+    spirv: Spirv::Packed { pack: PACK, first: 38976, bytes: 13792 },
+    bindings: BINDINGS_5,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "frame/shade.hlsl",
+    hash: "73befc58542d05101b3a7ee6332b1551fc250f706c6f034c6162a8574167266f",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
     name: "DrawShade.fragment+COLOR_DENSITY",
     entry: "ShadeFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 24656, bytes: 10416 },
-    bindings: BINDINGS_4,
+    spirv: Spirv::Packed { pack: PACK, first: 52768, bytes: 10416 },
+    bindings: BINDINGS_6,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "a4dcb15f2bb58498bdb1a288dd24f94cc987df5802d13d76e61dba4714dc72c9",
+    hash: "daa890f2b613327e3782a39679abf2bff980f21cfd31a7dc019cdedca48bf6ae",
+};
+
+static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY_WITH_SOLIDS_SHADOW: Module = Module {
+    name: "DrawShade.fragment+COLOR_DENSITY+SOLIDS_SHADOW",
+    entry: "ShadeFragment",
+    stage: StageKind::Fragment,
+    spirv: Spirv::Packed { pack: PACK, first: 63184, bytes: 13860 },
+    bindings: BINDINGS_7,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "frame/shade.hlsl",
+    hash: "55691d3d11a5871340513a59063baba0995029af11c9b45b1ba58283deb3e38c",
 };

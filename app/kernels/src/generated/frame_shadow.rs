@@ -58,7 +58,7 @@ static DRAW_SHADOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "aa51245310b8a952eb599ef449eb4565d161fe9483feb421c7a18dc0c80d831a",
+    hash: "41eafeefc28f94a8300f9717689ad74e1d40e50c7e7dc1eb450a2cec05033680",
 };
 
 static DRAW_SHADOW_FRAGMENT: Module = Module {
@@ -71,5 +71,5 @@ static DRAW_SHADOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "b36c2ec48337351e636dbaa9897ef8c876195802ad2064938dfa37ec27dc21db",
+    hash: "628db6270b27558fa7a4d24398c2a70d8d2b3d8a6ec6f51cd4223d1ad9058367",
 };

@@ -48,7 +48,7 @@ static DRAW_SKY_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/sky.hlsl",
-    hash: "81353efb27dd3e81add8a042fe5efb09d238ae186a0b7e4ac98b386c1c900bed",
+    hash: "4d780b770258ec75e999592ed1f88c6967ea23e5048e7c7dce7902a1d032d005",
 };
 
 static DRAW_SKY_FRAGMENT: Module = Module {
@@ -61,5 +61,5 @@ static DRAW_SKY_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/sky.hlsl",
-    hash: "ff26a0100421908a7b12a80dc1dc2fc465dc599aeb0ec28c4c10b6fe7e8bbcad",
+    hash: "27f108c4de56f5b1ff5cb7fd388aad7506e2d6859d398ca7edfc8268d185a4ed",
 };

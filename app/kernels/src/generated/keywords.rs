@@ -142,6 +142,25 @@ impl From<bool> for ShapeKeyword {
     }
 }
 
+/// `#pragma multi_compile _ POINTS_SUN VOLUME_SUN`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum SunKeyword {
+    /// None of them is on.
+    #[default]
+    Off,
+    /// `POINTS_SUN` is on.
+    PointsSun,
+    /// `VOLUME_SUN` is on.
+    VolumeSun,
+}
+
+/// `POINTS_SUN` on or off, and no other.
+impl From<bool> for SunKeyword {
+    fn from(on: bool) -> Self {
+        if on { Self::PointsSun } else { Self::Off }
+    }
+}
+
 /// `#pragma multi_compile _ KEEP_VELOCITY IN_PLACE_VELOCITY`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum VelocityKeyword {

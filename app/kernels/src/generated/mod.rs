@@ -17,12 +17,15 @@ mod forces_xsph;
 mod frame_cross_fade;
 mod frame_edges;
 mod frame_floor;
+mod frame_glass;
 mod frame_layout;
 mod frame_particles;
 mod frame_resolve;
 mod frame_shade;
 mod frame_shadow;
 mod frame_sky;
+mod frame_solids;
+mod frame_solids_shadow;
 mod grid_count_active;
 mod grid_count_cells;
 mod grid_list_neighbours;
@@ -130,12 +133,15 @@ pub use forces_xsph::*;
 pub use frame_cross_fade::*;
 pub use frame_edges::*;
 pub use frame_floor::*;
+pub use frame_glass::*;
 pub use frame_layout::*;
 pub use frame_particles::*;
 pub use frame_resolve::*;
 pub use frame_shade::*;
 pub use frame_shadow::*;
 pub use frame_sky::*;
+pub use frame_solids::*;
+pub use frame_solids_shadow::*;
 pub use grid_count_active::*;
 pub use grid_count_cells::*;
 pub use grid_list_neighbours::*;
@@ -244,11 +250,14 @@ pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
         frame_cross_fade::MODULES,
         frame_edges::MODULES,
         frame_floor::MODULES,
+        frame_glass::MODULES,
         frame_particles::MODULES,
         frame_resolve::MODULES,
         frame_shade::MODULES,
         frame_shadow::MODULES,
         frame_sky::MODULES,
+        frame_solids::MODULES,
+        frame_solids_shadow::MODULES,
         grid_count_active::MODULES,
         grid_count_cells::MODULES,
         grid_list_neighbours::MODULES,

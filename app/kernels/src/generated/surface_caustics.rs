@@ -66,7 +66,7 @@ static DRAW_CAUSTICS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/caustics.hlsl",
-    hash: "ae4b81ef162b9d9be4c05fb485158ad3b3db090faf518dcdde2ea32a74ca5408",
+    hash: "52d718e7623423e45edb44ebb52688f0ccbc5857fd55b44e818951afa42c4f43",
 };
 
 static DRAW_CAUSTICS_FRAGMENT: Module = Module {
@@ -79,5 +79,5 @@ static DRAW_CAUSTICS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/caustics.hlsl",
-    hash: "cbf47b8d54c621d1de616fe1d1b81b522bfcc5ab94136fd2ecca988ff4d8b8f0",
+    hash: "bf2bc25ec024255867b0008b4f706e5083dca0655b8759a9183eeaa223b44504",
 };

@@ -64,5 +64,5 @@ static COUNT_COVERED: Module = Module {
     shared_bytes: 4,
     tier: Tier::Floor,
     source: "surface/count_covered.compute",
-    hash: "988c8f4a9127570ad23125706a08a1c09a14d2598b2ea70d745d4bc73b4956ee",
+    hash: "922cf3084f38f0c6254ce57754e9cd874afa864d7f7a1b553dd620e89b6c3df3",
 };

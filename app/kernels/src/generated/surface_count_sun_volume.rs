@@ -72,5 +72,5 @@ static COUNT_SUN_VOLUME: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/count_sun_volume.compute",
-    hash: "c2fa7eb16144e2b96c424d79e498d4fae4bd101e1d18a83e1f0eb196154f3c95",
+    hash: "94620d3d85377a52f885f1e9ec4fd53af91363dca1b8d09bec3f32e82ef9738f",
 };

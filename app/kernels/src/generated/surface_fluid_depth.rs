@@ -115,7 +115,7 @@ static DRAW_FLUID_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "6a0766f92ffbcd338493a06ff34424e37427246b96e536012b495a6d1210bc11",
+    hash: "96ef642f639d0bd85e66f1d723a148134e71285782ac6346bee1edd75632815a",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
@@ -128,7 +128,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "64203c16e3db16c1703950ac3be384218f0f3d6894c984a2be8294a1c11679e2",
+    hash: "a4baf9c79e37e07a62b17f816c94fdf437557e9015a9cb1758ddba764106a53d",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -141,7 +141,7 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "a3d7cd29dca26ade5e4ad45248392cb9c3fb6cfe6716291e49afb024877888e9",
+    hash: "6766308f6bbb7f1c40173eee97ed2f641bb1ac2ddf7174f89f4ce01550b2fdae",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -154,7 +154,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "f9655eb8fe747a491f75038ffc9b793a0ea7b4f3bd9988cedcd2d36dc0530c0c",
+    hash: "524c832bea608ba8ec4f1dbcb72f2bce2748c336d3cac9b95ef0de052bce2043",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -167,5 +167,5 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "0529ec314461c74dfb84c27a3bc4b16d5684c30c8ed73e957dc48172005a0bb3",
+    hash: "82c89a54cf136d65647b8604f4df6f3d97fb6bc6bb3269ef37edbab0a4bd52b4",
 };

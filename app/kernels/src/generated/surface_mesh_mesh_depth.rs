@@ -75,7 +75,7 @@ static DRAW_MESH_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_depth.hlsl",
-    hash: "69e7fb03ed4bc6709c3924ee36db14bb35390b4ed6029c90232bd9777c070ace",
+    hash: "666e6b1cf57b1d6d71ac227a472c89303e4a4a498f1268cfb3d5ea5d0778db12",
 };
 
 static DRAW_MESH_DEPTH_FRAGMENT: Module = Module {
@@ -88,5 +88,5 @@ static DRAW_MESH_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_depth.hlsl",
-    hash: "a62f0ef52c079abd5d6594f34792fd7cb7bf71645c84de2f25eb65976f7bd294",
+    hash: "8a312db437e33cb3c5dec955712882b02241280d1cc50d343384c114c8b11352",
 };

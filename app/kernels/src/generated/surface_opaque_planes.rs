@@ -62,7 +62,7 @@ static DRAW_OPAQUE_PLANES_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/opaque_planes.hlsl",
-    hash: "000586e379db601ea3fcbe348db7c206fbb538a0ec2c0b5498d716d2bbc76b81",
+    hash: "a0b6242fbd000a5f6f1cc1ba88f9afa64aefae46a4311e727d0ba592ce26878a",
 };
 
 static DRAW_OPAQUE_PLANES_FRAGMENT: Module = Module {
@@ -75,5 +75,5 @@ static DRAW_OPAQUE_PLANES_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/opaque_planes.hlsl",
-    hash: "991a10f106bc633303b059d447382c48e4289e3821ec80c32d911fddfe3291e8",
+    hash: "75ac4baf2a214b80ce39a60d3c13a0125952ccb1c3d318bf4268b2e584f9139c",
 };

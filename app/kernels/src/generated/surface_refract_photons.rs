@@ -73,5 +73,5 @@ static REFRACT_PHOTONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refract_photons.compute",
-    hash: "a612f835b992422aeebf0ba83d069d5143d0961a690e178c3008579eebb5e4ab",
+    hash: "7dccae352e9583e8c200fb52a39701bd70f1850f9189ff84813cc90a7381e5b6",
 };

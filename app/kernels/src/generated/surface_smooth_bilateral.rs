@@ -81,7 +81,7 @@ static DRAW_SMOOTH_BILATERAL_VERTEX_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "03ed483c355f8fa8bcdc4a3dd0c74b93b7a2e00b09084780d1b76b4680e27252",
+    hash: "7c00f879a0eeb22e542522fe9a435988ec6766587e6181f8f0f7682296f43b16",
 };
 
 static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_X: Module = Module {
@@ -94,7 +94,7 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "8a8cb5e7da672be2984772f406364da7a9682026e8c04551013e39750898ff1f",
+    hash: "e2a456f206dc866002192dc62971eacc29410d249e44b44c85e849d90ae6b568",
 };
 
 static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_Y: Module = Module {
@@ -107,7 +107,7 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "bd9a0b74ba2e7c541e71f7ba97ee7ce425c39b2add28431051cc4c83d96ed8cf",
+    hash: "1c0034c33f68be182943263a8023a85841eedbf85e70493ee3fafc933e7b878b",
 };
 
 static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
@@ -120,5 +120,5 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "e1b3861b8c351862f1e400b9a7efee8a58b86c76248d8fc8d5b848e27684cd27",
+    hash: "e4dccc4d344faeb4711a6bc2903fd785aa2d70f479c88b00d443995c1bb07c3d",
 };

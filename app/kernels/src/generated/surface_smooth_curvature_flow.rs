@@ -65,7 +65,7 @@ static DRAW_SMOOTH_CURVATURE_FLOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_curvature_flow.hlsl",
-    hash: "bc4f69f88c5efcc2e49351f222acb84d97f9b6023b2a247ebbea125de0ca082f",
+    hash: "b6ba682f7f1a00775efe42b761a7aebe36f961cda803b59c0e14ca5e0d56017e",
 };
 
 static DRAW_SMOOTH_CURVATURE_FLOW_FRAGMENT: Module = Module {
@@ -78,5 +78,5 @@ static DRAW_SMOOTH_CURVATURE_FLOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_curvature_flow.hlsl",
-    hash: "3246884818ae500c9fad9c8c849e689e95d770c17d72490cd1141bd476a186d7",
+    hash: "08cc0cdb565aa16a607dba0391a9d5403bb14de879f174a232b7ce0a1d0c8764",
 };

@@ -78,7 +78,7 @@ static DRAW_SMOOTH_GAUSSIAN_VERTEX_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_gaussian.hlsl",
-    hash: "b9675efc151608b0ca83f1ec6593489dda1cf00eafac2215ecf265fb8806ea7d",
+    hash: "f2dae089764f0357c41f768f4918c32de8cf2ca63466f3ebd9cea64c63c8981f",
 };
 
 static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_X: Module = Module {
@@ -91,7 +91,7 @@ static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_gaussian.hlsl",
-    hash: "6faea756ea9e588912981fd36059f7df8fadc4e75bb31a452fc59382413225b2",
+    hash: "abd57b9a1ef8c8201cbdee3ecf6efad6939706376a8927f0896d4e88f0915e84",
 };
 
 static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_Y: Module = Module {
@@ -104,5 +104,5 @@ static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_gaussian.hlsl",
-    hash: "ff6da61850c45d8a87096d7243b20328715dfd91904c05997dc359145195e649",
+    hash: "868e16e8a08058118c4f536ba1cc709b3fd588285996f223c43372eedf9c265d",
 };

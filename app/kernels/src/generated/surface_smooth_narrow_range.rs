@@ -82,7 +82,7 @@ static DRAW_SMOOTH_NARROW_RANGE_VERTEX_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "d361a285fce7de2937097637e781d9de29f170343a944e33b59ccf062b72954d",
+    hash: "038ca26b1587b81507ff79328a816b070f19d54b65bac3f2fb03bd236190bc22",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_X: Module = Module {
@@ -95,7 +95,7 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "8b96e1b674baa1204085cab948293426400d8e184cbc236b806f25084b8b9a8f",
+    hash: "75bca98f36eb27c6f526ded587dbd8beb82dc0db1190e245b866283cd7a9b9e4",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_Y: Module = Module {
@@ -108,7 +108,7 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "c0e676cd7a07adf51bc53dddba452a1c5cb5f9785f644c953d82d8426e7bfe62",
+    hash: "2add4064d187d6b70c138379e232f65c20bf179274e25a3839774962fa388fa4",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
@@ -121,5 +121,5 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "b63c17948037b112348e537df9849e464db9fc940c99db96c1208b0df9c1e5fb",
+    hash: "48a2626d7139544f947c2b97c50aa9959e1733860f39b949514bc4745456deca",
 };

@@ -87,7 +87,7 @@ static SMOOTH_PHOTONS_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_photons.compute",
-    hash: "a39e791010602a3fdde265629ab6c17f1c8b2fe0b74331a8c9ea1302af8c0177",
+    hash: "02d316edff46e00832a5f0a290b4a42d97eba98e3e4a0ce6909b10ec6dddee03",
 };
 
 static SMOOTH_PHOTONS_WITH_ALONG_Y: Module = Module {
@@ -100,5 +100,5 @@ static SMOOTH_PHOTONS_WITH_ALONG_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_photons.compute",
-    hash: "d7cd3f41ad84dd3c203f37ce6954e111283ae74aa3d475fcbee37e2d7184d4e3",
+    hash: "11ec914a9444b965dd2b29ded50ec53b21ce94e2f1c848af3892de89cd116d57",
 };

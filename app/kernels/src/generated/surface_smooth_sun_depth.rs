@@ -80,7 +80,7 @@ static DRAW_SMOOTH_SUN_DEPTH_VERTEX_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_sun_depth.hlsl",
-    hash: "478cd915f982883ba772a3bd48dbd81e9c0869fa9fe46475b2a8b40634133626",
+    hash: "1bb6769e1d6390e9bfe9224d0c6aa905686d403593c0a018eab7657dab9422bc",
 };
 
 static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_X: Module = Module {
@@ -93,7 +93,7 @@ static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_sun_depth.hlsl",
-    hash: "c6794ec6bfa38d1ce758fb6262b00b8c5e22bd6c0e29b31e338c663f029aede4",
+    hash: "585e8b9f59c04d400a9cad7062d388287fe0d3d09cd8033d379ba1ab7344653f",
 };
 
 static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_Y: Module = Module {
@@ -106,5 +106,5 @@ static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_sun_depth.hlsl",
-    hash: "b34ac0071203c5dace0a7303ba051ac035fe52d10790ed6f46d5fb10a24fe31a",
+    hash: "77bab91030fb8e0c87b1403ffebb68d6360969cc029511b0e26a0035eb2641b7",
 };

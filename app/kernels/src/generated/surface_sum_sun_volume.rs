@@ -67,5 +67,5 @@ static SUM_SUN_VOLUME: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sum_sun_volume.compute",
-    hash: "c1866366760da1f50a54fd238717ba91718fd9b178b691af533a194d069398e7",
+    hash: "7ad863238821dd79731edbaa162c7efea04692ba0ef63077cd14272c66891bf2",
 };

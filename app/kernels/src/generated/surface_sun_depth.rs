@@ -117,7 +117,7 @@ static DRAW_SUN_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "eaf7d47794c9277daaf7c19fbdf285a604be037bbe154d0103614b19cd0e61a1",
+    hash: "31466c3d7c0a21778d508fc5030c3ba4177fb2e40508d85edd70ebc4bb028285",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
@@ -130,7 +130,7 @@ static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "968ac17408f515674f942babead4f6d4b41c48f384ef2752de2c6e0e5f9b479d",
+    hash: "c7da0671254b93727b974b00165c81be4e1b5dc7f38f7f8d28f9a9aa5337cf40",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -143,7 +143,7 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "f8b6b2346606d74b557315af2caa425e8933b7eaa405c3ad5e7e77252daf37d7",
+    hash: "9e5fed933a6d0bf6a71f57b79fd8ed17c041ccf2051eb068bd3dcf3b75e5e539",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -156,7 +156,7 @@ static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "4326926b4852e5c2bdd53dfe06a8b2a5beac5a573446dab413d36517f3605dad",
+    hash: "b7ffe41e0a583c2669799cf418d94b1cedf1edcb6c9ae2ce771bbd7c427be64f",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -169,5 +169,5 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "a6b8f207fc15c51f5911ebcbd192e16a7cc3b64346e8a6f071f1e20ffab1a4aa",
+    hash: "e77a6ded255afebb7d78e7087dd7ee25f6aab11c2a9b871c21f47a2f1595b3d0",
 };

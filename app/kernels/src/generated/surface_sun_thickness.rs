@@ -88,7 +88,7 @@ static DRAW_SUN_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "976635b51bd06e60d8c8bc77a2a62526a8a1a80eb059c92fa0db5f38ce767c78",
+    hash: "679da7bcbc56427894769306bff4761acfad6f7ca226f4ae7a363aa3333e5a36",
 };
 
 static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
@@ -101,7 +101,7 @@ static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "ad2c07c4eadf841981d0ff54002bd4f303ed9f2e6b6ab087237d790da8cef58e",
+    hash: "59d89dea7396e486d1fd1602adfe79f0b53a9c027a2630910102b59a5350c927",
 };
 
 static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -114,5 +114,5 @@ static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "c8f8cc68181a7588b27a6fad1a0df69e6a709edea207901dd9ed3ff75ab89d0a",
+    hash: "a75f8ad2abf994c343d491588023290dd207db2b79b87273c3d9933fb9fea4f0",
 };

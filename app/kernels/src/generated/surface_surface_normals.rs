@@ -62,7 +62,7 @@ static DRAW_SURFACE_NORMALS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/surface_normals.hlsl",
-    hash: "aeae1ea13b1f9472c98919e3294bdf924b830a93301ace7bb6a4d8292060de46",
+    hash: "b5bb02126f09b11d49d2595aa3b122f8551f581590117ca13fec2bbf774b290d",
 };
 
 static DRAW_SURFACE_NORMALS_FRAGMENT: Module = Module {
@@ -75,5 +75,5 @@ static DRAW_SURFACE_NORMALS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/surface_normals.hlsl",
-    hash: "06fceae473d78aa3487082af072fb8a9e7ff29d4c6d27e4bb97576bc7a2a88e3",
+    hash: "27975a65846aa06fef9ab020b2844aed59abc24bee6394aa3d0eaf15d6ded4d3",
 };

@@ -94,7 +94,7 @@ static DRAW_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "56aa44a2847d0c4549aac02c2b03b87e10b6a97d64db217992308c3d7afa1279",
+    hash: "91a9226ff41c8208f589f4698877df7cdcee512e336a86b3eb28717189ef35f2",
 };
 
 static DRAW_THICKNESS_FRAGMENT: Module = Module {
@@ -107,7 +107,7 @@ static DRAW_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "2f8d09470f33347db4a80063f6759f9a52971cf6d362c00aefd88932f074c211",
+    hash: "bd66fc4796a7a9d6b1e45dac4463568f8273b3a685f8db7d55220b27d2d619de",
 };
 
 static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -120,5 +120,5 @@ static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "9c8ec36b8c791af7ebb19ca3428606f730ea66ea4cb0b30efffb3298f13bcaba",
+    hash: "061dc4c41941fc22b3bb781f1e7a4b37a8a1c0c06c514fc9573cf6e3afd8d182",
 };

@@ -1,5 +1,5 @@
 //! Twins of the stages that make a surface in screen space: ellipsoids, depth, smoothing filters, normals and
-//! thickness; and of those that carry sunlight through it (caustics).
+//! thickness; of those that carry sunlight through it (caustics); and of those that draw solids.
 //!
 //! A picture is rows from the top of the inverse depth, 1 / distance along the direction of view, in 1/m; 0 where no fluid
 //! is.
@@ -13,6 +13,7 @@ pub mod marching_cubes;
 pub mod marching_cubes_table;
 pub mod mesh_blocks;
 pub mod refract_photons;
+pub mod sky;
 pub mod smooth_bilateral;
 pub mod smooth_curvature_flow;
 pub mod smooth_gaussian;
@@ -20,6 +21,7 @@ pub mod smooth_narrow_range;
 pub mod smooth_normals;
 pub mod smooth_photons;
 pub mod smooth_sun_depth;
+pub mod solids;
 pub mod subdivide;
 pub mod sun_depth;
 pub mod sun_map;
@@ -69,7 +71,7 @@ impl InverseDepth {
 }
 
 /// The ray `aside` of a pixel's middle, in pixels, 1 along the direction of view, in world axes.
-pub(crate) fn ray_of(view: &FrameView, size_px: [usize; 2], index: usize, aside: DVec2) -> DVec3 {
+pub fn ray_of(view: &FrameView, size_px: [usize; 2], index: usize, aside: DVec2) -> DVec3 {
     let vector = |v: [f32; 3]| DVec3::from_array(v.map(f64::from));
     let x = ((index % size_px[0]) as f64 + 0.5 + aside.x) / size_px[0] as f64 * 2.0 - 1.0;
     let y = 1.0 - ((index / size_px[0]) as f64 + 0.5 + aside.y) / size_px[1] as f64 * 2.0;

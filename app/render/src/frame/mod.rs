@@ -1,4 +1,4 @@
-//! A picture: floor, sky, the domain's edges, the fluid as its surface options say, and the resolve
+//! A picture: floor, sky, the domain's edges, solids, the fluid as its surface options say, and the resolve
 //! to display colours.
 
 mod auto;
@@ -19,6 +19,7 @@ use brooklet_kernels::{
 };
 
 use crate::formats;
+use crate::solids::{SolidPasses, Solids, SunThrough};
 use crate::surface::auto::Shown;
 use crate::surface::screen_space::{self, Caustics, Shapes, SunVolume, Sunlit, Thickness, Water, sun_volume};
 use crate::surface::{MarchingCubesOptions, Particles, ScreenSpaceOptions, SmoothedSurface, SurfaceOptions, points};
@@ -34,6 +35,8 @@ pub struct FramePasses {
     /// The picture: `Rgba8Unorm`, already sRGB-encoded, of the view's size. This is what to want
     /// of a plan, and to read back.
     pub color: Texture,
+    /// Light of what is opaque, and of glass behind water, in the drawn pixels.
+    pub radiance: Texture,
     /// Depth of what is opaque in the drawn pixels, supersampled and reversed: near / distance, 0
     /// where the sky is.
     pub depth: Texture,
@@ -120,6 +123,20 @@ pub fn record(
     particles: &Particles<'_>,
     options: &FrameOptions,
 ) -> Result<FramePasses, RenderError> {
+    record_with_solids(resources, view, particles, None, options)
+}
+
+/// The same with solids among the particles.
+///
+/// # Errors
+/// When the view or an option is not allowed; the error names it.
+pub fn record_with_solids(
+    resources: &mut Resources,
+    view: &View,
+    particles: &Particles<'_>,
+    solids: Option<Solids<'_>>,
+    options: &FrameOptions,
+) -> Result<FramePasses, RenderError> {
     let values = FrameValues::new(view, options)?;
     let tells_density = options.surface == SurfaceOptions::Points && options.coloring == Coloring::Density;
     if tells_density && (particles.densities.is_none() || particles.neighbours.is_none()) {
@@ -140,20 +157,36 @@ pub fn record(
     let depth = resources.texture_in("depth", formats::depth_buffer(options.tier), drawn_px);
     let color = resources.texture("picture", Format::Rgba8Unorm, view.size_px);
     let mut draw = resources.recording("draw");
-    let mut frame = Frame { resources, recording: &mut draw, uniforms: &uniforms, options, light: values.light };
+    let solids = solids.map(|solids| SolidPasses::declare(resources, &mut init, &solids, options));
+    let mut frame = Frame {
+        resources,
+        recording: &mut draw,
+        uniforms: &uniforms,
+        options,
+        light: values.light,
+        solids: solids.as_ref(),
+    };
     let onto = (&radiance, &depth);
     let mut auto = None;
     let water = match &options.surface {
         SurfaceOptions::None => {
-            frame.surroundings(onto, ShadowOf::Nothing, false);
+            frame.solids_shadow();
+            let drawn = frame.solids(onto, false, &SunThrough::Nothing);
+            frame.surroundings(onto, ShadowOf::Nothing, drawn);
             frame.edges(&radiance, Some(&depth), None);
+            frame.glass(&radiance, &depth, None);
             frame.resolve(&radiance, Some(&depth), None, &color);
             None
         }
         SurfaceOptions::Points => {
-            let shadow_map = points::record(frame.resources, frame.recording, frame.uniforms, particles, options, onto);
+            frame.solids_shadow();
+            let solids_shadow = frame.solids.and_then(SolidPasses::shadow_map);
+            let looks = (frame.uniforms, options, solids_shadow);
+            let shadow_map = points::record(frame.resources, frame.recording, looks, particles, onto);
+            frame.solids(onto, true, &SunThrough::Points(&shadow_map));
             frame.surroundings(onto, ShadowOf::Points(&shadow_map), true);
             frame.edges(&radiance, Some(&depth), None);
+            frame.glass(&radiance, &depth, None);
             frame.resolve(&radiance, Some(&depth), None, &color);
             None
         }
@@ -170,7 +203,7 @@ pub fn record(
             Some(water)
         }
     };
-    Ok(FramePasses { init, draw, color, depth, water, auto, uniforms })
+    Ok(FramePasses { init, draw, color, radiance, depth, water, auto, uniforms })
 }
 
 /// What shades the floor.
@@ -188,15 +221,36 @@ struct Frame<'a> {
     uniforms: &'a FrameUniforms,
     options: &'a FrameOptions,
     light: FrameLight,
+    solids: Option<&'a SolidPasses>,
 }
 
 impl Frame<'_> {
     /// Records into another recording, of which a frame runs one or the other: what is declared there as it was since there
     /// were `first` resources is the same.
     fn repeating<R>(&mut self, first: usize, recording: &mut Recording, record: impl FnOnce(&mut Frame<'_>) -> R) -> R {
-        let Self { uniforms, options, light, .. } = *self;
+        let Self { uniforms, options, light, solids, .. } = *self;
         self.resources
-            .repeating(first, |resources| record(&mut Frame { resources, recording, uniforms, options, light }))
+            .repeating(first, |resources| record(&mut Frame { resources, recording, uniforms, options, light, solids }))
+    }
+
+    /// The shadow map of opaque solids.
+    fn solids_shadow(&mut self) {
+        if let Some(solids) = self.solids {
+            solids.record_shadow(self.recording, self.uniforms);
+        }
+    }
+
+    /// The opaque solids; whether anything is drawn then.
+    fn solids(&mut self, (radiance, depth): (&Texture, &Texture), drawn: bool, sun: &SunThrough<'_>) -> bool {
+        let onto = (radiance, depth, drawn);
+        drawn | self.solids.is_some_and(|solids| solids.record_opaque(self.recording, self.uniforms, onto, sun))
+    }
+
+    /// The solids of glass: all, or with water those behind it or before it.
+    fn glass(&mut self, onto: &Texture, depth: &Texture, water: Option<(WaterKeyword, &Texture)>) {
+        if let Some(solids) = self.solids {
+            solids.record_glass(self.recording, self.uniforms, (onto, depth), water);
+        }
     }
 
     /// Floor and sky. What hides little is drawn after what hides much (`drawn` says whether
@@ -204,8 +258,11 @@ impl Frame<'_> {
     fn surroundings(&mut self, (radiance, depth): (&Texture, &Texture), shadow: ShadowOf<'_>, drawn: bool) {
         let (view, light, style) =
             (self.uniforms.view.uniform(), self.uniforms.light.uniform(), self.uniforms.style.uniform());
+        let solids_shadow_map = self.solids.and_then(SolidPasses::shadow_map);
+        let variant = |shadow| DrawFloorVariant { shadow, solids_shadow: solids_shadow_map.is_some() };
         let plain = DrawFloor {
             variant: variant(ShadowKeyword::Off),
+            solids_shadow_map: solids_shadow_map.map(Texture::read),
             shadow_map: None,
             sun_thickness: None,
             sun_depth: None,
@@ -299,6 +356,7 @@ impl Frame<'_> {
     ) -> WaterPasses {
         let uniforms = self.uniforms;
         let tier = self.options.tier;
+        self.solids_shadow();
         let into = (&mut *init, &mut *self.recording);
         let (resources, view_buffer, size_px) = (&mut *self.resources, &uniforms.view, radiance.size_px);
         let surface = match mesh {
@@ -321,25 +379,31 @@ impl Frame<'_> {
             Some(caustics) => ShadowOf::Caustics { caustics, surface: &surface.params },
             None => ShadowOf::Water { sun_thickness: &sun, surface: &surface.params, water: &style },
         };
-        self.surroundings((radiance, depth), shadow, false);
-        self.edges(radiance, Some(depth), Some((WaterKeyword::BehindWater, &surface.inverse_depth)));
-        let size_px = view.size_px.map(|side| side.div_ceil(options.thickness_divisor));
-        let looks = (&uniforms.view, depth, size_px);
-        let (eye, opaque_planes) =
-            screen_space::record_thickness(self.resources, self.recording, &shapes, &surface.params, looks);
         let volume = options.self_shadow.then(|| {
             let values = sun_volume::params(options.spacing_m, &self.light);
             let into = (&mut *init, &mut *self.recording);
             sun_volume::record(self.resources, into, particles, &uniforms.light, values)
         });
-        let water = Water { surface: &surface, thickness: &eye, style: &style, sun_volume: volume.as_ref() };
+        let through = volume.as_ref().map_or(SunThrough::Nothing, |volume| SunThrough::Water { volume, style: &style });
+        let drawn = self.solids((radiance, depth), false, &through);
+        self.surroundings((radiance, depth), shadow, drawn);
+        let behind = Some((WaterKeyword::BehindWater, &surface.inverse_depth));
+        self.edges(radiance, Some(depth), behind);
+        self.glass(radiance, depth, behind);
+        let size_px = view.size_px.map(|side| side.div_ceil(options.thickness_divisor));
+        let looks = (&uniforms.view, depth, size_px);
+        let (eye, opaque_planes) =
+            screen_space::record_thickness(self.resources, self.recording, &shapes, &surface.params, looks);
+        let solids_shadow_map = self.solids.and_then(SolidPasses::shadow_map);
+        let water =
+            Water { surface: &surface, thickness: &eye, style: &style, sun_volume: volume.as_ref(), solids_shadow_map };
         let seen = screen_space::record_water(self.resources, self.recording, uniforms, &water, (radiance, depth));
-        self.edges(&seen, None, Some((WaterKeyword::BeforeWater, &surface.inverse_depth)));
+        // Solids hide edges that are before the water behind them.
+        let hiding = solids_shadow_map.map(|_| depth);
+        let before = Some((WaterKeyword::BeforeWater, &surface.inverse_depth));
+        self.edges(&seen, hiding, before);
+        self.glass(&seen, depth, before);
         self.resolve(radiance, None, Some(&seen), color);
         WaterPasses { surface, thickness: Thickness { eye, opaque_planes, sun }, caustics, sun_volume: volume }
     }
-}
-
-fn variant(shadow: ShadowKeyword) -> DrawFloorVariant {
-    DrawFloorVariant { shadow }
 }

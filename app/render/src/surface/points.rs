@@ -8,13 +8,12 @@ use crate::formats;
 use crate::frame::options::{Coloring, FrameOptions};
 use crate::frame::uniforms::FrameUniforms;
 
-/// Draws the particles' shadow map, then the particles to `radiance` and `depth`, both cleared.
+/// Draws the particles' shadow map, then the particles to `radiance` and `depth`, both cleared. Solids shade them.
 pub(crate) fn record(
     resources: &mut Resources,
     recording: &mut Recording,
-    uniforms: &FrameUniforms,
+    (uniforms, options, solids_shadow_map): (&FrameUniforms, &FrameOptions, Option<&Texture>),
     particles: &Particles<'_>,
-    options: &FrameOptions,
     (radiance, depth): (&Texture, &Texture),
 ) -> Texture {
     let Particles { positions, velocities, slots, .. } = *particles;
@@ -49,7 +48,8 @@ pub(crate) fn record(
     };
     recording.draw(
         &DrawShade {
-            variant: DrawShadeVariant { color },
+            variant: DrawShadeVariant { color, solids_shadow: solids_shadow_map.is_some() },
+            solids_shadow_map: solids_shadow_map.map(Texture::read),
             seen: seen.read(),
             positions: positions.read(),
             velocities: (color == ColorKeyword::Off).then(|| velocities.read()),

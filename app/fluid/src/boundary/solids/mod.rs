@@ -17,8 +17,8 @@ use crate::grid::NeighbourSearch;
 use crate::scene::Scene;
 use crate::slots::Slots;
 use crate::step_context::{Particles, StepContext};
-pub use shapes::solids;
 pub(crate) use shapes::{StandingSolid, fastest_m_s, motion};
+pub use shapes::{first_poses, solids};
 
 /// Blocks along the longest side of the domain, at most.
 const MOST_BLOCKS: f64 = 16.0;
@@ -81,7 +81,7 @@ impl Solids {
         init.upload(&mut self.solids, &solids);
         init.upload(&mut self.keyframes, &keyframes);
         init.upload(&mut self.params, &[solids_params(scene)]);
-        init.clear(&mut self.poses);
+        init.upload(&mut self.poses, &first_poses(scene));
     }
 
     /// Moves the solids to where they are at the substep's end.

@@ -1,6 +1,6 @@
 //! What the shaders are told of solids, and how far from one a place is before anything moves.
 
-use brooklet_kernels::{Keyframe, SHAPE_BOX, SHAPE_CAPSULE, SHAPE_CYLINDER, Solid};
+use brooklet_kernels::{Keyframe, SHAPE_BOX, SHAPE_CAPSULE, SHAPE_CYLINDER, Solid, SolidPose};
 use glam::{DQuat, DVec2, DVec3};
 
 use crate::scene::{Scene, Shape, SolidSettings};
@@ -141,6 +141,22 @@ pub fn solids(scene: &Scene) -> (Vec<Solid>, Vec<Keyframe>) {
     };
     let solids = scene.solids.iter().map(of).collect();
     (solids, keyframes)
+}
+
+/// Where the solids of a scene are before anything moves.
+pub fn first_poses(scene: &Scene) -> Vec<SolidPose> {
+    let (solids, keyframes) = solids(scene);
+    let pose = |solid: &Solid| {
+        let first = keyframes.get(solid.first_keyframe as usize).copied().unwrap_or_default();
+        SolidPose {
+            position_m: first.position_m,
+            rotation: first.rotation,
+            before_m: first.position_m,
+            rotation_before: first.rotation,
+            ..SolidPose::default()
+        }
+    };
+    solids.iter().map(pose).collect()
 }
 
 /// How far a place of a shape's frame is from its surface, m; negative inside.

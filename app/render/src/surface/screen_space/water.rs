@@ -14,6 +14,8 @@ pub(crate) struct Water<'a> {
     pub style: &'a Buffer<WaterStyle>,
     /// What shades it, where it shades itself.
     pub sun_volume: Option<&'a SunVolume>,
+    /// What shades it of solids, where there are any.
+    pub solids_shadow_map: Option<&'a Texture>,
 }
 
 /// Records the water over `scene`, whose depth is `scene_depth`: a texture whose alpha is 1 where
@@ -31,10 +33,12 @@ pub(crate) fn record(
             variant: DrawWaterVariant {
                 mesh_normals: water.surface.has_normals,
                 self_shadow: water.sun_volume.is_some(),
+                solids_shadow: water.solids_shadow_map.is_some(),
             },
             mesh_normals: water.surface.has_normals.then(|| water.surface.normals.read()),
             sun_volume: water.sun_volume.map(|volume| volume.above_m.read()),
             volume: water.sun_volume.map(|volume| volume.params.uniform()),
+            solids_shadow_map: water.solids_shadow_map.map(Texture::read),
             view: uniforms.view.uniform(),
             inverse_depth: water.surface.inverse_depth.read(),
             thickness: water.thickness.read(),

@@ -1,0 +1,263 @@
+// Written by the shader compiler; do not edit. `cargo run -p brooklet-compiler -- build`
+// makes it anew from frame/solids.hlsl.
+//! Kernels of `frame/solids.hlsl`.
+
+use super::{
+    FrameLight, FrameStyle, FrameView, SolidPaint, SolidPose, SolidVertex, SunKeyword, SunVolumeParams, WaterStyle,
+};
+use crate::{
+    Access, BindingError, BindingInfo, BindingKind, Bound, Buf, Draw, Module, Spirv, StageKind, Tex, Tier, Uniform,
+    bind_draw,
+};
+
+/// Which variant of [`DrawSolids`] runs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct DrawSolidsVariant {
+    /// Keyword `POINTS_SUN` or `VOLUME_SUN`.
+    pub sun: SunKeyword,
+}
+
+/// The opaque solids: smooth paint in the light of sun and sky, shaded by each other and by the fluid.
+#[derive(Debug)]
+pub struct DrawSolids<'a> {
+    /// Its variant.
+    pub variant: DrawSolidsVariant,
+    /// `ConstantBuffer<FrameView> view`.
+    pub view: Uniform<'a, FrameView>,
+    /// `StructuredBuffer<uint> solid_indices`.
+    pub solid_indices: Buf<'a, u32>,
+    /// `StructuredBuffer<SolidVertex> solid_vertices`.
+    pub solid_vertices: Buf<'a, SolidVertex>,
+    /// `StructuredBuffer<SolidPose> solid_poses`.
+    pub solid_poses: Buf<'a, SolidPose>,
+    /// `StructuredBuffer<SolidPaint> solid_paints`.
+    pub solid_paints: Buf<'a, SolidPaint>,
+    /// `Texture2D<float> solids_shadow_map`.
+    pub solids_shadow_map: Tex<'a>,
+    /// `ConstantBuffer<FrameLight> light`.
+    pub light: Uniform<'a, FrameLight>,
+    /// `ConstantBuffer<FrameStyle> style`.
+    pub style: Uniform<'a, FrameStyle>,
+    /// `Texture2D<float> shadow_map`.
+    pub shadow_map: Option<Tex<'a>>,
+    /// `StructuredBuffer<float> sun_volume`.
+    pub sun_volume: Option<Buf<'a, f32>>,
+    /// `ConstantBuffer<SunVolumeParams> volume`.
+    pub volume: Option<Uniform<'a, SunVolumeParams>>,
+    /// `ConstantBuffer<WaterStyle> water`.
+    pub water: Option<Uniform<'a, WaterStyle>>,
+}
+
+impl Draw for DrawSolids<'_> {
+    const STAGE: &'static str = "draw_solids";
+
+    fn vertex(&self) -> &'static Module {
+        match self.variant.sun {
+            SunKeyword::Off => &DRAW_SOLIDS_VERTEX,
+            SunKeyword::PointsSun => &DRAW_SOLIDS_VERTEX_WITH_POINTS_SUN,
+            SunKeyword::VolumeSun => &DRAW_SOLIDS_VERTEX_WITH_VOLUME_SUN,
+        }
+    }
+    fn fragment(&self) -> Option<&'static Module> {
+        match self.variant.sun {
+            SunKeyword::Off => Some(&DRAW_SOLIDS_FRAGMENT),
+            SunKeyword::PointsSun => Some(&DRAW_SOLIDS_FRAGMENT_WITH_POINTS_SUN),
+            SunKeyword::VolumeSun => Some(&DRAW_SOLIDS_FRAGMENT_WITH_VOLUME_SUN),
+        }
+    }
+    fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
+        bind_draw(
+            self.vertex(),
+            self.fragment(),
+            &[
+                ("view", Some(self.view.id)),
+                ("solid_indices", Some(self.solid_indices.id)),
+                ("solid_vertices", Some(self.solid_vertices.id)),
+                ("solid_poses", Some(self.solid_poses.id)),
+                ("solid_paints", Some(self.solid_paints.id)),
+                ("solids_shadow_map", Some(self.solids_shadow_map.id)),
+                ("light", Some(self.light.id)),
+                ("style", Some(self.style.id)),
+                ("shadow_map", self.shadow_map.as_ref().map(|bound| bound.id)),
+                ("sun_volume", self.sun_volume.as_ref().map(|bound| bound.id)),
+                ("volume", self.volume.as_ref().map(|bound| bound.id)),
+                ("water", self.water.as_ref().map(|bound| bound.id)),
+            ],
+        )
+    }
+}
+
+/// The modules of this file.
+pub(super) static MODULES: &[&Module] = &[
+    &DRAW_SOLIDS_VERTEX,
+    &DRAW_SOLIDS_FRAGMENT,
+    &DRAW_SOLIDS_VERTEX_WITH_POINTS_SUN,
+    &DRAW_SOLIDS_FRAGMENT_WITH_POINTS_SUN,
+    &DRAW_SOLIDS_VERTEX_WITH_VOLUME_SUN,
+    &DRAW_SOLIDS_FRAGMENT_WITH_VOLUME_SUN,
+];
+
+static BINDINGS_0: &[BindingInfo] = &[
+    BindingInfo { name: "view", slot: 1, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo {
+        name: "solid_indices",
+        slot: 4,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 },
+    },
+    BindingInfo {
+        name: "solid_vertices",
+        slot: 5,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 32 },
+    },
+    BindingInfo { name: "solid_poses", slot: 6, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 96 } },
+    BindingInfo {
+        name: "solid_paints",
+        slot: 7,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+    },
+];
+
+static BINDINGS_1: &[BindingInfo] = &[
+    BindingInfo { name: "solids_shadow_map", slot: 0, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "view", slot: 1, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "light", slot: 2, kind: BindingKind::Uniform { bytes: 112 } },
+    BindingInfo { name: "style", slot: 3, kind: BindingKind::Uniform { bytes: 80 } },
+];
+
+static BINDINGS_2: &[BindingInfo] = &[
+    BindingInfo { name: "view", slot: 1, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo {
+        name: "solid_indices",
+        slot: 5,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 },
+    },
+    BindingInfo {
+        name: "solid_vertices",
+        slot: 6,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 32 },
+    },
+    BindingInfo { name: "solid_poses", slot: 7, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 96 } },
+    BindingInfo {
+        name: "solid_paints",
+        slot: 8,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+    },
+];
+
+static BINDINGS_3: &[BindingInfo] = &[
+    BindingInfo { name: "solids_shadow_map", slot: 0, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "view", slot: 1, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "light", slot: 2, kind: BindingKind::Uniform { bytes: 112 } },
+    BindingInfo { name: "style", slot: 3, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "shadow_map", slot: 4, kind: BindingKind::Texture { filterable: false } },
+];
+
+static BINDINGS_4: &[BindingInfo] = &[
+    BindingInfo { name: "view", slot: 1, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo {
+        name: "solid_indices",
+        slot: 7,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 },
+    },
+    BindingInfo {
+        name: "solid_vertices",
+        slot: 8,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 32 },
+    },
+    BindingInfo { name: "solid_poses", slot: 9, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 96 } },
+    BindingInfo {
+        name: "solid_paints",
+        slot: 10,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+    },
+];
+
+static BINDINGS_5: &[BindingInfo] = &[
+    BindingInfo { name: "solids_shadow_map", slot: 0, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "view", slot: 1, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "light", slot: 2, kind: BindingKind::Uniform { bytes: 112 } },
+    BindingInfo { name: "style", slot: 3, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "sun_volume", slot: 4, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 } },
+    BindingInfo { name: "volume", slot: 5, kind: BindingKind::Uniform { bytes: 16 } },
+    BindingInfo { name: "water", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
+];
+
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/frame_solids.deflate"));
+
+static DRAW_SOLIDS_VERTEX: Module = Module {
+    name: "DrawSolids.vertex",
+    entry: "SolidsVertex",
+    stage: StageKind::Vertex,
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 4300 },
+    bindings: BINDINGS_0,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "frame/solids.hlsl",
+    hash: "e6116081f242d0bde0a560e8da7977adb5b99cbdadc9d1573895ea53b0f2f392",
+};
+
+static DRAW_SOLIDS_FRAGMENT: Module = Module {
+    name: "DrawSolids.fragment",
+    entry: "SolidsFragment",
+    stage: StageKind::Fragment,
+    spirv: Spirv::Packed { pack: PACK, first: 4300, bytes: 9796 },
+    bindings: BINDINGS_1,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "frame/solids.hlsl",
+    hash: "a578be515a14a44f5cf4ab9a08697ad37d95c1b48d731b91b65237d5806791b3",
+};
+
+static DRAW_SOLIDS_VERTEX_WITH_POINTS_SUN: Module = Module {
+    name: "DrawSolids.vertex+POINTS_SUN",
+    entry: "SolidsVertex",
+    stage: StageKind::Vertex,
+    spirv: Spirv::Packed { pack: PACK, first: 14096, bytes: 4300 },
+    bindings: BINDINGS_2,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "frame/solids.hlsl",
+    hash: "4c916a7c4be219b0b09218d5aa551af7fa885d5013cd7309eb44b39539577b87",
+};
+
+static DRAW_SOLIDS_FRAGMENT_WITH_POINTS_SUN: Module = Module {
+    name: "DrawSolids.fragment+POINTS_SUN",
+    entry: "SolidsFragment",
+    stage: StageKind::Fragment,
+    spirv: Spirv::Packed { pack: PACK, first: 18396, bytes: 13476 },
+    bindings: BINDINGS_3,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "frame/solids.hlsl",
+    hash: "96a9a94e93eb6050dbc88bbdf2fdcc62ffe6687043bd14e2714db0b323a8b6f9",
+};
+
+static DRAW_SOLIDS_VERTEX_WITH_VOLUME_SUN: Module = Module {
+    name: "DrawSolids.vertex+VOLUME_SUN",
+    entry: "SolidsVertex",
+    stage: StageKind::Vertex,
+    spirv: Spirv::Packed { pack: PACK, first: 31872, bytes: 4300 },
+    bindings: BINDINGS_4,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "frame/solids.hlsl",
+    hash: "ce44bef4fb6af4b55092bb6c05753cfa5b2ad91c831216690356da7fdd3897cf",
+};
+
+static DRAW_SOLIDS_FRAGMENT_WITH_VOLUME_SUN: Module = Module {
+    name: "DrawSolids.fragment+VOLUME_SUN",
+    entry: "SolidsFragment",
+    stage: StageKind::Fragment,
+    spirv: Spirv::Packed { pack: PACK, first: 36172, bytes: 12880 },
+    bindings: BINDINGS_5,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "frame/solids.hlsl",
+    hash: "be277ba4c4327975e6aa72928dbc45fef7dcfb4406f6d9cc60ad021a3d6a0fc2",
+};

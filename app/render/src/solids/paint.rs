@@ -1,0 +1,31 @@
+//! What solids look like where their scene does not say.
+
+use brooklet_fluid::scene::{SolidLook, SolidSettings};
+use brooklet_kernels::SolidPaint;
+
+/// Of opaque ones, by their number: earth and paint, well apart from water (sRGB).
+const PAINTS: [[f64; 3]; 6] = [
+    [0.85, 0.43, 0.25],
+    [0.90, 0.72, 0.36],
+    [0.56, 0.62, 0.38],
+    [0.68, 0.30, 0.34],
+    [0.80, 0.76, 0.68],
+    [0.46, 0.42, 0.46],
+];
+/// Of glass.
+const GLASS: [f64; 3] = [0.80, 0.93, 0.89];
+
+/// What the shaders are told of a solid's look, which is the scene's of this `index`.
+pub fn paint(solid: &SolidSettings, index: usize) -> SolidPaint {
+    let own = match solid.look {
+        SolidLook::Solid => PAINTS[index % PAINTS.len()],
+        SolidLook::Glass => GLASS,
+    };
+    let color = solid.color.unwrap_or(own).map(|channel| linear(channel) as f32);
+    SolidPaint { color, ..SolidPaint::default() }
+}
+
+/// Linear light of an sRGB channel.
+fn linear(encoded: f64) -> f64 {
+    if encoded <= 0.04045 { encoded / 12.92 } else { ((encoded + 0.055) / 1.055).powf(2.4) }
+}
