@@ -95,6 +95,7 @@ fn a_solvers_variants_can_be_done_without_and_its_kernels_not() {
     let chain = |own: &[&'static str]| picture.into_iter().chain(grid).chain(own.iter().copied()).collect();
     let sph: BTreeSet<_> = chain(&["ChooseTimeStep", "EndStep"]);
     let variants = [
+        "spacing_m=0.04",
         "solver.method=sph",
         "solver.support_ratio=3",
         "solver.sph.surface_tension_n_m=0.07",
@@ -103,12 +104,12 @@ fn a_solvers_variants_can_be_done_without_and_its_kernels_not() {
         "surface.method=none",
     ];
     assert_eq!(essential(&gpu, &scene("dam-break", &variants)), sph);
-    let plain = ["solver.method=sph", "surface.method=none"];
+    let plain = ["spacing_m=0.04", "solver.method=sph", "surface.method=none"];
     let own = ["Accelerate", "ChooseTimeStep", "ComputeDensity", "EndStep"];
     assert_eq!(essential(&gpu, &scene("dam-break", &plain)), chain(&own));
     // With as many iterations as are written nothing measures what is left.
     let own = ["ApplyGravity", "ApplyPressure", "BeginSubstep", "CarryPressure", "FactorPressure", "LimitVelocity"];
-    let dfsph = scene("dam-break", &["solver.method=dfsph", "surface.method=none"]);
+    let dfsph = scene("dam-break", &["spacing_m=0.04", "solver.method=dfsph", "surface.method=none"]);
     assert_eq!(essential(&gpu, &dfsph), chain(&[own.as_slice(), &["ShiftPositions"]].concat()));
 }
 

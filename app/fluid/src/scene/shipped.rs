@@ -11,6 +11,8 @@ const SCENES: &[(&str, &str)] = &[
     ("calm-pool", include_str!("../../scenes/calm-pool.toml")),
     ("martin-moyce", include_str!("../../scenes/martin-moyce.toml")),
     ("colliding-drops", include_str!("../../scenes/colliding-drops.toml")),
+    ("glass", include_str!("../../scenes/glass.toml")),
+    ("rotating-box", include_str!("../../scenes/rotating-box.toml")),
     ("phone-1k", include_str!("../../scenes/phone-1k.toml")),
     ("phone-5k", include_str!("../../scenes/phone-5k.toml")),
     ("sparks", include_str!("../../scenes/sparks.toml")),

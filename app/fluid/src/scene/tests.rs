@@ -182,6 +182,7 @@ fn the_table_has_every_field() {
     let stiff = Scene {
         solver: Solver {
             sph: SphSettings { stiffness_m2_s2: Some(100.0), ..SphSettings::default() },
+            dfsph: DfsphSettings { coarse_correction: Some(true), ..DfsphSettings::default() },
             ..scene.solver.clone()
         },
         ..scene
