@@ -250,18 +250,18 @@ mod tests {
     #[test]
     fn shares_of_shapes_are_close_to_their_integrals() {
         let cases = [
-            ("box", solid(Shape::Box, DVec3::new(1.0, 0.5, 2.0), None), 0.004),
-            ("a thin box", solid(Shape::Box, DVec3::new(0.25, 1.0, 1.0), None), 0.004),
+            ("box", solid(Shape::Box, DVec3::new(1.0, 0.5, 2.0), None), 0.01),
+            ("a thin box", solid(Shape::Box, DVec3::new(0.25, 1.0, 1.0), None), 0.009),
             ("ball of h", solid(Shape::Capsule, DVec3::new(1.0, 0.0, 1.0), None), 0.001),
             ("ball of h/2", solid(Shape::Capsule, DVec3::new(0.5, 0.0, 0.5), None), 0.002),
-            ("capsule", solid(Shape::Capsule, DVec3::new(1.0, 1.0, 1.0), None), 0.004),
+            ("capsule", solid(Shape::Capsule, DVec3::new(1.0, 1.0, 1.0), None), 0.005),
             ("cylinder", solid(Shape::Cylinder, DVec3::new(1.5, 1.0, 1.5), None), 0.006),
         ];
         for (name, solid, tolerance) in cases {
             let off = |place: DVec3| (solid.share(place, 1.0, &plane()).0 - integral(&solid, place)).abs();
             let worst = places(&solid).map(off).fold(0.0, f64::max);
             println!("{name}: {worst:.5}");
-            assert!(worst < 10.0 * tolerance, "{name}: off by {worst}");
+            assert!(worst < tolerance, "{name}: off by {worst}");
         }
     }
 
@@ -275,7 +275,7 @@ mod tests {
         assert!(hollow.surface(DVec3::new(0.0, 1.9, 0.0)).0 > 1.0);
         for at in [DVec3::new(1.25, 0.0, 0.0), DVec3::new(1.25, -1.25, 0.3), DVec3::new(1.2, 1.8, 0.1)] {
             let (share, expected) = (hollow.share(at, 1.0, &plane()).0, integral(&hollow, at));
-            assert!((share - expected).abs() < 0.006, "at {at}: {share} and {expected}");
+            assert!((share - expected).abs() < 0.01, "at {at}: {share} and {expected}");
         }
     }
 
