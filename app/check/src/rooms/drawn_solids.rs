@@ -22,7 +22,8 @@ const LIGHT_TOLERANCE: f64 = 0.01;
 /// Of reversed depth.
 const DEPTH_TOLERANCE: f64 = 5e-5;
 /// Share of the covered pixels on an edge, where a device may see one face or the other, and of those that it may see so besides
-/// for each pixel that it snaps vertices by: with 4 bits of subpixels, a sixteenth, SwiftShader had .053 of solids and .085 of glass, which shows its edges twice.
+/// for each pixel that it snaps vertices by. With 4 bits of subpixels, a sixteenth, SwiftShader had .053 of solids and .085 of
+/// glass, which shows its edges twice.
 const ON_EDGES: [f64; 2] = [0.03, 1.2];
 /// As far as the widest of a soft shadow's taps, in texels of the map, and a few more.
 const SOFT_TEXELS: f64 = 5.0;
