@@ -3,7 +3,6 @@
 use crate::boundary::mirror::{Mirrors, mirrored};
 use crate::params::Smoothing;
 use crate::shared::wendland;
-use crate::solver::pbf::constrain_density::STIFFNESS_FLOOR;
 use crate::solver::pbf::correct_positions::COINCIDENT;
 use glam::DVec3;
 
@@ -20,6 +19,9 @@ pub struct PressureFactors {
     pub is_simulated: bool,
 }
 
+/// A stiffness is taken to be no less: with all its particles at one point a constraint has no gradient, and nothing to divide
+/// by.
+pub const STIFFNESS_FLOOR: f64 = 1e-6;
 /// Pairs closer than this, in h, part.
 pub const SEPARATION: f64 = 0.12;
 /// How far each of two at one point moves in a substep, h.

@@ -21,10 +21,6 @@ pub struct DensityConstraint {
     pub denominator: f64,
 }
 
-/// A denominator is taken to be no less: with all its particles at one point a constraint has no
-/// gradient, and without mixing nothing to divide by.
-pub const STIFFNESS_FLOOR: f64 = 1e-6;
-
 /// Lambda of particle `i`.
 pub fn constrain_density(
     i: usize,
