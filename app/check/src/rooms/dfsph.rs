@@ -110,14 +110,13 @@ pub(crate) fn factor_pressure_matches_its_twin(device: &Device) {
     ensure!(check(1.001 * weight).is_err(), "another weight of neighbours");
 }
 
-fn check_factors(
+/// What the kernel leaves: particles' positions, factors and partings.
+fn run_factors(
     device: &Device,
     case: &Case,
-    walls: Around,
+    walls: bool,
     pairs: Pairs,
-    weight: f64,
-    worst: &mut Worst,
-) -> Result<(), Wrong> {
+) -> (Vec<Position>, Vec<PressureFactors>, Vec<Velocity>) {
     let mut bench = Bench::new(device);
     let quantized_positions = bench.input("quantized_positions", &case.quantized_positions(pairs.quantization));
     let sorted_positions = bench.input("sorted_positions", &case.positions);
@@ -130,7 +129,7 @@ fn check_factors(
     let kernel = bench.uniform("kernel", kernel_params());
     bench.dispatch(
         &FactorPressure {
-            variant: FactorPressureVariant { walls: walls.has_walls(), precision: pairs.precision },
+            variant: FactorPressureVariant { walls, precision: pairs.precision },
             quantized_positions: quantized_positions.read(),
             sorted_positions: sorted_positions.read(),
             neighbours: neighbours.read(),
@@ -145,9 +144,19 @@ fn check_factors(
         case.count(),
     );
     let mut done = bench.run();
-    ensure_eq!(done.read(&positions, case.count()), case.positions);
-    let got = done.read(&pressure_factors, case.count());
-    let parting = done.read(&shifts, case.count());
+    (done.read(&positions, case.count()), done.read(&pressure_factors, case.count()), done.read(&shifts, case.count()))
+}
+
+fn check_factors(
+    device: &Device,
+    case: &Case,
+    walls: Around,
+    pairs: Pairs,
+    weight: f64,
+    worst: &mut Worst,
+) -> Result<(), Wrong> {
+    let (positions, got, parting) = run_factors(device, case, walls.has_walls(), pairs);
+    ensure_eq!(positions, case.positions);
     let step = step_of(&case.step_params(), walls.has_walls());
     let box_walls = walls_of(&kernel_params(), step.domain_size_m);
     let box_walls = walls.has_walls().then_some(&box_walls);
@@ -181,33 +190,7 @@ fn parted(device: &Device, apart: f64, pairs: Pairs) -> ([DVec3; 2], [DVec3; 2])
     case.positions[1] = Position { tag: 1, ..case.positions[0] };
     case.positions[1].position_m[1] += to_m as f32;
     case.neighbours = vec![vec![1], vec![0]];
-    let mut bench = Bench::new(device);
-    let quantized_positions = bench.input("quantized_positions", &case.quantized_positions(pairs.quantization));
-    let sorted_positions = bench.input("sorted_positions", &case.positions);
-    let (neighbours, list_heads) = case.upload_neighbours(&mut bench);
-    let mut positions = bench.output("positions", 2);
-    let mut pressure_factors = bench.output::<PressureFactors>("pressure_factors", 2);
-    let mut shifts = bench.output::<Velocity>("shifts", 2);
-    let step_state = bench.uniform("step_state", case.step_state());
-    let step_params = bench.uniform("step_params", case.step_params());
-    let kernel = bench.uniform("kernel", kernel_params());
-    bench.dispatch(
-        &FactorPressure {
-            variant: FactorPressureVariant { walls: false, precision: pairs.precision },
-            quantized_positions: quantized_positions.read(),
-            sorted_positions: sorted_positions.read(),
-            neighbours: neighbours.read(),
-            list_heads: list_heads.read(),
-            positions: positions.write(),
-            pressure_factors: pressure_factors.write(),
-            shifts: shifts.write(),
-            step_state: step_state.uniform(),
-            step_params: step_params.uniform(),
-            kernel: kernel.uniform(),
-        },
-        2,
-    );
-    let got: Vec<Velocity> = bench.run().read(&shifts, 2);
+    let (_, _, got) = run_factors(device, &case, false, pairs);
     let per_h = f64::from(case.step_params().dt_s) / smoothing.support_m;
     let at_m = case.quantized_m(pairs.quantization);
     let twin = |i: usize| separation(i, &at_m, &case.neighbours[i], &smoothing, |_, _| DVec3::ZERO);
