@@ -1,7 +1,7 @@
 //! Scenes with solids that no particle may pass, and how one that did is told.
 
 use brooklet_fluid::Scene;
-use brooklet_fluid::boundary::solids::solids;
+use brooklet_fluid::scene::solids;
 use brooklet_reference::boundary::solids::motion::pose_at;
 use glam::DVec3;
 

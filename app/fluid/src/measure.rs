@@ -47,11 +47,8 @@ impl Measuring {
         recording.clear(&mut self.group_measures);
         recording.clear(&mut self.histograms);
         let has_density = search.is_some();
-        if let Some(search) = search {
-            let kernel = &search.smoothing_kernel;
-            context.with_solids(|solids, context| {
-                solids.record_sample_anew(recording, &context.slots, &particles.positions, kernel);
-            });
+        if let (Some(search), Some(solids)) = (search, &mut context.solids) {
+            solids.record_sample_anew(recording, &particles.positions, &search.smoothing_kernel);
         }
         let walls = context.boundary();
         context.slots.dispatch(
@@ -125,7 +122,7 @@ impl Densities {
         recording.clear(&mut density_ratios);
         let mut solids = self.solids.as_ref().map(Solids::alias);
         if let Some(solids) = &mut solids {
-            solids.record_sample_anew(recording, &self.slots, positions, &self.kernel);
+            solids.record_sample_anew(recording, positions, &self.kernel);
         }
         self.slots.dispatch(
             recording,

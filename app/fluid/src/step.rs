@@ -147,13 +147,17 @@ pub fn record_count(resources: &mut Resources, scene: &Scene, capacity: u32) -> 
     if let Some(drag_walls) = &mut context.drag_walls {
         drag_walls.record_init(&mut init, scene);
     }
-    context.with_solids(|solids, _| solids.record_init(&mut init, scene));
+    if let Some(solids) = &mut context.solids {
+        solids.record_init(&mut init, scene);
+    }
     solver.record_init(&mut init, scene);
 
     let mut step = resources.recording("step");
     for _ in 0..scene.substeps() {
         solver.begin_substep(&mut step, &mut context);
-        context.with_solids(|solids, context| solids.record_move(&mut step, context));
+        if let Some(solids) = &mut context.solids {
+            solids.record_move(&mut step);
+        }
         if let Some(body_forces) = &body_forces {
             body_forces.record(&mut step, &context, &mut particles);
         }

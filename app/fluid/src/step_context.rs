@@ -29,26 +29,20 @@ pub struct StepContext {
 impl StepContext {
     /// Declares what `capacity` slots of `scene` need.
     pub fn declare(resources: &mut Resources, scene: &Scene, capacity: u32) -> Self {
+        let step = resources.persistent("step_params", 1);
+        let slots = Slots {
+            counts_vary: scene.capacity.is_some(),
+            substeps_vary: scene.adapts_substeps(),
+            ..Slots::declare(resources, capacity)
+        };
         Self {
-            step: resources.persistent("step_params", 1),
-            slots: Slots {
-                counts_vary: scene.capacity.is_some(),
-                substeps_vary: scene.adapts_substeps(),
-                ..Slots::declare(resources, capacity)
-            },
             counters: resources.persistent("counters", 1),
             walls: scene.domain.has_walls(),
             periodic: scene.domain.is_periodic(),
             drag_walls: DragWalls::declare(resources, scene),
-            solids: Solids::declare(resources, scene, capacity),
-        }
-    }
-
-    /// Records what solids do with the rest of the context; nothing without them.
-    pub fn with_solids(&mut self, record: impl FnOnce(&mut Solids, &mut Self)) {
-        if let Some(mut solids) = self.solids.take() {
-            record(&mut solids, self);
-            self.solids = Some(solids);
+            solids: Solids::declare(resources, scene, &slots, &step),
+            step,
+            slots,
         }
     }
 

@@ -4,7 +4,7 @@
 use crate::device::Device;
 use crate::numbers::rng;
 use crate::wrong::{OrRaise as _, ensure, ensure_eq, note};
-use brooklet_fluid::boundary::solids::solids;
+use brooklet_fluid::scene::solids;
 use brooklet_fluid::scene::{Scene, SolidLook};
 use brooklet_fluid::{Slots, visit_slots};
 use brooklet_gpu::{Plan, Resources, Tier};

@@ -7,7 +7,8 @@ use crate::device::Device;
 use crate::numbers::rng;
 use crate::wrong::{OrRaise as _, ensure, ensure_eq};
 use brooklet_fluid::Scene;
-use brooklet_fluid::boundary::solids::{solids, solids_params};
+use brooklet_fluid::boundary::solids::solids_params;
+use brooklet_fluid::scene::solids;
 use brooklet_kernels::{
     CollideSolids, ConfineDisplacements, ConfineDisplacementsVariant, Kernel as _, Keyframe, MarkSolids, MoveSolids,
     Position, SampleSolids, Solid, SolidContact, SolidPose, SolidsParams, StepParams, StepState, Velocity,

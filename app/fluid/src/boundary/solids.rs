@@ -5,28 +5,23 @@
 //! the solids near it, which counts as a wall does, and the plane of the nearest surface. So an iteration's cost does not
 //! grow with the solids, and that of the rest only with the particles in blocks that one is near.
 
-mod shapes;
-
 use brooklet_gpu::{Recording, Resources};
 use brooklet_kernels::{
-    Buffer, CollideSolids, ConfineDisplacements, ConfineDisplacementsVariant, Keyframe, MAX_SOLIDS, MarkSolids,
-    MoveSolids, Position, SampleSolids, SmoothingKernelParams, Solid, SolidContact, SolidPose, SolidsParams,
+    Buffer, CollideSolids, ConfineDisplacements, ConfineDisplacementsVariant, Keyframe, MarkSolids, MoveSolids,
+    Position, PrecisionKeyword, SampleSolids, SmoothingKernelParams, Solid, SolidContact, SolidPose, SolidsParams,
+    StepParams, Velocity,
 };
 
-use crate::grid::NeighbourSearch;
-use crate::scene::Scene;
+use crate::scene::{Scene, first_poses, solids};
 use crate::slots::Slots;
-use crate::step_context::{Particles, StepContext};
-pub(crate) use shapes::{StandingSolid, fastest_m_s, motion};
-pub use shapes::{first_poses, solids};
 
 /// Blocks along the longest side of the domain, at most.
 const MOST_BLOCKS: f64 = 16.0;
-/// Solids that a scene may have.
-pub const MOST_SOLIDS: usize = MAX_SOLIDS as usize;
 
 /// The solids of a scene.
 pub struct Solids {
+    slots: Slots,
+    step: Buffer<StepParams>,
     solids: Buffer<Solid>,
     keyframes: Buffer<Keyframe>,
     poses: Buffer<SolidPose>,
@@ -56,21 +51,27 @@ pub fn solids_params(scene: &Scene) -> SolidsParams {
 }
 
 impl Solids {
-    /// None of a scene that has none.
-    pub fn declare(resources: &mut Resources, scene: &Scene, capacity: u32) -> Option<Self> {
-        let count = scene.solids.len() as u32;
-        if count == 0 {
+    /// Those around the particles in `slots`; none of a scene that has none.
+    pub(crate) fn declare(
+        resources: &mut Resources,
+        scene: &Scene,
+        slots: &Slots,
+        step: &Buffer<StepParams>,
+    ) -> Option<Self> {
+        let (solids, keyframes) = solids(scene);
+        if solids.is_empty() {
             return None;
         }
-        let keyframe_count = scene.solids.iter().map(|solid| motion(solid).0.len() as u32).sum();
         let block_count = solids_params(scene).blocks.into_iter().product();
         Some(Self {
-            solids: resources.persistent("solids", count),
-            keyframes: resources.persistent("keyframes", keyframe_count),
-            poses: resources.persistent("solid_poses", count),
+            slots: slots.alias(),
+            step: step.alias(),
+            solids: resources.persistent("solids", solids.len() as u32),
+            keyframes: resources.persistent("keyframes", keyframes.len() as u32),
+            poses: resources.persistent("solid_poses", solids.len() as u32),
             blocks: resources.buffer("solid_blocks", block_count),
             block_count,
-            contacts: resources.buffer("solid_contacts", capacity),
+            contacts: resources.buffer("solid_contacts", slots.capacity),
             params: resources.persistent("solids_params", 1),
         })
     }
@@ -85,14 +86,14 @@ impl Solids {
     }
 
     /// Moves the solids to where they are at the substep's end.
-    pub(crate) fn record_move(&mut self, recording: &mut Recording, context: &StepContext) {
+    pub(crate) fn record_move(&mut self, recording: &mut Recording) {
         let count = self.solids.len;
         recording.dispatch(
             &MoveSolids {
                 solids: self.solids.read(),
                 keyframes: self.keyframes.read(),
                 solid_poses: self.poses.write(),
-                step_state: context.slots.state.uniform(),
+                step_state: self.slots.state.uniform(),
                 solids_params: self.params.uniform(),
             },
             count,
@@ -112,17 +113,22 @@ impl Solids {
     }
 
     /// Stops the paths that particles took in the substep.
-    pub(crate) fn record_collide(&self, recording: &mut Recording, context: &StepContext, particles: &mut Particles) {
-        context.slots.dispatch(
+    pub(crate) fn record_collide(
+        &self,
+        recording: &mut Recording,
+        positions: &mut Buffer<Position>,
+        velocities: &mut Buffer<Velocity>,
+    ) {
+        self.slots.dispatch(
             recording,
             &CollideSolids {
                 solids: self.solids.read(),
                 solid_poses: self.poses.read(),
                 solid_blocks: self.blocks.read(),
-                positions: particles.positions.write(),
-                velocities: particles.velocities.write(),
-                step_state: context.slots.state.uniform(),
-                step_params: context.step.uniform(),
+                positions: positions.write(),
+                velocities: velocities.write(),
+                step_state: self.slots.state.uniform(),
+                step_params: self.step.uniform(),
                 solids_params: self.params.uniform(),
             },
         );
@@ -132,23 +138,21 @@ impl Solids {
     pub(crate) fn record_sample_anew(
         &mut self,
         recording: &mut Recording,
-        slots: &Slots,
         positions: &Buffer<Position>,
         kernel: &Buffer<SmoothingKernelParams>,
     ) {
         self.mark(recording);
-        self.record_sample(recording, slots, positions, kernel);
+        self.record_sample(recording, positions, kernel);
     }
 
     /// Tells particles at `positions` of the solids near them.
     pub(crate) fn record_sample(
         &mut self,
         recording: &mut Recording,
-        slots: &Slots,
         positions: &Buffer<Position>,
         kernel: &Buffer<SmoothingKernelParams>,
     ) {
-        slots.dispatch(
+        self.slots.dispatch(
             recording,
             &SampleSolids {
                 positions: positions.read(),
@@ -156,7 +160,7 @@ impl Solids {
                 solid_poses: self.poses.read(),
                 solid_blocks: self.blocks.read(),
                 solid_contacts: self.contacts.write(),
-                step_state: slots.state.uniform(),
+                step_state: self.slots.state.uniform(),
                 solids_params: self.params.uniform(),
                 kernel: kernel.uniform(),
             },
@@ -167,23 +171,24 @@ impl Solids {
     pub(crate) fn record_confine(
         &self,
         recording: &mut Recording,
-        context: &StepContext,
-        search: &mut NeighbourSearch,
+        precision: PrecisionKeyword,
+        sorted_positions: &Buffer<Position>,
+        quantized_positions: &mut Buffer<[u32; 2]>,
+        kernel: &Buffer<SmoothingKernelParams>,
     ) {
-        let sorted = &mut search.sorted;
-        context.slots.dispatch(
+        self.slots.dispatch(
             recording,
             &ConfineDisplacements {
-                variant: ConfineDisplacementsVariant { precision: sorted.precision },
+                variant: ConfineDisplacementsVariant { precision },
                 solids: self.solids.read(),
                 solid_poses: self.poses.read(),
                 solid_blocks: self.blocks.read(),
-                sorted_positions: sorted.positions.read(),
-                quantized_positions: sorted.quantized_positions.write(),
-                step_state: context.slots.state.uniform(),
-                step_params: context.step.uniform(),
+                sorted_positions: sorted_positions.read(),
+                quantized_positions: quantized_positions.write(),
+                step_state: self.slots.state.uniform(),
+                step_params: self.step.uniform(),
                 solids_params: self.params.uniform(),
-                kernel: search.smoothing_kernel.uniform(),
+                kernel: kernel.uniform(),
             },
         );
     }
@@ -206,6 +211,8 @@ impl Solids {
     /// The same solids, for another owner.
     pub(crate) fn alias(&self) -> Self {
         Self {
+            slots: self.slots.alias(),
+            step: self.step.alias(),
             solids: self.solids.alias(),
             keyframes: self.keyframes.alias(),
             poses: self.poses.alias(),

@@ -3,8 +3,8 @@
 use brooklet_kernels::{FLUID_SHIFT, INACTIVE_FLUID};
 
 use super::lattice::{self, WHOLE, steps_m};
+use super::solid_shapes::StandingSolid;
 use super::{Block, Fluid, Scene};
-use crate::boundary::solids::StandingSolid;
 
 /// What a tag's bits below the fluid's number can tell apart.
 pub const MAX_PARTICLES: u32 = 1 << FLUID_SHIFT;

@@ -25,6 +25,7 @@ mod pbf;
 mod schema;
 mod settings;
 mod shipped;
+mod solid_shapes;
 mod solids;
 mod solver;
 mod sph;
@@ -52,6 +53,7 @@ pub use pbf::{Acceleration, PbfSettings};
 #[cfg(feature = "schema")]
 pub use schema::schema;
 pub use shipped::shipped_scenes;
+pub use solid_shapes::{first_poses, solids};
 pub use solids::{BoxShape, KeyframeSettings, OpenFaces, RoundShape, Shape, SolidLook, SolidSettings, SphereShape};
 pub use solver::{Method, Precision, Solver};
 pub use sph::{Integrator, SmoothingKernel, SphSettings};

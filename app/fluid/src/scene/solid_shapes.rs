@@ -1,10 +1,12 @@
 //! What the shaders are told of solids, and how far from one a place is before anything moves.
 
-use brooklet_kernels::{Keyframe, SHAPE_BOX, SHAPE_CAPSULE, SHAPE_CYLINDER, Solid, SolidPose};
+use brooklet_kernels::{Keyframe, MAX_SOLIDS, SHAPE_BOX, SHAPE_CAPSULE, SHAPE_CYLINDER, Solid, SolidPose};
 use glam::{DQuat, DVec2, DVec3};
 
-use crate::scene::{Scene, Shape, SolidSettings};
+use super::{Scene, Shape, SolidSettings};
 
+/// Solids that a scene may have.
+pub(super) const MOST_SOLIDS: usize = MAX_SOLIDS as usize;
 /// Until when a steady motion is told, s: in f32 the way at any earlier time is then as exact as the time is.
 const WITHOUT_END_S: f64 = 1.0e6;
 /// Parts of a whole turn, each less than half of one, which a quaternion cannot tell from the shorter way round.
@@ -14,7 +16,7 @@ const MOST_TURN_RAD: f64 = std::f64::consts::FRAC_PI_4;
 
 /// A solid at a time.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Pose {
+pub(super) struct Pose {
     pub time_s: f64,
     /// In the scene's coordinates, m.
     pub centre_m: DVec3,
@@ -26,7 +28,7 @@ fn turned(turned_deg: [f64; 3]) -> DQuat {
 }
 
 /// Where a solid is at times, and after which time that begins again, s; 0: never.
-pub(crate) fn motion(solid: &SolidSettings) -> (Vec<Pose>, f64) {
+pub(super) fn motion(solid: &SolidSettings) -> (Vec<Pose>, f64) {
     let keyframes: Vec<Pose> = solid
         .keyframes
         .iter()
@@ -178,7 +180,7 @@ fn from_shape_m(shape: u32, place_m: DVec3, half_m: DVec3) -> f64 {
 }
 
 /// A solid where it begins.
-pub(crate) struct StandingSolid {
+pub(super) struct StandingSolid {
     pose: Pose,
     shape: u32,
     half_m: DVec3,
@@ -188,7 +190,7 @@ pub(crate) struct StandingSolid {
 
 impl StandingSolid {
     /// The solid before anything moves.
-    pub(crate) fn of(solid: &SolidSettings) -> Self {
+    pub(super) fn of(solid: &SolidSettings) -> Self {
         let (shape, half_m, extent_m) = halves(solid.shape());
         let standing = Pose { time_s: 0.0, centre_m: DVec3::ZERO, rotation: DQuat::IDENTITY };
         let pose = motion(solid).0.first().copied().unwrap_or(standing);
@@ -196,7 +198,7 @@ impl StandingSolid {
     }
 
     /// How far a place is from its surface, m; negative inside it. What a hollow one holds is outside.
-    pub(crate) fn distance_m(&self, place_m: [f64; 3]) -> f64 {
+    pub(super) fn distance_m(&self, place_m: [f64; 3]) -> f64 {
         let in_frame_m = self.pose.rotation.inverse() * (DVec3::from_array(place_m) - self.pose.centre_m);
         let outside_m = from_shape_m(self.shape, in_frame_m, self.half_m);
         self.cavity_m.map_or(outside_m, |[min_m, max_m]| {
@@ -206,7 +208,7 @@ impl StandingSolid {
     }
 
     /// The box around it: its lowest and highest corner, m.
-    pub(crate) fn bounds_m(&self) -> [DVec3; 2] {
+    pub(super) fn bounds_m(&self) -> [DVec3; 2] {
         let along = |axis: DVec3| (self.pose.rotation * (axis * self.extent_m)).abs();
         let around_m = along(DVec3::X) + along(DVec3::Y) + along(DVec3::Z);
         [self.pose.centre_m - around_m, self.pose.centre_m + around_m]
@@ -214,7 +216,7 @@ impl StandingSolid {
 }
 
 /// The fastest that a point of the solid moves between two of its keyframes, m/s, and the number of the second.
-pub(crate) fn fastest_m_s(solid: &SolidSettings) -> (f64, usize) {
+pub(super) fn fastest_m_s(solid: &SolidSettings) -> (f64, usize) {
     let reach_m = halves(solid.shape()).2.length();
     let (poses, _) = motion(solid);
     let number =

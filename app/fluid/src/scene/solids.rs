@@ -174,9 +174,4 @@ impl SolidSettings {
         let given = [self.cuboid.is_some(), self.sphere.is_some(), self.capsule.is_some(), self.cylinder.is_some()];
         given.into_iter().filter(|&given| given).count()
     }
-
-    /// Whether it moves.
-    pub fn moves(&self) -> bool {
-        self.keyframes.len() > 1 || self.velocity_m_s != [0.0; 3] || self.spin_deg_s != [0.0; 3]
-    }
 }

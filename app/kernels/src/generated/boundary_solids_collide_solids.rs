@@ -95,5 +95,5 @@ static COLLIDE_SOLIDS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/collide_solids.compute",
-    hash: "ddd9d42823208d020a27d402fb4a03e9f5f5ef8abcfdee6c9bcda831ccdaf685",
+    hash: "00504117a896927d000d3682f7ba96746131223e512bbfcde0cf1637166f046c",
 };

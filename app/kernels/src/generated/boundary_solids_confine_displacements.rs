@@ -109,7 +109,7 @@ static CONFINE_DISPLACEMENTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "798746eba828d6dc628450ddd9183bc4efb8824aa0d67236d4e1071107f0f85f",
+    hash: "a211a7963d2aeb66473dbc0ec680731025640183debebc9d9f746a527591b4e1",
 };
 
 static CONFINE_DISPLACEMENTS_WITH_RELAXED_PRECISION: Module = Module {
@@ -122,5 +122,5 @@ static CONFINE_DISPLACEMENTS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "e6aa1269211d059776210e7d5311a398c28ebe75abfe0f6c5cfd7267e0d1d19b",
+    hash: "a48435e18d943df8ca2dbf8c224cdaae2fcb0cee5501141a081f8a30b4d073c9",
 };

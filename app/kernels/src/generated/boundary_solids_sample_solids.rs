@@ -89,5 +89,5 @@ static SAMPLE_SOLIDS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/sample_solids.compute",
-    hash: "a6cd6f70a25fc5547b7c5f44d5eaad045937d82245611b0839ddcc727ef2e3b7",
+    hash: "f7a7168861bbd0a8e1c0539090c5cc847e2ebc7fa06e5f456330831e2a69d183",
 };

@@ -126,7 +126,7 @@ static DENSITY_RATIOS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "0b03f41a13db51354dcae17b119701ea9fa29c3c37756c7e036402d0fcf881f9",
+    hash: "df74074498747b69bae84470e1a75f62b5606e08274231a7afe6bfcdd65ca854",
 };
 
 static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
@@ -139,7 +139,7 @@ static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "cded083ff6559914826b22c40f6607ac836408ff5cb1cea25fdd04fec4f801e0",
+    hash: "fa1af4691c8435b039442adde3b3db350338811a15284b86449c8fe7e2912eaf",
 };
 
 static DENSITY_RATIOS_WITH_WALLS: Module = Module {
@@ -152,7 +152,7 @@ static DENSITY_RATIOS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "4965004dad1e2cab2d076ae77ccd04ba4a3e74330c1fa2b1b578b204a8911fdc",
+    hash: "84c07cff0dcb9ca6e2201c922741861d2268aea887dbbc20db461c93016232a0",
 };
 
 static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -165,7 +165,7 @@ static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "e18fe0c3fdcea6fb14e4a0c91ae0b87b6dd1d4d3d6c40cf9afc6bea78bc968aa",
+    hash: "5de7d8279e54375859dd57e649e86c2964e4266d7c72c9c27aedac14aaa4dcc1",
 };
 
 static DENSITY_RATIOS_WITH_SOLID_WALLS: Module = Module {
@@ -178,7 +178,7 @@ static DENSITY_RATIOS_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "c16690213cf6be249feca266ffad1dc7002faa33de40ccf79c336fc1132a30d1",
+    hash: "8e2607e59ac4a1df9d6261d2779695b369b61bd0c38c1697d0b89b8e1be0cf23",
 };
 
 static DENSITY_RATIOS_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
@@ -191,5 +191,5 @@ static DENSITY_RATIOS_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "151fe0c361d730c10a0a5d74260424f2dbaa664299e156d894a425c155fb6b7b",
+    hash: "16278702254ea582423fff2b131a43a8628c26846e17304b6a80c02e3ed1a821",
 };

@@ -171,7 +171,7 @@ static MEASURE_PARTICLES: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "6f1042e59d4685ab487538195dac2b0101e37bbe824eb59e581cce0a4f0957a0",
+    hash: "b3f1eee3922fe22939ec279c997a50070811d49dfa04d2e132e46f6c27daf89c",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
@@ -184,7 +184,7 @@ static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "0ffcd3c52908870dc8cdfe183e6200c8e88fc1cecb7406e0824c19e13c911103",
+    hash: "325f0740ca4ce8a6358498f0226e44ff3adcc5aa434c7299bb952ff42fb84f7c",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
@@ -197,7 +197,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "9e103b9db2842ac5278745812cf5a741eb82951dd68ab2c0e45c3ffe6f7c9431",
+    hash: "1e862056923b31174186346cb9822b74c75cbd89b7b721ec44996e17d71f3f01",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
@@ -210,7 +210,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "476dc1f9bd5ac3ca170c97027c23c545c80f38eabacdd102506f5a6263b217ff",
+    hash: "b778e45273b3109e9db96598e9e66b60763856ec7d628a80d3138d2d40f78cf8",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -223,7 +223,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module 
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "f4b105c6c622e2dd64b97e2a63e169b42974460ad6460d6edf24e41dd34e6e3a",
+    hash: "b4a184010571f71e29633f76f0fd24536dd0aa9d935cccf3cf3ea45cf522bd1b",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS: Module = Module {
@@ -236,7 +236,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "731668648252b992eecc5d9f4c8b258aa750dcc8c508d99550c7c81f50da15f0",
+    hash: "e2bbd6c9e89e61003d9f9731d9e872107c67ed7b2937070b2f3f0ede8e866dd7",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
@@ -249,5 +249,5 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS_WITH_PERIODIC: Module = M
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "72a24bbbae3060954eec5a43cf26084664f9e33ca36bac4ea78b60a5bef8d66e",
+    hash: "824af84e9dede34dfb4badecaf4433d2e731d307dc10ec875cfa65d440b12dcd",
 };

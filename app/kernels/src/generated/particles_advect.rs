@@ -143,7 +143,7 @@ static ADVECT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "51bb6ec317141a36966ce099388c27a987a927eabf198e3175111932d5dff595",
+    hash: "a66795e4adf16f9a323c1619ff52e18da3dec85e47470859fb003c92804d2873",
 };
 
 static ADVECT_WITH_PERIODIC: Module = Module {
@@ -156,7 +156,7 @@ static ADVECT_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "79c2ae78647d390d48d73d51c3a4556cc20fb3b3eddf7332fec04a7e643052f6",
+    hash: "092043a033b91d75fc5bf8e8dd7b9c3891da34dd1d52ef18025b580c57d6045e",
 };
 
 static ADVECT_WITH_WALLS: Module = Module {
@@ -169,7 +169,7 @@ static ADVECT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "780cc4cdcdf8f0e7de92d708842da2337b4eaae462b535e2db6f579dd73121d6",
+    hash: "26056115f5fd1eec7d6143e1ebc54803d499fe9376735f60d1c820ba86e0cad8",
 };
 
 static ADVECT_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -182,7 +182,7 @@ static ADVECT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "7212a767d75af92eaa095d3634f302e4f0d2942cc16618eed0c3cc02f45bdf51",
+    hash: "42b21ebb559f689f81ca1d8e50cb09d15da5ab1b1184d6503b6367f23163cee2",
 };
 
 static ADVECT_WITH_ACCELERATED: Module = Module {
@@ -195,7 +195,7 @@ static ADVECT_WITH_ACCELERATED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "d07042cbf8b9308ae208cb455c7c3eb7566b859f0438e94653078e8127b13360",
+    hash: "929dc0ae1811c63b4a1f78153d84cc8793518cdaa705f95184b1131485a73992",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_PERIODIC: Module = Module {
@@ -208,7 +208,7 @@ static ADVECT_WITH_ACCELERATED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "f2cd1386c0a966f78cdca5ec9c8ed30dccdac548fdef4431403b607ae7568a89",
+    hash: "7e476c8e891b3e656cbc249e24964994a588e95a5ec09677a084973eb83ae59a",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_WALLS: Module = Module {
@@ -221,7 +221,7 @@ static ADVECT_WITH_ACCELERATED_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "01e8335e0bf459c8676e3eaf9552d08def9a5145b39848201b43ecc6f1ee4355",
+    hash: "ea99c3a38149fdf9873b327f3958808a99699a02b0452e634335426434812450",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -234,5 +234,5 @@ static ADVECT_WITH_ACCELERATED_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "ba1e7e4731c3c495b2167d4659fc8486778529ba66e955990063982014fd306b",
+    hash: "f20d68598d8e8c656bce9d521c05a6fbf1d4abebb39269f6d1e0fd8ec3437fb0",
 };

@@ -76,5 +76,5 @@ static BOUNCE_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/bounce_walls.compute",
-    hash: "73d997fdd803811f8caad0db15f1a6e23314d0f206606f5e7bc998717556db06",
+    hash: "79df731a38fe8f479cf4f55c2596d016667dc60b8ece937b8b65b17ba90a481d",
 };

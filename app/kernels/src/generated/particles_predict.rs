@@ -97,7 +97,7 @@ static PREDICT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "353b4a1f38ecc07e4916fb27fd4f3a37b7de034ff68844153b2de82c4d82f38d",
+    hash: "8f78e57796489be400403ae3a8b0acfb8da54543d90d1f1a2b29e6adc62924cd",
 };
 
 static PREDICT_WITH_PERIODIC: Module = Module {
@@ -110,7 +110,7 @@ static PREDICT_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "5edaa74f1432a85270cd64178c7d1ee5b07381cf8a98d22e9954e15a78345915",
+    hash: "434b7b0677d0a9c262199fc8194cf9ab8cf53eef7fcbaa9de64c42dacd6e5685",
 };
 
 static PREDICT_WITH_WALLS: Module = Module {
@@ -123,7 +123,7 @@ static PREDICT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "15184f4ea3ebbe2b2915d3af45fc0cf44dea9256eb1f7c45bef020a284f6ff1a",
+    hash: "189888cfedb31dc8ad9c00c0a96aa901ff41c3f4a73b69a2f72d0b3ef924ea16",
 };
 
 static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -136,5 +136,5 @@ static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "6abe8b9943cb6f8279077fe6b286cf9cbe0169d86c8554a91e9e16392c5f0be4",
+    hash: "4321645b54f005418c74bbcdf14ab53c976f95db889f464022229f5cb401e726",
 };

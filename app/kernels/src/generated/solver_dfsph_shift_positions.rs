@@ -99,7 +99,7 @@ static SHIFT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "53f80c493367e1a5d6b52555536a26596784a03b8200c78cd341cbab310087da",
+    hash: "2a0ab4963c3b18d6cbdeda44bf7665d3e17ec2a18d874e5e9b558b1aebefa29b",
 };
 
 static SHIFT_POSITIONS_WITH_PERIODIC: Module = Module {
@@ -112,7 +112,7 @@ static SHIFT_POSITIONS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "00f1d89290f34b7d3add28f48dff93c25405693588de8ee952dc219a5530da1f",
+    hash: "3155620e9cba2453a5daf0b2e50690bc5a2eb9f8823e2951c12d35c89863bee7",
 };
 
 static SHIFT_POSITIONS_WITH_WALLS: Module = Module {
@@ -125,7 +125,7 @@ static SHIFT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "e545e910f013fcda8d53994c61a96acbc0c7d58a5f1c1405fd1ee98fbb07037e",
+    hash: "cbdc6c84fecd8cc4959bfa496516435b9e0fedb6738a0fc7d1c987799a8b10aa",
 };
 
 static SHIFT_POSITIONS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -138,5 +138,5 @@ static SHIFT_POSITIONS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "177351dd9c7ba794f2facdd937f89c7f7da86cf7977617f6f08059a745872312",
+    hash: "6e2a91de3ac20fc10887f292597ed86dccf63a66907f7aedf18445aaf0addf33",
 };

@@ -105,7 +105,7 @@ static INTEGRATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "37fd4250c843b2749698128a8c00106e86d8646f810ce55ab6aa9fdd43eb1b2b",
+    hash: "1b2fd0f43e04257becef2dcc469223cfb8c8ed22f2ca684d3de829c041dd81a2",
 };
 
 static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
@@ -118,7 +118,7 @@ static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "886afa3e554cf4d40ccad7e92231a0b95d097eaeac75ad5d6a104acfc2ea1516",
+    hash: "9b7f26c758ec5e3b89cb8b071b5c4eb827bc93b721e6630f945c3118918f00ff",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
@@ -131,7 +131,7 @@ static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "f4c1a5de074bade40691d4f36b1af66fb1bf2ddb0bc64a92b25c814dd857d060",
+    hash: "770adb03d1925b864601b3e10e67d4b33ab3c8feb58dcfaff7ce559f511ceece",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -144,5 +144,5 @@ static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "3055bb23e487e77154dc0d37aff35d46ba6b8dcc021b7c47993eb98c12deb64b",
+    hash: "c37cfba3bed7ed89d71fb957977616f3c3014f85660e834082df2974a0199227",
 };

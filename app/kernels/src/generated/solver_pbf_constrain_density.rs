@@ -773,7 +773,7 @@ static CONSTRAIN_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "3f95ef05a35632aff8e5cf7b980930cd08ce95549d18ba9d28ade62ce37e7c7d",
+    hash: "8487e29a6e1cd7e208d7d6635b8630b3009dcbe050dcc186beefbf6d9303fc9f",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -786,7 +786,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "020453ad87efe1153abce2a0af045026c887d913279eba567076c021afd486b4",
+    hash: "8b04dd8638e32dbfee52ee0cf458a14fc55198e51025946abd6dc77ed518f00b",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -799,7 +799,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "41a28b83170d8f5efd8a6ab111c4c08d11a4f4c24e72ea672947cc2c0925f732",
+    hash: "e9c262b6353fe33a021e232416c55fb01d1579b5eb0b501eb8ce79b26510c476",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
@@ -812,7 +812,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "b3f8675c0b4d255ab4844ca57555c5a26b492d99dda9f9f541f67315094df480",
+    hash: "7b1fdfda91a95c736954b794eb1e1662e0769754118126b5405a7f338e88d655",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -825,7 +825,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "750183ac29281d6f6ffa190cdde0d3732f0360505c2c3a0a14ade3565448b62f",
+    hash: "311e9b3c3aec4dd588324181daef290a0d1d956adcaec8e61d2ec58afb858aeb",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -838,7 +838,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "cc9f920868616a0f878097ac49a36d2140abfe192c562a78756eb617715dd8d2",
+    hash: "d0d6639e8d4ffc0d2e43ba8caede4f531dd9766b1a4c6666f40a8af1e4bde074",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -851,7 +851,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "293d8b126132c75c9d0cdad0e4d5117267f410eee34689cf7d32fc3b112d63fb",
+    hash: "991b4b2c18c9c6e2917146e07c22a5987e32535072810e3bc59520490fab31a0",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -864,7 +864,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "6a7d12372a34763b5fd115f351c42494b6431aff8fccb626ae2242cf9d92eda5",
+    hash: "548de67f885887cac61134a88d069ca485809fcf4a62a4ef529039d60e6cc59b",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -877,7 +877,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "e71126b258cfb648cfd5e098b0ee43b43730db96b481175bd854f846a85317de",
+    hash: "433bd00e9f95dba7e247de61c4b147a9ba866419803df3b1cc3a7fa4b1ec1e76",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -890,7 +890,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "fbf64aa025101bb8421b265feafc1583d628355a9b400e23cbb1c33e5c065789",
+    hash: "816e976697636c1720d11867b35ee10fa046150fff3a7507ab0cd2403d4b054a",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -903,7 +903,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "dfcf937eac7be076dc7c92429389d02424a4f6b6e53522c4b74d0b9191aa0a24",
+    hash: "bf5b2f85ad35d16294fac9e9e4ab4b7e58e8cee7e512aa411a9b6cca6b371241",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -916,7 +916,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "344655672b610bcd515fe152b405c54300a6abbec9c784cd34ed90d7b161b8e2",
+    hash: "deeb84419ebd2de09089f36a2cc74350c9713a37d58fff4431b1c6a1c3d50feb",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
@@ -929,7 +929,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "71913b6acd873f2faf0ecbf6d3242985714a4b296b72367a1d38b0dc10c8b793",
+    hash: "ef6f3ee04461058a05d07e2f9fe06df88caed4a11f7dffb151353d2a578d3a56",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -942,7 +942,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "75bd5ff06bc88d25891c530b6504ec65e15cc6e2c3ed64d7c2d0cd5f7d8a1904",
+    hash: "3fee36b83ba7b81bc96ad220ea0afdca146f14ea622b8180ea2ffa44a07d5f20",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -955,7 +955,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "d0cd1b4f9301fea8e6ecee550ae937b48b36978a8920a19401cd408d7faed179",
+    hash: "75895c406409f8739b5ba777f292078f9802a72a119b777a30f566b8598f12f6",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
@@ -968,7 +968,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "e20dbc5d8c62391ea1f63520a9f92827a86451b4c1b1b2dc259b8bcc05bd60e3",
+    hash: "561228d224af348b04dab97432cf354cbb00857525b1f0b018b178dcd9c40e8b",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -981,7 +981,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "64923f27e52d57c2a875ed85aa3b900f19ad6aa301de295a65af064fac2fc500",
+    hash: "045dcd67f0a4aec065084fc7782a1c0d68875e11269d4c7091397839c9a5e64b",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -994,7 +994,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "436067d9b92f187fe246898a460b1b7ebd4a3a69cd31c421ef7e62ca5b8e01e5",
+    hash: "dc148a793411fffc02b79cc8e5b70f2e96c6cd056561ea28743364abe3dc5a88",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -1007,7 +1007,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "2f58f58b6a5b01ed5a5fec18428b0552b83376e172e2714b1a0990bfd65efad3",
+    hash: "6406a0bba117349c589d6890387ab9626da1e5bf8e7623ff4804ea6e729201d1",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1020,7 +1020,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECI
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "61d811bad17fe2feeb56ce6184695a865c1d9b1eee839c9114f896986456620a",
+    hash: "a43f2175276646626df32c2a357eb6b2b842486609772ee1d6ab7d6702f5f6fe",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1033,7 +1033,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISIO
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "6d552e0ffa2801741a711be59fd07ebeb8d07e01a6cd2d9d71fe932f26533493",
+    hash: "f580b6d101caca9017e5817c6db9e043b09c14a72afbd6d7daf7531a9d0ef0f0",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -1046,7 +1046,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "e7aa3e2468930aa34bd4227ed893b0cb08aabcda95c2355421a33b839c432caa",
+    hash: "55282aba92b8f298dc8461d33cc3359a21e9c3ac59a1a8d23885e41d0a172dd0",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1059,7 +1059,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECIS
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "2a11b143a010156c400219c1d81829c42d08af50f5b55838d013f136a967fb7c",
+    hash: "6507c5568d8fd1c68f79dbbb68630b3db5136add9406f4f3ccfcb9aad6ec5757",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1072,7 +1072,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "a799dc84897c0a110bffbe61c980469abed6b496158f3c1eb693347c20809ec4",
+    hash: "401f979d256a7c80157aaf455adadc161cfd0a92e478693a261e21568e00e1a1",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS: Module = Module {
@@ -1085,7 +1085,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "ef2f816dfce3a6e2f742d634cbd8df4a8f9e115bb7a89d23f87f18c08f98d7bc",
+    hash: "9e61c332425e567355a9afe41620e968c026a59603295493de2ac54cca4e74f5",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -1098,7 +1098,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "4eb08dc53ba117b340833ea876dbb1a2a47e13d190596824787ca372887df29c",
+    hash: "c01eaeaf4f59477e7e0039118d0200a2285e0ebdf315eded49ef8f9a8ba91bd6",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -1111,7 +1111,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "4409d0ab83efb46a3ca854c7781773cf0982a5da452a695920ed10c52214e683",
+    hash: "0e1b74ab4158813fcf6b7e3a88c8ec44cd8c86ef7a9e2565b68bc33c7d8557ea",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM: Module = Module {
@@ -1124,7 +1124,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "4453fa1036ec3d38fe13a0088b2113d6f4ad6a73e8039e97d2d7f415079e83fc",
+    hash: "ca0cf38fea1c8ba20f0fa6267d1fbcb8f6667d2c5d007e370b19e029af88a8f9",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1137,7 +1137,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "4de091cb4280b9e280186cae4366d2d4601cf4ec5c7b503d2ed6311695312f9a",
+    hash: "e64fcd0953d6248a650e61bea095369a90464789f954b747c0c508e618e0cbda",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1150,7 +1150,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Mod
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "92556826d1f0e93dd508695348b577e214fadf44cb9d4196fdffcae5d4087d7b",
+    hash: "0b362baad7e57b6f80610d12144b0c53381ec8cef25340a7609e9a0a697aa66e",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -1163,7 +1163,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Mo
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "0ca8713920af1fcf595e8b6a4249b4f4a71b60022666380139469461ccfc8088",
+    hash: "e57cf63ba9c9f342421ba1efbab62989bddf1f6685ab17aa11c8da811104e61f",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1176,7 +1176,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "2c617c7f61b003fbdd7e02019f6758cdef516d705026179f3198968a331fb021",
+    hash: "d22f8762418a25a5fa866869eb98d7519cd6e20b7631bbccac5066f2d14e7a10",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1189,7 +1189,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PR
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "1671cc35fabf77fd94b46b18c24468139e39bf98ca45a2b4768cd4cfdefbe2bb",
+    hash: "c2f344065e2b88564b36676ab1f8633a9f742bf38fec9ffc38ae0c4df4ab016c",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -1202,7 +1202,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Mod
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "20a22f38c6b3c8eed099b20c4a0c5cf3b11880c2384d1d5ac492c82560eae508",
+    hash: "f1f3db467bc0db4f728639b9eedfd9510e6d72a7b8d0b163e3d85fc556c62a69",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1215,7 +1215,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "77afc12a67fe1ab685ee787c91afc2c7d9d8df35458c3fd354d9d0559291135b",
+    hash: "41e2a0ee69babf465dde5f0663ced817e016c20c0e6baf8024575ce87312b755",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1228,5 +1228,5 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRE
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "793d641361c4b85cd79997dadbb989fc72e114b501af03787a02306587266825",
+    hash: "6d490aa961459853904899f513123139c7f8157c88d0aaeb50833c2ca1544612",
 };

@@ -287,7 +287,7 @@ static CORRECT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "05265a7df527d5fdce4d5eab6237934d2309d8add2190b1d7a8877e48d267d81",
+    hash: "f7acd6d8a83cd792c5b80e67f78e5bc1962ab8c80d7f32165b1e2c75e94b585b",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
@@ -300,7 +300,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "b92b1eb1683be2a0eeacf01cdc12b99ca574d95cdf7df58fdfab86536a8df8e5",
+    hash: "b64574dcc9036cf393be34c2b3000e247822b7794c773d9ea146bef7490cee64",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
@@ -313,7 +313,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "ddf18343b7c45ac881c708bb9703d5ca5aa8cb4e0d1cfd1d041e08b80397861f",
+    hash: "487a1ea69251cdfef53fac92c86757f689e5b7abc7d1fc143928543aeed7f3cd",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
@@ -326,7 +326,7 @@ static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "73bf581b5466f0012488ed045e7751956b02a29e964fbd577fa47d154615d35d",
+    hash: "2e09759362bd1076031ef0fc12f2fee28708ad1a27a226250e6e83fddea8b97b",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -339,7 +339,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "56e4616a129bd0749ac262da5621627815c43dd05d61670d14c336b4c35fb16c",
+    hash: "ffe210fbe264553e573f5e881b2d240d182784d6ab8625ae18df3fd8dc2393f5",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -352,7 +352,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "7bc9e031b695de1786b45ef52f10b20206fb09add0a5c95bab7f731f77aad2b6",
+    hash: "1af778cc9dd4ecec4aa7f0b3102568741bf490c946ef52fa1b9215d5951336ff",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
@@ -365,7 +365,7 @@ static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "e486b207d1e964b43cac3b3b60f234ec3b3f5f73e428f6cb074c976103c0e613",
+    hash: "5b401040f301a501994386fb478c92c5260fb3450017137ce56fbbbe01bb511f",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -378,7 +378,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "56289d3d7207114423f770c70bb2f11853aaabeb27111bdb0d191c605325d1a9",
+    hash: "d6f06180b964bd79dc83343dec481f99c8b6b894a144b746fde7db67ae524ac5",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -391,7 +391,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "9ef0d38b403b2fd49016f5b3922d94ee5d7e764b71023ad6afd8b1913aef40a3",
+    hash: "85202c1d223643d1f2d8802a33b89c321ed95bb78b70859c4c599695b6610a3c",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
@@ -404,7 +404,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "9422a733e04d7e46f6d0bf57874f804bd7247111b505d3bc86580b2196a27401",
+    hash: "e569847f902cfcfd5f0f7d3bc936875a726281c89a81a1b8bb9519929b4477c4",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -417,7 +417,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "f39b20b08456380e37d9b48ae0de9f22a26dd560fae02a6e626e902f42d6018d",
+    hash: "cf21199de1e1500f2d7e4dcb6e17624fab498431850af49ced59b260b6b13059",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -430,7 +430,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "6f78eac7ab6cce82777c621d60abd59a9905621c1273738585268a4cbeddbe32",
+    hash: "a63a7b5aedddcf8a685de97cf7b17c94a45db388367ca8c46c59cb24e6455329",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS: Module = Module {
@@ -443,7 +443,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "14e2bac83694c8dbd7b6c4d58e4b657507130dfcb630c10abca7906df95e1972",
+    hash: "1957160e0a7c3de84158750c0d8f3e41ae51c7a0d04b7474ed0fac7e9ef3ad1b",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -456,7 +456,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "6a2480ab4fc7d145203bb93f01fec36dc0cd83d6850ef1d5f93268296aefa129",
+    hash: "b4ac07ee8018303dca827cb06a8336cdb2327ffbd566e4da56311abcb1fcee17",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -469,7 +469,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "60f06e7819e1e6f216df05cc6eab7142dcd4c7b2d1680282300897397150dd72",
+    hash: "00541e75fae33af706c451637c1e3fc6fbc26566c5d169c5b7e88e189ca0d443",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR: Module = Module {
@@ -482,7 +482,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "4362e37ce9554e61ce21d716bc43e27de7e729111601bec3816d82f12aea2346",
+    hash: "aec7851d5b12a2aa20b3e84319c1c12df70b18e42224d498229aa0b6d3a54824",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -495,7 +495,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Mo
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "87e7a76d4f8fd332547c87a7848caad9ee368da832c88d7f61deef4e77e94ab9",
+    hash: "1522495d1bfc69978689ad324187210a1beeb5923caa63c37b389a5bccac615c",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -508,5 +508,5 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "ab37c09ba4a7e1f43807e91c75a4c23e6b8783e20bf76e33d17161e9d38fd61a",
+    hash: "4518e1c0a17560936d6167b498e6138d515b7369703a77a64109938512fbbe3c",
 };

@@ -204,7 +204,7 @@ static START_WARM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "eb327f2265571d535a4268ce0da648b21326fdca0ab2381872517e67384f8031",
+    hash: "35d35595e9a2bc6c65537ec84b51b1d2500851f27073692fef90716482d3b0bd",
 };
 
 static START_WARM_WITH_RELAXED_PRECISION: Module = Module {
@@ -217,7 +217,7 @@ static START_WARM_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "2d7586afa8c1db7f7f919aeccaa1e2733ac2dfbfe6a6badba66bdb9fd332376a",
+    hash: "4026ed6d749731def1cde07211dc7e87d8fc043465a43658d40b0c5f3a77cbf1",
 };
 
 static START_WARM_WITH_WALLS: Module = Module {
@@ -230,7 +230,7 @@ static START_WARM_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "5deda9a2fbcd3de251a6bfd69a8aa3b240daedaa5426fd4c16c74430542f5ca0",
+    hash: "1b52130da9767b17f4d911395fd4881c9a5ab2885a5d7702c9899fea501819a0",
 };
 
 static START_WARM_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -243,5 +243,5 @@ static START_WARM_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "35ea197eeb6776ba6c86e2913782f61d7d90272786cbbe1e5d460abbc9e76986",
+    hash: "ed5cde52512de5b1cdc52ce9fb481f9b8aa408d8aa99c57f700a409b978722a7",
 };

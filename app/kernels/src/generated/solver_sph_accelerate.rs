@@ -264,7 +264,7 @@ static ACCELERATE: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "9bbcc6f1a86471fa447b16e57b884f7e6d7a3825b44d5c0bcc86c6e1a906cd2c",
+    hash: "ff42e0dfc9cac7ca6d12565f3f569a4fc28919feb155152dbbea80e1054e3ee3",
 };
 
 static ACCELERATE_WITH_RELAXED_PRECISION: Module = Module {
@@ -277,7 +277,7 @@ static ACCELERATE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "0d51774fd5f09cd32cff7a3f324c120b248c198d416e8aff6a42a0d815a14aa6",
+    hash: "06c6824b4e5243c6ac59333bc547ef3bbb74b08ccf118724c8de5c227897f9cb",
 };
 
 static ACCELERATE_WITH_HALF_PRECISION: Module = Module {
@@ -290,7 +290,7 @@ static ACCELERATE_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "ab5a13d6a11c5ccc4a51e818cda7d961167b37a75f1437864155acadbd3e27e8",
+    hash: "a200d3cbb50243ae6293de02e2594a8317b2c1f8ad8b12b716b0582662c3c715",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION: Module = Module {
@@ -303,7 +303,7 @@ static ACCELERATE_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "dd70eee326795a047cb0994c2daebee3f529e8775ceb8ef673befbf29a3b959f",
+    hash: "2f5f92f8c0ea5e6e557fa28025e0019a8a77b2ce7a7804a0969b2567774acca1",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -316,7 +316,7 @@ static ACCELERATE_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "2cd18deae5f7f35198d680e7b6900e86d65971ebe89377ac9049324fb908e1ea",
+    hash: "5069d83c0a2a00b3b8234473ab50fffb28a805b557b24ab10b2e5a7ac0858d3b",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -329,7 +329,7 @@ static ACCELERATE_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "6ede9473a6d279ba6a007d714e7c97d1f71d0a08e135f9cf6ba2f171aa0a35a3",
+    hash: "408be134f0508765f1ee03d311e5f4ec85c8c6b3b91ca69806f0d538d53d17b8",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS: Module = Module {
@@ -342,7 +342,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "ba7e68a52d1e1ff979036b12ea84dccfff3e0ef4b79ecd1dce9db593a62b5a79",
+    hash: "0e0436d83a4375a0bc6df87cb182e193d8eee8834417f059a4d9d5d182efc913",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -355,7 +355,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "a8fa5a73f935aa94662c0b0e9d5b6d33c5d7f97c8cd44649b6d16376ed4fb76a",
+    hash: "967be8b029046816f5b87abe39952269c6c3f596706c90032b3d037f3b7eeef1",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -368,7 +368,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "b78bf896c00a948799f0187f48c835b2f01339d91928f848041b5b532b371f5f",
+    hash: "93ff491c955015c7f3076f5bbc8b3d541dcba19fe18464d0df3514f4d59d15aa",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -381,7 +381,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "3bcd207f25f61fa085708751d4d6b3499e0b07613b3668e57fb85503f633841b",
+    hash: "bf034569ce3ce3f1e76c5b45583275ec727c03ce4266bad08ac7608c563e9c0f",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -394,7 +394,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISIO
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "ca9afc8ffbe4166065fd7de432b52b0f8f0aeeb3b121bf7c39ada57af85715fe",
+    hash: "043aff0876cd0574f063cdf59a3e340aa2750310336e8624a5ee8e783397e4a7",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -407,7 +407,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: 
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "e0237cdbcd668c7473142c6a96a2497660d092177e8a02bd4436ba49f124b55c",
+    hash: "130d6c30a4629aa214bc62315fa66e482059e75e6c4c43fd5df495be2ded1180",
 };
 
 static ACCELERATE_WITH_WALLS: Module = Module {
@@ -420,7 +420,7 @@ static ACCELERATE_WITH_WALLS: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "488f648cfe35b05dac05bba14635d5fc98e6063684b676f142b7f6653967cf15",
+    hash: "d3009bcc05eaab408851fc7915e3607f19207816d58d02faf280b06c683051f6",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -433,7 +433,7 @@ static ACCELERATE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "bebf29b3dbcc3fbc145aeb22bbf632847d8e6ef5cd58900f174f8e8028994503",
+    hash: "e488119a18d28307d27197de3c5555c675fdd4adcdd8793176725c300eaf0e7e",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -446,7 +446,7 @@ static ACCELERATE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "bca2e91b1d0397ee2e209deb52b1a4e4792347320ff0be91b6ab06a85673e416",
+    hash: "90b2cb53f5c3af7619c38fd84165892dde476bda80ac1345978e467880c69eae",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
@@ -459,7 +459,7 @@ static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "100aaaf6462ac77de1ee881d974dbb05a3fc439d21a91b963b87926d593c3a44",
+    hash: "41c64352e887e555d6190a194b314e2f6217de524332469046624615bf20bedd",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -472,7 +472,7 @@ static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "1cd04ed4eb24e695ba5865ecd99045e52ea879a076485916ac087d36b9d093e4",
+    hash: "1fba050244c5e028ab1cce8b8bbb88d19e373b07f7c069cd5b57c47eeea4ebca",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -485,7 +485,7 @@ static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = 
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "691afa446224fbc79ad84cf1b994eb8541af0b013502a156bd37a1a019e0175a",
+    hash: "24ae508138261ad767803a95f8b2b0ee03410a0f6ffe030ddcd36906b5deab8f",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
@@ -498,7 +498,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "b9898ec4abb6de135070db72deed810ed0b5c385b4fba04ed8861bac3e7f5c08",
+    hash: "7a241650487a96228df6c9e002417397c4eba7fa5ecf6347e67ad1edf93bb29f",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -511,7 +511,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module 
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "10a3e28ec9ca042492d9b8ba5cb09ed9e69345c55660610f23b645b2c1f54947",
+    hash: "99e9780b57572a4918f01f6a637378ebdd174f15bcb35ae6e6a7cc41aa696d22",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -524,7 +524,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = M
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "3fdc69c844f614186f6b4a89d6f3aa49d480c385034ed825a8c6c5097e76b33f",
+    hash: "8856c0357d4eb185f4191e0220d11d6ef6052ef7f270a670d1ad14d61e903f8c",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -537,7 +537,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = 
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "6785a91fe2a1ea28ed86a98db129c7b536991b96fb77dc418cc552f290f8efed",
+    hash: "7f5ca13038b44a38cda4ee99d5e3296078a11270119e7dda3c3b48a776e44b67",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -550,7 +550,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAX
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "89cef17dbc0e89eae16a1f4111109d9639f7c9bd338222ca68f0966ee743edd1",
+    hash: "cfc5773362c61e2cca411c39fe8a96a9e30c6898272e9b09714203ac8585665d",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -563,5 +563,5 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "5f31a8bffda029f2f1edf1725216ce8601d74b64f3b6d196e1dff357302cb7d1",
+    hash: "b1d095c8589ecabe0e8178528cdee33488c2ba950334543d41019ba6b4c53a7b",
 };

@@ -156,7 +156,7 @@ static ADD_SOLID_ACCELERATION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_acceleration.compute",
-    hash: "50dd61e3d821c64bdb439f787a00a6617a7d50b38ba8fb9b6c3f766033d4fe1b",
+    hash: "6a62465e694cbd5492238bdd3b0339202d22edd1f34fc199b0eab917053f478f",
 };
 
 static ADD_SOLID_ACCELERATION_WITH_SURFACE_TENSION: Module = Module {
@@ -169,5 +169,5 @@ static ADD_SOLID_ACCELERATION_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_acceleration.compute",
-    hash: "fb3db6d21f428e0846832fb42f391e6292a613155c150125765dccde931499e1",
+    hash: "e06c628699a9670aec4d893ab0a449b8f8b434a72a254d052ec7e6ee8fae14e1",
 };

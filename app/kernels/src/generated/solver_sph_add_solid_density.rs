@@ -126,7 +126,7 @@ static ADD_SOLID_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_density.compute",
-    hash: "a0ba16000f0d5b24870791b04a7af699a0106a144c7bbb90f01181c28a6355c5",
+    hash: "097e7979563fe776e8492261128ae8a6fa8e48b876da7add33c86fce89c1593f",
 };
 
 static ADD_SOLID_DENSITY_WITH_SURFACE_TENSION: Module = Module {
@@ -139,5 +139,5 @@ static ADD_SOLID_DENSITY_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_density.compute",
-    hash: "7e4aed3d3a49365792be7dd96d1efcf2494b603d891f2e9dc1644c32b9763ed4",
+    hash: "5d405992cd1ec7bfb84c17542ca561109c2fa4f6d69f77647b142e4c06df0c36",
 };

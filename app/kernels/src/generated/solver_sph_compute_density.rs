@@ -341,7 +341,7 @@ static COMPUTE_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "347e972cdd08d7deacc7b61d1e7ce57df72a0a1871a95d33160d763ef5beb818",
+    hash: "6d25e94175da1fc5c4f45597e3d8fe622941cf89428ad6d4eeca9beb9dacf09b",
 };
 
 static COMPUTE_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -354,7 +354,7 @@ static COMPUTE_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "509903a19232e60b0e118517f40ae0d79628645294546b5d50564e7f3cdf6ae5",
+    hash: "a33a4106591f51d79d302ac2fa7ab9f1d62c8c2291d04c93334a4ecfe76c1090",
 };
 
 static COMPUTE_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -367,7 +367,7 @@ static COMPUTE_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "d14b735b6292de175281dab86fd2c787280da8cfea2525cbc5e7f7ca489bdec1",
+    hash: "a4bce789fc9d50670ce6bbc1c7840c8100e1d945cf3637473d6a509bb96ba8e4",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION: Module = Module {
@@ -380,7 +380,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "a8f45883f73c7cae524319801d7b7b3eb48dcc3cbe31b79f85f2bc7dd0085de0",
+    hash: "10ab86954932d1856913c08ffda5a3638c3893811ca419806d9b7a73ff636629",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -393,7 +393,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Mod
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "03f1467d475e037da17f00e2651e02fed4e0119f75955837a59e2617ca17a960",
+    hash: "39059461b293e6ae2b35cb981dd4360025e307a4089c01fd4e33c6a3589bf61c",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -406,7 +406,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "1a52025f183d61ca0e23ca625ec498334f23b6f7ae21d6a4a5c4bcfe08ea7ccc",
+    hash: "2a13eab728f6bd7bacb18367047a9f61259f42f2a8c0de7ae5516797fa07f139",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS: Module = Module {
@@ -419,7 +419,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "96cd15a8648328f228cafa740a9e7b006ec563de893e704d81969e6e123e50a5",
+    hash: "f7fbdd282744ae4e5b6190db26b6d1410f95b4a40b7dd8c3264ac4a04954b1c2",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -432,7 +432,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Modu
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "40afd0061a2606e0cc795015c055e959e887d8fba14c1495e99dfdfc5d8e4a39",
+    hash: "5e128c1a881f291dbba4c8a908b367820111dfb95a873f69b952ba1837f34dbd",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -445,7 +445,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "f57b15946194ec02a7c680c30d20576cac9d0da940ac0835679aabd0d10f7603",
+    hash: "2dbe8fda004ab7b0a315e19b6efe501cdb353017361c5f6c10a93cf39de221ad",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -458,7 +458,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "12aa9c0ca8bc8927d79605ba6e058113a4cea57b69c4627f84b12700d8577c8e",
+    hash: "aadcc44b8c621d49ff6a741cafbfc47f76f4284830dcbdf9be50e062f5db509c",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -471,7 +471,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRE
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "160896431b55691e22da1c10f86b35ac6ec4bf9f7472a0d4f3342fd60d894456",
+    hash: "bab87546c52861c52a464cb7f3291c7f03de295be14b51e2c20830463182c3fb",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -484,7 +484,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECIS
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "463dbc33598beca3a8e17fbcaec90e1347a7aab1733ba5d596d6069993529ba6",
+    hash: "b197cc4b68040eb1c5b1b583aa63de0aeb4714445aa7cd40c25072bc9417afeb",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS: Module = Module {
@@ -497,7 +497,7 @@ static COMPUTE_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "7f0ff991ecdb563116916ecc746a610368a1a0c95e858afb2c50b17e15a52d76",
+    hash: "fb73f1038f4fafd688981b4eea91508e9baccaeada7556bf75d00c5954a08744",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -510,7 +510,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "958ac6fee7d71c9d72024536d7976e7dc6e3155637dc994960fdd8dcbcb74d47",
+    hash: "3d5081ef0a84be98d0aeff3dd704724e132173a36b05af31b93bd561fde2f945",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -523,7 +523,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "a5469553ff41f782656435953e882bb550b5f306f40377f9fffcf60f58ad8d59",
+    hash: "002aa837698f2cc2b419ef9ad6beceb593c111c978df4c51bbe38ac59f2e2a9b",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
@@ -536,7 +536,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "11a81330188a3776790b6cb8356dd4a8905e0bc1a50ff6520e42b7afc0bdd25b",
+    hash: "9c3f395ee3ce3319b92220dd33abd2648abb65db520c93bb09389f0124ec8269",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -549,7 +549,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: M
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "069121bdd1730b1f56993836d572e5791255386668c6fbeea2a8009c145951b7",
+    hash: "8e62363595f1317c032539a3d3f0231d9615201d8d70430297c174d75dc12941",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -562,7 +562,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Modu
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "52e3af542b81ec344a9ca3c4feb6e0f55baf4ba0dc134b32af402def3844fc3f",
+    hash: "c62b1d8a55a81a9e38030881466011b0783f048f5c93cf8b3e1c8138d09a8981",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
@@ -575,7 +575,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "3c77427e51e71960f3899350449ba4523cae3dfcb826b26c4b563c41bbd22cd2",
+    hash: "34d429f7f012ede9612d1ff10047a849f81cae917953309d0cc8863a6a960344",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -588,7 +588,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Mo
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "0b938f06f580f8a111cec9d5bb5827fa2bbff6f80b45ba92d51359b32c7c873d",
+    hash: "d35dbb016e9de81f82f9c08562be417777378ed3e5bf501fecaa59d91b713971",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -601,7 +601,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "0e075864d319f837e7119ef98bb9cf7c348325de75b42c7b4a5c0f8731669a01",
+    hash: "2e005b35eee1bc31465ad5f81159910bf70da1ddfb2473cd5db3e2800d71ef7c",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -614,7 +614,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Modu
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "7a28f155c6d4c5756dbffb8e71e5457fd718d040ea834d944ab938fa8f14bef4",
+    hash: "6af6c16cd3f0e648e84032d0fadd4af51b00285b7be82869e9a0834704c4b81e",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -627,7 +627,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "089debd4575d39432c25ef7710a1e9df23ce4e671673db600c6985fdc5be940e",
+    hash: "56d2220d6a558f7bff440aa7e83667cb3b952ff0ceb525803f8b7b3a1173e5d8",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -640,5 +640,5 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "35952293b89bc83516cdac186c81c5398f06bf99e8cd8e9ecdc49cb60b0ebd44",
+    hash: "507fe68d7197dfee7ebad9b200b20cd4fa66aa7f06d93bb6ff7fad29182e1e80",
 };

@@ -7,8 +7,8 @@
 mod paint;
 pub mod triangles;
 
-use brooklet_fluid::scene::SolidLook;
-use brooklet_fluid::{Recorded, Scene, boundary::solids};
+use brooklet_fluid::scene::{SolidLook, solids};
+use brooklet_fluid::{Recorded, Scene};
 use brooklet_gpu::{Blend, Cull, DepthTest, DrawState, Load, Recording, Resources, Targets};
 use brooklet_kernels::{
     Buffer, DrawGlass, DrawGlassVariant, DrawSolids, DrawSolidsShadow, DrawSolidsVariant, SolidPaint, SolidPose,
@@ -46,7 +46,7 @@ impl<'a> Solids<'a> {
     pub fn triangles(&self, look: SolidLook) -> SolidTriangles {
         let mut triangles = SolidTriangles::default();
         let segments = if self.scene.solids.len() > FEW { SEGMENTS_OF_MANY } else { SEGMENTS };
-        for (number, solid) in (0..).zip(&solids::solids(self.scene).0) {
+        for (number, solid) in (0..).zip(&solids(self.scene).0) {
             if self.scene.solids[number as usize].look == look {
                 triangles.add(number, solid, segments);
             }

@@ -4,6 +4,7 @@
 #define BROOKLET_SOLID_SAMPLE
 
 #include "../../shared/layout.hlsli"
+#include "beyond_plane.hlsli"
 #include "layout.hlsli"
 
 struct SolidSample
@@ -14,20 +15,16 @@ struct SolidSample
     float moment;           // the slope of their share, times the distance in h
 };
 
-// Of the kernel beyond the plane, and how that shrinks with the distance from it, both in h (boundary/walls.hlsli).
+// Of the half-space at a place.
 SolidSample SampleSolidsNear(SolidContact contact, float3 position_m, SmoothingKernelParams kernel)
 {
     float distance = (dot(contact.normal, position_m) - contact.offset_m) * kernel.inverse_support_per_m;
-    float reach = saturate(1.0 - abs(distance));
-    float4 of = kernel.wall_kernel_fraction;
-    float reach4 = reach * reach * (reach * reach);
-    float share = reach4 * reach * (of.x + reach * (of.y + reach * (of.z + reach * of.w)));
-    float slope = reach4 * (5.0 * of.x + reach * (6.0 * of.y + reach * (7.0 * of.z + reach * 8.0 * of.w)));
+    float2 beyond = BeyondPlane(distance, kernel);
     SolidSample solids;
-    solids.density = kernel.wall_plane * (distance < 0.0 ? 1.0 - share : share);
-    solids.gradient = -kernel.wall_plane * slope * contact.normal;
+    solids.density = kernel.wall_plane * beyond.x;
+    solids.gradient = -kernel.wall_plane * beyond.y * contact.normal;
     solids.normal = contact.normal;
-    solids.moment = kernel.wall_plane * slope * saturate(distance);
+    solids.moment = kernel.wall_plane * beyond.y * saturate(distance);
     return solids;
 }
 

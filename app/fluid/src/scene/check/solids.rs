@@ -1,8 +1,8 @@
 //! What solids may be.
 
 use super::{Checker, numbers, tidied};
-use crate::boundary::solids::{MOST_SOLIDS, fastest_m_s};
 use crate::scene::field::Short;
+use crate::scene::solid_shapes::{MOST_SOLIDS, fastest_m_s};
 use crate::scene::{Method, OpenFaces, Scene, SceneError, Shape, SolidSettings};
 
 impl Scene {

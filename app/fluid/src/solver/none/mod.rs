@@ -54,10 +54,10 @@ impl NonInteracting {
                 none: self.params.uniform(),
             },
         );
-        context.with_solids(|solids, context| {
-            solids.record_collide(recording, context, particles);
+        if let Some(solids) = &context.solids {
+            solids.record_collide(recording, &mut particles.positions, &mut particles.velocities);
             self.bounce_walls(recording, context, particles);
-        });
+        }
     }
 
     /// Where solids are met before walls. (Shader: `particles/bounce_walls.compute`.)

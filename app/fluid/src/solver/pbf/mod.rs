@@ -169,7 +169,9 @@ impl Pbf {
         particles: &mut Particles,
     ) {
         predict(recording, context, particles);
-        context.with_solids(|solids, context| solids.record_collide(recording, context, particles));
+        if let Some(solids) = &context.solids {
+            solids.record_collide(recording, &mut particles.positions, &mut particles.velocities);
+        }
         self.search.sort_forgetting(recording, context, particles);
         self.search.list(recording, context);
         self.meet_solids(recording, context);
@@ -207,7 +209,9 @@ impl Pbf {
     ) {
         self.search.sort_forgetting(recording, context, particles);
         self.search.list(recording, context);
-        context.with_solids(|solids, context| solids.record_move(recording, context));
+        if let Some(solids) = &mut context.solids {
+            solids.record_move(recording);
+        }
         self.meet_solids(recording, context);
         self.begin_cold(recording);
         particles.forget_until_moved(recording, &context.slots);
@@ -231,13 +235,19 @@ impl Pbf {
 
     /// Tells particles of the solids near them.
     fn meet_solids(&mut self, recording: &mut Recording, context: &mut StepContext) {
-        let (positions, kernel) = (&self.search.sorted.positions, &self.search.smoothing_kernel);
-        context.with_solids(|solids, context| solids.record_sample(recording, &context.slots, positions, kernel));
+        if let Some(solids) = &mut context.solids {
+            solids.record_sample(recording, &self.search.sorted.positions, &self.search.smoothing_kernel);
+        }
     }
 
     /// Holds what the iterations moved to what solids let through.
-    fn confine(&mut self, recording: &mut Recording, context: &mut StepContext) {
-        context.with_solids(|solids, context| solids.record_confine(recording, context, &mut self.search));
+    fn confine(&mut self, recording: &mut Recording, context: &StepContext) {
+        if let Some(solids) = &context.solids {
+            let sorted = &mut self.search.sorted;
+            let (positions, quantized_positions) = (&sorted.positions, &mut sorted.quantized_positions);
+            let kernel = &self.search.smoothing_kernel;
+            solids.record_confine(recording, sorted.precision, positions, quantized_positions, kernel);
+        }
     }
 
     fn start_warm(&mut self, recording: &mut Recording, context: &StepContext, particles: &Particles) {

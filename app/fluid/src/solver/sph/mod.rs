@@ -131,17 +131,22 @@ impl Sph {
         particles: &mut Particles,
     ) {
         advect(recording, context, particles, Some((&self.accelerations, &self.kicks)));
-        context.with_solids(|solids, context| solids.record_collide(recording, context, particles));
+        if let Some(solids) = &context.solids {
+            solids.record_collide(recording, &mut particles.positions, &mut particles.velocities);
+        }
         self.search.sort(recording, context, particles);
         self.search.list(recording, context);
         compute_density(recording, self, context, particles);
-        context.with_solids(|solids, context| {
-            let (positions, kernel) = (&self.search.sorted.positions, &self.search.smoothing_kernel);
-            solids.record_sample(recording, &context.slots, positions, kernel);
+        if let Some(solids) = &mut context.solids {
+            solids.record_sample(recording, &self.search.sorted.positions, &self.search.smoothing_kernel);
+        }
+        if let Some(solids) = &context.solids {
             add_solid_density(recording, self, solids, context);
-        });
+        }
         accelerate(recording, self, context, particles);
-        context.with_solids(|solids, context| add_solid_acceleration(recording, self, solids, context, particles));
+        if let Some(solids) = &context.solids {
+            add_solid_acceleration(recording, self, solids, context, particles);
+        }
     }
 
     /// What the next substep's move takes of the last one's acceleration, by slot.
