@@ -41,8 +41,6 @@ macro_rules! for_each_known_answer {
                 what_is_covered_is_counted: ["count_covered"],
             }
             dfsph {
-                factor_pressure_matches_its_twin: ["factor_pressure"],
-                pairs_that_are_too_close_part_oppositely: ["factor_pressure"],
                 correct_pressure_matches_its_twin: ["correct_pressure"],
                 a_wrong_setting_of_a_solve_is_told_apart: ["correct_pressure"],
                 apply_pressure_matches_its_twin: ["apply_pressure"],
@@ -50,6 +48,10 @@ macro_rules! for_each_known_answer {
             }
             dfsph_coarse {
                 what_is_left_over_goes_to_cells_and_pressure_comes_back: ["restrict_pressure", "prolong_pressure"],
+            }
+            dfsph_factors {
+                factor_pressure_matches_its_twin: ["factor_pressure"],
+                pairs_that_are_too_close_part_oppositely: ["factor_pressure"],
             }
             dfsph_moves {
                 shift_positions_matches_its_twin: ["shift_positions"],
@@ -242,6 +244,9 @@ macro_rules! for_each_known_answer {
             solid_forces {
                 add_solid_density_matches_its_twin: ["add_solid_density"],
                 add_solid_acceleration_matches_its_twin: ["add_solid_acceleration"],
+            }
+            solid_shifts {
+                shifts_end_at_solids: ["shift_positions"],
             }
             solids {
                 move_solids_matches_its_twin: ["move_solids"],

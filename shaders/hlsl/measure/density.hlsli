@@ -24,7 +24,14 @@ float DensityRatio(uint i, float3 x_i_m)
 {
     float density = 1.0; // W(0) of itself
 #if defined(WALLS)
-    Mirrors mirrors = MirrorsAt(step_params.mirrors != 0 ? FromWalls(x_i_m, step_params, kernel) : NO_WALL, 1.0);
+    float3 from_walls = step_params.mirrors != 0 ? FromWalls(x_i_m, step_params, kernel) : NO_WALL;
+#if defined(SOLID_WALLS)
+    SolidContact contact = solid_contacts[i];
+    float from_solids = (dot(contact.normal, x_i_m) - contact.offset_m) * kernel.inverse_support_per_m;
+    Mirrors mirrors = MirrorsNear(from_walls, contact.normal, step_params.mirrors != 0 ? from_solids : NO_WALL, 0.0, 1.0);
+#else
+    Mirrors mirrors = MirrorsAt(from_walls, 1.0);
+#endif
     density += ImageDensity(0.0, mirrors, mirrors.count);
 #endif
     for (NeighbourCursor cursor = BeginNeighbours(i, list_heads[i], step_params.list_chunks); HasNeighbours(cursor);

@@ -139,10 +139,10 @@ fn a_settled_pool_stands_on_its_floor_by_pressure_alone() {
         let (mut push, mut weighed) = (0.0, 0.0);
         for (i, particle) in fluid.particles.iter().enumerate() {
             let mirrors = Mirrors::at(particle.position_m, fluid.walls.as_ref());
-            for flipped in mirrors.images().filter(|flipped| flipped.y && mirrors.from_walls.y > 0.0) {
+            for image in mirrors.images().filter(|image| image.flipped.y && mirrors.from_walls.y > 0.0) {
                 for &j in lists[i].iter().chain([&i]) {
                     let offset = dfsph.smoothing.offset(particle.position_m, fluid.particles[j].position_m);
-                    let slope = wendland::gradient(mirrors.offset(offset, flipped)) * dfsph.smoothing.weight;
+                    let slope = wendland::gradient(mirrors.offset(offset, image)) * dfsph.smoothing.weight;
                     push -= (of(i) + of(j)) * slope.y;
                 }
             }

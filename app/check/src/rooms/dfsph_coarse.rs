@@ -8,7 +8,7 @@ use crate::compare::{ROUNDING, Worst, vector};
 use crate::device::Device;
 use crate::numbers::rng;
 use crate::wrong::{OrRaise as _, ensure, ensure_eq};
-use brooklet_kernels::{CoarseCell, ProlongPressure, RestrictPressure};
+use brooklet_kernels::{CoarseCell, ProlongPressure, RestrictPressure, WallsKeyword};
 use brooklet_reference::solver::pbf::coarse_correction::{prolong_multiplier, restrict_constraint};
 use glam::DVec3;
 use rand::RngExt;
@@ -26,7 +26,7 @@ pub(crate) fn what_is_left_over_goes_to_cells_and_pressure_comes_back(device: &D
             let mut positions = scattered(&mut rng, count, size_m);
             positions.iter_mut().enumerate().for_each(|(i, at)| at.tag = i as u32 | out_of_part(i));
             let of = fluid(&mut rng, count);
-            let (factors, twins) = random_factors(&mut rng, &of, false);
+            let (factors, twins) = random_factors(&mut rng, &of, WallsKeyword::Off);
             let pressures: Vec<f32> =
                 (0..count).map(|i| if i % 3 == 0 { 0.0 } else { 0.1 * rng.random::<f32>() }).collect();
             let changes: Vec<f32> =

@@ -36,12 +36,16 @@ pub(crate) fn shift_positions_matches_its_twin(device: &Device) {
             let step_params = bench.uniform("step_params", params);
             bench.dispatch(
                 &ShiftPositions {
-                    variant: ShiftPositionsVariant { walls, periodic },
+                    variant: ShiftPositionsVariant { walls: walls.into(), periodic },
                     positions: positions.write(),
                     shifts: shifts_buffer.read(),
                     counters: counters.write(),
+                    solids: None,
+                    solid_poses: None,
+                    solid_blocks: None,
                     step_state: state.uniform(),
                     step_params: step_params.uniform(),
+                    solids_params: None,
                 },
                 size,
             );

@@ -11,6 +11,7 @@ use brooklet_kernels::{
     DensityRatiosVariant, Kernel as _, MeasureParticles, MeasureParticlesVariant, MeasureSums, PbfParams, Position,
     PositionLambda, SmoothingKernelParams, SolidContact, SolidsParams, StepParams, Velocity, WallsKeyword,
 };
+use brooklet_reference::boundary::mirror::{Mirrors, SolidMirror};
 use brooklet_reference::boundary::solids::contact::{SolidSample, sample_solids_near};
 use brooklet_reference::boundary::solids::shapes::BeyondPlane;
 use brooklet_reference::shared::quantized_position::Quantization;
@@ -82,6 +83,19 @@ impl Pairs {
         plane_sample(&self.contacts[i], at_m, &kernel())
     }
 
+    /// The density ratio of a particle that sees itself and its neighbours in walls and solids.
+    fn mirrored_density(&self, i: usize, places_m: &[DVec3]) -> f64 {
+        let contact = &self.contacts[i];
+        let normal = vector(contact.normal);
+        let distance = (normal.dot(places_m[i]) - f64::from(contact.offset_m)) / SUPPORT_M;
+        let walls = Mirrors::at(places_m[i], Some(&walls_of(&kernel(), self.case.size_m)));
+        let mirrors = Mirrors { solids: Some(SolidMirror { normal, distance, speed_m_s: 0.0 }), ..walls };
+        let seen = std::iter::once(i).chain(self.case.neighbours[i].iter().copied());
+        let offsets = seen.map(|j| (places_m[i] - places_m[j]) / SUPPORT_M);
+        let of = |offset| mirrors.images().map(move |image| wendland::kernel(mirrors.offset(offset, image).length()));
+        f64::from(kernel().weight) * offsets.flat_map(of).sum::<f64>()
+    }
+
     /// Density ratio and boundary gradient of a particle at its place.
     fn density(&self, i: usize, places_m: &[DVec3]) -> (f64, DVec3) {
         let walls = walls_of(&kernel(), self.case.size_m).sample(places_m[i]);
@@ -100,7 +114,10 @@ pub(crate) fn densities_near_solids_match_their_twin(device: &Device) {
     let mut rng = rng(194);
     let mut worst = device.worst(DensityRatios::STAGE, TOLERANCE);
     let mut measured = device.worst(MeasureParticles::STAGE, TOLERANCE);
-    for size in sizes(device, DensityRatios::GROUP_SIZE[0] as usize) {
+    let group = DensityRatios::GROUP_SIZE[0] as usize;
+    for (mirrors, size) in
+        [0, 1].into_iter().flat_map(|mirrors| sizes(device, group).into_iter().map(move |n| (mirrors, n)))
+    {
         let pairs = pairs(&mut rng, size);
         let mut bench = Bench::new(device);
         let positions = bench.input("positions", &pairs.case.positions);
@@ -112,7 +129,7 @@ pub(crate) fn densities_near_solids_match_their_twin(device: &Device) {
         let mut sums = bench.output::<MeasureSums>("group_measures", groups);
         let mut histograms = bench.output::<u32>("histograms", 1024);
         let state = bench.uniform("step_state", step_state(size, 0.01));
-        let step_params = bench.uniform("step_params", pairs.step());
+        let step_params = bench.uniform("step_params", StepParams { mirrors, ..pairs.step() });
         let kernel = bench.uniform("kernel", kernel());
         bench.dispatch(
             &DensityRatios {
@@ -147,7 +164,9 @@ pub(crate) fn densities_near_solids_match_their_twin(device: &Device) {
         let mut done = bench.run();
         let places_m = pairs.case.positions_m();
         let got = done.read(&ratios, size);
-        let expected: Vec<f64> = (0..size).map(|i| pairs.density(i, &places_m).0).collect();
+        let density =
+            |i| if mirrors == 1 { pairs.mirrored_density(i, &places_m) } else { pairs.density(i, &places_m).0 };
+        let expected: Vec<f64> = (0..size).map(density).collect();
         let mut refused = size < 2;
         // One without neighbours counts as not listed yet.
         let listed = got.iter().zip(&expected).zip(&pairs.case.neighbours).filter(|(_, near)| !near.is_empty());

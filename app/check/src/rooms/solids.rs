@@ -22,8 +22,8 @@ use glam::{DQuat, DVec3, UVec3};
 use rand::{Rng, RngExt};
 
 const SIZE_M: f64 = 1.0;
-const DT_S: f32 = 1.0 / 240.0;
-const STOP_M: f64 = 0.5 * SPACING_M;
+pub(super) const DT_S: f32 = 1.0 / 240.0;
+pub(super) const STOP_M: f64 = 0.5 * SPACING_M;
 
 /// One solid of each kind, some of them hollow, standing and moving, two of which overlap.
 const SCENE: &str = r#"
@@ -75,13 +75,13 @@ method = "none"
 max_speed_m_s = 6
 "#;
 
-struct Case {
-    solids: Vec<Solid>,
+pub(super) struct Case {
+    pub(super) solids: Vec<Solid>,
     keyframes: Vec<Keyframe>,
-    params: SolidsParams,
+    pub(super) params: SolidsParams,
 }
 
-fn case() -> Case {
+pub(super) fn case() -> Case {
     let scene = Scene::from_toml(SCENE, "solids", &[]).or_raise();
     let (solids, keyframes) = solids(&scene);
     // Particles that meet nobody know of no kernel.
@@ -96,7 +96,7 @@ impl Case {
     }
 
     /// Each solid, and where it is when the substep begins and when it ends.
-    fn moving(&self, time_s: f64) -> Vec<Moving> {
+    pub(super) fn moving(&self, time_s: f64) -> Vec<Moving> {
         let at = |solid: &Solid, time_s: f64| pose_at(self.keyframes_of(solid), solid.period_s.into(), time_s);
         let dt_s = f64::from(DT_S);
         self.solids.iter().map(|solid| (TwinSolid::of(solid), at(solid, time_s - dt_s), at(solid, time_s))).collect()
@@ -106,7 +106,7 @@ impl Case {
         self.params.reach_m.into()
     }
 
-    fn poses(&self, moving: &[Moving]) -> Vec<SolidPose> {
+    pub(super) fn poses(&self, moving: &[Moving]) -> Vec<SolidPose> {
         let pose = |(solid, before, after): &Moving| {
             let [min_m, max_m] = box_around(solid, [*before, *after], self.reach_m());
             SolidPose {
@@ -123,7 +123,7 @@ impl Case {
     }
 
     /// The masks of all blocks.
-    fn blocks(&self, moving: &[Moving]) -> Vec<[u32; 4]> {
+    pub(super) fn blocks(&self, moving: &[Moving]) -> Vec<[u32; 4]> {
         let blocks = UVec3::from_array(self.params.blocks);
         let block_m = vector(self.params.block_m);
         let boxes: Vec<_> =
@@ -141,11 +141,11 @@ impl Case {
     }
 }
 
-fn single(v: DVec3) -> [f32; 3] {
+pub(super) fn single(v: DVec3) -> [f32; 3] {
     v.as_vec3().to_array()
 }
 
-fn walls() -> StepParams {
+pub(super) fn walls() -> StepParams {
     StepParams {
         dt_s: DT_S,
         domain_size_m: [SIZE_M as f32; 3],
@@ -156,12 +156,12 @@ fn walls() -> StepParams {
     }
 }
 
-fn confined(position_m: DVec3) -> DVec3 {
+pub(super) fn confined(position_m: DVec3) -> DVec3 {
     position_m.clamp(DVec3::splat(STOP_M), DVec3::splat(SIZE_M - STOP_M))
 }
 
 /// Times before the first keyframe, between two and behind the last, and when a motion has begun again.
-const TIMES_S: [f64; 4] = [0.2, 0.75, 1.2, 20.3];
+pub(super) const TIMES_S: [f64; 4] = [0.2, 0.75, 1.2, 20.3];
 
 fn run_move(device: &Device, case: &Case, time_s: f64) -> Vec<SolidPose> {
     let mut bench = Bench::new(device);
@@ -242,7 +242,7 @@ pub(crate) fn mark_solids_is_exact(device: &Device) {
 }
 
 /// Where particles are that mostly have a solid near: on a shell around one of them.
-fn near_solids(rng: &mut impl Rng, count: usize, moving: &[Moving]) -> Vec<DVec3> {
+pub(super) fn near_solids(rng: &mut impl Rng, count: usize, moving: &[Moving]) -> Vec<DVec3> {
     (0..count)
         .map(|i| {
             let (solid, _, pose) = &moving[i % moving.len()];
@@ -256,13 +256,13 @@ fn near_solids(rng: &mut impl Rng, count: usize, moving: &[Moving]) -> Vec<DVec3
 }
 
 /// A path of a random length, up to what a substep allows, and where it ends.
-fn paths(rng: &mut impl Rng, starts_m: &[DVec3], most_m: f64) -> Vec<DVec3> {
+pub(super) fn paths(rng: &mut impl Rng, starts_m: &[DVec3], most_m: f64) -> Vec<DVec3> {
     let mut one = || rng.random::<f64>() * 2.0 - 1.0;
     starts_m.iter().map(|start_m| *start_m + DVec3::new(one(), one(), one()) * most_m / 3.0_f64.sqrt()).collect()
 }
 
 /// Whether a path ends elsewhere when it begins or ends a rounding away: one that grazes an edge, or that two solids jam.
-fn is_fickle(start_m: DVec3, end_m: DVec3, of: impl Fn(DVec3, DVec3) -> DVec3) -> bool {
+pub(super) fn is_fickle(start_m: DVec3, end_m: DVec3, of: impl Fn(DVec3, DVec3) -> DVec3) -> bool {
     const NUDGES: [DVec3; 6] = [DVec3::X, DVec3::Y, DVec3::Z, DVec3::NEG_X, DVec3::NEG_Y, DVec3::NEG_Z];
     let at_m = of(start_m, end_m);
     NUDGES.iter().any(|nudge| {
@@ -275,7 +275,7 @@ fn is_fickle(start_m: DVec3, end_m: DVec3, of: impl Fn(DVec3, DVec3) -> DVec3) -
 
 /// Shares of what particles keep from surfaces. Steps along a path begin to slide anywhere within a fiftieth of it from the
 /// surface, so rounding may turn one of them a step earlier; a path on a round surface then ends as much elsewhere.
-const PATH_TOLERANCE: f64 = 0.05;
+pub(super) const PATH_TOLERANCE: f64 = 0.05;
 
 pub(crate) fn collide_solids_matches_its_twin(device: &Device) {
     let case = case();
@@ -420,7 +420,7 @@ pub(crate) fn sample_solids_matches_its_twin(device: &Device) {
     let tolerance = 1024.0 * ROUNDING;
     let mut worst = device.worst(SampleSolids::STAGE, tolerance);
     let plane = BeyondPlane::of(&kernel_params());
-    let (mut felt, mut refused) = (0, 0);
+    let (mut felt, mut refused, mut moves) = (0, 0, 0);
     for size in sizes(device, SampleSolids::GROUP_SIZE[0] as usize) {
         let moving = case.moving(TIMES_S[size % TIMES_S.len()]);
         let standing: Vec<(TwinSolid, Pose)> = moving.iter().map(|(solid, _, pose)| (*solid, *pose)).collect();
@@ -473,6 +473,14 @@ pub(crate) fn sample_solids_matches_its_twin(device: &Device) {
                 worst.check3(got.normal, expected.normal, 1.0 / steepness.min(1.0)).or_raise();
                 let distance = (vector(got.normal).dot(position_m) - f64::from(got.offset_m)) / SUPPORT_M;
                 let (share, _) = plane.at(distance);
+                if !ties {
+                    // The difference of two places of up to a metre over dt: a hundred roundings.
+                    let (_, before, after) = &moving[expected.solid];
+                    let moved_m = position_m - before.from_frame(after.in_frame(position_m));
+                    let speed_m_s = vector(got.normal).dot(moved_m) / f64::from(DT_S);
+                    worst.check(got.speed_m_s, speed_m_s, 0.1 / f64::from(DT_S)).or_raise();
+                    moves += usize::from(speed_m_s.abs() > 0.01);
+                }
                 worst.check(share as f32, expected.share, 1.0).or_raise();
                 let mut wrong = Worst::new(SampleSolids::STAGE, tolerance);
                 refused += usize::from(wrong.check(share as f32, 1.01 * expected.share, 1.0).is_err());
@@ -480,5 +488,6 @@ pub(crate) fn sample_solids_matches_its_twin(device: &Device) {
         }
     }
     ensure!(felt > 100 && 3 * refused > felt, "{felt} feel a solid, {refused} of them a share a hundredth larger");
+    ensure!(5 * moves > felt, "{moves} of {felt} near one that moves");
     worst.report(device);
 }

@@ -22,10 +22,10 @@ const MOST_BLOCKS: f64 = 16.0;
 pub struct Solids {
     slots: Slots,
     step: Buffer<StepParams>,
-    solids: Buffer<Solid>,
+    pub(crate) solids: Buffer<Solid>,
     keyframes: Buffer<Keyframe>,
     poses: Buffer<SolidPose>,
-    blocks: Buffer<[u32; 4]>,
+    pub(crate) blocks: Buffer<[u32; 4]>,
     block_count: u32,
     contacts: Buffer<SolidContact>,
     params: Buffer<SolidsParams>,

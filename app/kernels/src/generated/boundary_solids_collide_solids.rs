@@ -95,5 +95,5 @@ static COLLIDE_SOLIDS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/collide_solids.compute",
-    hash: "00504117a896927d000d3682f7ba96746131223e512bbfcde0cf1637166f046c",
+    hash: "cc1609ef5a44a19e043b7a971fcc5b9b8dbf35e56b94141ec9bdc83e9800f300",
 };

@@ -109,7 +109,7 @@ static CONFINE_DISPLACEMENTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "a211a7963d2aeb66473dbc0ec680731025640183debebc9d9f746a527591b4e1",
+    hash: "9d132c4e24c6941efba58d68409fac86e13908adffa9bade141c51c2c5252ab3",
 };
 
 static CONFINE_DISPLACEMENTS_WITH_RELAXED_PRECISION: Module = Module {
@@ -122,5 +122,5 @@ static CONFINE_DISPLACEMENTS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "a48435e18d943df8ca2dbf8c224cdaae2fcb0cee5501141a081f8a30b4d073c9",
+    hash: "866f6ea475a997a193798217ea373fc1a105d87de1325af839963f2b19595ead",
 };

@@ -138,8 +138,8 @@ pub struct SolidContact {
     pub stop_offset_m: f32,
     /// the nearest
     pub solid: u32,
-    /// `uint`.
-    pub reserved0: u32,
+    /// of the nearest solid there, along `normal`
+    pub speed_m_s: f32,
     /// `uint`.
     pub reserved1: u32,
     /// `uint`.
@@ -151,7 +151,7 @@ const _: () = {
     assert!(offset_of!(SolidContact, stop_normal) == 16);
     assert!(offset_of!(SolidContact, stop_offset_m) == 28);
     assert!(offset_of!(SolidContact, solid) == 32);
-    assert!(offset_of!(SolidContact, reserved0) == 36);
+    assert!(offset_of!(SolidContact, speed_m_s) == 36);
     assert!(offset_of!(SolidContact, reserved1) == 40);
     assert!(offset_of!(SolidContact, reserved2) == 44);
     assert!(size_of::<SolidContact>() == 48);

@@ -64,5 +64,5 @@ static MARK_SOLIDS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/mark_solids.compute",
-    hash: "acb589d656ea10fa38794053556d82868fc171ef3f3b720cccd47d6bd62e715c",
+    hash: "ac2148c598f763a9ce37950264ed116c0acdb618270cdbfa8777850e70821627",
 };

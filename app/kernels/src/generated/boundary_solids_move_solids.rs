@@ -72,5 +72,5 @@ static MOVE_SOLIDS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/move_solids.compute",
-    hash: "6bd70d5984b92d6c8356c4c2ec5b5dfa0dc54cbbd3d2327c1206bf63692a9866",
+    hash: "0196c129c1f74a06c2f43106328dff4669979244db1d0b0c60917ad3791b3231",
 };

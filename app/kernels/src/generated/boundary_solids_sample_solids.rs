@@ -83,11 +83,11 @@ static SAMPLE_SOLIDS: Module = Module {
     name: "SampleSolids",
     entry: "SampleSolids",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 35804 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 36704 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/sample_solids.compute",
-    hash: "f7a7168861bbd0a8e1c0539090c5cc847e2ebc7fa06e5f456330831e2a69d183",
+    hash: "96e28e27ce80c8ea826247bba1c67168dc7dc28d9ce3a6b5b47113f359c1b5c0",
 };

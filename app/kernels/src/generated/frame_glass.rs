@@ -149,7 +149,7 @@ static DRAW_GLASS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/glass.hlsl",
-    hash: "eabcb9419bb1e22373a790de191b8b570feaa2c48969cf4194e60a2dfcff5acc",
+    hash: "8ebf6a3301026782665fd60ead1c9b5195b8df946d1fd37fa756440ff722e507",
 };
 
 static DRAW_GLASS_FRAGMENT: Module = Module {
@@ -162,7 +162,7 @@ static DRAW_GLASS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/glass.hlsl",
-    hash: "359ad281f09c341d8e96e949775a891e59a1edec119521ea429339fde5a80610",
+    hash: "b84000cc29164495ae03bddf4206306e337bbc450ca5984c0bcb76a4afeaef3b",
 };
 
 static DRAW_GLASS_VERTEX_WITH_BEHIND_WATER: Module = Module {
@@ -175,7 +175,7 @@ static DRAW_GLASS_VERTEX_WITH_BEHIND_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/glass.hlsl",
-    hash: "d46f7461d091a27aa5bf6823528a9ce05b3742636bd7171bf55b3fef987c6acc",
+    hash: "88dd944e725868cd8de5b7d66e4e20ce71fb0d20a215c555c325c43205b1c5ca",
 };
 
 static DRAW_GLASS_FRAGMENT_WITH_BEHIND_WATER: Module = Module {
@@ -188,7 +188,7 @@ static DRAW_GLASS_FRAGMENT_WITH_BEHIND_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/glass.hlsl",
-    hash: "bcf0170b03b4a31f97e432e9b7e118ce6b3f05fc65cea4d14b2f6b42a1356259",
+    hash: "ea6842eb8dcb18134ccd233a892734fd0dbd3e080630f1089ed4f45b01a04d79",
 };
 
 static DRAW_GLASS_FRAGMENT_WITH_BEFORE_WATER: Module = Module {
@@ -201,5 +201,5 @@ static DRAW_GLASS_FRAGMENT_WITH_BEFORE_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/glass.hlsl",
-    hash: "e68b41af2506e100d29fab851c26be5860a758073340408330ebaf0339e81ec3",
+    hash: "40ec62eec2ae46c89db96f9b24b3862f95efb7e6b880b6a87453ec36feff44bb",
 };

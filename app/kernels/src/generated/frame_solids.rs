@@ -194,7 +194,7 @@ static DRAW_SOLIDS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "e6116081f242d0bde0a560e8da7977adb5b99cbdadc9d1573895ea53b0f2f392",
+    hash: "f8f9dc89c46065e27c0bd63689a79bf85ee37f2da3ea2ea79406a5fe6bb4f173",
 };
 
 static DRAW_SOLIDS_FRAGMENT: Module = Module {
@@ -207,7 +207,7 @@ static DRAW_SOLIDS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "a578be515a14a44f5cf4ab9a08697ad37d95c1b48d731b91b65237d5806791b3",
+    hash: "14ffa7ceee8353785ad3379e4db29d9fc5c42e0247a23e7f7a1f4d377e80c605",
 };
 
 static DRAW_SOLIDS_VERTEX_WITH_POINTS_SUN: Module = Module {
@@ -220,7 +220,7 @@ static DRAW_SOLIDS_VERTEX_WITH_POINTS_SUN: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "4c916a7c4be219b0b09218d5aa551af7fa885d5013cd7309eb44b39539577b87",
+    hash: "cfe155917db78c9a39836c3ee0f6bb99cfbe2a8375d691a4c7038b783b035883",
 };
 
 static DRAW_SOLIDS_FRAGMENT_WITH_POINTS_SUN: Module = Module {
@@ -233,7 +233,7 @@ static DRAW_SOLIDS_FRAGMENT_WITH_POINTS_SUN: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "96a9a94e93eb6050dbc88bbdf2fdcc62ffe6687043bd14e2714db0b323a8b6f9",
+    hash: "6c89ae9e2b9fa1ed99e046e80a653ca81af30ba624d777b393650969ccb49ee1",
 };
 
 static DRAW_SOLIDS_VERTEX_WITH_VOLUME_SUN: Module = Module {
@@ -246,7 +246,7 @@ static DRAW_SOLIDS_VERTEX_WITH_VOLUME_SUN: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "ce44bef4fb6af4b55092bb6c05753cfa5b2ad91c831216690356da7fdd3897cf",
+    hash: "45db5a037053c670384fd58b721d9337cb443c5e67b19a76b531e8a2114afb67",
 };
 
 static DRAW_SOLIDS_FRAGMENT_WITH_VOLUME_SUN: Module = Module {
@@ -259,5 +259,5 @@ static DRAW_SOLIDS_FRAGMENT_WITH_VOLUME_SUN: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "be277ba4c4327975e6aa72928dbc45fef7dcfb4406f6d9cc60ad021a3d6a0fc2",
+    hash: "118968eb66e4b76cf64cd52e1f84c8ea896ac35d2cc99d0ba302425e78bd7525",
 };

@@ -74,7 +74,7 @@ static DRAW_SOLIDS_SHADOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids_shadow.hlsl",
-    hash: "89853db2156f63a1d4bd8b132f69ebee6d50f4c71371bd5f9cb8ef03175f35f7",
+    hash: "0d0cfa4a5ec0eeb37aa7d414655d8718ae8a31ce01fa183f38177f5240184ffa",
 };
 
 static DRAW_SOLIDS_SHADOW_FRAGMENT: Module = Module {
@@ -87,5 +87,5 @@ static DRAW_SOLIDS_SHADOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids_shadow.hlsl",
-    hash: "7f8ffe7348b666682a1d0500cedd632e40d8704c41eaecf0e69c9fb577d4604f",
+    hash: "4b87a28462062a0983cf46ccc5f43c90a040a5e1069fe010a5e91ab72b5d412d",
 };

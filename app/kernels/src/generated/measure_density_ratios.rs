@@ -126,7 +126,7 @@ static DENSITY_RATIOS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "df74074498747b69bae84470e1a75f62b5606e08274231a7afe6bfcdd65ca854",
+    hash: "066603a9a4438139a0564acf39cdeb8c1daee71e087cb6a9aa0c079924290d18",
 };
 
 static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
@@ -139,7 +139,7 @@ static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "fa1af4691c8435b039442adde3b3db350338811a15284b86449c8fe7e2912eaf",
+    hash: "cf658cccea3175c0dba4419fa5de5825f1ad8fa3bfb8abe856892d976ecb0afe",
 };
 
 static DENSITY_RATIOS_WITH_WALLS: Module = Module {
@@ -152,7 +152,7 @@ static DENSITY_RATIOS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "84c07cff0dcb9ca6e2201c922741861d2268aea887dbbc20db461c93016232a0",
+    hash: "c52fa800460e2cb80ee9eafdfd89d77fc0d127e43e2b65d9ad367b7a6bdc97a0",
 };
 
 static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -165,31 +165,31 @@ static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "5de7d8279e54375859dd57e649e86c2964e4266d7c72c9c27aedac14aaa4dcc1",
+    hash: "8bfae98e4b2b8fb939d3c4b988358189756bd29f0561f3aac3fd2e0b5f1d3b63",
 };
 
 static DENSITY_RATIOS_WITH_SOLID_WALLS: Module = Module {
     name: "DensityRatios+SOLID_WALLS",
     entry: "DensityRatios",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 33092, bytes: 10580 },
+    spirv: Spirv::Packed { pack: PACK, first: 33092, bytes: 11340 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "8e2607e59ac4a1df9d6261d2779695b369b61bd0c38c1697d0b89b8e1be0cf23",
+    hash: "4fd8c9d0c502b080db5222f582c83a49f92cb573a82978e585b7ff18f6a55589",
 };
 
 static DENSITY_RATIOS_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
     name: "DensityRatios+SOLID_WALLS+PERIODIC",
     entry: "DensityRatios",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 43672, bytes: 10752 },
+    spirv: Spirv::Packed { pack: PACK, first: 44432, bytes: 11512 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "16278702254ea582423fff2b131a43a8628c26846e17304b6a80c02e3ed1a821",
+    hash: "5d27d3559a811dbdabf0db930b5f04c3c97954e431fdc85ae6a731fd2f9db3e5",
 };

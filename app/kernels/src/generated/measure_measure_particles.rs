@@ -171,7 +171,7 @@ static MEASURE_PARTICLES: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "b3f1eee3922fe22939ec279c997a50070811d49dfa04d2e132e46f6c27daf89c",
+    hash: "d6db4d257a507e37cb2dfc99b048107ccaeb97fb831e1d08a142ef47c58eba0f",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
@@ -184,7 +184,7 @@ static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "325f0740ca4ce8a6358498f0226e44ff3adcc5aa434c7299bb952ff42fb84f7c",
+    hash: "e6ad36c7ec8b111c145b50cc2419f86de85b8583a0c932a1b1c7c5e6c8180646",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
@@ -197,7 +197,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "1e862056923b31174186346cb9822b74c75cbd89b7b721ec44996e17d71f3f01",
+    hash: "d5bf4decbc6ffc90b14ca394e792812b90803a6493704dc6c2559fb804d78a30",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
@@ -210,7 +210,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "b778e45273b3109e9db96598e9e66b60763856ec7d628a80d3138d2d40f78cf8",
+    hash: "7ccad16f1770ab19f8cb25a6dec9fbff7a55d36e1c72d77d3994030b5edc29ce",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -223,31 +223,31 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module 
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "b4a184010571f71e29633f76f0fd24536dd0aa9d935cccf3cf3ea45cf522bd1b",
+    hash: "0bb566c7b64fc247c2ae09aab0c5e62802c3fadb401e9df8c3463fc6f0715f7f",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS: Module = Module {
     name: "MeasureParticles+DENSITY+SOLID_WALLS",
     entry: "MeasureParticles",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 62600, bytes: 16092 },
+    spirv: Spirv::Packed { pack: PACK, first: 62600, bytes: 16852 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "e2bbd6c9e89e61003d9f9731d9e872107c67ed7b2937070b2f3f0ede8e866dd7",
+    hash: "01e906094791597cfc2bfa312554217049268644a42c05c4e03880d08dc79e37",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
     name: "MeasureParticles+DENSITY+SOLID_WALLS+PERIODIC",
     entry: "MeasureParticles",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 78692, bytes: 16264 },
+    spirv: Spirv::Packed { pack: PACK, first: 79452, bytes: 17024 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "824af84e9dede34dfb4badecaf4433d2e731d307dc10ec875cfa65d440b12dcd",
+    hash: "4c52299224851dfe09975534f79bb5014a6263ede88cd6daafad99f695a7c972",
 };

@@ -143,7 +143,7 @@ static ADVECT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "a66795e4adf16f9a323c1619ff52e18da3dec85e47470859fb003c92804d2873",
+    hash: "fc516c3eb041caedc834ef1ad2c474abf940973bb57d0636593c3c98b613fc26",
 };
 
 static ADVECT_WITH_PERIODIC: Module = Module {
@@ -156,7 +156,7 @@ static ADVECT_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "092043a033b91d75fc5bf8e8dd7b9c3891da34dd1d52ef18025b580c57d6045e",
+    hash: "9f74ad24d909f9f339d89d81b400991b491de39dbb34ebe01d89ffcdde07dd10",
 };
 
 static ADVECT_WITH_WALLS: Module = Module {
@@ -169,7 +169,7 @@ static ADVECT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "26056115f5fd1eec7d6143e1ebc54803d499fe9376735f60d1c820ba86e0cad8",
+    hash: "b134c4d3705aae106a976df52e1ce5c2dfbc3db9e122af0b8466df8b41a0800d",
 };
 
 static ADVECT_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -182,7 +182,7 @@ static ADVECT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "42b21ebb559f689f81ca1d8e50cb09d15da5ab1b1184d6503b6367f23163cee2",
+    hash: "5c12aaec2bd2b7fd06a01c32adc2ac6ab8cc2bdc8392bdc02ce45afba0a305ac",
 };
 
 static ADVECT_WITH_ACCELERATED: Module = Module {
@@ -195,7 +195,7 @@ static ADVECT_WITH_ACCELERATED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "929dc0ae1811c63b4a1f78153d84cc8793518cdaa705f95184b1131485a73992",
+    hash: "97e245bb4c4d3bf0dc32ff016d764c36ebf8212197946e122824c486862003b9",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_PERIODIC: Module = Module {
@@ -208,7 +208,7 @@ static ADVECT_WITH_ACCELERATED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "7e476c8e891b3e656cbc249e24964994a588e95a5ec09677a084973eb83ae59a",
+    hash: "d3c5a6f447d52d3328155e76c5221da3e5e8463f9d9d8795cbf01cd36b18b1fa",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_WALLS: Module = Module {
@@ -221,7 +221,7 @@ static ADVECT_WITH_ACCELERATED_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "ea99c3a38149fdf9873b327f3958808a99699a02b0452e634335426434812450",
+    hash: "8e71069de8503da80cdea2b85ba66ee1a2221d0e96d9ff7998ff7950879b5ea0",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -234,5 +234,5 @@ static ADVECT_WITH_ACCELERATED_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "f20d68598d8e8c656bce9d521c05a6fbf1d4abebb39269f6d1e0fd8ec3437fb0",
+    hash: "87bc840c7d2ff85667b16a28d62bc64c60ab48679f53e872edf7e5dd401e6f22",
 };

@@ -76,5 +76,5 @@ static BOUNCE_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/bounce_walls.compute",
-    hash: "79df731a38fe8f479cf4f55c2596d016667dc60b8ece937b8b65b17ba90a481d",
+    hash: "4894e1c78e3e8f63758f9f541dd60e6c344b87729dc1bce63de20082ae5c1c71",
 };

@@ -97,7 +97,7 @@ static PREDICT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "8f78e57796489be400403ae3a8b0acfb8da54543d90d1f1a2b29e6adc62924cd",
+    hash: "d7b4e7f94bcc6ffde991cf2060cdb43149b448a0fc742725ee08e124c45baa5d",
 };
 
 static PREDICT_WITH_PERIODIC: Module = Module {
@@ -110,7 +110,7 @@ static PREDICT_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "434b7b0677d0a9c262199fc8194cf9ab8cf53eef7fcbaa9de64c42dacd6e5685",
+    hash: "8a0044884a24acb2bfc988951b50d755ef2ae9fbbf2eb49aed34ce543307c86f",
 };
 
 static PREDICT_WITH_WALLS: Module = Module {
@@ -123,7 +123,7 @@ static PREDICT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "189888cfedb31dc8ad9c00c0a96aa901ff41c3f4a73b69a2f72d0b3ef924ea16",
+    hash: "8c317518187a48968b914b880bbab0e1320ee0debd365a20d53cb59f1335144d",
 };
 
 static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -136,5 +136,5 @@ static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "4321645b54f005418c74bbcdf14ab53c976f95db889f464022229f5cb401e726",
+    hash: "ee22ab68a1c83ef5fac5f3d6318fc501e654458111d73c0e594b7bae90be9850",
 };

@@ -2,7 +2,9 @@
 // makes it anew from solver/dfsph/apply_pressure.compute.
 //! Kernels of `solver/dfsph/apply_pressure.compute`.
 
-use super::{ListHead, PrecisionKeyword, PressureFactors, SmoothingKernelParams, StepParams, StepState, Velocity};
+use super::{
+    ListHead, PrecisionKeyword, PressureFactors, SmoothingKernelParams, StepParams, StepState, Velocity, WallsKeyword,
+};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
     Uniform, bind,
@@ -11,8 +13,8 @@ use crate::{
 /// Which variant of [`ApplyPressure`] runs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct ApplyPressureVariant {
-    /// Keyword `WALLS`.
-    pub walls: bool,
+    /// Keyword `WALLS` or `SOLID_WALLS`.
+    pub walls: WallsKeyword,
     /// Keyword `RELAXED_PRECISION` or `HALF_PRECISION`.
     pub precision: PrecisionKeyword,
 }
@@ -51,12 +53,21 @@ impl Kernel for ApplyPressure<'_> {
 
     fn module(&self) -> &'static Module {
         match (self.variant.walls, self.variant.precision) {
-            (false, PrecisionKeyword::Off) => &APPLY_PRESSURE,
-            (false, PrecisionKeyword::RelaxedPrecision) => &APPLY_PRESSURE_WITH_RELAXED_PRECISION,
-            (false, PrecisionKeyword::HalfPrecision) => &APPLY_PRESSURE_WITH_HALF_PRECISION,
-            (true, PrecisionKeyword::Off) => &APPLY_PRESSURE_WITH_WALLS,
-            (true, PrecisionKeyword::RelaxedPrecision) => &APPLY_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION,
-            (true, PrecisionKeyword::HalfPrecision) => &APPLY_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION,
+            (WallsKeyword::Off, PrecisionKeyword::Off) => &APPLY_PRESSURE,
+            (WallsKeyword::Off, PrecisionKeyword::RelaxedPrecision) => &APPLY_PRESSURE_WITH_RELAXED_PRECISION,
+            (WallsKeyword::Off, PrecisionKeyword::HalfPrecision) => &APPLY_PRESSURE_WITH_HALF_PRECISION,
+            (WallsKeyword::Walls, PrecisionKeyword::Off) => &APPLY_PRESSURE_WITH_WALLS,
+            (WallsKeyword::Walls, PrecisionKeyword::RelaxedPrecision) => {
+                &APPLY_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION
+            }
+            (WallsKeyword::Walls, PrecisionKeyword::HalfPrecision) => &APPLY_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION,
+            (WallsKeyword::SolidWalls, PrecisionKeyword::Off) => &APPLY_PRESSURE_WITH_SOLID_WALLS,
+            (WallsKeyword::SolidWalls, PrecisionKeyword::RelaxedPrecision) => {
+                &APPLY_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION
+            }
+            (WallsKeyword::SolidWalls, PrecisionKeyword::HalfPrecision) => {
+                &APPLY_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION
+            }
         }
     }
     fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
@@ -86,6 +97,9 @@ pub(super) static MODULES: &[&Module] = &[
     &APPLY_PRESSURE_WITH_WALLS,
     &APPLY_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION,
     &APPLY_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION,
+    &APPLY_PRESSURE_WITH_SOLID_WALLS,
+    &APPLY_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION,
+    &APPLY_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION,
 ];
 
 static BINDINGS_0: &[BindingInfo] = &[
@@ -161,7 +175,7 @@ static APPLY_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "b836a54f84d264d0b28467ff50d12f768baeedfc8bafaf3919928ab6fdfd5634",
+    hash: "e13e063c1ce8bb5a17b5f444e4ab1fe35d9c1756c33a648bbab85762f68cad5c",
 };
 
 static APPLY_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
@@ -174,7 +188,7 @@ static APPLY_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "5fde229bf499d52264e8d0259b960b9080ed1eaf2addc9ea121f5183b93bdac3",
+    hash: "74b0ec25353f641617bcc95da88ab81f70929d1361efbcae9eacc9adca200788",
 };
 
 static APPLY_PRESSURE_WITH_HALF_PRECISION: Module = Module {
@@ -187,44 +201,83 @@ static APPLY_PRESSURE_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "368bb469092910a6cc9b6d6913fe53be94f8816c67b93eaadeb394a2a42d3a75",
+    hash: "51f8b75a2afc84feb1868d836a49c3ff4120a64c43d29eacc089db3d50c91f75",
 };
 
 static APPLY_PRESSURE_WITH_WALLS: Module = Module {
     name: "ApplyPressure+WALLS",
     entry: "ApplyPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 24044, bytes: 12072 },
+    spirv: Spirv::Packed { pack: PACK, first: 24044, bytes: 12112 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "e9b4bb2d94f282b8c8bba600246082400ffca01fdb284a794a735ab0fcd16a47",
+    hash: "80e4d1088bb4431543d10f824c142e798ddf81dfa5efe953002c2c3d8fdd8cdd",
 };
 
 static APPLY_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     name: "ApplyPressure+WALLS+RELAXED_PRECISION",
     entry: "ApplyPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 36116, bytes: 11468 },
+    spirv: Spirv::Packed { pack: PACK, first: 36156, bytes: 11508 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "889ffa4265aec7281f202cf7c5940e257e1a2c47513545a6174d9b61bd3144ae",
+    hash: "841b0ed7a6f7429c9a5757b1d64a93dfd43b7bd69bce6c6f95274282517c0343",
 };
 
 static APPLY_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     name: "ApplyPressure+WALLS+HALF_PRECISION",
     entry: "ApplyPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 47584, bytes: 11564 },
+    spirv: Spirv::Packed { pack: PACK, first: 47664, bytes: 11604 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "179a8dca1278d9466356b29d2c752e5535c47817238878853d6bea91308de957",
+    hash: "a4eb3b83354447898ca9719445a8488e5f2fc8ce28b6496edeb9846bdaea57e4",
+};
+
+static APPLY_PRESSURE_WITH_SOLID_WALLS: Module = Module {
+    name: "ApplyPressure+SOLID_WALLS",
+    entry: "ApplyPressure",
+    stage: StageKind::Compute,
+    spirv: Spirv::Packed { pack: PACK, first: 59268, bytes: 13604 },
+    bindings: BINDINGS_1,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/dfsph/apply_pressure.compute",
+    hash: "63a06108554be6ffb7359713ba3038974ad90479399eacbe106afdc7b6394694",
+};
+
+static APPLY_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
+    name: "ApplyPressure+SOLID_WALLS+RELAXED_PRECISION",
+    entry: "ApplyPressure",
+    stage: StageKind::Compute,
+    spirv: Spirv::Packed { pack: PACK, first: 72872, bytes: 13000 },
+    bindings: BINDINGS_1,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/dfsph/apply_pressure.compute",
+    hash: "778a9df930f611de99ee6f25562cf423f844d150b1102e092715918d7af943e4",
+};
+
+static APPLY_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
+    name: "ApplyPressure+SOLID_WALLS+HALF_PRECISION",
+    entry: "ApplyPressure",
+    stage: StageKind::Compute,
+    spirv: Spirv::Packed { pack: PACK, first: 85872, bytes: 13096 },
+    bindings: BINDINGS_1,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Desktop,
+    source: "solver/dfsph/apply_pressure.compute",
+    hash: "95635ee813f98bb20e3cb3a0672e6077af9572aa0d97aa08df9877abbe4fe1c7",
 };

@@ -82,5 +82,5 @@ static CARRY_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/carry_pressure.compute",
-    hash: "3bd1678ba55b2b5a16675916ac2f99e292307613357faf844dc3f27b17d2fe56",
+    hash: "f52b521e5e115d3a2376bfb26cd3462184a944288a08e78199f1270972ef104d",
 };

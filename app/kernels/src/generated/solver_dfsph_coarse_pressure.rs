@@ -139,24 +139,24 @@ static RESTRICT_PRESSURE: Module = Module {
     name: "RestrictPressure",
     entry: "RestrictPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 6000 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 6008 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/coarse_pressure.compute",
-    hash: "03f0c47c0193f0be27d0bfc0e4e5390e5bb91f9c6f195dd28f5d3b041c15dc80",
+    hash: "e240e483e85e0ab14e51ec77f6ea8c17aa540d5cb30b03c1c9575bb80bc40d8e",
 };
 
 static PROLONG_PRESSURE: Module = Module {
     name: "ProlongPressure",
     entry: "ProlongPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 6000, bytes: 15600 },
+    spirv: Spirv::Packed { pack: PACK, first: 6008, bytes: 15600 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/coarse_pressure.compute",
-    hash: "0460cb59ce861ba393ff26de7af8949d7f18f565d7a6cf6bc6730d863dd1d132",
+    hash: "21160728f4906d976e44318f744ecfd8029e20e3b366843c7634da06bf9e7ed0",
 };

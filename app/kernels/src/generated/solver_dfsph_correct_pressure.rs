@@ -4,6 +4,7 @@
 
 use super::{
     ListHead, PrecisionKeyword, PressureFactors, PressureSolve, SmoothingKernelParams, StepParams, StepState, Velocity,
+    WallsKeyword,
 };
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
@@ -13,8 +14,8 @@ use crate::{
 /// Which variant of [`CorrectPressure`] runs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct CorrectPressureVariant {
-    /// Keyword `WALLS`.
-    pub walls: bool,
+    /// Keyword `WALLS` or `SOLID_WALLS`.
+    pub walls: WallsKeyword,
     /// Keyword `MEASURED`.
     pub measured: bool,
     /// Keyword `RELAXED_PRECISION` or `HALF_PRECISION`.
@@ -61,21 +62,43 @@ impl Kernel for CorrectPressure<'_> {
 
     fn module(&self) -> &'static Module {
         match (self.variant.walls, self.variant.measured, self.variant.precision) {
-            (false, false, PrecisionKeyword::Off) => &CORRECT_PRESSURE,
-            (false, false, PrecisionKeyword::RelaxedPrecision) => &CORRECT_PRESSURE_WITH_RELAXED_PRECISION,
-            (false, false, PrecisionKeyword::HalfPrecision) => &CORRECT_PRESSURE_WITH_HALF_PRECISION,
-            (false, true, PrecisionKeyword::Off) => &CORRECT_PRESSURE_WITH_MEASURED,
-            (false, true, PrecisionKeyword::RelaxedPrecision) => &CORRECT_PRESSURE_WITH_MEASURED_WITH_RELAXED_PRECISION,
-            (false, true, PrecisionKeyword::HalfPrecision) => &CORRECT_PRESSURE_WITH_MEASURED_WITH_HALF_PRECISION,
-            (true, false, PrecisionKeyword::Off) => &CORRECT_PRESSURE_WITH_WALLS,
-            (true, false, PrecisionKeyword::RelaxedPrecision) => &CORRECT_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION,
-            (true, false, PrecisionKeyword::HalfPrecision) => &CORRECT_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION,
-            (true, true, PrecisionKeyword::Off) => &CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED,
-            (true, true, PrecisionKeyword::RelaxedPrecision) => {
+            (WallsKeyword::Off, false, PrecisionKeyword::Off) => &CORRECT_PRESSURE,
+            (WallsKeyword::Off, false, PrecisionKeyword::RelaxedPrecision) => &CORRECT_PRESSURE_WITH_RELAXED_PRECISION,
+            (WallsKeyword::Off, false, PrecisionKeyword::HalfPrecision) => &CORRECT_PRESSURE_WITH_HALF_PRECISION,
+            (WallsKeyword::Off, true, PrecisionKeyword::Off) => &CORRECT_PRESSURE_WITH_MEASURED,
+            (WallsKeyword::Off, true, PrecisionKeyword::RelaxedPrecision) => {
+                &CORRECT_PRESSURE_WITH_MEASURED_WITH_RELAXED_PRECISION
+            }
+            (WallsKeyword::Off, true, PrecisionKeyword::HalfPrecision) => {
+                &CORRECT_PRESSURE_WITH_MEASURED_WITH_HALF_PRECISION
+            }
+            (WallsKeyword::Walls, false, PrecisionKeyword::Off) => &CORRECT_PRESSURE_WITH_WALLS,
+            (WallsKeyword::Walls, false, PrecisionKeyword::RelaxedPrecision) => {
+                &CORRECT_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION
+            }
+            (WallsKeyword::Walls, false, PrecisionKeyword::HalfPrecision) => {
+                &CORRECT_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION
+            }
+            (WallsKeyword::Walls, true, PrecisionKeyword::Off) => &CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED,
+            (WallsKeyword::Walls, true, PrecisionKeyword::RelaxedPrecision) => {
                 &CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_RELAXED_PRECISION
             }
-            (true, true, PrecisionKeyword::HalfPrecision) => {
+            (WallsKeyword::Walls, true, PrecisionKeyword::HalfPrecision) => {
                 &CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_HALF_PRECISION
+            }
+            (WallsKeyword::SolidWalls, false, PrecisionKeyword::Off) => &CORRECT_PRESSURE_WITH_SOLID_WALLS,
+            (WallsKeyword::SolidWalls, false, PrecisionKeyword::RelaxedPrecision) => {
+                &CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION
+            }
+            (WallsKeyword::SolidWalls, false, PrecisionKeyword::HalfPrecision) => {
+                &CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION
+            }
+            (WallsKeyword::SolidWalls, true, PrecisionKeyword::Off) => &CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED,
+            (WallsKeyword::SolidWalls, true, PrecisionKeyword::RelaxedPrecision) => {
+                &CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED_WITH_RELAXED_PRECISION
+            }
+            (WallsKeyword::SolidWalls, true, PrecisionKeyword::HalfPrecision) => {
+                &CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED_WITH_HALF_PRECISION
             }
         }
     }
@@ -114,6 +137,12 @@ pub(super) static MODULES: &[&Module] = &[
     &CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED,
     &CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_RELAXED_PRECISION,
     &CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_HALF_PRECISION,
+    &CORRECT_PRESSURE_WITH_SOLID_WALLS,
+    &CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION,
+    &CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION,
+    &CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED,
+    &CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED_WITH_RELAXED_PRECISION,
+    &CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED_WITH_HALF_PRECISION,
 ];
 
 static BINDINGS_0: &[BindingInfo] = &[
@@ -179,154 +208,232 @@ static CORRECT_PRESSURE: Module = Module {
     name: "CorrectPressure",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 10392 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 10400 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "dff20599f0a41f861c92348d0c6ad8c831ae341cc7d81b8b1293829b2f1e8999",
+    hash: "8787afff7e948dd66f5c6c793e8fe373c0d31a9386ddc61a4b06da102efe1b2b",
 };
 
 static CORRECT_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPressure+RELAXED_PRECISION",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 10392, bytes: 9840 },
+    spirv: Spirv::Packed { pack: PACK, first: 10400, bytes: 9848 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "14d5c1661195297e67527c0e222b608ae1b77c97faed6f66960bb536bc60f0c6",
+    hash: "2e95f46770d2b0f530315fef5a8026056c441f0c6c5ce7671f6b6ef1e63b5fb6",
 };
 
 static CORRECT_PRESSURE_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPressure+HALF_PRECISION",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 20232, bytes: 9920 },
+    spirv: Spirv::Packed { pack: PACK, first: 20248, bytes: 9928 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "d5ca92becdd84d3b610b608cac9e942eec53f123612ebd63546d1022420ad628",
+    hash: "6297c4551ca809a4c3f5e6d1e7680416d4da47728ae7c11f86af3621f518104c",
 };
 
 static CORRECT_PRESSURE_WITH_MEASURED: Module = Module {
     name: "CorrectPressure+MEASURED",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 30152, bytes: 11352 },
+    spirv: Spirv::Packed { pack: PACK, first: 30176, bytes: 11360 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "f508122b22a423c825cf4d216ea8a932865c765b12d80859aa2c40105a030652",
+    hash: "a913b76b30f4ce66d8a0c8726f2d4aa0915bee33812ce4c0e4deba5009cac423",
 };
 
 static CORRECT_PRESSURE_WITH_MEASURED_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPressure+MEASURED+RELAXED_PRECISION",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 41504, bytes: 10800 },
+    spirv: Spirv::Packed { pack: PACK, first: 41536, bytes: 10808 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "69695bef72b6fcd4a37a93a94f35788b4195495773d16960c6c1ca1aff04bfef",
+    hash: "53a12b83bb79fcb8ce12bf6074f60dfbb7be377e8a78e3c8315e7945dbe0d23d",
 };
 
 static CORRECT_PRESSURE_WITH_MEASURED_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPressure+MEASURED+HALF_PRECISION",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 52304, bytes: 10880 },
+    spirv: Spirv::Packed { pack: PACK, first: 52344, bytes: 10888 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 256,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "b93c12fe88082fb54b5a436db16c09ed6655cea4a9c9d9787f81650cbd05008b",
+    hash: "a4cef861c09da18002d3356d680697463bb115a18bc7cee257ca7eb95ea46166",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS: Module = Module {
     name: "CorrectPressure+WALLS",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 63184, bytes: 13604 },
+    spirv: Spirv::Packed { pack: PACK, first: 63232, bytes: 13612 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "f0761032a9ad6e030e24fd1ddec1e0b9a31663ef7969df6389fcf47e385a4dcb",
+    hash: "128f433566d7ba19382115e888c8e8217c06d1e2607b2ba55f3ed46accef3bef",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPressure+WALLS+RELAXED_PRECISION",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 76788, bytes: 13000 },
+    spirv: Spirv::Packed { pack: PACK, first: 76844, bytes: 13008 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "033160037d540d259aa2d190e5da79468a4f664a38ce5ac5abc7ef930a191539",
+    hash: "21a689ed2035ddb24a4d0890449a392ac29a4159753125266fd442619758699a",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPressure+WALLS+HALF_PRECISION",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 89788, bytes: 13096 },
+    spirv: Spirv::Packed { pack: PACK, first: 89852, bytes: 13104 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "d98d704b8305a0bebc2d7e5d070d12a6d9de7c2e3620fdb385d2cb99cadaba19",
+    hash: "e8f9743f8fe3e1cb4bab9099963516e1e1b6e5cb9b09c0b0f76bba3055cfc958",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED: Module = Module {
     name: "CorrectPressure+WALLS+MEASURED",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 102884, bytes: 14564 },
+    spirv: Spirv::Packed { pack: PACK, first: 102956, bytes: 14572 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "00ed6bb096fa02986952a1646c1062acf144972445cd7e3802a392186abe203f",
+    hash: "68343aee172db105f670b98a612f79890fed3c8193492742e19ab3a9c88cf016",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPressure+WALLS+MEASURED+RELAXED_PRECISION",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 117448, bytes: 13960 },
+    spirv: Spirv::Packed { pack: PACK, first: 117528, bytes: 13968 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "f963394027bd925cecc8872a95aafbf0725019944771e1101d6aabf9c4e36aab",
+    hash: "c7c1d7af5b2fcc4dc367e596901bfba185b9985299439d67454914b8a3ceab7b",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPressure+WALLS+MEASURED+HALF_PRECISION",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 131408, bytes: 14056 },
+    spirv: Spirv::Packed { pack: PACK, first: 131496, bytes: 14064 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 256,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "e120846f6075d34f144d6fb73e448264f07b1efbeb457d96751fedceba02f656",
+    hash: "1e9a9b575d378eabc3656aba0d81b315867681edcd21a83d87190b430cd9c390",
+};
+
+static CORRECT_PRESSURE_WITH_SOLID_WALLS: Module = Module {
+    name: "CorrectPressure+SOLID_WALLS",
+    entry: "CorrectPressure",
+    stage: StageKind::Compute,
+    spirv: Spirv::Packed { pack: PACK, first: 145560, bytes: 15452 },
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/dfsph/correct_pressure.compute",
+    hash: "f7511952eae5ebbcd3cf9c74b16c7018a6d480e1697a31505d9df5842fccc6de",
+};
+
+static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
+    name: "CorrectPressure+SOLID_WALLS+RELAXED_PRECISION",
+    entry: "CorrectPressure",
+    stage: StageKind::Compute,
+    spirv: Spirv::Packed { pack: PACK, first: 161012, bytes: 14848 },
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/dfsph/correct_pressure.compute",
+    hash: "c8c2551eaca092fd848126bcc7b5e7a3f720eea08d4c8e2e4931afee5c6cfcf9",
+};
+
+static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
+    name: "CorrectPressure+SOLID_WALLS+HALF_PRECISION",
+    entry: "CorrectPressure",
+    stage: StageKind::Compute,
+    spirv: Spirv::Packed { pack: PACK, first: 175860, bytes: 14944 },
+    bindings: BINDINGS_0,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Desktop,
+    source: "solver/dfsph/correct_pressure.compute",
+    hash: "c0e2689d741f6e7162755a9c3b2ea252950d95dc9a09308b349b02519394d3ef",
+};
+
+static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED: Module = Module {
+    name: "CorrectPressure+SOLID_WALLS+MEASURED",
+    entry: "CorrectPressure",
+    stage: StageKind::Compute,
+    spirv: Spirv::Packed { pack: PACK, first: 190804, bytes: 16428 },
+    bindings: BINDINGS_1,
+    group_size: [64, 1, 1],
+    shared_bytes: 256,
+    tier: Tier::Floor,
+    source: "solver/dfsph/correct_pressure.compute",
+    hash: "8b39d95aeaec8bf79259baccf1dc33856883bf9a33f4d9bd81f007bf6e3d4ca1",
+};
+
+static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED_WITH_RELAXED_PRECISION: Module = Module {
+    name: "CorrectPressure+SOLID_WALLS+MEASURED+RELAXED_PRECISION",
+    entry: "CorrectPressure",
+    stage: StageKind::Compute,
+    spirv: Spirv::Packed { pack: PACK, first: 207232, bytes: 15824 },
+    bindings: BINDINGS_1,
+    group_size: [64, 1, 1],
+    shared_bytes: 256,
+    tier: Tier::Floor,
+    source: "solver/dfsph/correct_pressure.compute",
+    hash: "b19971b9b6306abf5c5ed7f9f390d780f169dfc570dc4a5a54a5654bd188fb84",
+};
+
+static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED_WITH_HALF_PRECISION: Module = Module {
+    name: "CorrectPressure+SOLID_WALLS+MEASURED+HALF_PRECISION",
+    entry: "CorrectPressure",
+    stage: StageKind::Compute,
+    spirv: Spirv::Packed { pack: PACK, first: 223056, bytes: 15920 },
+    bindings: BINDINGS_1,
+    group_size: [64, 1, 1],
+    shared_bytes: 256,
+    tier: Tier::Desktop,
+    source: "solver/dfsph/correct_pressure.compute",
+    hash: "ee2dca67e90808b3566844f946b924f37affa3b73df7d7901810602b475c7457",
 };

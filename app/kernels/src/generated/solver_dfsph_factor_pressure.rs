@@ -3,7 +3,8 @@
 //! Kernels of `solver/dfsph/factor_pressure.compute`.
 
 use super::{
-    ListHead, Position, PrecisionKeyword, PressureFactors, SmoothingKernelParams, StepParams, StepState, Velocity,
+    ListHead, Position, PrecisionKeyword, PressureFactors, SmoothingKernelParams, SolidContact, StepParams, StepState,
+    Velocity, WallsKeyword,
 };
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
@@ -13,8 +14,8 @@ use crate::{
 /// Which variant of [`FactorPressure`] runs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct FactorPressureVariant {
-    /// Keyword `WALLS`.
-    pub walls: bool,
+    /// Keyword `WALLS` or `SOLID_WALLS`.
+    pub walls: WallsKeyword,
     /// Keyword `RELAXED_PRECISION` or `HALF_PRECISION`.
     pub precision: PrecisionKeyword,
 }
@@ -48,6 +49,8 @@ pub struct FactorPressure<'a> {
     pub step_params: Uniform<'a, StepParams>,
     /// `ConstantBuffer<SmoothingKernelParams> kernel`.
     pub kernel: Uniform<'a, SmoothingKernelParams>,
+    /// `StructuredBuffer<SolidContact> solid_contacts`.
+    pub solid_contacts: Option<Buf<'a, SolidContact>>,
 }
 
 impl Kernel for FactorPressure<'_> {
@@ -56,12 +59,21 @@ impl Kernel for FactorPressure<'_> {
 
     fn module(&self) -> &'static Module {
         match (self.variant.walls, self.variant.precision) {
-            (false, PrecisionKeyword::Off) => &FACTOR_PRESSURE,
-            (false, PrecisionKeyword::RelaxedPrecision) => &FACTOR_PRESSURE_WITH_RELAXED_PRECISION,
-            (false, PrecisionKeyword::HalfPrecision) => &FACTOR_PRESSURE_WITH_HALF_PRECISION,
-            (true, PrecisionKeyword::Off) => &FACTOR_PRESSURE_WITH_WALLS,
-            (true, PrecisionKeyword::RelaxedPrecision) => &FACTOR_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION,
-            (true, PrecisionKeyword::HalfPrecision) => &FACTOR_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION,
+            (WallsKeyword::Off, PrecisionKeyword::Off) => &FACTOR_PRESSURE,
+            (WallsKeyword::Off, PrecisionKeyword::RelaxedPrecision) => &FACTOR_PRESSURE_WITH_RELAXED_PRECISION,
+            (WallsKeyword::Off, PrecisionKeyword::HalfPrecision) => &FACTOR_PRESSURE_WITH_HALF_PRECISION,
+            (WallsKeyword::Walls, PrecisionKeyword::Off) => &FACTOR_PRESSURE_WITH_WALLS,
+            (WallsKeyword::Walls, PrecisionKeyword::RelaxedPrecision) => {
+                &FACTOR_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION
+            }
+            (WallsKeyword::Walls, PrecisionKeyword::HalfPrecision) => &FACTOR_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION,
+            (WallsKeyword::SolidWalls, PrecisionKeyword::Off) => &FACTOR_PRESSURE_WITH_SOLID_WALLS,
+            (WallsKeyword::SolidWalls, PrecisionKeyword::RelaxedPrecision) => {
+                &FACTOR_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION
+            }
+            (WallsKeyword::SolidWalls, PrecisionKeyword::HalfPrecision) => {
+                &FACTOR_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION
+            }
         }
     }
     fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
@@ -78,6 +90,7 @@ impl Kernel for FactorPressure<'_> {
                 ("step_state", Some(self.step_state.id)),
                 ("step_params", Some(self.step_params.id)),
                 ("kernel", Some(self.kernel.id)),
+                ("solid_contacts", self.solid_contacts.as_ref().map(|bound| bound.id)),
             ],
         )
     }
@@ -91,6 +104,9 @@ pub(super) static MODULES: &[&Module] = &[
     &FACTOR_PRESSURE_WITH_WALLS,
     &FACTOR_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION,
     &FACTOR_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION,
+    &FACTOR_PRESSURE_WITH_SOLID_WALLS,
+    &FACTOR_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION,
+    &FACTOR_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION,
 ];
 
 static BINDINGS_0: &[BindingInfo] = &[
@@ -122,82 +138,155 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "kernel", slot: 9, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
+static BINDINGS_1: &[BindingInfo] = &[
+    BindingInfo {
+        name: "quantized_positions",
+        slot: 0,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 },
+    },
+    BindingInfo {
+        name: "sorted_positions",
+        slot: 1,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+    },
+    BindingInfo { name: "neighbours", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo { name: "list_heads", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo {
+        name: "solid_contacts",
+        slot: 4,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 48 },
+    },
+    BindingInfo {
+        name: "positions",
+        slot: 5,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
+    },
+    BindingInfo {
+        name: "pressure_factors",
+        slot: 6,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 32 },
+    },
+    BindingInfo { name: "shifts", slot: 7, kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 } },
+    BindingInfo { name: "step_state", slot: 8, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 9, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 10, kind: BindingKind::Uniform { bytes: 48 } },
+];
+
 static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/solver_dfsph_factor_pressure.deflate"));
 
 static FACTOR_PRESSURE: Module = Module {
     name: "FactorPressure",
     entry: "FactorPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 13120 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 13128 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "a704df75280211daa22373c688a80f9b2524649efafe1e251b8b45cc1f4dcbdb",
+    hash: "a38a0a68b273c4307d651a024f0f737361fd2fa0e281456aa98079e83d46e0c5",
 };
 
 static FACTOR_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     name: "FactorPressure+RELAXED_PRECISION",
     entry: "FactorPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 13120, bytes: 12676 },
+    spirv: Spirv::Packed { pack: PACK, first: 13128, bytes: 12684 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "0acff6498a8e8755d88a364b7322d54d3ae50c4a37cc77e59379e9c444224715",
+    hash: "13ec867fc73e167573039e92abfa35fd521fc2f64eaae5643ded53462f61c5d9",
 };
 
 static FACTOR_PRESSURE_WITH_HALF_PRECISION: Module = Module {
     name: "FactorPressure+HALF_PRECISION",
     entry: "FactorPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 25796, bytes: 12628 },
+    spirv: Spirv::Packed { pack: PACK, first: 25812, bytes: 12636 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "089bc5ed7cb00acd30f37b4bf00dbe3ead26e676939fb389dce1b0faa81b3ba7",
+    hash: "2d331a23a04b90fb42a0265f617d92045786a0f02c2927558a4bb466673e2f5a",
 };
 
 static FACTOR_PRESSURE_WITH_WALLS: Module = Module {
     name: "FactorPressure+WALLS",
     entry: "FactorPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 38424, bytes: 17268 },
+    spirv: Spirv::Packed { pack: PACK, first: 38448, bytes: 17276 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "fcb8ed8b7762ede8dccf4ec1f22d32be7e19e45d6d4380c0f6dbe05a66047948",
+    hash: "5b582ec1e5744345e8e141db6f882b616b37d653c18d5af16426c70f3d9e2ff6",
 };
 
 static FACTOR_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     name: "FactorPressure+WALLS+RELAXED_PRECISION",
     entry: "FactorPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 55692, bytes: 16868 },
+    spirv: Spirv::Packed { pack: PACK, first: 55724, bytes: 16876 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "26bd9bebbc5c42cc6d7cb4da42e7c41e689c63f4ad1a30c0ae8218e2ba125928",
+    hash: "0903f8fcc7748930b626c71c5efcbcbc055a815e09c8fb8a81fa621ae41d3091",
 };
 
 static FACTOR_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     name: "FactorPressure+WALLS+HALF_PRECISION",
     entry: "FactorPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 72560, bytes: 16772 },
+    spirv: Spirv::Packed { pack: PACK, first: 72600, bytes: 16780 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "dc38ef625b7ab2aae9e4cb1235337eb9f7e65ea23b0a753536eb60e21b428188",
+    hash: "74ecb64fdc474b1e59eec9882bb7cd0f135c0b6adf05d451a78c62e40fd944b4",
+};
+
+static FACTOR_PRESSURE_WITH_SOLID_WALLS: Module = Module {
+    name: "FactorPressure+SOLID_WALLS",
+    entry: "FactorPressure",
+    stage: StageKind::Compute,
+    spirv: Spirv::Packed { pack: PACK, first: 89380, bytes: 20580 },
+    bindings: BINDINGS_1,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/dfsph/factor_pressure.compute",
+    hash: "af0767c526f7b93b2ff34e8269373d9f8b5c5350d93edd26ce2a7baf68367fa5",
+};
+
+static FACTOR_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
+    name: "FactorPressure+SOLID_WALLS+RELAXED_PRECISION",
+    entry: "FactorPressure",
+    stage: StageKind::Compute,
+    spirv: Spirv::Packed { pack: PACK, first: 109960, bytes: 20180 },
+    bindings: BINDINGS_1,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/dfsph/factor_pressure.compute",
+    hash: "116f5a7eec1589e16e5d330fce79db8cf37685a142cee56a27be49fd9fe2304e",
+};
+
+static FACTOR_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
+    name: "FactorPressure+SOLID_WALLS+HALF_PRECISION",
+    entry: "FactorPressure",
+    stage: StageKind::Compute,
+    spirv: Spirv::Packed { pack: PACK, first: 130140, bytes: 20084 },
+    bindings: BINDINGS_1,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Desktop,
+    source: "solver/dfsph/factor_pressure.compute",
+    hash: "f87274de203a61ecf7d5a025048aff821d9f6b0e25dde43b841f57eca4ac24cf",
 };

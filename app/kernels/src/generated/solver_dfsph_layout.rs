@@ -29,8 +29,8 @@ pub struct PressureSolve {
     pub most_iterations: u32,
     /// before which no residual ends it
     pub least_iterations: u32,
-    /// `uint`.
-    pub reserved0: u32,
+    /// 1; 0 of displacements, in which solids have no part
+    pub solids_move: f32,
     /// `uint`.
     pub reserved1: u32,
     /// `uint`.
@@ -46,7 +46,7 @@ const _: () = {
     assert!(offset_of!(PressureSolve, warm_share) == 24);
     assert!(offset_of!(PressureSolve, most_iterations) == 28);
     assert!(offset_of!(PressureSolve, least_iterations) == 32);
-    assert!(offset_of!(PressureSolve, reserved0) == 36);
+    assert!(offset_of!(PressureSolve, solids_move) == 36);
     assert!(offset_of!(PressureSolve, reserved1) == 40);
     assert!(offset_of!(PressureSolve, reserved2) == 44);
     assert!(size_of::<PressureSolve>() == 48);
@@ -89,19 +89,19 @@ pub struct PressureFactors {
     pub excess: f32,
     /// 0 of what takes no part
     pub inverse_stiffness: f32,
-    /// `uint`.
-    pub reserved0: u32,
-    /// `uint`.
-    pub reserved1: u32,
-    /// `uint`.
-    pub reserved2: u32,
+    /// out of the half-space that stands for the solids near it, packed (boundary/mirror.hlsli)
+    pub solid_normal: u32,
+    /// h, signed; NO\_WALL where there is none
+    pub from_solids: f32,
+    /// of that half-space along its normal
+    pub solid_speed_m_s: f32,
 }
 const _: () = {
     assert!(offset_of!(PressureFactors, from_walls) == 0);
     assert!(offset_of!(PressureFactors, excess) == 12);
     assert!(offset_of!(PressureFactors, inverse_stiffness) == 16);
-    assert!(offset_of!(PressureFactors, reserved0) == 20);
-    assert!(offset_of!(PressureFactors, reserved1) == 24);
-    assert!(offset_of!(PressureFactors, reserved2) == 28);
+    assert!(offset_of!(PressureFactors, solid_normal) == 20);
+    assert!(offset_of!(PressureFactors, from_solids) == 24);
+    assert!(offset_of!(PressureFactors, solid_speed_m_s) == 28);
     assert!(size_of::<PressureFactors>() == 32);
 };

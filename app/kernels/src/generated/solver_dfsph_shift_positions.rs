@@ -2,7 +2,7 @@
 // makes it anew from solver/dfsph/shift_positions.compute.
 //! Kernels of `solver/dfsph/shift_positions.compute`.
 
-use super::{Counters, Position, StepParams, StepState, Velocity};
+use super::{Counters, Position, Solid, SolidPose, SolidsParams, StepParams, StepState, Velocity, WallsKeyword};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
     Uniform, bind,
@@ -11,8 +11,8 @@ use crate::{
 /// Which variant of [`ShiftPositions`] runs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct ShiftPositionsVariant {
-    /// Keyword `WALLS`.
-    pub walls: bool,
+    /// Keyword `WALLS` or `SOLID_WALLS`.
+    pub walls: WallsKeyword,
     /// Keyword `PERIODIC`.
     pub periodic: bool,
 }
@@ -35,6 +35,14 @@ pub struct ShiftPositions<'a> {
     pub step_state: Uniform<'a, StepState>,
     /// `ConstantBuffer<StepParams> step_params`.
     pub step_params: Uniform<'a, StepParams>,
+    /// `StructuredBuffer<Solid> solids`.
+    pub solids: Option<Buf<'a, Solid>>,
+    /// `StructuredBuffer<SolidPose> solid_poses`.
+    pub solid_poses: Option<Buf<'a, SolidPose>>,
+    /// `StructuredBuffer<uint4> solid_blocks`.
+    pub solid_blocks: Option<Buf<'a, [u32; 4]>>,
+    /// `ConstantBuffer<SolidsParams> solids_params`.
+    pub solids_params: Option<Uniform<'a, SolidsParams>>,
 }
 
 impl Kernel for ShiftPositions<'_> {
@@ -43,10 +51,12 @@ impl Kernel for ShiftPositions<'_> {
 
     fn module(&self) -> &'static Module {
         match (self.variant.walls, self.variant.periodic) {
-            (false, false) => &SHIFT_POSITIONS,
-            (false, true) => &SHIFT_POSITIONS_WITH_PERIODIC,
-            (true, false) => &SHIFT_POSITIONS_WITH_WALLS,
-            (true, true) => &SHIFT_POSITIONS_WITH_WALLS_WITH_PERIODIC,
+            (WallsKeyword::Off, false) => &SHIFT_POSITIONS,
+            (WallsKeyword::Off, true) => &SHIFT_POSITIONS_WITH_PERIODIC,
+            (WallsKeyword::Walls, false) => &SHIFT_POSITIONS_WITH_WALLS,
+            (WallsKeyword::Walls, true) => &SHIFT_POSITIONS_WITH_WALLS_WITH_PERIODIC,
+            (WallsKeyword::SolidWalls, false) => &SHIFT_POSITIONS_WITH_SOLID_WALLS,
+            (WallsKeyword::SolidWalls, true) => &SHIFT_POSITIONS_WITH_SOLID_WALLS_WITH_PERIODIC,
         }
     }
     fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
@@ -58,6 +68,10 @@ impl Kernel for ShiftPositions<'_> {
                 ("counters", Some(self.counters.id)),
                 ("step_state", Some(self.step_state.id)),
                 ("step_params", Some(self.step_params.id)),
+                ("solids", self.solids.as_ref().map(|bound| bound.id)),
+                ("solid_poses", self.solid_poses.as_ref().map(|bound| bound.id)),
+                ("solid_blocks", self.solid_blocks.as_ref().map(|bound| bound.id)),
+                ("solids_params", self.solids_params.as_ref().map(|bound| bound.id)),
             ],
         )
     }
@@ -69,6 +83,8 @@ pub(super) static MODULES: &[&Module] = &[
     &SHIFT_POSITIONS_WITH_PERIODIC,
     &SHIFT_POSITIONS_WITH_WALLS,
     &SHIFT_POSITIONS_WITH_WALLS_WITH_PERIODIC,
+    &SHIFT_POSITIONS_WITH_SOLID_WALLS,
+    &SHIFT_POSITIONS_WITH_SOLID_WALLS_WITH_PERIODIC,
 ];
 
 static BINDINGS_0: &[BindingInfo] = &[
@@ -87,6 +103,30 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "step_params", slot: 4, kind: BindingKind::Uniform { bytes: 96 } },
 ];
 
+static BINDINGS_1: &[BindingInfo] = &[
+    BindingInfo {
+        name: "positions",
+        slot: 0,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
+    },
+    BindingInfo { name: "shifts", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
+    BindingInfo {
+        name: "counters",
+        slot: 2,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
+    },
+    BindingInfo { name: "solids", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 80 } },
+    BindingInfo { name: "solid_poses", slot: 4, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 96 } },
+    BindingInfo {
+        name: "solid_blocks",
+        slot: 5,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+    },
+    BindingInfo { name: "step_state", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 7, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "solids_params", slot: 8, kind: BindingKind::Uniform { bytes: 48 } },
+];
+
 static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/solver_dfsph_shift_positions.deflate"));
 
 static SHIFT_POSITIONS: Module = Module {
@@ -99,7 +139,7 @@ static SHIFT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "2a0ab4963c3b18d6cbdeda44bf7665d3e17ec2a18d874e5e9b558b1aebefa29b",
+    hash: "980db6a4c59f2e24dc426799c497c8cbb0711e4096ea7a77b050fde7389fcbb7",
 };
 
 static SHIFT_POSITIONS_WITH_PERIODIC: Module = Module {
@@ -112,7 +152,7 @@ static SHIFT_POSITIONS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "3155620e9cba2453a5daf0b2e50690bc5a2eb9f8823e2951c12d35c89863bee7",
+    hash: "61b2b610201294210d5289df8829ab3323a1d59f268b1762127857a9170cf502",
 };
 
 static SHIFT_POSITIONS_WITH_WALLS: Module = Module {
@@ -125,7 +165,7 @@ static SHIFT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "cbdc6c84fecd8cc4959bfa496516435b9e0fedb6738a0fc7d1c987799a8b10aa",
+    hash: "aadffebbaf1e2d7287f8f5b3ee4bd6ce748e44095518de374c89e50c70c97c88",
 };
 
 static SHIFT_POSITIONS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -138,5 +178,31 @@ static SHIFT_POSITIONS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "6e2a91de3ac20fc10887f292597ed86dccf63a66907f7aedf18445aaf0addf33",
+    hash: "4b4c1d8c73f3ebfcf30871796373d3150478f246811b188bd8253a7729ac45f4",
+};
+
+static SHIFT_POSITIONS_WITH_SOLID_WALLS: Module = Module {
+    name: "ShiftPositions+SOLID_WALLS",
+    entry: "ShiftPositions",
+    stage: StageKind::Compute,
+    spirv: Spirv::Packed { pack: PACK, first: 20808, bytes: 32352 },
+    bindings: BINDINGS_1,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/dfsph/shift_positions.compute",
+    hash: "e66d09ca3af5ef6c27b4a5180f1456b64e8fd2a776645c3c933ea0cd477cc92c",
+};
+
+static SHIFT_POSITIONS_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
+    name: "ShiftPositions+SOLID_WALLS+PERIODIC",
+    entry: "ShiftPositions",
+    stage: StageKind::Compute,
+    spirv: Spirv::Packed { pack: PACK, first: 53160, bytes: 33320 },
+    bindings: BINDINGS_1,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/dfsph/shift_positions.compute",
+    hash: "f8a6499a47f8ba1ab950aa29ae15071964c3cd644b019a5b8948eb21cdfff7a9",
 };

@@ -110,7 +110,7 @@ static BEGIN_SOLVE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/solve_state.compute",
-    hash: "d441dfee4347073cd0bf3cc4af9f2cac19a0e12f9348d584cdea573feb89fa91",
+    hash: "e8d2d8a94fe715394fc37d96a4b9496da01163553d5d9b82a7ac6fdb5c188d7b",
 };
 
 static END_ITERATION: Module = Module {
@@ -123,5 +123,5 @@ static END_ITERATION: Module = Module {
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/solve_state.compute",
-    hash: "f4cea0f94516cb16363bee15acc835537d95bc49d2bcced9789134cdc6c50a92",
+    hash: "f3fc285c58a4c8e280aa27b7cebfa7f8eac72c06e250e1b654b5da5dedb4742b",
 };

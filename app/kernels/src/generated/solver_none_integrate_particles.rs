@@ -105,7 +105,7 @@ static INTEGRATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "1b2fd0f43e04257becef2dcc469223cfb8c8ed22f2ca684d3de829c041dd81a2",
+    hash: "fb9fb5c2b88292631bed3093e1a6000d9e367a9f1dafb92b25ee2978df5c8c51",
 };
 
 static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
@@ -118,7 +118,7 @@ static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "9b7f26c758ec5e3b89cb8b071b5c4eb827bc93b721e6630f945c3118918f00ff",
+    hash: "a7011404582ba4d90623cd2aaeadb6a5345218a29a6de63a2c92bb867ca82586",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
@@ -131,7 +131,7 @@ static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "770adb03d1925b864601b3e10e67d4b33ab3c8feb58dcfaff7ce559f511ceece",
+    hash: "465f9c784750adf0665cfa977fb85f804e28ceb068628a432b7118f0857f1f43",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -144,5 +144,5 @@ static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "c37cfba3bed7ed89d71fb957977616f3c3014f85660e834082df2974a0199227",
+    hash: "272b056156b90cd4c0f501462645a59f524cd31dc9596c69bc2a4dc10ff0d307",
 };

@@ -773,7 +773,7 @@ static CONSTRAIN_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "8487e29a6e1cd7e208d7d6635b8630b3009dcbe050dcc186beefbf6d9303fc9f",
+    hash: "ad9a83e77202b283d4926b4e9cbdf680b41db7380c988fca826d1fc8028b9d24",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -786,7 +786,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "8b04dd8638e32dbfee52ee0cf458a14fc55198e51025946abd6dc77ed518f00b",
+    hash: "71f30cf2ff4611d053a52600aee38d8305d9c8f4609fbc963187914372226842",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -799,7 +799,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "e9c262b6353fe33a021e232416c55fb01d1579b5eb0b501eb8ce79b26510c476",
+    hash: "99307c6d89605f9706038607a956deb733bbfd8fd0f279e8f25700a7af61ea63",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
@@ -812,7 +812,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "7b1fdfda91a95c736954b794eb1e1662e0769754118126b5405a7f338e88d655",
+    hash: "81aac6ec5904109acbd257ee0f0131d1b902eaf58e3c5b805f5a92b92a628e12",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -825,7 +825,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "311e9b3c3aec4dd588324181daef290a0d1d956adcaec8e61d2ec58afb858aeb",
+    hash: "4876cb1ed0775155bda7133d05828dbf404308eb37e59924318fb8b16c6119a0",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -838,7 +838,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "d0d6639e8d4ffc0d2e43ba8caede4f531dd9766b1a4c6666f40a8af1e4bde074",
+    hash: "0aff6cf46a011424091670ca4d4a186fe949965bdacb355c7fd01a0ecca333b0",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -851,7 +851,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "991b4b2c18c9c6e2917146e07c22a5987e32535072810e3bc59520490fab31a0",
+    hash: "a311780b44c2118971acc2be95e2991f96c1a447fe09c29b72e98f210f48cb37",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -864,7 +864,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "548de67f885887cac61134a88d069ca485809fcf4a62a4ef529039d60e6cc59b",
+    hash: "afe2b7266d8e8c9439504dee134d0a60cec62b7a66613666d13f159a7cf714d8",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -877,7 +877,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "433bd00e9f95dba7e247de61c4b147a9ba866419803df3b1cc3a7fa4b1ec1e76",
+    hash: "7a71f614a76f86505ea7ccced8aa459ad8a38ac15f16e7726cba4d6750fd926d",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -890,7 +890,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "816e976697636c1720d11867b35ee10fa046150fff3a7507ab0cd2403d4b054a",
+    hash: "d70e50afb976d0f46c2ce3469b1efaa6abfa0e7ce009cf3992214552f0794386",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -903,7 +903,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "bf5b2f85ad35d16294fac9e9e4ab4b7e58e8cee7e512aa411a9b6cca6b371241",
+    hash: "fcfc85940159d8bf4b556098c5a3f2d34c0a7d72a388a22feb265dd4f5fd0e36",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -916,7 +916,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "deeb84419ebd2de09089f36a2cc74350c9713a37d58fff4431b1c6a1c3d50feb",
+    hash: "e10d49e362c51edefd23b3555b49831e55468d87aa6a9b89f45546cca0c57b11",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
@@ -929,7 +929,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "ef6f3ee04461058a05d07e2f9fe06df88caed4a11f7dffb151353d2a578d3a56",
+    hash: "fdb277015c2a76bbe317976d9826ca07fbf5e7d8c7564857db7ccd4e53b6ef95",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -942,7 +942,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "3fee36b83ba7b81bc96ad220ea0afdca146f14ea622b8180ea2ffa44a07d5f20",
+    hash: "5a86a9c86e65cae3a7c28523e403d8819d056b5b835b2f86c46ff96675c954a8",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -955,7 +955,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "75895c406409f8739b5ba777f292078f9802a72a119b777a30f566b8598f12f6",
+    hash: "90745aad34b79a9ef261c0d5d964b42fcd2bfa11acc035ce3198dbd74d6751f0",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
@@ -968,7 +968,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "561228d224af348b04dab97432cf354cbb00857525b1f0b018b178dcd9c40e8b",
+    hash: "b3a37bce59e8c364988076cb7003f73040053ed3e6089c15f5466e05f5fe13af",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -981,7 +981,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "045dcd67f0a4aec065084fc7782a1c0d68875e11269d4c7091397839c9a5e64b",
+    hash: "a3dfb5d7f85f3066ee3e1da9d15b095ad528774076fa7eceaa613b25df51e2a5",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -994,7 +994,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "dc148a793411fffc02b79cc8e5b70f2e96c6cd056561ea28743364abe3dc5a88",
+    hash: "d61bf57c035f8cba092bddb553bf479e002c1a24194d648a85fcb61c8c237aab",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -1007,7 +1007,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "6406a0bba117349c589d6890387ab9626da1e5bf8e7623ff4804ea6e729201d1",
+    hash: "3c1407b5908eceb7181e58858baa171673bcc4059b8d9686c3b17fea0f08625c",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1020,7 +1020,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECI
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "a43f2175276646626df32c2a357eb6b2b842486609772ee1d6ab7d6702f5f6fe",
+    hash: "6b3b9ce566ab8fb31fbe2c578e7a7ffb4d550addcced2ef63c1298cea93b190b",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1033,7 +1033,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISIO
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "f580b6d101caca9017e5817c6db9e043b09c14a72afbd6d7daf7531a9d0ef0f0",
+    hash: "72b486be59d063761adb99a61e92a01572a7ba2e8bb8bf3babb2324d3572ab0c",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -1046,7 +1046,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "55282aba92b8f298dc8461d33cc3359a21e9c3ac59a1a8d23885e41d0a172dd0",
+    hash: "0784825894b5d6067f66ad3a6af415dfb43d27dd37f5464cf51f29a624b24df5",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1059,7 +1059,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECIS
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "6507c5568d8fd1c68f79dbbb68630b3db5136add9406f4f3ccfcb9aad6ec5757",
+    hash: "ffe3bc50cac94c4f3da58a122e96b33185dbc68b89584b494a9e1645ca155f35",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1072,7 +1072,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "401f979d256a7c80157aaf455adadc161cfd0a92e478693a261e21568e00e1a1",
+    hash: "f90d712a552c95c5701dc852fb8aba550b51597bc28b82fa36317b45b69eb782",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS: Module = Module {
@@ -1085,7 +1085,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "9e61c332425e567355a9afe41620e968c026a59603295493de2ac54cca4e74f5",
+    hash: "35952550a7e4099387db8b18fcc669866a7b221c39002ddbabbeccce8f66a675",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -1098,7 +1098,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "c01eaeaf4f59477e7e0039118d0200a2285e0ebdf315eded49ef8f9a8ba91bd6",
+    hash: "068ebff56d21c112aa9542680dc3b66e416b269cb0c910de8f0963aa3394ffbf",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -1111,7 +1111,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "0e1b74ab4158813fcf6b7e3a88c8ec44cd8c86ef7a9e2565b68bc33c7d8557ea",
+    hash: "5bd9b02096c59ed896c9e43f19ee1dfae8bb8126e48c7238a234b2b6eae012ce",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM: Module = Module {
@@ -1124,7 +1124,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "ca0cf38fea1c8ba20f0fa6267d1fbcb8f6667d2c5d007e370b19e029af88a8f9",
+    hash: "70ee81ae906b01929c690c23a836b3d073a997c340a207908bdc0f7117fa5451",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1137,7 +1137,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "e64fcd0953d6248a650e61bea095369a90464789f954b747c0c508e618e0cbda",
+    hash: "90b4938cc517593df1bda5f5c3417ceed1dae429a82d8e9d9585de530c2e549e",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1150,7 +1150,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Mod
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "0b362baad7e57b6f80610d12144b0c53381ec8cef25340a7609e9a0a697aa66e",
+    hash: "636e3abefb9d2f41d9c8ad5b792268033893d439c037749b94f377aa1ea2b105",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -1163,7 +1163,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Mo
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "e57cf63ba9c9f342421ba1efbab62989bddf1f6685ab17aa11c8da811104e61f",
+    hash: "3c32bcac0e997b18d8ecae8985a7848ea19fe34eea6418740f6fcf49a20eec2e",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1176,7 +1176,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "d22f8762418a25a5fa866869eb98d7519cd6e20b7631bbccac5066f2d14e7a10",
+    hash: "eebeed5a8e8569ed1a64ce32e51f4423240a46570eacf2d80b3641bbd9e5cb45",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1189,7 +1189,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PR
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "c2f344065e2b88564b36676ab1f8633a9f742bf38fec9ffc38ae0c4df4ab016c",
+    hash: "a193f2404aea89c94318a800a3164165160f4f9fe329c2b0bee05a93c7e555f4",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -1202,7 +1202,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Mod
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "f1f3db467bc0db4f728639b9eedfd9510e6d72a7b8d0b163e3d85fc556c62a69",
+    hash: "7386c51f99266b35ea8ddcdd1de523a9fe8fcde531c335ce9f2b4416d0a83f43",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1215,7 +1215,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "41e2a0ee69babf465dde5f0663ced817e016c20c0e6baf8024575ce87312b755",
+    hash: "f23c19193dfeb5028ff3cb629259885a7b3d0d4216db630a8cb157e0db8e1dd8",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1228,5 +1228,5 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRE
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "6d490aa961459853904899f513123139c7f8157c88d0aaeb50833c2ca1544612",
+    hash: "80ca39369adf6d6980fd400b4023ad4eb748e6a2dd833da84cd2e9e50bfe6143",
 };

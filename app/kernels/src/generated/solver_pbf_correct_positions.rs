@@ -287,7 +287,7 @@ static CORRECT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "f7acd6d8a83cd792c5b80e67f78e5bc1962ab8c80d7f32165b1e2c75e94b585b",
+    hash: "622786e4661bda36efbc46af18be96c30ffe91a88e7866f449319a2f7bfc01b4",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
@@ -300,7 +300,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "b64574dcc9036cf393be34c2b3000e247822b7794c773d9ea146bef7490cee64",
+    hash: "08b34f99aec2bdb7eacdc72570015235b78c82b17aae5729e1566459e72a3b20",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
@@ -313,7 +313,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "487a1ea69251cdfef53fac92c86757f689e5b7abc7d1fc143928543aeed7f3cd",
+    hash: "03d7634943c382263bf42de3b9082b970bf113e5486bda48770814cfaa0dbc5a",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
@@ -326,7 +326,7 @@ static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "2e09759362bd1076031ef0fc12f2fee28708ad1a27a226250e6e83fddea8b97b",
+    hash: "3502d747aad477ab80f443e2830c813f810b1639f190538a6be79f71f2572b9e",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -339,7 +339,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "ffe210fbe264553e573f5e881b2d240d182784d6ab8625ae18df3fd8dc2393f5",
+    hash: "021b9540def5926e32f27afa4bfd4428b29e8364349f69da03481fb483946b98",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -352,7 +352,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "1af778cc9dd4ecec4aa7f0b3102568741bf490c946ef52fa1b9215d5951336ff",
+    hash: "46cebbc72b2f662635a09cc13e497a3f0d8dd73b93477b597c6299adc4ddd878",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
@@ -365,7 +365,7 @@ static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "5b401040f301a501994386fb478c92c5260fb3450017137ce56fbbbe01bb511f",
+    hash: "188b2b8dfda064186b20932e2e378973099544202ee634e3fb3dfd574b5a0a29",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -378,7 +378,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "d6f06180b964bd79dc83343dec481f99c8b6b894a144b746fde7db67ae524ac5",
+    hash: "232ec6ec790acbd856e128d5c3d53d6fdf561f3f22eb93e2b773b5d1eb31f1aa",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -391,7 +391,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "85202c1d223643d1f2d8802a33b89c321ed95bb78b70859c4c599695b6610a3c",
+    hash: "962d6184616e457d16592f02d1f957243f2e2937ede9a466da09a1955d298d6d",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
@@ -404,7 +404,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "e569847f902cfcfd5f0f7d3bc936875a726281c89a81a1b8bb9519929b4477c4",
+    hash: "082fecd495f511f226c34beab837e4813d1f5f6cee6aa1864957fa18b9d9653b",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -417,7 +417,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "cf21199de1e1500f2d7e4dcb6e17624fab498431850af49ced59b260b6b13059",
+    hash: "0b9e55f0aebd3c12f26bc663818f37b24f80718ea67a5a7e0fdbb9805f0dcb25",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -430,7 +430,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "a63a7b5aedddcf8a685de97cf7b17c94a45db388367ca8c46c59cb24e6455329",
+    hash: "91c300692789124f7edc97ac2c06ce8f32c82f0f202b717b97cc07e8137a5b0a",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS: Module = Module {
@@ -443,7 +443,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "1957160e0a7c3de84158750c0d8f3e41ae51c7a0d04b7474ed0fac7e9ef3ad1b",
+    hash: "73183f61c7d9c707e6aa6b29709c83260073409a6e2028aba61a0eaa5e3d5098",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -456,7 +456,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "b4ac07ee8018303dca827cb06a8336cdb2327ffbd566e4da56311abcb1fcee17",
+    hash: "dad261ad72fbea45d3ccdc02c2d52d3b8861a40359909f5b54e993160148d759",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -469,7 +469,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "00541e75fae33af706c451637c1e3fc6fbc26566c5d169c5b7e88e189ca0d443",
+    hash: "91946397df961517b837a2944c0e389ee4b29e5fb560f5d93fe249667034bd55",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR: Module = Module {
@@ -482,7 +482,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "aec7851d5b12a2aa20b3e84319c1c12df70b18e42224d498229aa0b6d3a54824",
+    hash: "27f1fc72b7f605ad82f20e08f3533d91f7489e549cdf5f948a5d9d8a871fc8c6",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -495,7 +495,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Mo
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "1522495d1bfc69978689ad324187210a1beeb5923caa63c37b389a5bccac615c",
+    hash: "65a58fa2897bb53da3bb65a0d875a7b0d6e59fba7f99b627c3f58cf2215b9aac",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -508,5 +508,5 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "4518e1c0a17560936d6167b498e6138d515b7369703a77a64109938512fbbe3c",
+    hash: "4b80285bbacc51ada0b775407bec4ad39be79fcddeeb546cbc32946b6faa6ce7",
 };

@@ -204,7 +204,7 @@ static START_WARM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "35d35595e9a2bc6c65537ec84b51b1d2500851f27073692fef90716482d3b0bd",
+    hash: "df6d1d4af5f300bdc0177e82d3350fc85baedb9aa47329b2e34e20594644950e",
 };
 
 static START_WARM_WITH_RELAXED_PRECISION: Module = Module {
@@ -217,7 +217,7 @@ static START_WARM_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "4026ed6d749731def1cde07211dc7e87d8fc043465a43658d40b0c5f3a77cbf1",
+    hash: "5807d63084e45dd6f1f18b392b46facf7e2dd3bb1039ba5956ecc00e38d6bf42",
 };
 
 static START_WARM_WITH_WALLS: Module = Module {
@@ -230,7 +230,7 @@ static START_WARM_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "1b52130da9767b17f4d911395fd4881c9a5ab2885a5d7702c9899fea501819a0",
+    hash: "395768b35d50a04b8efd859a4ca9a16ab720eb07a3833de8e349b511de4a0fec",
 };
 
 static START_WARM_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -243,5 +243,5 @@ static START_WARM_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "ed5cde52512de5b1cdc52ce9fb481f9b8aa408d8aa99c57f700a409b978722a7",
+    hash: "2c99161288c8be9b856cd3b8d8daddab15eab2df31456474ca17e9322bdeb56a",
 };

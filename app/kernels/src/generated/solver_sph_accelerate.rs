@@ -264,7 +264,7 @@ static ACCELERATE: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "ff42e0dfc9cac7ca6d12565f3f569a4fc28919feb155152dbbea80e1054e3ee3",
+    hash: "524cf0f9263bd5f552d37c17f4e85d6842e78f1d565ee738884a6b8d66c2d346",
 };
 
 static ACCELERATE_WITH_RELAXED_PRECISION: Module = Module {
@@ -277,7 +277,7 @@ static ACCELERATE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "06c6824b4e5243c6ac59333bc547ef3bbb74b08ccf118724c8de5c227897f9cb",
+    hash: "24d5dc45d92ff0aa71c0b5195efc8da9d5282f44b3991dd2037f4fcaee90f605",
 };
 
 static ACCELERATE_WITH_HALF_PRECISION: Module = Module {
@@ -290,7 +290,7 @@ static ACCELERATE_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "a200d3cbb50243ae6293de02e2594a8317b2c1f8ad8b12b716b0582662c3c715",
+    hash: "6220b4c349108631f094d434f0e58bfbf25623d61f08faca73052210cd1296b9",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION: Module = Module {
@@ -303,7 +303,7 @@ static ACCELERATE_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "2f5f92f8c0ea5e6e557fa28025e0019a8a77b2ce7a7804a0969b2567774acca1",
+    hash: "b89a9bbeb7ca8bd092a1ab01617227b3df919e5b850638f035db29422c0805c2",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -316,7 +316,7 @@ static ACCELERATE_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "5069d83c0a2a00b3b8234473ab50fffb28a805b557b24ab10b2e5a7ac0858d3b",
+    hash: "3c8316b9383a12afe181f37ba44a885028022f284e209f0655a8f7dad85b2cf2",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -329,7 +329,7 @@ static ACCELERATE_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "408be134f0508765f1ee03d311e5f4ec85c8c6b3b91ca69806f0d538d53d17b8",
+    hash: "2a0995155412fd5ec86f9d41b96011d10e6f167423277ad0a386d4b349666dad",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS: Module = Module {
@@ -342,7 +342,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "0e0436d83a4375a0bc6df87cb182e193d8eee8834417f059a4d9d5d182efc913",
+    hash: "07991af1524ef299074da55d21ca6a5af845056d0a812891ef480d653818eaef",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -355,7 +355,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "967be8b029046816f5b87abe39952269c6c3f596706c90032b3d037f3b7eeef1",
+    hash: "837c5493ac948a4cd75a2350672953e82a891d9373bc3873de181c7b9c4d9701",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -368,7 +368,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "93ff491c955015c7f3076f5bbc8b3d541dcba19fe18464d0df3514f4d59d15aa",
+    hash: "a10f386c7327b06da8921789a10933b131616efb2cedf63ea9c078e19451d6c7",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -381,7 +381,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "bf034569ce3ce3f1e76c5b45583275ec727c03ce4266bad08ac7608c563e9c0f",
+    hash: "71e4a9e8216f20f6106a21ec22f213536ffe826cab7ee7e61605e41c1137b939",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -394,7 +394,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISIO
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "043aff0876cd0574f063cdf59a3e340aa2750310336e8624a5ee8e783397e4a7",
+    hash: "ae1b8f615c7da0077eb8280b7a46aab421db0c57254575415a10f7c76619eaf1",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -407,7 +407,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: 
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "130d6c30a4629aa214bc62315fa66e482059e75e6c4c43fd5df495be2ded1180",
+    hash: "b6a72a761c8577afc83dccc64fce5a366df388b974ca3a9e1d3ef065946fdb02",
 };
 
 static ACCELERATE_WITH_WALLS: Module = Module {
@@ -420,7 +420,7 @@ static ACCELERATE_WITH_WALLS: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "d3009bcc05eaab408851fc7915e3607f19207816d58d02faf280b06c683051f6",
+    hash: "48328c8b8ad76c2796524683544fe415e5556a1cb8e881c866582df9b6646b4e",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -433,7 +433,7 @@ static ACCELERATE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "e488119a18d28307d27197de3c5555c675fdd4adcdd8793176725c300eaf0e7e",
+    hash: "80df6f91d3963dd578ae58eff21ef151131b26e4c054310cca2d5821f925f6b6",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -446,7 +446,7 @@ static ACCELERATE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "90b2cb53f5c3af7619c38fd84165892dde476bda80ac1345978e467880c69eae",
+    hash: "07dd65ba2a63e7abd4eadd33a9c03a8958f0014f0aae8bafca764b4566a8e3cc",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
@@ -459,7 +459,7 @@ static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "41c64352e887e555d6190a194b314e2f6217de524332469046624615bf20bedd",
+    hash: "0239ade19d01e3ee15cf351b97a384a51a6230c33cec1a593c98ef8da14d1de2",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -472,7 +472,7 @@ static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "1fba050244c5e028ab1cce8b8bbb88d19e373b07f7c069cd5b57c47eeea4ebca",
+    hash: "770dd7b5b20947679f5d62a6befa6c4b308ca9b1b2fdf2e90ced564ffb7e797b",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -485,7 +485,7 @@ static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = 
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "24ae508138261ad767803a95f8b2b0ee03410a0f6ffe030ddcd36906b5deab8f",
+    hash: "91227086524327e4081044f4e84f9f803951029816422399970e7e3f3c8b2547",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
@@ -498,7 +498,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "7a241650487a96228df6c9e002417397c4eba7fa5ecf6347e67ad1edf93bb29f",
+    hash: "c70f427c8cab95a7f6b8afa45727bf08af5432d96a24b9a99efd94453a3381ee",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -511,7 +511,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module 
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "99e9780b57572a4918f01f6a637378ebdd174f15bcb35ae6e6a7cc41aa696d22",
+    hash: "4be91e600317f28dfb108bc6a739a0d890f7e82ea35d421fc0ced70501e8ac62",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -524,7 +524,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = M
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "8856c0357d4eb185f4191e0220d11d6ef6052ef7f270a670d1ad14d61e903f8c",
+    hash: "cf6557c0cdb329d65f38f354a5b9e1aa539e49d28491d04ea8ccd5a8ba239aac",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -537,7 +537,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = 
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "7f5ca13038b44a38cda4ee99d5e3296078a11270119e7dda3c3b48a776e44b67",
+    hash: "6a980d073f6e59cbcd4cdcac164cefa06a69695bb47478ef5990e560faa073b6",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -550,7 +550,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAX
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "cfc5773362c61e2cca411c39fe8a96a9e30c6898272e9b09714203ac8585665d",
+    hash: "b7d23dcb5e77e8f920c63dfffb57c5f9fcf2aba793db5c582f4bedcae7d20a46",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -563,5 +563,5 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "b1d095c8589ecabe0e8178528cdee33488c2ba950334543d41019ba6b4c53a7b",
+    hash: "15f3217ba844b23464ce774ebe5507d4d2d1c153d9f7c4ea966efac2b16f4437",
 };

@@ -156,7 +156,7 @@ static ADD_SOLID_ACCELERATION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_acceleration.compute",
-    hash: "6a62465e694cbd5492238bdd3b0339202d22edd1f34fc199b0eab917053f478f",
+    hash: "a06193a9a440fb4da3c5880fe94d8891b309bc2afb3907883e05f4d2df557f3b",
 };
 
 static ADD_SOLID_ACCELERATION_WITH_SURFACE_TENSION: Module = Module {
@@ -169,5 +169,5 @@ static ADD_SOLID_ACCELERATION_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_acceleration.compute",
-    hash: "e06c628699a9670aec4d893ab0a449b8f8b434a72a254d052ec7e6ee8fae14e1",
+    hash: "0dc793e0397433c3d45f40e2c816ae78fe706a94b60e8f995ddc8084c7f5ec35",
 };

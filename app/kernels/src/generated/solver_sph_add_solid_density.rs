@@ -126,7 +126,7 @@ static ADD_SOLID_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_density.compute",
-    hash: "097e7979563fe776e8492261128ae8a6fa8e48b876da7add33c86fce89c1593f",
+    hash: "52446962307da8e9e88fff251544617571051edbe63cf3c650024cd2e8d860dc",
 };
 
 static ADD_SOLID_DENSITY_WITH_SURFACE_TENSION: Module = Module {
@@ -139,5 +139,5 @@ static ADD_SOLID_DENSITY_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_density.compute",
-    hash: "5d405992cd1ec7bfb84c17542ca561109c2fa4f6d69f77647b142e4c06df0c36",
+    hash: "a9b16f8b6c9202809afd374f21e9d7c12193a8bcda8ef91f5a06d04af4642bff",
 };

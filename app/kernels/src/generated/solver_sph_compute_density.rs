@@ -341,7 +341,7 @@ static COMPUTE_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "6d25e94175da1fc5c4f45597e3d8fe622941cf89428ad6d4eeca9beb9dacf09b",
+    hash: "bfd7fd6551a70bfb0d26be64c7033079af2a80f51fa0836e6feb2bcd896cd977",
 };
 
 static COMPUTE_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -354,7 +354,7 @@ static COMPUTE_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "a33a4106591f51d79d302ac2fa7ab9f1d62c8c2291d04c93334a4ecfe76c1090",
+    hash: "7e0b8bf22731181b1675a1c97012eb48c43050dd1c834658799b564e0675eac1",
 };
 
 static COMPUTE_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -367,7 +367,7 @@ static COMPUTE_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "a4bce789fc9d50670ce6bbc1c7840c8100e1d945cf3637473d6a509bb96ba8e4",
+    hash: "92306c4c4ab730a82080124a80b23cb14c77ef8b410f18796474b2434d295d18",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION: Module = Module {
@@ -380,7 +380,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "10ab86954932d1856913c08ffda5a3638c3893811ca419806d9b7a73ff636629",
+    hash: "a355baa76d285709ebe4b81e4623d836c19108b12e006c822a9dcba2b8200db6",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -393,7 +393,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Mod
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "39059461b293e6ae2b35cb981dd4360025e307a4089c01fd4e33c6a3589bf61c",
+    hash: "313ed2d33053e970f6a52ed0e684060c073abaa1bcd7c685ba89b256ae980977",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -406,7 +406,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "2a13eab728f6bd7bacb18367047a9f61259f42f2a8c0de7ae5516797fa07f139",
+    hash: "61c89b077075dbc6259c268093e659284044ff8ee7651d7cfeb2e1fbab2bcb5d",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS: Module = Module {
@@ -419,7 +419,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "f7fbdd282744ae4e5b6190db26b6d1410f95b4a40b7dd8c3264ac4a04954b1c2",
+    hash: "1db1107f414e05e86d17c5fbc46fad0d80e5df06e5e2777274d5f65965abd7a8",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -432,7 +432,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Modu
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "5e128c1a881f291dbba4c8a908b367820111dfb95a873f69b952ba1837f34dbd",
+    hash: "c72c08942f33491ccd40e6d2a02d18dcbbed1c585c224406304b6e1b5c96666c",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -445,7 +445,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "2dbe8fda004ab7b0a315e19b6efe501cdb353017361c5f6c10a93cf39de221ad",
+    hash: "7672df88a827cefb42faba616be87312e95fd2e00c9779614c995ce8da7c876b",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -458,7 +458,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "aadcc44b8c621d49ff6a741cafbfc47f76f4284830dcbdf9be50e062f5db509c",
+    hash: "0b5b98c391433abbaba8f395b70b59b493f1d205a0d40b7be4ab4851fed5a305",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -471,7 +471,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRE
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "bab87546c52861c52a464cb7f3291c7f03de295be14b51e2c20830463182c3fb",
+    hash: "94865dffda8982aa917163191bb269a3372ca83e0e0552161f910261dcfe0a78",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -484,7 +484,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECIS
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "b197cc4b68040eb1c5b1b583aa63de0aeb4714445aa7cd40c25072bc9417afeb",
+    hash: "efcb887d4b018425c3dd939e51209037280ae261e1f278e908886e9acc988fa6",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS: Module = Module {
@@ -497,7 +497,7 @@ static COMPUTE_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "fb73f1038f4fafd688981b4eea91508e9baccaeada7556bf75d00c5954a08744",
+    hash: "c4b88cbefc5ae7809a88807f06b9701b9a6ae253b384d72efcb1801e38e6c44d",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -510,7 +510,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "3d5081ef0a84be98d0aeff3dd704724e132173a36b05af31b93bd561fde2f945",
+    hash: "a51f4700e494e08d6b57d307c71f21e86c891d27aaef4f94ffb63b78872e7f60",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -523,7 +523,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "002aa837698f2cc2b419ef9ad6beceb593c111c978df4c51bbe38ac59f2e2a9b",
+    hash: "b36e39b28125a55ffae0842089d006b3553ca0197dcb4d179ae9c6d7c3094ce6",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
@@ -536,7 +536,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "9c3f395ee3ce3319b92220dd33abd2648abb65db520c93bb09389f0124ec8269",
+    hash: "d71fa130b466ea242f67ae8f81c43b9b1dfddfa6473065edf5614002a8c9b03c",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -549,7 +549,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: M
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "8e62363595f1317c032539a3d3f0231d9615201d8d70430297c174d75dc12941",
+    hash: "cb9c49592da7548cafe544c2afca53aa2fcf1649ac532b21d769981a4d573764",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -562,7 +562,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Modu
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "c62b1d8a55a81a9e38030881466011b0783f048f5c93cf8b3e1c8138d09a8981",
+    hash: "db8d5b6266369ed6db012c15999a4abc73906fd9f7ed5a743b79bc91392a35bd",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
@@ -575,7 +575,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "34d429f7f012ede9612d1ff10047a849f81cae917953309d0cc8863a6a960344",
+    hash: "756532f70887de440b4c7eb8c886108eea0489bba1e640c1bc05ca3c60f838be",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -588,7 +588,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Mo
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "d35dbb016e9de81f82f9c08562be417777378ed3e5bf501fecaa59d91b713971",
+    hash: "007d79568b0aa1e2d07cece0545db222b5e9defcc281bfbe99b8dcfa431aa8cd",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -601,7 +601,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "2e005b35eee1bc31465ad5f81159910bf70da1ddfb2473cd5db3e2800d71ef7c",
+    hash: "58832dd0a158bb6dcd3dcc47e869c6f496e188fa0d32c69b5bbb023c39ea5947",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -614,7 +614,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Modu
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "6af6c16cd3f0e648e84032d0fadd4af51b00285b7be82869e9a0834704c4b81e",
+    hash: "3488a0efe3560c085953987672bfe53d2b00412b6593961796c090328dd0a336",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -627,7 +627,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "56d2220d6a558f7bff440aa7e83667cb3b952ff0ceb525803f8b7b3a1173e5d8",
+    hash: "07ca056e60b43c32ab63c364e40bcbf677b0d3eb6dc83e7e7fe6c6a3a24de042",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -640,5 +640,5 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "507fe68d7197dfee7ebad9b200b20cd4fa66aa7f06d93bb6ff7fad29182e1e80",
+    hash: "48e4d98b94f0e010c84c2f4048cb1b276f79fec467ffe5a504d1c5a30d5a36d3",
 };

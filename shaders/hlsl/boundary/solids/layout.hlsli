@@ -62,7 +62,7 @@ struct SolidContact
     float3 stop_normal;     // out of the nearest solid
     float stop_offset_m;    // of its surface
     uint solid;             // the nearest
-    uint reserved0;
+    float speed_m_s;        // of the nearest solid there, along `normal`
     uint reserved1;
     uint reserved2;
 };

@@ -15,7 +15,7 @@ struct PressureSolve
     float warm_share;       // of the last substep's pressures, with which the solve begins
     uint most_iterations;
     uint least_iterations;  // before which no residual ends it
-    uint reserved0;
+    float solids_move;      // 1; 0 of displacements, in which solids have no part
     uint reserved1;
     uint reserved2;
 };
@@ -37,9 +37,9 @@ struct PressureFactors
     float3 from_walls;          // boundary/mirror.hlsli, h
     float excess;               // density ratio - 1
     float inverse_stiffness;    // 0 of what takes no part
-    uint reserved0;
-    uint reserved1;
-    uint reserved2;
+    uint solid_normal;          // out of the half-space that stands for the solids near it, packed (boundary/mirror.hlsli)
+    float from_solids;          // h, signed; NO_WALL where there is none
+    float solid_speed_m_s;      // of that half-space along its normal
 };
 
 #endif

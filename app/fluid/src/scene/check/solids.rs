@@ -3,7 +3,7 @@
 use super::{Checker, numbers, tidied};
 use crate::scene::field::Short;
 use crate::scene::solid_shapes::{MOST_SOLIDS, fastest_m_s};
-use crate::scene::{Method, OpenFaces, Scene, SceneError, Shape, SolidSettings};
+use crate::scene::{OpenFaces, Scene, SceneError, Shape, SolidSettings};
 
 impl Scene {
     /// Each with one shape, no thinner and no faster than the fluid can feel.
@@ -26,12 +26,6 @@ impl Scene {
             "solid",
             format_args!("{} solids", self.solids.len()),
             format_args!("not with {why}"),
-        )?;
-        check.require(
-            matches!(self.solver.method, Method::Pbf | Method::Sph | Method::None),
-            "solid",
-            format_args!("{} solids", self.solids.len()),
-            format_args!("not with solver.method = \"{}\"", self.solver.method.name()),
         )?;
         let each = self.solids.iter().enumerate();
         each.map(|(index, solid)| (format!("solid.{index}"), solid)).try_for_each(|(field, solid)| {

@@ -110,8 +110,14 @@ impl Dfsph {
     ) {
         let Self { search, forces, shared, divergence, coarse, density, shifts } = self;
         advect(recording, context, particles, None);
+        if let Some(solids) = &context.solids {
+            solids.record_collide(recording, &mut particles.positions, &mut particles.velocities);
+        }
         search.sort(recording, context, particles);
         search.list(recording, context);
+        if let Some(solids) = &mut context.solids {
+            solids.record_sample(recording, &search.sorted.positions, &search.smoothing_kernel);
+        }
         for solving in [&mut *divergence].into_iter().chain(density.as_mut()) {
             solving.carry(recording, context, &search.grid, &particles.positions);
         }
@@ -128,11 +134,12 @@ impl Dfsph {
         context.slots.dispatch(
             recording,
             &FactorPressure {
-                variant: FactorPressureVariant { walls: context.walls, precision: search.sorted.precision },
+                variant: FactorPressureVariant { walls: context.boundary(), precision: search.sorted.precision },
                 quantized_positions: search.sorted.quantized_positions.read(),
                 sorted_positions: search.sorted.positions.read(),
                 neighbours: search.neighbours.deltas.read(),
                 list_heads: search.neighbours.heads.read(),
+                solid_contacts: context.solids.as_ref().map(|solids| solids.contacts().read()),
                 positions: positions.write(),
                 pressure_factors: shared.factors.write(),
                 shifts: shifts.write(),
@@ -165,13 +172,18 @@ impl Dfsph {
         if let Some(density) = density {
             density.record(recording, context, search, shared, shifts, None);
         }
+        let stopping = context.solids.as_ref();
         context.slots.dispatch(
             recording,
             &ShiftPositions {
-                variant: ShiftPositionsVariant { walls: context.walls, periodic: context.periodic },
+                variant: ShiftPositionsVariant { walls: context.boundary(), periodic: context.periodic },
                 positions: positions.write(),
                 shifts: shifts.read(),
                 counters: context.counters.write(),
+                solids: stopping.map(|stopping| stopping.solids.read()),
+                solid_poses: stopping.map(|stopping| stopping.poses().read()),
+                solid_blocks: stopping.map(|stopping| stopping.blocks.read()),
+                solids_params: stopping.map(|stopping| stopping.params().uniform()),
                 step_state: context.slots.state.uniform(),
                 step_params: context.step.uniform(),
             },

@@ -7,6 +7,7 @@ use brooklet_gpu::{Recording, Resources};
 use brooklet_kernels::{
     ApplyPressure, ApplyPressureVariant, BeginSolve, Buffer, CarryPressure, CorrectPressure, CorrectPressureVariant,
     EndIteration, Kernel, Position, PressureSolve, ProlongPressure, RestrictPressure, SolveState, Velocity,
+    WallsKeyword,
 };
 
 use super::{Measured, Shared, Weights, coarse_grid_params};
@@ -60,6 +61,7 @@ pub fn params(scene: &Scene, solve: Solve) -> [PressureSolve; 2] {
         momentum: weights.momentum as f32,
         guarded_step: weights.plain as f32,
         room_share,
+        solids_move: if matches!(solve, Solve::Divergence) { 1.0 } else { 0.0 },
         excess_share,
         warm_share,
         most_iterations,
@@ -225,7 +227,7 @@ impl PressureSolving {
         let state = measured.as_ref().map(|measured| measured.state.alias());
         let correct = CorrectPressure {
             variant: CorrectPressureVariant {
-                walls: context.walls,
+                walls: context.boundary(),
                 measured: state.is_some(),
                 precision: search.sorted.precision,
             },
@@ -265,11 +267,11 @@ impl PressureSolving {
         velocities: &'a mut Buffer<Velocity>,
     ) -> ApplyPressure<'a> {
         ApplyPressure {
-            variant: ApplyPressureVariant { walls: context.walls, precision: search.sorted.precision },
+            variant: ApplyPressureVariant { walls: context.boundary(), precision: search.sorted.precision },
             quantized_positions: search.sorted.quantized_positions.read(),
             neighbours: search.neighbours.deltas.read(),
             list_heads: search.neighbours.heads.read(),
-            pressure_factors: context.walls.then(|| shared.factors.read()),
+            pressure_factors: (context.boundary() != WallsKeyword::Off).then(|| shared.factors.read()),
             pressure_changes: shared.changes.read(),
             pressures: self.pressures.write(),
             velocities: velocities.write(),

@@ -22,10 +22,10 @@ pub fn apply_pressure(
         terms += (changes[i].abs() + other.abs()) * slope.length();
     };
     let mirrors = &factors.mirrors;
-    mirrors.images().skip(1).for_each(|flipped| add(changes[i], mirrors.offset(DVec3::ZERO, flipped)));
+    mirrors.images().skip(1).for_each(|image| add(changes[i], mirrors.offset(DVec3::ZERO, image)));
     for &j in neighbours {
         let offset = smoothing.offset(positions_m[i], positions_m[j]);
-        mirrors.images().for_each(|flipped| add(changes[j], mirrors.offset(offset, flipped)));
+        mirrors.images().for_each(|image| add(changes[j], mirrors.offset(offset, image)));
     }
     let speed_m_s = smoothing.support_m / step.dt_s;
     (push * speed_m_s, terms * speed_m_s)

@@ -1,10 +1,10 @@
 //! How the density of a particle changes with the velocities that are reached, and what its pressure has to change by.
 
 use super::factor_pressure::PressureFactors;
-use crate::boundary::mirror::mirrored;
+use crate::boundary::mirror::Image;
 use crate::params::{Smoothing, Step};
 use crate::shared::wendland;
-use glam::{BVec3, DVec3};
+use glam::DVec3;
 
 /// Weights and bounds of a solve.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -60,17 +60,17 @@ pub fn density_change(
 ) -> (f64, f64) {
     let own = velocities_m_s[i];
     let (mut per_s, mut terms) = (0.0, 0.0);
-    let mut add = |other_m_s: DVec3, seen: DVec3, flipped: BVec3| {
+    let mirrors = &factors.mirrors;
+    let mut add = |other_m_s: DVec3, seen: DVec3, image: Image| {
         let slope = wendland::gradient(seen) * smoothing.weight;
-        let apart_m_s = own - mirrored(other_m_s, flipped);
+        let apart_m_s = own - mirrors.mirrored_velocity(other_m_s, image);
         per_s += slope.dot(apart_m_s);
         terms += slope.length() * apart_m_s.length();
     };
-    let mirrors = &factors.mirrors;
-    mirrors.images().skip(1).for_each(|flipped| add(own, mirrors.offset(DVec3::ZERO, flipped), flipped));
+    mirrors.images().skip(1).for_each(|image| add(own, mirrors.offset(DVec3::ZERO, image), image));
     for &j in neighbours {
         let offset = smoothing.offset(positions_m[i], positions_m[j]);
-        mirrors.images().for_each(|flipped| add(velocities_m_s[j], mirrors.offset(offset, flipped), flipped));
+        mirrors.images().for_each(|image| add(velocities_m_s[j], mirrors.offset(offset, image), image));
     }
     let of_a_step = step.dt_s / smoothing.support_m;
     (per_s * of_a_step, terms * of_a_step)

@@ -1,6 +1,6 @@
 //! Density ratio and stiffness of a particle where it is.
 
-use crate::boundary::mirror::{Mirrors, mirrored};
+use crate::boundary::mirror::Mirrors;
 use crate::params::Smoothing;
 use crate::shared::wendland;
 use crate::solver::pbf::correct_positions::COINCIDENT;
@@ -56,8 +56,8 @@ pub fn factor_pressure(
 ) -> PressureFactors {
     let slope = |seen: DVec3| wendland::gradient(seen) * smoothing.weight;
     let (mut density, mut own, mut others) = (smoothing.weight, DVec3::ZERO, 0.0);
-    for flipped in mirrors.images().skip(1) {
-        let seen = mirrors.offset(DVec3::ZERO, flipped);
+    for image in mirrors.images().skip(1) {
+        let seen = mirrors.offset(DVec3::ZERO, image);
         density += wendland::kernel(seen.length()) * smoothing.weight;
         // It comes nearer twice as fast as the particle does.
         own += 2.0 * slope(seen);
@@ -65,11 +65,11 @@ pub fn factor_pressure(
     for &j in neighbours {
         let offset = smoothing.offset(positions_m[i], positions_m[j]);
         let mut pushed = DVec3::ZERO;
-        for flipped in mirrors.images() {
-            let seen = mirrors.offset(offset, flipped);
+        for image in mirrors.images() {
+            let seen = mirrors.offset(offset, image);
             density += wendland::kernel(seen.length()) * smoothing.weight;
             own += slope(seen);
-            pushed += mirrored(slope(seen), flipped);
+            pushed += mirrors.mirrored_back(slope(seen), image);
         }
         others += pushed.length_squared();
     }
