@@ -24,6 +24,15 @@ macro_rules! for_each_known_answer {
                 walls_match_their_twin: ["correct_positions", "measure_particles"],
                 narrow_walls_match_their_twin: ["correct_positions", "measure_particles"],
             }
+            bodies {
+                find_contacts_matches_its_twin: ["find_contacts"],
+                step_bodies_matches_its_twin: ["step_bodies"],
+                gather_reactions_matches_its_twin: ["gather_reactions"],
+            }
+            body_reactions {
+                bodies_take_back_what_stops_paths: ["collide_solids"],
+                bodies_take_back_what_confines_displacements: ["confine_displacements"],
+            }
             coarse_correction {
                 coarsen_constraint_is_exact: ["coarsen_constraint"],
                 relax_multiplier_matches_its_twin: ["relax_multiplier"],

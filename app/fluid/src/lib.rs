@@ -4,6 +4,7 @@
 //! `brooklet-gpu` runs; [`Session`] runs them, beside others' that a [`SessionRecorder`] was given (pictures,
 //! say), and is what every program that steps a scene goes through.
 
+mod body_motion;
 pub mod boundary;
 pub mod drag;
 pub mod forces;
@@ -24,6 +25,7 @@ mod step;
 mod step_context;
 mod step_params;
 
+pub use body_motion::BodyMotion;
 pub use measure::Stats;
 pub use scene::{Scene, SceneError, shipped_scenes};
 pub use session::{

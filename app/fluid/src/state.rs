@@ -22,21 +22,24 @@
 //! | section | version | content |
 //! |---|---|---|
 //! | `PART` | 1 | for each slot, inactive ones too, its position relative to the domain's lowest corner, 3 f32 in m, and its tag, u32 (`shared/layout.hlsli`); then for each its velocity, 3 f32 in m/s |
+//! | `BODY` | 1 | for each of the scene's bodies, in the order of its solids, f32: its centre of mass relative to the domain's lowest corner (3, m), rotation (quaternion x, y, z, w), velocity (3, m/s), spin (3, rad/s), and what the fluid owes it, momentum (3, kg m/s) and angular momentum (3, kg m²/s); then the 16 u32 of its reaction (`boundary/bodies/layout.hlsli`); there only if there are any |
 //! | `AGES` | 1 | for each slot its particle's age, f32 in s; there only if some are not 0 |
 //!
 //! In version 1 of the format the content of `PART` follows the header, without a list of sections, and the scene has
 //! the keys of `[solver.pbf]` and `[forces]` in `[solver]`.
 
+mod bodies;
 mod sections;
 
 use std::fs::File;
 use std::io::{Read, Write};
 use std::path::Path;
 
-use brooklet_kernels::{Position, QUARANTINED, Velocity};
+use brooklet_kernels::{Position, QUARANTINED, REACTION_WORDS, Velocity};
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
+use crate::body_motion::BodyMotion;
 use crate::particles::{ParticleSet, id_of};
 use crate::scene::{MAX_PARTICLES, Scene, SceneError, shortened};
 use sections::{Cut, Name, Section};
@@ -54,10 +57,13 @@ const FRONT_BYTES: usize = 16;
 const CHECKSUM_BYTES: usize = 4;
 const PARTICLE_BYTES: usize = 28;
 const AGE_BYTES: usize = 4;
+const BODY_FLOATS: usize = 19;
+const BODY_BYTES: usize = 4 * (BODY_FLOATS + REACTION_WORDS as usize);
 const PARTICLES: Name = *b"PART";
 const AGES: Name = *b"AGES";
+const BODIES: Name = *b"BODY";
 /// Every section that this program knows, with its version.
-const SECTIONS: &[(Name, u16)] = &[(PARTICLES, 1), (AGES, 1)];
+const SECTIONS: &[(Name, u16)] = &[(PARTICLES, 1), (AGES, 1), (BODIES, 1)];
 /// More than any state has; a device that never ends is none.
 const MOST_BYTES: u64 = 1 << 30;
 /// A header is a scene, which has at most 1 MiB, and a line.
@@ -74,6 +80,8 @@ pub struct State {
     pub steps: u64,
     /// The particles, in any order.
     pub particles: ParticleSet,
+    /// How the bodies move.
+    pub bodies: BodyMotion,
 }
 
 /// Why a state cannot be saved or read.
@@ -183,10 +191,14 @@ impl State {
         bytes.extend_from_slice(&(header.len() as u32).to_le_bytes());
         bytes.extend_from_slice(&header);
         let has_ages = self.particles.velocities.iter().any(|velocity| velocity.age_s > 0.0);
-        bytes.extend_from_slice(&(1 + u32::from(has_ages)).to_le_bytes());
+        let has_bodies = !self.bodies.states.is_empty();
+        bytes.extend_from_slice(&(1 + u32::from(has_ages) + u32::from(has_bodies)).to_le_bytes());
         sections::append(&mut bytes, PARTICLES, 1, |bytes| append_particles(bytes, &self.particles));
         if has_ages {
             sections::append(&mut bytes, AGES, 1, |bytes| append_ages(bytes, &self.particles));
+        }
+        if has_bodies {
+            sections::append(&mut bytes, BODIES, 1, |bytes| bodies::append(bytes, &self.bodies));
         }
         bytes.extend_from_slice(&crc32fast::hash(&bytes).to_le_bytes());
         bytes
@@ -241,17 +253,18 @@ impl State {
         }
         known(&sections, &header.program).map_err(damaged)?;
         // The content of a section of so many bytes a particle, if it is there.
-        let section = |name: Name, bytes_a_particle: usize| {
+        let section = |name: Name, bytes_each: usize, of: (usize, &str)| {
             let found = sections.iter().find(|section| section.name == name && is_known(section));
             let Some(content) = found.map(|section| section.content) else { return Ok(None) };
-            let (has, needed) = (content.len(), bytes_a_particle * count);
+            let (count, what) = of;
+            let (has, needed) = (content.len(), bytes_each * count);
             if has == needed {
                 return Ok(Some(content));
             }
             let name = name.escape_ascii();
-            Err(damaged(format!("its section {name} has {has} bytes, and its {count} particles take {needed}")))
+            Err(damaged(format!("its section {name} has {has} bytes, and its {count} {what} take {needed}")))
         };
-        let content = section(PARTICLES, PARTICLE_BYTES)?
+        let content = section(PARTICLES, PARTICLE_BYTES, (count, "particles"))?
             .ok_or_else(|| damaged("it has no section PART of version 1".to_owned()))?;
         if !(header.time_s.is_finite() && header.time_s >= 0.0) {
             return Err(damaged(format!("its time is {} s; it must be 0 or more", header.time_s)));
@@ -263,13 +276,18 @@ impl State {
             positions: content[..16 * count].chunks_exact(16).map(position).collect(),
             velocities: content[16 * count..].chunks_exact(12).map(velocity).collect(),
         };
-        if let Some(ages) = section(AGES, AGE_BYTES)? {
+        if let Some(ages) = section(AGES, AGE_BYTES, (count, "particles"))? {
             for (velocity, age) in particles.velocities.iter_mut().zip(ages.chunks_exact(AGE_BYTES)) {
                 velocity.age_s = f32::from_bits(number(age).unwrap_or_default());
             }
         }
         check(&particles).map_err(damaged)?;
-        Ok(State { scene, time_s: header.time_s, steps: header.steps, particles })
+        let first = BodyMotion::first(&scene);
+        let bodies = match section(BODIES, BODY_BYTES, (first.states.len(), "bodies"))? {
+            Some(content) => bodies::read(content).map_err(damaged)?,
+            None => first,
+        };
+        Ok(State { scene, time_s: header.time_s, steps: header.steps, particles, bodies })
     }
 }
 

@@ -6,11 +6,13 @@ use brooklet_kernels::{
     WarmStart,
 };
 
+use crate::body_motion::BodyMotion;
+use crate::boundary::bodies::BodyBuffers;
 use crate::forces::BodyForces;
 use crate::grid::Neighbours;
 use crate::measure::{Densities, Measuring};
 use crate::particles::{ParticleSet, sample_lattice};
-use crate::scene::Scene;
+use crate::scene::{Scene, poses_before};
 use crate::slots::Slots;
 use crate::solver::Solver;
 use crate::step_context::{Particles, StepContext};
@@ -48,6 +50,8 @@ pub struct Recorded {
     pub solids_params: Option<Buffer<SolidsParams>>,
     /// Where solids are.
     pub solid_poses: Option<Buffer<SolidPose>>,
+    /// What lasts of those that the fluid moves, if there are any.
+    pub bodies: Option<BodyBuffers>,
     /// What the density constraint's are told, if that is the solver.
     pub pbf_params: Option<Buffer<PbfParams>>,
     /// Events since the last measurement.
@@ -127,6 +131,14 @@ pub fn record_particles(resources: &mut Resources, scene: &Scene, mut particles:
     recorded.init.upload(&mut recorded.slots.state, &[state]);
     recorded.init.upload(&mut recorded.positions, &particles.positions);
     recorded.init.upload(&mut recorded.velocities, &particles.velocities);
+    let motion = BodyMotion::first(scene);
+    if let Some(poses) = &mut recorded.solid_poses {
+        recorded.init.upload(poses, &poses_before(scene, &motion.states));
+    }
+    if let Some(bodies) = &mut recorded.bodies {
+        recorded.init.upload(&mut bodies.states, &motion.states);
+        recorded.init.upload(&mut bodies.reactions, &motion.reactions);
+    }
     recorded
 }
 
@@ -156,6 +168,7 @@ pub fn record_count(resources: &mut Resources, scene: &Scene, capacity: u32) -> 
     for _ in 0..scene.substeps() {
         solver.begin_substep(&mut step, &mut context);
         if let Some(solids) = &mut context.solids {
+            solids.record_step(&mut step);
             solids.record_move(&mut step);
         }
         if let Some(body_forces) = &body_forces {
@@ -192,6 +205,7 @@ pub fn record_count(resources: &mut Resources, scene: &Scene, capacity: u32) -> 
         densities: solver.search().map(|search| Densities::of(&context, search)),
         solids_params: context.solids.as_ref().map(|solids| solids.params().alias()),
         solid_poses: context.solids.as_ref().map(|solids| solids.poses().alias()),
+        bodies: context.solids.as_ref().and_then(|solids| solids.bodies().map(BodyBuffers::alias)),
         step_params: context.step.alias(),
         pbf_params: solver.pbf_params().map(Buffer::alias),
         slots: context.slots,

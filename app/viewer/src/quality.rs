@@ -51,8 +51,8 @@ impl Viewer {
         let scene = current.scene.clone();
         let start = if needs_reset(current.session.scene(), &simulated) {
             match current.read_state() {
-                Ok(State { scene, time_s, steps, particles }) => {
-                    Start::Resampled { from: Box::new(scene), particles, steps, simulated_s: time_s }
+                Ok(State { scene, time_s, steps, particles, bodies }) => {
+                    Start::Resampled { from: Box::new(scene), particles, bodies, steps, simulated_s: time_s }
                 }
                 Err(error) => return self.messages.notify(Kind::Error, error.to_string()),
             }

@@ -3,7 +3,7 @@
 use brooklet_fluid::drag::Drag;
 use brooklet_fluid::particles::{ParticleSet, resample};
 use brooklet_fluid::state::State;
-use brooklet_fluid::{FrameRequest, ParticleSource, Scene, Session, SessionRecorder};
+use brooklet_fluid::{BodyMotion, FrameRequest, ParticleSource, Scene, Session, SessionRecorder};
 use brooklet_gpu::{FrameReport, Gpu, RecordingId, ResourceId, Tier};
 use brooklet_kernels::MeshCounts;
 use brooklet_render::frame::FrameValues;
@@ -49,6 +49,8 @@ pub enum Start {
         from: Box<Scene>,
         /// Relative to the domain's lowest corner.
         particles: ParticleSet,
+        /// How the bodies among them move.
+        bodies: BodyMotion,
         /// Steps done.
         steps: u64,
         /// Simulated time, s.
@@ -58,6 +60,8 @@ pub enum Start {
     Particles {
         /// Relative to the domain's lowest corner.
         particles: ParticleSet,
+        /// How the bodies among them move.
+        bodies: BodyMotion,
         /// Steps done.
         steps: u64,
         /// Simulated time, s.
@@ -133,14 +137,14 @@ impl ViewerScene {
         let simulated = desc.rung.scene(scene);
         progress(0, 0, "filling the scene with particles");
         let resampled = matches!(desc.start, Start::Resampled { .. });
-        let (source, steps, simulated_s) = match &desc.start {
-            Start::Scene => (ParticleSource::Scene, 0, 0.0),
-            Start::Carry(count) => (ParticleSource::Count(*count), 0, 0.0),
-            Start::Resampled { from, particles, steps, simulated_s } => {
-                (ParticleSource::Given(resample(from, particles, &simulated)), *steps, *simulated_s)
+        let (source, steps, simulated_s, bodies) = match &desc.start {
+            Start::Scene => (ParticleSource::Scene, 0, 0.0, None),
+            Start::Carry(count) => (ParticleSource::Count(*count), 0, 0.0, None),
+            Start::Resampled { from, particles, bodies, steps, simulated_s } => {
+                (ParticleSource::Given(resample(from, particles, &simulated)), *steps, *simulated_s, Some(bodies))
             }
-            Start::Particles { particles, steps, simulated_s } => {
-                (ParticleSource::Given(particles.clone()), *steps, *simulated_s)
+            Start::Particles { particles, bodies, steps, simulated_s } => {
+                (ParticleSource::Given(particles.clone()), *steps, *simulated_s, Some(bodies))
             }
         };
         let view =
@@ -151,7 +155,7 @@ impl ViewerScene {
             left_out::list(&simulated, gpu.tier(), &planned, &left_out::Recorded::default()).unwrap_or_default();
         let ScenePlan { session: mut planned, passes, .. } = planned;
         let passes = passes.ok_or(ViewerError::NoPicture)?;
-        planned.start_at(steps, simulated_s);
+        planned.start_at(steps, simulated_s, bodies.unwrap_or(&BodyMotion::default()));
         planned.plan = desc.modules.put_into(planned.plan).map_err(ViewerError::Shader)?;
         let mut session = Session::start_with_progress(gpu, planned, progress)?;
         if resampled {
@@ -285,6 +289,7 @@ impl ViewerScene {
             time_s: self.session.simulated_s(),
             steps: self.session.steps(),
             particles: self.session.read_particles()?,
+            bodies: self.session.read_bodies()?,
         })
     }
 }

@@ -1,6 +1,5 @@
 // What bounds the fluid, as solvers and measures ask it: how much density it adds at a position and with which
-// gradient, how it scales what the fluid's own neighbours push, where it lets a particle be, and what it feels of a
-// push. Walls are the first answer. Other boundaries enter here as data that SampleBoundary reads, not as keywords,
+// gradient, how it scales what the fluid's own neighbours push, and where it lets a particle be. Walls are the first answer. Other boundaries enter here as data that SampleBoundary reads, not as keywords,
 // which would double the modules.
 //
 // Two keywords: WALLS, for an open scene has no boundary, and none of this is in its shaders. Walls too far away to
@@ -51,7 +50,8 @@ BoundarySample SampleBoundaryNear(uint i, float3 position_m, StepParams step, Sm
     BoundarySample boundary = SampleBoundary(position_m, step, kernel);
     boundary.solids = SampleSolidsNear(solid_contacts[i], position_m, kernel);
     float left = saturate(1.0 - boundary.density);
-    boundary.gradient = boundary.gradient * (1.0 - saturate(boundary.solids.density)) + boundary.solids.gradient * left;
+    boundary.solids.gradient *= left;
+    boundary.gradient = boundary.gradient * (1.0 - saturate(boundary.solids.density)) + boundary.solids.gradient;
     boundary.density += boundary.solids.density * left;
     return boundary;
 }
@@ -150,11 +150,5 @@ float3 ConfinePositionNear(uint i, float3 position_m, StepParams step)
 }
 
 #endif
-
-// What the boundary feels of an iteration: it gave particle i the displacement `push` (in h, relaxed, before what
-// shortens a correction that is too long), and takes the opposite, weighted by mass. Walls stand still.
-void ReactToPush(uint i, BoundarySample boundary, float3 push)
-{
-}
 
 #endif

@@ -103,7 +103,7 @@ float3 MirroredVelocity(float3 velocity_m_s, Mirrors mirrors, uint image)
 
 #if defined(SOLID_WALLS)
 
-// A direction of length 1 in two words of 16 bits: an octahedron unfolded (Meyer et al. 2010), within 5e-5.
+// A direction of length 1 in two words of 16 bits: an octahedron unfolded (Meyer et al. 2010), within 6e-5.
 uint PackDirection(float3 direction)
 {
     float2 flat = direction.xy / (abs(direction.x) + abs(direction.y) + abs(direction.z));

@@ -1,6 +1,7 @@
 //! Scenes on the GPU against laws, closed forms, experiments and published figures.
 
 mod at_rest;
+mod bodies;
 mod column_law;
 mod comparators;
 mod dam_break_front;

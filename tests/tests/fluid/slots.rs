@@ -3,7 +3,8 @@
 use brooklet_fluid::particles::{id_of, is_inactive};
 use brooklet_fluid::state::State;
 use brooklet_fluid::{
-    DrainBox, FrameRequest, ParticleBlock, ParticleSource, Scene, Session, SessionRecorder, SessionReport, visit_slots,
+    BodyMotion, DrainBox, FrameRequest, ParticleBlock, ParticleSource, Scene, Session, SessionRecorder, SessionReport,
+    visit_slots,
 };
 use brooklet_kernels::{Position, StepState, Velocity};
 use brooklet_tests::small;
@@ -210,13 +211,19 @@ fn a_saved_state_has_its_inactive_slots() {
     let all = changes(6, 30);
     all.iter().for_each(|change| run(&mut session, change));
     let (steps, time_s) = (session.steps(), session.simulated_s());
-    let saved = State { scene: scene.clone(), steps, time_s, particles: session.read_particles().unwrap() };
+    let saved = State {
+        scene: scene.clone(),
+        steps,
+        time_s,
+        particles: session.read_particles().unwrap(),
+        bodies: BodyMotion::default(),
+    };
     let read = State::from_bytes(&saved.to_bytes(), "test").unwrap();
     assert_eq!(read.scene.capacity, Some(400));
 
     let recorder = SessionRecorder::new(&read.scene, ParticleSource::Given(read.particles)).with_slot_changes(MOST);
     let mut planned = recorder.sweep().unwrap();
-    planned.start_at(read.steps, read.time_s);
+    planned.start_at(read.steps, read.time_s, &read.bodies);
     let mut resumed = Session::start(&gpu(), planned).unwrap();
     assert_eq!(state(&mut resumed), StepState { dt_s: 0.0, time_lost_s: 0.0, ..state_after_sort(&mut session) });
     for change in changes(7, 30) {

@@ -28,7 +28,7 @@ impl Faulty {
         let folder = tempfile::tempdir().unwrap();
         let (from, to) = (root().join("shaders/hlsl"), folder.path().join("shaders"));
         // What is included, and no other kernel.
-        for room in ["shared", "grid", "boundary", "boundary/solids", "solver/pbf"] {
+        for room in ["shared", "grid", "boundary", "boundary/solids", "boundary/bodies", "solver/pbf"] {
             std::fs::create_dir_all(to.join(room)).unwrap();
             for entry in std::fs::read_dir(from.join(room)).unwrap() {
                 let name = format!("{room}/{}", entry.unwrap().file_name().to_string_lossy());

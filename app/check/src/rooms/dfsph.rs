@@ -10,13 +10,13 @@ use crate::numbers::rng;
 use crate::wrong::{OrRaise as _, Wrong, ensure, ensure_eq, note};
 use brooklet_kernels::{
     ApplyPressure, ApplyPressureVariant, CorrectPressure, CorrectPressureVariant, Kernel, PressureFactors,
-    PressureSolve,
+    PressureSolve, SolidContact,
     WallsKeyword::{self, Off, SolidWalls, Walls},
 };
 use brooklet_reference::boundary::mirror::{Mirrors, SolidMirror, pack_direction, unpack_direction};
 use brooklet_reference::params::Smoothing;
 use brooklet_reference::shared::wendland;
-use brooklet_reference::solver::dfsph::apply_pressure::apply_pressure;
+use brooklet_reference::solver::dfsph::apply_pressure::{Gain, apply_pressure};
 use brooklet_reference::solver::dfsph::correct_pressure::{self as twin, GUARD, correct_pressure, density_change};
 use brooklet_reference::solver::dfsph::factor_pressure;
 use glam::DVec3;
@@ -83,7 +83,6 @@ pub(super) fn random_factors(
             solid_speed_m_s: 2.0 * number(),
             excess: 0.3 * number(),
             inverse_stiffness: if out_of_part(i) == 0 { 1.0 + number() } else { 0.0 },
-            ..PressureFactors::default()
         };
         let twin = factor_pressure::PressureFactors {
             mirrors: Mirrors { from_walls: vector(gpu.from_walls), solids: Some(solids_of(&gpu)) },
@@ -265,9 +264,15 @@ fn check_apply(
     let pressure_changes = bench.input("pressure_changes", changes);
     let mut pressure_buffer = bench.input("pressures", pressures);
     let mut velocities = bench.input("velocities", &case.velocities);
+    let had = SolidContact { taken_m_s: [0.5, -0.25, 0.0], ..SolidContact::default() };
+    let mut contacts = bench.input("solid_contacts", &vec![had; count]);
     let step_state = bench.uniform("step_state", case.step_state());
     let step_params = bench.uniform("step_params", case.step_params());
     let kernel = bench.uniform("kernel", kernel_params());
+    // Of every other case a body takes nothing back: as if it were displacements.
+    let gives_back = count % 2 == 1;
+    let solve = bench.uniform("solve", PressureSolve { solids_move: f32::from(u8::from(gives_back)), ..solve() });
+    let has_solids = *walls == SolidWalls;
     bench.dispatch(
         &ApplyPressure {
             variant: ApplyPressureVariant { walls: *walls, precision: pairs.precision },
@@ -278,14 +283,17 @@ fn check_apply(
             pressure_changes: pressure_changes.read(),
             pressures: pressure_buffer.write(),
             velocities: velocities.write(),
+            solid_contacts: has_solids.then(|| contacts.write()),
             step_state: step_state.uniform(),
             step_params: step_params.uniform(),
             kernel: kernel.uniform(),
+            solve: has_solids.then(|| solve.uniform()),
         },
         count,
     );
     let mut done = bench.run();
     let got = done.read(&velocities, count);
+    let taken = done.read(&contacts, count);
     let totals = done.read(&pressure_buffer, count);
     let step = step_of(&case.step_params(), false);
     let smoothing = smoothing_of(&kernel_params());
@@ -293,9 +301,16 @@ fn check_apply(
     let twin_changes: Vec<f64> = changes.iter().map(|&change| share * f64::from(change)).collect();
     for i in 0..count {
         let list = &case.neighbours[i];
-        let (gain_m_s, terms_m_s) = apply_pressure(i, &at_m, &twin_changes, list, &twins[i], &step, &smoothing);
+        let Gain { gain_m_s, of_solids_m_s, terms_m_s } =
+            apply_pressure(i, &at_m, &twin_changes, list, &twins[i], &step, &smoothing);
         let before_m_s = vector(case.velocities[i].velocity_m_s);
         worst.check3(got[i].velocity_m_s, before_m_s + gain_m_s, terms_m_s + before_m_s.length())?;
+        let given_m_s = if has_solids && gives_back { of_solids_m_s } else { DVec3::ZERO };
+        worst.check3(
+            taken[i].taken_m_s,
+            vector(had.taken_m_s) + given_m_s,
+            terms_m_s + vector(had.taken_m_s).length(),
+        )?;
         ensure_eq!(totals[i], pressures[i] + changes[i]);
     }
     Ok(got.iter().zip(&case.velocities).map(|(a, b)| vector(a.velocity_m_s) - vector(b.velocity_m_s)).collect())

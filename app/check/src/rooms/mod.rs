@@ -2,7 +2,9 @@
 
 pub(crate) mod anisotropic_mesh;
 pub(crate) mod anisotropy;
+pub(crate) mod bodies;
 pub(crate) mod body_forces;
+pub(crate) mod body_reactions;
 pub(crate) mod boundary;
 pub(crate) mod coarse_correction;
 pub(crate) mod constrain_density;

@@ -8,8 +8,8 @@ use crate::numbers::rng;
 use crate::wrong::{OrRaise as _, ensure};
 use brooklet_kernels::{
     ConstrainDensity, ConstrainDensityVariant, CorrectPositions, CorrectPositionsVariant, Counters, DensityRatios,
-    DensityRatiosVariant, Kernel as _, MeasureParticles, MeasureParticlesVariant, MeasureSums, PbfParams, Position,
-    PositionLambda, SmoothingKernelParams, SolidContact, SolidsParams, StepParams, Velocity, WallsKeyword,
+    DensityRatiosVariant, Kernel as _, MeasureParticles, MeasureParticlesVariant, MeasureSums, NO_BODY, PbfParams,
+    Position, PositionLambda, SmoothingKernelParams, SolidContact, SolidsParams, StepParams, Velocity, WallsKeyword,
 };
 use brooklet_reference::boundary::mirror::{Mirrors, SolidMirror};
 use brooklet_reference::boundary::solids::contact::{SolidSample, sample_solids_near};
@@ -59,6 +59,8 @@ pub(super) fn pairs(rng: &mut impl Rng, count: usize) -> Pairs {
                 offset_m: (normal.dot(at_m) - away_m) as f32,
                 stop_normal: stop_normal.as_vec3().to_array(),
                 stop_offset_m: (stop_normal.dot(at_m) - stop_away_m) as f32,
+                // A third of them is no body.
+                body: if rng.random_range(0..3) == 0 { NO_BODY } else { 1 },
                 ..SolidContact::default()
             }
         })
@@ -253,7 +255,7 @@ pub(crate) fn corrections_near_solids_match_their_twin(device: &Device) {
         max_correction_m: 1e3,
         ..pbf_params()
     };
-    let (mut stopped, mut refused, mut all) = (0, 0, 0);
+    let (mut stopped, mut refused, mut given_back, mut all) = (0, 0, 0, 0);
     for size in sizes(device, CorrectPositions::GROUP_SIZE[0] as usize) {
         let pairs = pairs(&mut rng, size);
         let start = pairs.case.quantized_positions(Quantization::Full);
@@ -267,15 +269,15 @@ pub(crate) fn corrections_near_solids_match_their_twin(device: &Device) {
         let input = bench.input("position_lambdas", &position_lambdas);
         let sorted = bench.input("sorted_positions", &pairs.case.positions);
         let (neighbours, list_heads) = pairs.case.upload_neighbours(&mut bench);
-        let contacts = bench.input("solid_contacts", &pairs.contacts);
+        let mut contacts = bench.input("solid_contacts", &pairs.contacts);
         let mut after = bench.output::<[u32; 2]>("quantized_positions", size);
         let mut counters = bench.input("counters", &[Counters::default()]);
         let state = bench.uniform("step_state", step_state(size, 0.01));
         let step_params = bench.uniform("step_params", pairs.step());
         let kernel_buffer = bench.uniform("kernel", kernel());
         let pbf = bench.uniform("pbf", params);
-        let solids_params =
-            bench.uniform("solids_params", SolidsParams { stop_m: STOP_M as f32, ..SolidsParams::default() });
+        let solids_params = bench
+            .uniform("solids_params", SolidsParams { stop_m: STOP_M as f32, body_count: 2, ..SolidsParams::default() });
         bench.dispatch(
             &CorrectPositions {
                 variant: CorrectPositionsVariant {
@@ -287,7 +289,7 @@ pub(crate) fn corrections_near_solids_match_their_twin(device: &Device) {
                 sorted_positions: sorted.read(),
                 neighbours: neighbours.read(),
                 list_heads: list_heads.read(),
-                solid_contacts: Some(contacts.read()),
+                solid_contacts: Some(contacts.write()),
                 quantized_positions: after.write(),
                 counters: counters.write(),
                 step_state: state.uniform(),
@@ -298,7 +300,8 @@ pub(crate) fn corrections_near_solids_match_their_twin(device: &Device) {
             },
             size,
         );
-        let got = bench.run().read(&after, size);
+        let mut done = bench.run();
+        let (got, taken) = (done.read(&after, size), done.read(&contacts, size));
         let places_m = pairs.case.quantized_m(Quantization::Full);
         for i in 0..size {
             let at_m = places_m[i];
@@ -306,6 +309,7 @@ pub(crate) fn corrections_near_solids_match_their_twin(device: &Device) {
             let solids = pairs.sample(i, at_m);
             let walls = walls_of(&kernel(), pairs.case.size_m).sample(at_m);
             let (_, gradient) = solids.with_walls(&walls);
+            let left = (1.0 - walls.density).clamp(0.0, 1.0);
             let own: DVec3 = pairs.case.neighbours[i]
                 .iter()
                 .map(|&j| {
@@ -314,11 +318,19 @@ pub(crate) fn corrections_near_solids_match_their_twin(device: &Device) {
                 })
                 .sum();
             let correction = RELAXATION * (solids.along(own * walls.correction_scale) + 2.0 * lambda * gradient);
+            let fluids = own * walls.correction_scale;
+            let of_solids = solids.along(fluids) - fluids + 2.0 * lambda * solids.gradient * left;
+            let mut given_m = RELAXATION * of_solids * SUPPORT_M;
             let mut expected_m = at_m + correction * SUPPORT_M;
             let contact = &pairs.contacts[i];
             let stop = vector(contact.stop_normal);
             let gap_m = stop.dot(expected_m) - f64::from(contact.stop_offset_m) - STOP_M;
             expected_m -= stop * gap_m.min(0.0);
+            given_m -= stop * gap_m.min(0.0);
+            let given_m_s = if contact.body == NO_BODY { DVec3::ZERO } else { given_m / 0.01 };
+            worst.check3(taken[i].taken_m_s, given_m_s, SUPPORT_M / 0.01).or_raise();
+            let mut other = Worst::new(CorrectPositions::STAGE, TOLERANCE);
+            given_back += usize::from(other.check3(taken[i].taken_m_s, 1.01 * given_m_s, SUPPORT_M / 0.01).is_err());
             stopped += usize::from(gap_m < 0.0);
             let got_m = Quantization::Full.near(got[i], at_m / SUPPORT_M) * SUPPORT_M;
             let moved = |position_m: DVec3| (position_m - at_m) / SUPPORT_M;
@@ -330,5 +342,6 @@ pub(crate) fn corrections_near_solids_match_their_twin(device: &Device) {
         }
     }
     ensure!(10 * stopped > all && 3 * refused > all, "{stopped} of {all} stopped, {refused} told apart");
+    ensure!(6 * given_back > all, "{given_back} of {all} would tell a hundredth more given back apart");
     worst.report(device);
 }

@@ -8,8 +8,8 @@ use crate::numbers::rng;
 use crate::rooms::solid_contacts::{Pairs, pairs, plane_sample};
 use crate::wrong::{OrRaise as _, ensure, ensure_eq};
 use brooklet_kernels::{
-    AddSolidAcceleration, AddSolidAccelerationVariant, AddSolidDensity, AddSolidDensityVariant, Kernel as _, SphParams,
-    SurfaceNormal, Velocity, VelocityPressure, VelocityPressureNormal,
+    AddSolidAcceleration, AddSolidAccelerationVariant, AddSolidDensity, AddSolidDensityVariant, Kernel as _, NO_BODY,
+    SphParams, SurfaceNormal, Velocity, VelocityPressure, VelocityPressureNormal,
 };
 use brooklet_reference::boundary::BoundarySample;
 use brooklet_reference::boundary::solids::contact::SolidSample;
@@ -139,7 +139,7 @@ pub(crate) fn add_solid_acceleration_matches_its_twin(device: &Device) {
                 .collect();
             let mut bench = Bench::new(device);
             let sorted = bench.input("sorted_positions", &pairs.case.positions);
-            let contacts = bench.input("solid_contacts", &pairs.contacts);
+            let mut contacts = bench.input("solid_contacts", &pairs.contacts);
             let flow = bench.input("velocity_pressures", &flows);
             let both = bench.input("velocity_pressure_normals", &normals);
             let mut moving = bench.input("velocities", &velocities);
@@ -152,7 +152,7 @@ pub(crate) fn add_solid_acceleration_matches_its_twin(device: &Device) {
                 &AddSolidAcceleration {
                     variant: AddSolidAccelerationVariant { surface_tension },
                     sorted_positions: sorted.read(),
-                    solid_contacts: contacts.read(),
+                    solid_contacts: contacts.write(),
                     velocity_pressures: (!surface_tension).then(|| flow.read()),
                     velocity_pressure_normals: surface_tension.then(|| both.read()),
                     velocities: moving.write(),
@@ -166,6 +166,7 @@ pub(crate) fn add_solid_acceleration_matches_its_twin(device: &Device) {
             );
             let mut done = bench.run();
             let (moving, got) = (done.read(&moving, size), done.read(&accelerations, size));
+            let taken = done.read(&contacts, size);
             let gravity_m_s2 = vector(pairs.step().gravity_m_s2);
             let per_m = f64::from(kernel_params().inverse_support_per_m);
             let mut refused = size < 60;
@@ -175,6 +176,7 @@ pub(crate) fn add_solid_acceleration_matches_its_twin(device: &Device) {
                 if out_of_part(i) != 0 {
                     ensure_eq!([x, y, z], [1.0, 0.0, -1.0]);
                     ensure_eq!(moving[i], velocities[i]);
+                    ensure_eq!(taken[i].taken_m_s, [0.0; 3]);
                     continue;
                 }
                 let (walls, solids) = samples(&pairs, i);
@@ -186,6 +188,8 @@ pub(crate) fn add_solid_acceleration_matches_its_twin(device: &Device) {
                 let added = push - borne;
                 let scale_m_s2 = 20.0 * per_m + gravity_m_s2.length();
                 worst.check3([x, y, z], added + DVec3::new(1.0, 0.0, -1.0), scale_m_s2).or_raise();
+                let given_m_s = if taken[i].body == NO_BODY { DVec3::ZERO } else { push * f64::from(DT_S) };
+                worst.check3(taken[i].taken_m_s, given_m_s, scale_m_s2 * f64::from(DT_S)).or_raise();
                 let kicked = vector(velocities[i].velocity_m_s) + added * (0.5 * f64::from(DT_S));
                 let limit_m_s = f64::from(pairs.step().max_speed_m_s);
                 worst.check3(moving[i].velocity_m_s, kicked.clamp_length_max(limit_m_s), scale_m_s2 * 0.005).or_raise();

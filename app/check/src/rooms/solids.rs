@@ -10,8 +10,9 @@ use brooklet_fluid::Scene;
 use brooklet_fluid::boundary::solids::solids_params;
 use brooklet_fluid::scene::solids;
 use brooklet_kernels::{
-    CollideSolids, ConfineDisplacements, ConfineDisplacementsVariant, Kernel as _, Keyframe, MarkSolids, MoveSolids,
-    Position, SampleSolids, Solid, SolidContact, SolidPose, SolidsParams, StepParams, StepState, Velocity,
+    CollideSolids, CollideSolidsVariant, ConfineDisplacements, ConfineDisplacementsVariant, Kernel as _, Keyframe,
+    MarkSolids, MoveSolids, Position, SampleSolids, Solid, SolidContact, SolidPose, SolidsParams, StepParams,
+    StepState, Velocity,
 };
 use brooklet_reference::boundary::solids::collide::{Moving, path_among_solids};
 use brooklet_reference::boundary::solids::contact::contact;
@@ -304,11 +305,14 @@ pub(crate) fn collide_solids_matches_its_twin(device: &Device) {
         let params = bench.uniform("solids_params", case.params);
         bench.dispatch(
             &CollideSolids {
+                variant: CollideSolidsVariant { bodies: false },
                 solids: solids.read(),
                 solid_poses: poses.read(),
                 solid_blocks: blocks.read(),
                 positions: positions_buffer.write(),
                 velocities: velocities_buffer.write(),
+                body_states: None,
+                reactions: None,
                 step_state: state.uniform(),
                 step_params: step_params.uniform(),
                 solids_params: params.uniform(),
@@ -377,12 +381,14 @@ pub(crate) fn confine_displacements_matches_its_twin(device: &Device) {
         let kernel = bench.uniform("kernel", kernel_params());
         bench.dispatch(
             &ConfineDisplacements {
-                variant: ConfineDisplacementsVariant { precision },
+                variant: ConfineDisplacementsVariant { bodies: false, precision },
                 solids: solids.read(),
                 solid_poses: poses.read(),
                 solid_blocks: blocks.read(),
                 sorted_positions: sorted_positions.read(),
                 quantized_positions: quantized_positions.write(),
+                body_states: None,
+                reactions: None,
                 step_state: state.uniform(),
                 step_params: step_params.uniform(),
                 solids_params: params.uniform(),

@@ -13,6 +13,7 @@
 //! along z. Lattice sums, kernel fractions and masses (kg per metre along z) are those of the square lattice.
 //! Differences along z are exactly 0.
 
+pub mod bodies;
 mod drag_walls;
 pub mod solids;
 mod walls;

@@ -7,12 +7,13 @@
 
 use brooklet_gpu::{Recording, Resources};
 use brooklet_kernels::{
-    Buffer, CollideSolids, ConfineDisplacements, ConfineDisplacementsVariant, Keyframe, MarkSolids, MoveSolids,
-    Position, PrecisionKeyword, SampleSolids, SmoothingKernelParams, Solid, SolidContact, SolidPose, SolidsParams,
-    StepParams, Velocity,
+    BodyState, Buf, BufMut, Buffer, CollideSolids, CollideSolidsVariant, ConfineDisplacements,
+    ConfineDisplacementsVariant, Keyframe, MarkSolids, MoveSolids, Position, PrecisionKeyword, SampleSolids,
+    SmoothingKernelParams, Solid, SolidContact, SolidPose, SolidsParams, StepParams, Velocity,
 };
 
-use crate::scene::{Scene, first_poses, solids};
+use super::bodies::{Around, Bodies, BodyBuffers};
+use crate::scene::{Scene, bodies, solids, surface_points};
 use crate::slots::Slots;
 
 /// Blocks along the longest side of the domain, at most.
@@ -28,8 +29,14 @@ pub struct Solids {
     pub(crate) blocks: Buffer<[u32; 4]>,
     block_count: u32,
     contacts: Buffer<SolidContact>,
+    bodies: Option<Bodies>,
     params: Buffer<SolidsParams>,
 }
+
+/// What one particle's change of velocity as fast as is allowed counts in a body's reaction.
+const UNITS_OF_THE_FASTEST: f64 = 67_108_864.0;
+/// Where nothing limits speeds: the units still hold thirty times as much.
+const FAST_M_S: f64 = 100.0;
 
 /// What the shaders are told of all of them.
 pub fn solids_params(scene: &Scene) -> SolidsParams {
@@ -40,6 +47,7 @@ pub fn solids_params(scene: &Scene) -> SolidsParams {
     let block_m: [f64; 3] = std::array::from_fn(|axis| size_m[axis] / blocks[axis]);
     // Whom a substep may bring to a surface, and whom its iterations may.
     let path_m = (scene.max_speed_m_s() * scene.substep_s()).min(2.0 * longest_m);
+    let units_per_m_s = UNITS_OF_THE_FASTEST / scene.max_speed_m_s().min(FAST_M_S);
     SolidsParams {
         blocks: blocks.map(|blocks| blocks as u32),
         solid_count: scene.solids.len() as u32,
@@ -47,6 +55,10 @@ pub fn solids_params(scene: &Scene) -> SolidsParams {
         reach_m: (path_m.max(2.0 * scene.support_m()) + scene.wall_offset_m()) as f32,
         block_m: block_m.map(|side_m| side_m as f32),
         stop_m: scene.wall_offset_m() as f32,
+        body_count: bodies(scene).len() as u32,
+        point_count: surface_points(scene).len() as u32,
+        units_per_m_s: units_per_m_s as f32,
+        unit_kg_m_s: (scene.particle_mass_kg() / units_per_m_s) as f32,
     }
 }
 
@@ -72,6 +84,7 @@ impl Solids {
             blocks: resources.buffer("solid_blocks", block_count),
             block_count,
             contacts: resources.buffer("solid_contacts", slots.capacity),
+            bodies: Bodies::declare(resources, scene),
             params: resources.persistent("solids_params", 1),
         })
     }
@@ -82,7 +95,25 @@ impl Solids {
         init.upload(&mut self.solids, &solids);
         init.upload(&mut self.keyframes, &keyframes);
         init.upload(&mut self.params, &[solids_params(scene)]);
-        init.upload(&mut self.poses, &first_poses(scene));
+        if let Some(bodies) = &mut self.bodies {
+            bodies.record_init(init, scene);
+        }
+    }
+
+    /// Moves those that the fluid moves to where they are at the substep's end.
+    pub(crate) fn record_step(&mut self, recording: &mut Recording) {
+        if let Some(bodies) = &mut self.bodies {
+            let poses = &mut self.poses;
+            let (solids, slots, step, params) = (&self.solids, &self.slots, &self.step, &self.params);
+            bodies.record_step(recording, Around { solids, poses, slots, step, params });
+        }
+    }
+
+    /// Gives them what iterations gave particles, which stand at `positions`.
+    pub(crate) fn record_gather(&mut self, recording: &mut Recording, positions: &Buffer<Position>) {
+        if let Some(bodies) = &mut self.bodies {
+            bodies.record_gather(recording, &self.slots, positions, &self.contacts, &self.params);
+        }
     }
 
     /// Moves the solids to where they are at the substep's end.
@@ -114,19 +145,24 @@ impl Solids {
 
     /// Stops the paths that particles took in the substep.
     pub(crate) fn record_collide(
-        &self,
+        &mut self,
         recording: &mut Recording,
         positions: &mut Buffer<Position>,
         velocities: &mut Buffer<Velocity>,
     ) {
+        let is_any_body = self.bodies.is_some();
+        let (body_states, reactions) = bindings(self.bodies.as_mut());
         self.slots.dispatch(
             recording,
             &CollideSolids {
+                variant: CollideSolidsVariant { bodies: is_any_body },
                 solids: self.solids.read(),
                 solid_poses: self.poses.read(),
                 solid_blocks: self.blocks.read(),
                 positions: positions.write(),
                 velocities: velocities.write(),
+                body_states,
+                reactions,
                 step_state: self.slots.state.uniform(),
                 step_params: self.step.uniform(),
                 solids_params: self.params.uniform(),
@@ -167,24 +203,30 @@ impl Solids {
         );
     }
 
-    /// Holds the displacements of a substep's iterations to what solids let through.
+    /// Holds the displacements of a substep's iterations to what solids let through. Bodies feel it if time passes.
     pub(crate) fn record_confine(
-        &self,
+        &mut self,
         recording: &mut Recording,
         precision: PrecisionKeyword,
         sorted_positions: &Buffer<Position>,
         quantized_positions: &mut Buffer<[u32; 2]>,
         kernel: &Buffer<SmoothingKernelParams>,
+        time_passes: bool,
     ) {
+        let bodies = self.bodies.as_mut().filter(|_| time_passes);
+        let is_any_body = bodies.is_some();
+        let (body_states, reactions) = bindings(bodies);
         self.slots.dispatch(
             recording,
             &ConfineDisplacements {
-                variant: ConfineDisplacementsVariant { precision },
+                variant: ConfineDisplacementsVariant { bodies: is_any_body, precision },
                 solids: self.solids.read(),
                 solid_poses: self.poses.read(),
                 solid_blocks: self.blocks.read(),
                 sorted_positions: sorted_positions.read(),
                 quantized_positions: quantized_positions.write(),
+                body_states,
+                reactions,
                 step_state: self.slots.state.uniform(),
                 step_params: self.step.uniform(),
                 solids_params: self.params.uniform(),
@@ -196,6 +238,16 @@ impl Solids {
     /// What each particle knows of the solids near it.
     pub(crate) fn contacts(&self) -> &Buffer<SolidContact> {
         &self.contacts
+    }
+
+    /// The same, to remember in it what a body gives back.
+    pub(crate) fn contacts_mut(&mut self) -> &mut Buffer<SolidContact> {
+        &mut self.contacts
+    }
+
+    /// What lasts of those that the fluid moves, if there are any.
+    pub(crate) fn bodies(&self) -> Option<&BodyBuffers> {
+        self.bodies.as_ref().map(|bodies| &bodies.buffers)
     }
 
     /// What the shaders know of all of them.
@@ -218,8 +270,14 @@ impl Solids {
             poses: self.poses.alias(),
             blocks: self.blocks.alias(),
             contacts: self.contacts.alias(),
+            bodies: self.bodies.as_ref().map(Bodies::alias),
             params: self.params.alias(),
             ..*self
         }
     }
+}
+
+/// What the stages that stop paths give back to, if anything takes it.
+fn bindings(bodies: Option<&mut Bodies>) -> (Option<Buf<'_, BodyState>>, Option<BufMut<'_, u32>>) {
+    bodies.map(|bodies| (bodies.buffers.states.read(), bodies.buffers.reactions.write())).unzip()
 }

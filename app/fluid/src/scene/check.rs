@@ -1,5 +1,6 @@
 //! What a scene's values may be: each within its limits, and all of them together.
 
+mod bodies;
 mod faces;
 mod solids;
 

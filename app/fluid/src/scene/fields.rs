@@ -134,6 +134,7 @@ pub const FIELDS: &[Field] = &[
     Field::new("solid.*.thickness_m", number(1.0e-6, 1.0e6, "m"), REBUILD),
     Field::new("solid.*.open", Kind::Choice(OpenFaces::NAMES), REBUILD),
     Field::new("solid.*.centre_m", PLACE, REBUILD),
+    Field::new("solid.*.density_kg_m3", number(1.0e-3, 1.0e5, "kg/m³"), REBUILD).slider(100.0, 3000.0),
     Field::new("solid.*.turned_deg", TURN, REBUILD),
     Field::new("solid.*.velocity_m_s", SPEED, REBUILD),
     Field::new("solid.*.spin_deg_s", Kind::Vector(within(-1.0e6, 1.0e6, "degrees/s")), REBUILD),

@@ -1,6 +1,7 @@
 //! The scene: what a TOML file says, with defaults for everything optional. SI units throughout,
 //! y up. Camera and picture settings live here too and are read by whoever needs them.
 
+mod bodies;
 mod change;
 mod check;
 mod dfsph;
@@ -35,6 +36,7 @@ mod terms;
 mod tests;
 mod update;
 
+pub use bodies::{bodies, body_mass_kg, first_body_states, surface_points};
 pub use change::Change;
 pub use dfsph::DfsphSettings;
 pub use domain::Domain;
@@ -53,7 +55,7 @@ pub use pbf::{Acceleration, PbfSettings};
 #[cfg(feature = "schema")]
 pub use schema::schema;
 pub use shipped::shipped_scenes;
-pub use solid_shapes::{first_poses, solids};
+pub use solid_shapes::{poses_before, solids};
 pub use solids::{BoxShape, KeyframeSettings, OpenFaces, RoundShape, Shape, SolidLook, SolidSettings, SphereShape};
 pub use solver::{Method, Precision, Solver};
 pub use sph::{Integrator, SmoothingKernel, SphSettings};

@@ -1,8 +1,11 @@
 //! What the shaders are told of solids, and how far from one a place is before anything moves.
 
-use brooklet_kernels::{Keyframe, MAX_SOLIDS, SHAPE_BOX, SHAPE_CAPSULE, SHAPE_CYLINDER, Solid, SolidPose};
-use glam::{DQuat, DVec2, DVec3};
+use brooklet_kernels::{
+    BodyState, Keyframe, MAX_SOLIDS, NO_BODY, SHAPE_BOX, SHAPE_CAPSULE, SHAPE_CYLINDER, Solid, SolidPose,
+};
+use glam::{DQuat, DVec2, DVec3, Quat, Vec3};
 
+use super::bodies::bodies;
 use super::{Scene, Shape, SolidSettings};
 
 /// Solids that a scene may have.
@@ -44,6 +47,9 @@ pub(super) fn motion(solid: &SolidSettings) -> (Vec<Pose>, f64) {
     }
     let start = Pose { time_s: 0.0, centre_m: solid.centre_m.into(), rotation: turned(solid.turned_deg) };
     let spin = DVec3::from_array(solid.spin_deg_s.map(f64::to_radians));
+    if solid.density_kg_m3.is_some() {
+        return (vec![start], 0.0);
+    }
     let velocity_m_s = DVec3::from_array(solid.velocity_m_s);
     if spin != DVec3::ZERO {
         let period_s = std::f64::consts::TAU / spin.length();
@@ -78,7 +84,7 @@ fn in_small_turns(keyframes: &[Pose]) -> Vec<Pose> {
 }
 
 /// Half the sides of what holds a shape, in the form of the shaders' `Solid::half_m`, and of the box around it.
-fn halves(shape: Shape) -> (u32, DVec3, DVec3) {
+pub(super) fn halves(shape: Shape) -> (u32, DVec3, DVec3) {
     match shape {
         Shape::Box(half_m) => (SHAPE_BOX, half_m.into(), half_m.into()),
         Shape::Capsule(radius_m, half_m) => {
@@ -92,7 +98,7 @@ fn halves(shape: Shape) -> (u32, DVec3, DVec3) {
 }
 
 /// The cavity of a hollow solid: its lowest and highest corner, beyond the shape where it is open.
-fn cavity_m(solid: &SolidSettings) -> Option<[DVec3; 2]> {
+pub(super) fn cavity_m(solid: &SolidSettings) -> Option<[DVec3; 2]> {
     let thickness_m = solid.thickness_m?;
     let (shape, half_m, extent_m) = halves(solid.shape());
     let mut inner_m = half_m - thickness_m;
@@ -115,6 +121,7 @@ fn cavity_m(solid: &SolidSettings) -> Option<[DVec3; 2]> {
 pub fn solids(scene: &Scene) -> (Vec<Solid>, Vec<Keyframe>) {
     let origin_m = DVec3::from_array(scene.domain.min_m);
     let mut keyframes = Vec::new();
+    let mut bodies = 0..;
     let of = |solid: &SolidSettings| {
         let (shape, half_m, extent_m) = halves(solid.shape());
         let cavity_m = cavity_m(solid);
@@ -138,18 +145,26 @@ pub fn solids(scene: &Scene) -> (Vec<Solid>, Vec<Keyframe>) {
             first_keyframe,
             keyframe_count: poses.len() as u32,
             period_s: period_s as f32,
-            ..Solid::default()
+            body: solid.density_kg_m3.and_then(|_| bodies.next()).unwrap_or(NO_BODY),
         }
     };
     let solids = scene.solids.iter().map(of).collect();
     (solids, keyframes)
 }
 
-/// Where the solids of a scene are before anything moves.
-pub fn first_poses(scene: &Scene) -> Vec<SolidPose> {
+/// Where the solids of a scene are before a step moves them: bodies as `states` has them, others as they begin.
+pub fn poses_before(scene: &Scene, states: &[BodyState]) -> Vec<SolidPose> {
     let (solids, keyframes) = solids(scene);
+    let bodies = bodies(scene);
     let pose = |solid: &Solid| {
-        let first = keyframes.get(solid.first_keyframe as usize).copied().unwrap_or_default();
+        let mut first = keyframes.get(solid.first_keyframe as usize).copied().unwrap_or_default();
+        let body = solid.body as usize;
+        if let (Some(body), Some(state)) = (bodies.get(body), states.get(body)) {
+            let rotation = Quat::from_array(state.rotation);
+            let to_middle_m = rotation * Vec3::from_array(body.centre_of_mass_m);
+            first.position_m = (Vec3::from_array(state.position_m) - to_middle_m).to_array();
+            first.rotation = state.rotation;
+        }
         SolidPose {
             position_m: first.position_m,
             rotation: first.rotation,
@@ -162,7 +177,7 @@ pub fn first_poses(scene: &Scene) -> Vec<SolidPose> {
 }
 
 /// How far a place of a shape's frame is from its surface, m; negative inside.
-fn from_shape_m(shape: u32, place_m: DVec3, half_m: DVec3) -> f64 {
+pub(super) fn from_shape_m(shape: u32, place_m: DVec3, half_m: DVec3) -> f64 {
     match shape {
         SHAPE_BOX => {
             let beyond_m = place_m.abs() - half_m;
@@ -205,6 +220,11 @@ impl StandingSolid {
             let in_cavity_m = in_frame_m - 0.5 * (min_m + max_m);
             outside_m.max(-from_shape_m(self.shape, in_cavity_m, 0.5 * (max_m - min_m)))
         })
+    }
+
+    /// Where a place of its frame is, m.
+    pub(super) fn placed_m(&self, place_m: DVec3) -> DVec3 {
+        self.pose.centre_m + self.pose.rotation * place_m
     }
 
     /// The box around it: its lowest and highest corner, m.

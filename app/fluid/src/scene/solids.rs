@@ -29,9 +29,13 @@ pub struct SolidSettings {
     pub centre_m: [f64; 3],
     /// How it is turned: around this axis, by this length in degrees.
     pub turned_deg: [f64; 3],
-    /// Its velocity, m/s, without end.
+    /// What it is made of, kg/m³: the fluid moves it, and it the fluid. Default: it moves as it is told.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub density_kg_m3: Option<f64>,
+    /// Its velocity, m/s, without end; of a solid with a density that with which it begins.
     pub velocity_m_s: [f64; 3],
-    /// How it turns around its middle, without end: around this axis, degrees a second.
+    /// How it turns around its middle, without end: around this axis, degrees a second; of a solid with a density how it begins
+    /// to turn around its centre of mass.
     pub spin_deg_s: [f64; 3],
     /// Where it is at times; between two it moves and turns evenly. In place of `centre_m` and `turned_deg`.
     #[serde(rename = "keyframe", skip_serializing_if = "Vec::is_empty")]

@@ -163,7 +163,7 @@ fn the_table_has_every_field() {
         &[
             "capacity=5000",
             "forces.field=[{ end_s = 2 }]",
-            "solid=[{ box = { size_m = [1, 1, 1] }, thickness_m = 0.1, open = \"x_min\", color = [1, 0, 0] }, { sphere = { radius_m = 0.2 } }, \
+            "solid=[{ box = { size_m = [1, 1, 1] }, thickness_m = 0.1, open = \"x_min\", color = [1, 0, 0] }, { sphere = { radius_m = 0.2 }, centre_m = [0.5, 1.5, 0.5], density_kg_m3 = 500 }, \
              { capsule = { radius_m = 0.2, length_m = 0.5 } }, { cylinder = { radius_m = 0.2, length_m = 0.5 }, \
              keyframe = [{ time_s = 0 }, { time_s = 1 }], repeat = true }]",
             "solver.max_speed_m_s=5",
@@ -400,6 +400,33 @@ fn messages_about_solids_name_the_solid_and_what_is_allowed() {
     assert!(load(&many, &[]).unwrap_err().contains("solid = 129 solids: at most 128"));
     let spinning = SMALL.to_string() + "[[solid]]\nbox = { size_m = [1, 1, 1] }\nspin_deg_s = [0, 1e5, 0]\n";
     assert!(load(&spinning, &[]).unwrap_err().contains("solid.0.spin_deg_s"));
+}
+
+/// One wrong thing each, of a scene with a body over a solid.
+#[test]
+fn messages_about_bodies_name_the_body_and_what_is_allowed() {
+    let solids = "[[solid]]\nbox = { size_m = [0.4, 0.2, 0.4] }\ncentre_m = [0.5, 1.5, 0.5]\ndensity_kg_m3 = 500\n\
+        [[solid]]\nsphere = { radius_m = 0.2 }\ncentre_m = [0.5, 1.2, 0.5]\n";
+    let text = SMALL.to_string() + solids;
+    let scene = load(&text, &["domain.max_m=[1, 2, 1]"]).unwrap();
+    assert!((body_mass_kg(&scene.solids[0]) - 16.0).abs() < 1e-9 && body_mass_kg(&scene.solids[1]) == 0.0);
+    let cases: &[(&str, &[&str])] = &[
+        ("solid.0.density_kg_m3=0", &["solid.0.density_kg_m3 = 0", "0.001 to"]),
+        ("solid.0.density_kg_m3=10", &["solid.0.density_kg_m3 = 10", "50 to 20000: 0.05 to 20 times the fluid's"]),
+        ("solid.0.keyframe=[{ time_s = 0 }]", &["solid.0", "not with"]),
+        ("solid.0.centre_m=[0.5, 1.3, 0.5]", &["solid.0.centre_m = 0.2 m of it are in solid.1", "at most, 0.025 m"]),
+        ("solid.0.centre_m=[0.9, 1.5, 0.5]", &["a body from x = 0.7 to 1.1: must begin in the domain, 0 to 1"]),
+        (
+            "solver.pbf.warm_start=0.2",
+            &["solver.pbf.warm_start = 0.2", "must be 0 with a solid that has a density_kg_m3"],
+        ),
+    ];
+    for (setting, parts) in cases {
+        let message = load(&text, &["domain.max_m=[1, 2, 1]", setting]).unwrap_err();
+        assert!(parts.iter().all(|part| message.contains(part)), "{setting}: {message}");
+    }
+    let many = SMALL.to_string() + &"[[solid]]\nsphere = { radius_m = 0.1 }\ndensity_kg_m3 = 500\n".repeat(65);
+    assert!(load(&many, &[]).unwrap_err().contains("solid = 65 solids with a density_kg_m3: at most 64"));
 }
 
 /// Particles are where no solid is, and their number is known without making them.

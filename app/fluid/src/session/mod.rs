@@ -13,11 +13,13 @@ use brooklet_gpu::{Engine, FrameReport, Gpu, GpuError, Plan, PlanError, Recordin
 use brooklet_kernels::{Buffer, Position, WarmStart};
 use thiserror::Error;
 
+use crate::body_motion::BodyMotion;
+use crate::boundary::bodies::BodyBuffers;
 use crate::boundary::solids::solids_params;
 use crate::drag::{Drag, DragPass};
 use crate::measure::{Sample, Stats};
 use crate::particles::ParticleSet;
-use crate::scene::{Scene, Update};
+use crate::scene::{Scene, Update, poses_before};
 use crate::slot_changes::{DrainBox, ParticleBlock, SlotChanges};
 use crate::solver::pbf::{self, IterationWeights};
 use crate::step::Recorded;
@@ -140,6 +142,7 @@ impl Session {
             recorded,
             scene,
             mut particles,
+            bodies,
             drag,
             slot_changes,
             sample,
@@ -173,6 +176,7 @@ impl Session {
         if let Some(particles) = particles {
             session.write_particles(&particles);
         }
+        session.write_bodies(&bodies);
         for recording in &session.init {
             session.engine.run(&[*recording], &[])?;
         }
@@ -290,6 +294,31 @@ impl Session {
         self.engine.write(&self.recorded.velocities, &particles.velocities);
         // Whose pressure it was is another's now.
         self.begin_cold();
+    }
+
+    /// Waits, and copies to the host how the bodies move.
+    ///
+    /// # Errors
+    /// If the device is lost.
+    pub fn read_bodies(&mut self) -> Result<BodyMotion, GpuError> {
+        let Some(BodyBuffers { states, reactions }) = &self.recorded.bodies else { return Ok(BodyMotion::default()) };
+        Ok(BodyMotion { states: self.engine.read(states)?, reactions: self.engine.read(reactions)? })
+    }
+
+    /// Lets the bodies go on as `motion` says, before the next frame, and puts all other solids where they begin; nothing if
+    /// it is of more or fewer bodies.
+    pub fn write_bodies(&mut self, motion: &BodyMotion) {
+        let has = self.recorded.bodies.as_ref().map_or(0, |bodies| bodies.states.len as usize);
+        if motion.states.len() != has {
+            return;
+        }
+        if let Some(BodyBuffers { states, reactions }) = &self.recorded.bodies {
+            self.engine.write(states, &motion.states);
+            self.engine.write(reactions, &motion.reactions);
+        }
+        if let Some(poses) = &self.recorded.solid_poses {
+            self.engine.write(poses, &poses_before(&self.scene, &motion.states));
+        }
     }
 
     /// Leaves behind what does not fit the scene's settings of what those of `before` left.

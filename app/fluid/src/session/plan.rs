@@ -2,6 +2,8 @@
 
 use brooklet_gpu::{Plan, PlanError, Recording, RecordingId, ResourceId, Resources, Tier};
 
+use crate::body_motion::BodyMotion;
+
 use super::TimeBase;
 use super::relax::plan_relaxation;
 use crate::drag::{DragPass, record_drag};
@@ -145,6 +147,7 @@ impl SessionRecorder {
         Ok(SessionPlan {
             plan: Plan::sweep(self.resources, recordings, &self.wanted)?,
             recorded: self.recorded,
+            bodies: BodyMotion::first(&self.scene),
             scene: self.scene,
             particles: self.particles,
             drag: self.drag,
@@ -174,6 +177,7 @@ pub struct SessionPlan {
     /// The scene.
     pub scene: Scene,
     pub(super) particles: Option<ParticleSet>,
+    pub(super) bodies: BodyMotion,
     pub(super) drag: Option<DragPass>,
     pub(super) slot_changes: Option<SlotChanges>,
     pub(super) sample: Option<Sample>,
@@ -184,9 +188,12 @@ pub struct SessionPlan {
 }
 
 impl SessionPlan {
-    /// Begins as if `steps` steps had been done, in `simulated_s`: of a saved state.
-    pub fn start_at(&mut self, steps: u64, simulated_s: f64) {
+    /// Begins as if `steps` steps had been done, in `simulated_s`, with bodies as they then were: of a saved state.
+    pub fn start_at(&mut self, steps: u64, simulated_s: f64, bodies: &BodyMotion) {
         self.start = TimeBase { steps, simulated_s };
+        if bodies.states.len() == self.bodies.states.len() {
+            self.bodies = bodies.clone();
+        }
     }
 
     /// Number of slots: of particles, where a scene says no capacity.

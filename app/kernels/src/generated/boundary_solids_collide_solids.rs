@@ -2,11 +2,18 @@
 // makes it anew from boundary/solids/collide_solids.compute.
 //! Kernels of `boundary/solids/collide_solids.compute`.
 
-use super::{Position, Solid, SolidPose, SolidsParams, StepParams, StepState, Velocity};
+use super::{BodyState, Position, Solid, SolidPose, SolidsParams, StepParams, StepState, Velocity};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
     Uniform, bind,
 };
+
+/// Which variant of [`CollideSolids`] runs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct CollideSolidsVariant {
+    /// Keyword `BODIES`.
+    pub bodies: bool,
+}
 
 /// Stops particles at the solids that they would run into: the whole of a path, so that none passes a solid however thin it
 /// is and however fast it or the particle moves. In the frame of a solid that moves, a path goes from where the particle was
@@ -15,6 +22,8 @@ use crate::{
 /// solid takes of a path it takes of the velocity, as walls do (ConfinePath).
 #[derive(Debug)]
 pub struct CollideSolids<'a> {
+    /// Its variant.
+    pub variant: CollideSolidsVariant,
     /// `StructuredBuffer<Solid> solids`.
     pub solids: Buf<'a, Solid>,
     /// `StructuredBuffer<SolidPose> solid_poses`.
@@ -31,6 +40,10 @@ pub struct CollideSolids<'a> {
     pub step_params: Uniform<'a, StepParams>,
     /// `ConstantBuffer<SolidsParams> solids_params`.
     pub solids_params: Uniform<'a, SolidsParams>,
+    /// `StructuredBuffer<BodyState> body_states`.
+    pub body_states: Option<Buf<'a, BodyState>>,
+    /// `RWStructuredBuffer<uint> reactions`.
+    pub reactions: Option<BufMut<'a, u32>>,
 }
 
 impl Kernel for CollideSolids<'_> {
@@ -38,7 +51,7 @@ impl Kernel for CollideSolids<'_> {
     const GROUP_SIZE: [u32; 3] = [64, 1, 1];
 
     fn module(&self) -> &'static Module {
-        &COLLIDE_SOLIDS
+        if self.variant.bodies { &COLLIDE_SOLIDS_WITH_BODIES } else { &COLLIDE_SOLIDS }
     }
     fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
         bind(
@@ -52,13 +65,15 @@ impl Kernel for CollideSolids<'_> {
                 ("step_state", Some(self.step_state.id)),
                 ("step_params", Some(self.step_params.id)),
                 ("solids_params", Some(self.solids_params.id)),
+                ("body_states", self.body_states.as_ref().map(|bound| bound.id)),
+                ("reactions", self.reactions.as_ref().map(|bound| bound.id)),
             ],
         )
     }
 }
 
 /// The modules of this file.
-pub(super) static MODULES: &[&Module] = &[&COLLIDE_SOLIDS];
+pub(super) static MODULES: &[&Module] = &[&COLLIDE_SOLIDS, &COLLIDE_SOLIDS_WITH_BODIES];
 
 static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "solids", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 80 } },
@@ -80,7 +95,36 @@ static BINDINGS_0: &[BindingInfo] = &[
     },
     BindingInfo { name: "step_state", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "step_params", slot: 6, kind: BindingKind::Uniform { bytes: 96 } },
-    BindingInfo { name: "solids_params", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "solids_params", slot: 7, kind: BindingKind::Uniform { bytes: 64 } },
+];
+
+static BINDINGS_1: &[BindingInfo] = &[
+    BindingInfo { name: "solids", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 80 } },
+    BindingInfo { name: "solid_poses", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 96 } },
+    BindingInfo {
+        name: "solid_blocks",
+        slot: 2,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+    },
+    BindingInfo { name: "body_states", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 96 } },
+    BindingInfo {
+        name: "reactions",
+        slot: 4,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 },
+    },
+    BindingInfo {
+        name: "positions",
+        slot: 5,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
+    },
+    BindingInfo {
+        name: "velocities",
+        slot: 6,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
+    },
+    BindingInfo { name: "step_state", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 8, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "solids_params", slot: 9, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
 static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/boundary_solids_collide_solids.deflate"));
@@ -89,11 +133,24 @@ static COLLIDE_SOLIDS: Module = Module {
     name: "CollideSolids",
     entry: "CollideSolids",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 31820 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 32012 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/collide_solids.compute",
-    hash: "cc1609ef5a44a19e043b7a971fcc5b9b8dbf35e56b94141ec9bdc83e9800f300",
+    hash: "09825037f5a4f66cd4b4ae8e469c6885c6b0d1c3120a162bce1765414365ba99",
+};
+
+static COLLIDE_SOLIDS_WITH_BODIES: Module = Module {
+    name: "CollideSolids+BODIES",
+    entry: "CollideSolids",
+    stage: StageKind::Compute,
+    spirv: Spirv::Packed { pack: PACK, first: 32012, bytes: 36244 },
+    bindings: BINDINGS_1,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "boundary/solids/collide_solids.compute",
+    hash: "52dc9da8bf0c2e2da050ba5903e97a044289db2f3fd0e6fbd1a4b854ee9ce9f6",
 };

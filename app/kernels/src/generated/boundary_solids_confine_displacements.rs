@@ -2,7 +2,9 @@
 // makes it anew from boundary/solids/confine_displacements.compute.
 //! Kernels of `boundary/solids/confine_displacements.compute`.
 
-use super::{Position, PrecisionKeyword, SmoothingKernelParams, Solid, SolidPose, SolidsParams, StepParams, StepState};
+use super::{
+    BodyState, Position, PrecisionKeyword, SmoothingKernelParams, Solid, SolidPose, SolidsParams, StepParams, StepState,
+};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
     Uniform, bind,
@@ -11,6 +13,8 @@ use crate::{
 /// Which variant of [`ConfineDisplacements`] runs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct ConfineDisplacementsVariant {
+    /// Keyword `BODIES`.
+    pub bodies: bool,
     /// Keyword `RELAXED_PRECISION` or `HALF_PRECISION`.
     pub precision: PrecisionKeyword,
 }
@@ -39,6 +43,10 @@ pub struct ConfineDisplacements<'a> {
     pub solids_params: Uniform<'a, SolidsParams>,
     /// `ConstantBuffer<SmoothingKernelParams> kernel`.
     pub kernel: Uniform<'a, SmoothingKernelParams>,
+    /// `StructuredBuffer<BodyState> body_states`.
+    pub body_states: Option<Buf<'a, BodyState>>,
+    /// `RWStructuredBuffer<uint> reactions`.
+    pub reactions: Option<BufMut<'a, u32>>,
 }
 
 impl Kernel for ConfineDisplacements<'_> {
@@ -46,10 +54,13 @@ impl Kernel for ConfineDisplacements<'_> {
     const GROUP_SIZE: [u32; 3] = [64, 1, 1];
 
     fn module(&self) -> &'static Module {
-        match self.variant.precision {
-            PrecisionKeyword::Off => &CONFINE_DISPLACEMENTS,
-            PrecisionKeyword::RelaxedPrecision => &CONFINE_DISPLACEMENTS_WITH_RELAXED_PRECISION,
-            PrecisionKeyword::HalfPrecision => &CONFINE_DISPLACEMENTS_WITH_RELAXED_PRECISION,
+        match (self.variant.bodies, self.variant.precision) {
+            (false, PrecisionKeyword::Off) => &CONFINE_DISPLACEMENTS,
+            (false, PrecisionKeyword::RelaxedPrecision) => &CONFINE_DISPLACEMENTS_WITH_RELAXED_PRECISION,
+            (false, PrecisionKeyword::HalfPrecision) => &CONFINE_DISPLACEMENTS_WITH_RELAXED_PRECISION,
+            (true, PrecisionKeyword::Off) => &CONFINE_DISPLACEMENTS_WITH_BODIES,
+            (true, PrecisionKeyword::RelaxedPrecision) => &CONFINE_DISPLACEMENTS_WITH_BODIES_WITH_RELAXED_PRECISION,
+            (true, PrecisionKeyword::HalfPrecision) => &CONFINE_DISPLACEMENTS_WITH_BODIES_WITH_RELAXED_PRECISION,
         }
     }
     fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
@@ -65,13 +76,20 @@ impl Kernel for ConfineDisplacements<'_> {
                 ("step_params", Some(self.step_params.id)),
                 ("solids_params", Some(self.solids_params.id)),
                 ("kernel", Some(self.kernel.id)),
+                ("body_states", self.body_states.as_ref().map(|bound| bound.id)),
+                ("reactions", self.reactions.as_ref().map(|bound| bound.id)),
             ],
         )
     }
 }
 
 /// The modules of this file.
-pub(super) static MODULES: &[&Module] = &[&CONFINE_DISPLACEMENTS, &CONFINE_DISPLACEMENTS_WITH_RELAXED_PRECISION];
+pub(super) static MODULES: &[&Module] = &[
+    &CONFINE_DISPLACEMENTS,
+    &CONFINE_DISPLACEMENTS_WITH_RELAXED_PRECISION,
+    &CONFINE_DISPLACEMENTS_WITH_BODIES,
+    &CONFINE_DISPLACEMENTS_WITH_BODIES_WITH_RELAXED_PRECISION,
+];
 
 static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "solids", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 80 } },
@@ -93,8 +111,38 @@ static BINDINGS_0: &[BindingInfo] = &[
     },
     BindingInfo { name: "step_state", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "step_params", slot: 6, kind: BindingKind::Uniform { bytes: 96 } },
-    BindingInfo { name: "solids_params", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "solids_params", slot: 7, kind: BindingKind::Uniform { bytes: 64 } },
     BindingInfo { name: "kernel", slot: 8, kind: BindingKind::Uniform { bytes: 48 } },
+];
+
+static BINDINGS_1: &[BindingInfo] = &[
+    BindingInfo { name: "solids", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 80 } },
+    BindingInfo { name: "solid_poses", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 96 } },
+    BindingInfo {
+        name: "solid_blocks",
+        slot: 2,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+    },
+    BindingInfo { name: "body_states", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 96 } },
+    BindingInfo {
+        name: "reactions",
+        slot: 4,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 },
+    },
+    BindingInfo {
+        name: "sorted_positions",
+        slot: 5,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+    },
+    BindingInfo {
+        name: "quantized_positions",
+        slot: 6,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
+    },
+    BindingInfo { name: "step_state", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 8, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "solids_params", slot: 9, kind: BindingKind::Uniform { bytes: 64 } },
+    BindingInfo { name: "kernel", slot: 10, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
 static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/boundary_solids_confine_displacements.deflate"));
@@ -103,24 +151,50 @@ static CONFINE_DISPLACEMENTS: Module = Module {
     name: "ConfineDisplacements",
     entry: "ConfineDisplacements",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 33900 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 34092 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "9d132c4e24c6941efba58d68409fac86e13908adffa9bade141c51c2c5252ab3",
+    hash: "686656721987c42d0c52414dd9da9e2436075ea341c3c8554defbcc6ae28c7b5",
 };
 
 static CONFINE_DISPLACEMENTS_WITH_RELAXED_PRECISION: Module = Module {
     name: "ConfineDisplacements+RELAXED_PRECISION",
     entry: "ConfineDisplacements",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 33900, bytes: 33492 },
+    spirv: Spirv::Packed { pack: PACK, first: 34092, bytes: 33684 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "866f6ea475a997a193798217ea373fc1a105d87de1325af839963f2b19595ead",
+    hash: "2f20a1710df83a03236c681bfc0172af2ef6d73584138631fcfe60eb06d97415",
+};
+
+static CONFINE_DISPLACEMENTS_WITH_BODIES: Module = Module {
+    name: "ConfineDisplacements+BODIES",
+    entry: "ConfineDisplacements",
+    stage: StageKind::Compute,
+    spirv: Spirv::Packed { pack: PACK, first: 67776, bytes: 38328 },
+    bindings: BINDINGS_1,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "boundary/solids/confine_displacements.compute",
+    hash: "79ff48d91d053b8c9759d66620e1eb6e2c4a32d01ffb0291ac4c401a86b129f1",
+};
+
+static CONFINE_DISPLACEMENTS_WITH_BODIES_WITH_RELAXED_PRECISION: Module = Module {
+    name: "ConfineDisplacements+BODIES+RELAXED_PRECISION",
+    entry: "ConfineDisplacements",
+    stage: StageKind::Compute,
+    spirv: Spirv::Packed { pack: PACK, first: 106104, bytes: 37936 },
+    bindings: BINDINGS_1,
+    group_size: [64, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "boundary/solids/confine_displacements.compute",
+    hash: "da733ab40d9dde28b537eaf974e8f3282c26be1aba9816aec4448193a6f0548b",
 };

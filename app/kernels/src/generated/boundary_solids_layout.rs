@@ -47,8 +47,8 @@ pub struct Solid {
     pub keyframe_count: u32,
     /// after which keyframes begin again; 0: they end
     pub period_s: f32,
-    /// `uint`.
-    pub reserved: u32,
+    /// which body it is; NO\_BODY (boundary/bodies): it moves by its keyframes
+    pub body: u32,
 }
 const _: () = {
     assert!(offset_of!(Solid, half_m) == 0);
@@ -62,7 +62,7 @@ const _: () = {
     assert!(offset_of!(Solid, first_keyframe) == 64);
     assert!(offset_of!(Solid, keyframe_count) == 68);
     assert!(offset_of!(Solid, period_s) == 72);
-    assert!(offset_of!(Solid, reserved) == 76);
+    assert!(offset_of!(Solid, body) == 76);
     assert!(size_of::<Solid>() == 80);
 };
 
@@ -140,8 +140,12 @@ pub struct SolidContact {
     pub solid: u32,
     /// of the nearest solid there, along `normal`
     pub speed_m_s: f32,
+    /// which the nearest is, or NO\_BODY
+    pub body: u32,
     /// `uint`.
     pub reserved1: u32,
+    /// change of velocity that iterations gave the particle for solids, which a body gives back
+    pub taken_m_s: [f32; 3],
     /// `uint`.
     pub reserved2: u32,
 }
@@ -152,9 +156,11 @@ const _: () = {
     assert!(offset_of!(SolidContact, stop_offset_m) == 28);
     assert!(offset_of!(SolidContact, solid) == 32);
     assert!(offset_of!(SolidContact, speed_m_s) == 36);
-    assert!(offset_of!(SolidContact, reserved1) == 40);
-    assert!(offset_of!(SolidContact, reserved2) == 44);
-    assert!(size_of::<SolidContact>() == 48);
+    assert!(offset_of!(SolidContact, body) == 40);
+    assert!(offset_of!(SolidContact, reserved1) == 44);
+    assert!(offset_of!(SolidContact, taken_m_s) == 48);
+    assert!(offset_of!(SolidContact, reserved2) == 60);
+    assert!(size_of::<SolidContact>() == 64);
 };
 
 /// All of them.
@@ -173,6 +179,14 @@ pub struct SolidsParams {
     pub block_m: [f32; 3],
     /// particles stay at least this far from a surface
     pub stop_m: f32,
+    /// `uint`.
+    pub body_count: u32,
+    /// of all bodies' surfaces
+    pub point_count: u32,
+    /// of a reaction's sum, a particle's change of velocity
+    pub units_per_m_s: f32,
+    /// the impulse that is one of those
+    pub unit_kg_m_s: f32,
 }
 const _: () = {
     assert!(offset_of!(SolidsParams, blocks) == 0);
@@ -181,5 +195,9 @@ const _: () = {
     assert!(offset_of!(SolidsParams, reach_m) == 28);
     assert!(offset_of!(SolidsParams, block_m) == 32);
     assert!(offset_of!(SolidsParams, stop_m) == 44);
-    assert!(size_of::<SolidsParams>() == 48);
+    assert!(offset_of!(SolidsParams, body_count) == 48);
+    assert!(offset_of!(SolidsParams, point_count) == 52);
+    assert!(offset_of!(SolidsParams, units_per_m_s) == 56);
+    assert!(offset_of!(SolidsParams, unit_kg_m_s) == 60);
+    assert!(size_of::<SolidsParams>() == 64);
 };

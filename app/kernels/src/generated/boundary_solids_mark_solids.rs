@@ -49,7 +49,7 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 1,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
-    BindingInfo { name: "solids_params", slot: 2, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "solids_params", slot: 2, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
 static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/boundary_solids_mark_solids.deflate"));
@@ -58,11 +58,11 @@ static MARK_SOLIDS: Module = Module {
     name: "MarkSolids",
     entry: "MarkSolids",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 3836 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 4032 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/mark_solids.compute",
-    hash: "ac2148c598f763a9ce37950264ed116c0acdb618270cdbfa8777850e70821627",
+    hash: "e1b0efbcb597b65505e8bc2611b8afc692544d6da3032b91eb3fb692cbd4eb6a",
 };

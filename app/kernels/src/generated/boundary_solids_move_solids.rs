@@ -57,7 +57,7 @@ static BINDINGS_0: &[BindingInfo] = &[
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 96 },
     },
     BindingInfo { name: "step_state", slot: 3, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "solids_params", slot: 4, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "solids_params", slot: 4, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
 static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/boundary_solids_move_solids.deflate"));
@@ -66,11 +66,11 @@ static MOVE_SOLIDS: Module = Module {
     name: "MoveSolids",
     entry: "MoveSolids",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 10912 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 11728 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/move_solids.compute",
-    hash: "0196c129c1f74a06c2f43106328dff4669979244db1d0b0c60917ad3791b3231",
+    hash: "91a9fa4bfef9de5c6707e5b59c8c71080b9373262db11c9c09dfe0d7b9e3a498",
 };

@@ -70,10 +70,10 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo {
         name: "solid_contacts",
         slot: 4,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 64 },
     },
     BindingInfo { name: "step_state", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "solids_params", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "solids_params", slot: 6, kind: BindingKind::Uniform { bytes: 64 } },
     BindingInfo { name: "kernel", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
@@ -83,11 +83,11 @@ static SAMPLE_SOLIDS: Module = Module {
     name: "SampleSolids",
     entry: "SampleSolids",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 36704 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 37252 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/sample_solids.compute",
-    hash: "96e28e27ce80c8ea826247bba1c67168dc7dc28d9ce3a6b5b47113f359c1b5c0",
+    hash: "bd401f8a2bab1f6ade6ba4a79fa099e649e9eafb9e73265f5a4a6fb5adadbbb9",
 };

@@ -149,7 +149,7 @@ static DRAW_GLASS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/glass.hlsl",
-    hash: "8ebf6a3301026782665fd60ead1c9b5195b8df946d1fd37fa756440ff722e507",
+    hash: "32ccc67e6afcbd97a379999b1dca495e333cfc6710ada8114b0ef8fac9012da1",
 };
 
 static DRAW_GLASS_FRAGMENT: Module = Module {
@@ -162,7 +162,7 @@ static DRAW_GLASS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/glass.hlsl",
-    hash: "b84000cc29164495ae03bddf4206306e337bbc450ca5984c0bcb76a4afeaef3b",
+    hash: "0fc57901722ed176fa7c6db4351f66c6a0f3a49d1c4d5ab0721acdf7e803ea14",
 };
 
 static DRAW_GLASS_VERTEX_WITH_BEHIND_WATER: Module = Module {
@@ -175,7 +175,7 @@ static DRAW_GLASS_VERTEX_WITH_BEHIND_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/glass.hlsl",
-    hash: "88dd944e725868cd8de5b7d66e4e20ce71fb0d20a215c555c325c43205b1c5ca",
+    hash: "7629b75a2e173e14c1e9f623efc57af3bfb1a8668d6836e8e188d501c77c46fd",
 };
 
 static DRAW_GLASS_FRAGMENT_WITH_BEHIND_WATER: Module = Module {
@@ -188,7 +188,7 @@ static DRAW_GLASS_FRAGMENT_WITH_BEHIND_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/glass.hlsl",
-    hash: "ea6842eb8dcb18134ccd233a892734fd0dbd3e080630f1089ed4f45b01a04d79",
+    hash: "e42f083f4a5422000ea79b33b4d8fbeea0091281faab171b4a42c9fbd8754d3f",
 };
 
 static DRAW_GLASS_FRAGMENT_WITH_BEFORE_WATER: Module = Module {
@@ -201,5 +201,5 @@ static DRAW_GLASS_FRAGMENT_WITH_BEFORE_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/glass.hlsl",
-    hash: "40ec62eec2ae46c89db96f9b24b3862f95efb7e6b880b6a87453ec36feff44bb",
+    hash: "172825a0c3bcf0645df57fdec681cd2beb946f19b9ed73f7a6617345c736a055",
 };

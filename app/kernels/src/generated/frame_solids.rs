@@ -194,7 +194,7 @@ static DRAW_SOLIDS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "f8f9dc89c46065e27c0bd63689a79bf85ee37f2da3ea2ea79406a5fe6bb4f173",
+    hash: "624926f94ffdf85ce42a0f4908fb40a59ae1a385c90f07f8b85df16da94ab188",
 };
 
 static DRAW_SOLIDS_FRAGMENT: Module = Module {
@@ -207,7 +207,7 @@ static DRAW_SOLIDS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "14ffa7ceee8353785ad3379e4db29d9fc5c42e0247a23e7f7a1f4d377e80c605",
+    hash: "d8949f4860359492d43d6dc8917fda9974470390f0c7d6b8445bcb3d26989b3e",
 };
 
 static DRAW_SOLIDS_VERTEX_WITH_POINTS_SUN: Module = Module {
@@ -220,7 +220,7 @@ static DRAW_SOLIDS_VERTEX_WITH_POINTS_SUN: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "cfe155917db78c9a39836c3ee0f6bb99cfbe2a8375d691a4c7038b783b035883",
+    hash: "7322f991d8275f27c07c64e6b13903c7ebac984c177408d1a2de64d8af555e45",
 };
 
 static DRAW_SOLIDS_FRAGMENT_WITH_POINTS_SUN: Module = Module {
@@ -233,7 +233,7 @@ static DRAW_SOLIDS_FRAGMENT_WITH_POINTS_SUN: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "6c89ae9e2b9fa1ed99e046e80a653ca81af30ba624d777b393650969ccb49ee1",
+    hash: "31359c715829b4eaa944d6cb38a4018a9b3ba2d7996a49441c6fdf6bb414f8a3",
 };
 
 static DRAW_SOLIDS_VERTEX_WITH_VOLUME_SUN: Module = Module {
@@ -246,7 +246,7 @@ static DRAW_SOLIDS_VERTEX_WITH_VOLUME_SUN: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "45db5a037053c670384fd58b721d9337cb443c5e67b19a76b531e8a2114afb67",
+    hash: "a0a7650d48a43f363aff65db79cd20d5d9718dbb1e854228962da9485dc5d5b7",
 };
 
 static DRAW_SOLIDS_FRAGMENT_WITH_VOLUME_SUN: Module = Module {
@@ -259,5 +259,5 @@ static DRAW_SOLIDS_FRAGMENT_WITH_VOLUME_SUN: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "118968eb66e4b76cf64cd52e1f84c8ea896ac35d2cc99d0ba302425e78bd7525",
+    hash: "a9028a955776f7be2015057e095c09f1d580e3accf7196a566a3116b936ea093",
 };

@@ -74,7 +74,7 @@ static DRAW_SOLIDS_SHADOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids_shadow.hlsl",
-    hash: "0d0cfa4a5ec0eeb37aa7d414655d8718ae8a31ce01fa183f38177f5240184ffa",
+    hash: "caa9b485c9fff035633038cdbd5f6e7e1cbcbe9350f72098eaf33ad29274a860",
 };
 
 static DRAW_SOLIDS_SHADOW_FRAGMENT: Module = Module {
@@ -87,5 +87,5 @@ static DRAW_SOLIDS_SHADOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids_shadow.hlsl",
-    hash: "4b87a28462062a0983cf46ccc5f43c90a040a5e1069fe010a5e91ab72b5d412d",
+    hash: "dede7167e1eb0fa17fd24d19faa79c698e31ee5884c81f8a645ab7d7447d6476",
 };

@@ -102,7 +102,7 @@ static BINDINGS_1: &[BindingInfo] = &[
     BindingInfo {
         name: "solid_contacts",
         slot: 3,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 48 },
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 64 },
     },
     BindingInfo {
         name: "density_ratios",
@@ -126,7 +126,7 @@ static DENSITY_RATIOS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "066603a9a4438139a0564acf39cdeb8c1daee71e087cb6a9aa0c079924290d18",
+    hash: "3641cb4d9a1da0679b28bbc47b5936d774dc32ebc81422a3a60eda068481d4fe",
 };
 
 static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
@@ -139,7 +139,7 @@ static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "cf658cccea3175c0dba4419fa5de5825f1ad8fa3bfb8abe856892d976ecb0afe",
+    hash: "98c522193c3566cf25d7d51a0a7ea250ebd3c911286c451522f95df2f5ae730e",
 };
 
 static DENSITY_RATIOS_WITH_WALLS: Module = Module {
@@ -152,7 +152,7 @@ static DENSITY_RATIOS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "c52fa800460e2cb80ee9eafdfd89d77fc0d127e43e2b65d9ad367b7a6bdc97a0",
+    hash: "e96dfde83627109f9ef8c6c599c82dc8ee10d8bc7f7dd558c5d1b656d05a8e2b",
 };
 
 static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -165,31 +165,31 @@ static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "8bfae98e4b2b8fb939d3c4b988358189756bd29f0561f3aac3fd2e0b5f1d3b63",
+    hash: "1d50e3b62ed1741c9d843f11f698aa7feb67ab0a9b03bd2d889e65d51041d9ff",
 };
 
 static DENSITY_RATIOS_WITH_SOLID_WALLS: Module = Module {
     name: "DensityRatios+SOLID_WALLS",
     entry: "DensityRatios",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 33092, bytes: 11340 },
+    spirv: Spirv::Packed { pack: PACK, first: 33092, bytes: 11432 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "4fd8c9d0c502b080db5222f582c83a49f92cb573a82978e585b7ff18f6a55589",
+    hash: "fdd611c1a223e43e65e37a396bb75f48821b49ef7c1744cb1db92a8390c5a287",
 };
 
 static DENSITY_RATIOS_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
     name: "DensityRatios+SOLID_WALLS+PERIODIC",
     entry: "DensityRatios",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 44432, bytes: 11512 },
+    spirv: Spirv::Packed { pack: PACK, first: 44524, bytes: 11604 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "5d27d3559a811dbdabf0db930b5f04c3c97954e431fdc85ae6a731fd2f9db3e5",
+    hash: "f0567e9a8fbc0bd167cd656799137a2c5a68210b5199dce4cbc2cfe1ad5d4b1f",
 };

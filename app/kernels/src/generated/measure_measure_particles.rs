@@ -142,7 +142,7 @@ static BINDINGS_2: &[BindingInfo] = &[
     BindingInfo {
         name: "solid_contacts",
         slot: 4,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 48 },
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 64 },
     },
     BindingInfo {
         name: "group_measures",
@@ -171,7 +171,7 @@ static MEASURE_PARTICLES: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "d6db4d257a507e37cb2dfc99b048107ccaeb97fb831e1d08a142ef47c58eba0f",
+    hash: "383ad248894077f56d1e4e6c9ae6a76c84dd4ec1f42da731b4057901d6f1cbd0",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
@@ -184,7 +184,7 @@ static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "e6ad36c7ec8b111c145b50cc2419f86de85b8583a0c932a1b1c7c5e6c8180646",
+    hash: "4fbbe6b36b53639889f0c9a445b5c4d3e4bf1e5316f9e7beb6484523f41a192b",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
@@ -197,7 +197,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "d5bf4decbc6ffc90b14ca394e792812b90803a6493704dc6c2559fb804d78a30",
+    hash: "264db3bc2548cf568190d33a0e7d7d5fb517e39d71611f8e0d8c072ca46c05fd",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
@@ -210,7 +210,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "7ccad16f1770ab19f8cb25a6dec9fbff7a55d36e1c72d77d3994030b5edc29ce",
+    hash: "ee39f16cd8546e40fbccc13fd213606ba6577001af0e1ed5e225ca403e6ca118",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -223,31 +223,31 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module 
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "0bb566c7b64fc247c2ae09aab0c5e62802c3fadb401e9df8c3463fc6f0715f7f",
+    hash: "d2f82eb79561a40eb285519413df3e0081eb6c7de9dad9a08d32c16286022b00",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS: Module = Module {
     name: "MeasureParticles+DENSITY+SOLID_WALLS",
     entry: "MeasureParticles",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 62600, bytes: 16852 },
+    spirv: Spirv::Packed { pack: PACK, first: 62600, bytes: 16944 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "01e906094791597cfc2bfa312554217049268644a42c05c4e03880d08dc79e37",
+    hash: "5c46061bd83eaf03a4c52a64a8e5f8b6b23cdf61c5aba93b187ceb5b2c9a34e3",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
     name: "MeasureParticles+DENSITY+SOLID_WALLS+PERIODIC",
     entry: "MeasureParticles",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 79452, bytes: 17024 },
+    spirv: Spirv::Packed { pack: PACK, first: 79544, bytes: 17116 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "4c52299224851dfe09975534f79bb5014a6263ede88cd6daafad99f695a7c972",
+    hash: "7cc8628025f29e68f44de5611e438153efcaf0b5ffd710665d77c0fef4c72138",
 };

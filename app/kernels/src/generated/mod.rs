@@ -2,6 +2,10 @@
 // makes it anew from shaders/hlsl.
 //! All kernels, draws and host-visible structs.
 
+mod boundary_bodies_find_contacts;
+mod boundary_bodies_gather_reactions;
+mod boundary_bodies_layout;
+mod boundary_bodies_step_bodies;
 mod boundary_drag_walls;
 mod boundary_layout;
 mod boundary_solids_collide_solids;
@@ -118,6 +122,10 @@ mod surface_surface_normals;
 mod surface_thickness;
 mod surface_water;
 
+pub use boundary_bodies_find_contacts::*;
+pub use boundary_bodies_gather_reactions::*;
+pub use boundary_bodies_layout::*;
+pub use boundary_bodies_step_bodies::*;
 pub use boundary_drag_walls::*;
 pub use boundary_layout::*;
 pub use boundary_solids_collide_solids::*;
@@ -237,6 +245,9 @@ pub use surface_water::*;
 /// Every module of this crate, for building all pipelines at start.
 pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
     [
+        boundary_bodies_find_contacts::MODULES,
+        boundary_bodies_gather_reactions::MODULES,
+        boundary_bodies_step_bodies::MODULES,
         boundary_drag_walls::MODULES,
         boundary_solids_collide_solids::MODULES,
         boundary_solids_confine_displacements::MODULES,

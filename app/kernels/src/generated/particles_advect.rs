@@ -143,7 +143,7 @@ static ADVECT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "fc516c3eb041caedc834ef1ad2c474abf940973bb57d0636593c3c98b613fc26",
+    hash: "ec58e54149c094cb11559c905a0e81963fa17c3f95df92fba476171c8d812d40",
 };
 
 static ADVECT_WITH_PERIODIC: Module = Module {
@@ -156,7 +156,7 @@ static ADVECT_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "9f74ad24d909f9f339d89d81b400991b491de39dbb34ebe01d89ffcdde07dd10",
+    hash: "ae7c19b2f32bfa968436174f184feeea4f06e8574802bdaab7c97d97409b2305",
 };
 
 static ADVECT_WITH_WALLS: Module = Module {
@@ -169,7 +169,7 @@ static ADVECT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "b134c4d3705aae106a976df52e1ce5c2dfbc3db9e122af0b8466df8b41a0800d",
+    hash: "b0c831a1943dcbca20f40ec36de44135bc2a228adc88b5a5822bbd7714a9970d",
 };
 
 static ADVECT_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -182,7 +182,7 @@ static ADVECT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "5c12aaec2bd2b7fd06a01c32adc2ac6ab8cc2bdc8392bdc02ce45afba0a305ac",
+    hash: "f60c6fc68e24773c82df35c6b7467b077bd1d6a481767ee58c22a7e1a8b16187",
 };
 
 static ADVECT_WITH_ACCELERATED: Module = Module {
@@ -195,7 +195,7 @@ static ADVECT_WITH_ACCELERATED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "97e245bb4c4d3bf0dc32ff016d764c36ebf8212197946e122824c486862003b9",
+    hash: "acda4e118f5a04f2062469ccac028243938740cf9368f6ceaa20f709ee8e6d63",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_PERIODIC: Module = Module {
@@ -208,7 +208,7 @@ static ADVECT_WITH_ACCELERATED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "d3c5a6f447d52d3328155e76c5221da3e5e8463f9d9d8795cbf01cd36b18b1fa",
+    hash: "28b8003769fc3d1e58ce226c74bafb3b3acff0b224873366e8a7d73d10f597c7",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_WALLS: Module = Module {
@@ -221,7 +221,7 @@ static ADVECT_WITH_ACCELERATED_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "8e71069de8503da80cdea2b85ba66ee1a2221d0e96d9ff7998ff7950879b5ea0",
+    hash: "0553f9c363e92b2b903f4f16f6dc40797f32a2346002a5c2196e93f0e7dd55a7",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -234,5 +234,5 @@ static ADVECT_WITH_ACCELERATED_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "87bc840c7d2ff85667b16a28d62bc64c60ab48679f53e872edf7e5dd401e6f22",
+    hash: "ecbe1af100d1d47d3c0256bfac96af9f3da99d0e3b703c4832291890d969226c",
 };

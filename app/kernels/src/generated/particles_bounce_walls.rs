@@ -76,5 +76,5 @@ static BOUNCE_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/bounce_walls.compute",
-    hash: "4894e1c78e3e8f63758f9f541dd60e6c344b87729dc1bce63de20082ae5c1c71",
+    hash: "b45edbabce5685f5982f3a43df0c50180a1b75a911d3a33b76ce960d40a6e348",
 };

@@ -97,7 +97,7 @@ static PREDICT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "d7b4e7f94bcc6ffde991cf2060cdb43149b448a0fc742725ee08e124c45baa5d",
+    hash: "fea2ae3778f4dc64eab9f28c6b1c56f9c7cb86574659594454b902e92e069c0b",
 };
 
 static PREDICT_WITH_PERIODIC: Module = Module {
@@ -110,7 +110,7 @@ static PREDICT_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "8a0044884a24acb2bfc988951b50d755ef2ae9fbbf2eb49aed34ce543307c86f",
+    hash: "28d4a0c0037db7f496dcfa43f4dfa7be143800b9e9aa2a14e07cb9822455bee1",
 };
 
 static PREDICT_WITH_WALLS: Module = Module {
@@ -123,7 +123,7 @@ static PREDICT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "8c317518187a48968b914b880bbab0e1320ee0debd365a20d53cb59f1335144d",
+    hash: "8dedb7f86fd7683a1c2a7f5601c7b06c8c49da4c0069640ed0cfa764d56719db",
 };
 
 static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -136,5 +136,5 @@ static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "ee22ab68a1c83ef5fac5f3d6318fc501e654458111d73c0e594b7bae90be9850",
+    hash: "7fd13df7d769a45319b64555d156e0ecf148e81f665ee652534981b72a9ce2ed",
 };

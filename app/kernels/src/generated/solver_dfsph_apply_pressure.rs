@@ -3,7 +3,8 @@
 //! Kernels of `solver/dfsph/apply_pressure.compute`.
 
 use super::{
-    ListHead, PrecisionKeyword, PressureFactors, SmoothingKernelParams, StepParams, StepState, Velocity, WallsKeyword,
+    ListHead, PrecisionKeyword, PressureFactors, PressureSolve, SmoothingKernelParams, SolidContact, StepParams,
+    StepState, Velocity, WallsKeyword,
 };
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
@@ -45,6 +46,10 @@ pub struct ApplyPressure<'a> {
     pub kernel: Uniform<'a, SmoothingKernelParams>,
     /// `StructuredBuffer<PressureFactors> pressure_factors`.
     pub pressure_factors: Option<Buf<'a, PressureFactors>>,
+    /// `RWStructuredBuffer<SolidContact> solid_contacts`.
+    pub solid_contacts: Option<BufMut<'a, SolidContact>>,
+    /// `ConstantBuffer<PressureSolve> solve`.
+    pub solve: Option<Uniform<'a, PressureSolve>>,
 }
 
 impl Kernel for ApplyPressure<'_> {
@@ -84,6 +89,8 @@ impl Kernel for ApplyPressure<'_> {
                 ("step_params", Some(self.step_params.id)),
                 ("kernel", Some(self.kernel.id)),
                 ("pressure_factors", self.pressure_factors.as_ref().map(|bound| bound.id)),
+                ("solid_contacts", self.solid_contacts.as_ref().map(|bound| bound.id)),
+                ("solve", self.solve.as_ref().map(|bound| bound.id)),
             ],
         )
     }
@@ -163,6 +170,45 @@ static BINDINGS_1: &[BindingInfo] = &[
     BindingInfo { name: "kernel", slot: 9, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
+static BINDINGS_2: &[BindingInfo] = &[
+    BindingInfo {
+        name: "quantized_positions",
+        slot: 0,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 },
+    },
+    BindingInfo { name: "neighbours", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo { name: "list_heads", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
+    BindingInfo {
+        name: "pressure_factors",
+        slot: 3,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 32 },
+    },
+    BindingInfo {
+        name: "pressure_changes",
+        slot: 4,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 },
+    },
+    BindingInfo {
+        name: "pressures",
+        slot: 5,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 },
+    },
+    BindingInfo {
+        name: "velocities",
+        slot: 6,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
+    },
+    BindingInfo {
+        name: "solid_contacts",
+        slot: 7,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 64 },
+    },
+    BindingInfo { name: "step_state", slot: 8, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 9, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "kernel", slot: 10, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "solve", slot: 11, kind: BindingKind::Uniform { bytes: 48 } },
+];
+
 static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/solver_dfsph_apply_pressure.deflate"));
 
 static APPLY_PRESSURE: Module = Module {
@@ -175,7 +221,7 @@ static APPLY_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "e13e063c1ce8bb5a17b5f444e4ab1fe35d9c1756c33a648bbab85762f68cad5c",
+    hash: "cf51dcaef2bf766ec039fe2da9a42c7d0f62b45f7d622313d4bb0a5540e87e7a",
 };
 
 static APPLY_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
@@ -188,7 +234,7 @@ static APPLY_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "74b0ec25353f641617bcc95da88ab81f70929d1361efbcae9eacc9adca200788",
+    hash: "7181881fd0aaa34bdcc05761ae775cbb2f7c296c96edb488e3702f4123c0e1fc",
 };
 
 static APPLY_PRESSURE_WITH_HALF_PRECISION: Module = Module {
@@ -201,7 +247,7 @@ static APPLY_PRESSURE_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "51f8b75a2afc84feb1868d836a49c3ff4120a64c43d29eacc089db3d50c91f75",
+    hash: "3fc1b47772c98dbcbb1c7ce7e0fb05a2771996d090b0a9511681d76481b8d053",
 };
 
 static APPLY_PRESSURE_WITH_WALLS: Module = Module {
@@ -214,7 +260,7 @@ static APPLY_PRESSURE_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "80e4d1088bb4431543d10f824c142e798ddf81dfa5efe953002c2c3d8fdd8cdd",
+    hash: "c2ee788f6de6efe3b675d45fe11ed25a5c9e0000bb040e0d594f922cbb97e6a7",
 };
 
 static APPLY_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -227,7 +273,7 @@ static APPLY_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "841b0ed7a6f7429c9a5757b1d64a93dfd43b7bd69bce6c6f95274282517c0343",
+    hash: "5723d0dba7f1dbd7339df79e94376b097c158ca61834b72caf19585bc2b0f45c",
 };
 
 static APPLY_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -240,44 +286,44 @@ static APPLY_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "a4eb3b83354447898ca9719445a8488e5f2fc8ce28b6496edeb9846bdaea57e4",
+    hash: "f93159dd056e649f425497c3de29afcd79ac58fccb72e2d00c3aab751fe1a990",
 };
 
 static APPLY_PRESSURE_WITH_SOLID_WALLS: Module = Module {
     name: "ApplyPressure+SOLID_WALLS",
     entry: "ApplyPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 59268, bytes: 13604 },
-    bindings: BINDINGS_1,
+    spirv: Spirv::Packed { pack: PACK, first: 59268, bytes: 15760 },
+    bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "63a06108554be6ffb7359713ba3038974ad90479399eacbe106afdc7b6394694",
+    hash: "1889963cda30594f5e358ad857f679d4eaeba94280a4ee8c66b0c464a61a01e7",
 };
 
 static APPLY_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     name: "ApplyPressure+SOLID_WALLS+RELAXED_PRECISION",
     entry: "ApplyPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 72872, bytes: 13000 },
-    bindings: BINDINGS_1,
+    spirv: Spirv::Packed { pack: PACK, first: 75028, bytes: 15156 },
+    bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "778a9df930f611de99ee6f25562cf423f844d150b1102e092715918d7af943e4",
+    hash: "4739e34b40618ee9f92f2bf19694e20eb67f7883911c668e2d40d57b3406464c",
 };
 
 static APPLY_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     name: "ApplyPressure+SOLID_WALLS+HALF_PRECISION",
     entry: "ApplyPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 85872, bytes: 13096 },
-    bindings: BINDINGS_1,
+    spirv: Spirv::Packed { pack: PACK, first: 90184, bytes: 15252 },
+    bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "95635ee813f98bb20e3cb3a0672e6077af9572aa0d97aa08df9877abbe4fe1c7",
+    hash: "3bd5c4ca1763adcf1fa0972ef171398f8e0e6e88bd1e3cf28189af906fa338d9",
 };

@@ -214,7 +214,7 @@ static CORRECT_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "8787afff7e948dd66f5c6c793e8fe373c0d31a9386ddc61a4b06da102efe1b2b",
+    hash: "e8ea27a2c0cd0046dc5c81fb0959e340ab9901b2a4f94669d59807e79814c9bd",
 };
 
 static CORRECT_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
@@ -227,7 +227,7 @@ static CORRECT_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "2e95f46770d2b0f530315fef5a8026056c441f0c6c5ce7671f6b6ef1e63b5fb6",
+    hash: "dd489b56156672d298a911a12317024eba080e0c39f50edac0cf3f52a4f4cf5a",
 };
 
 static CORRECT_PRESSURE_WITH_HALF_PRECISION: Module = Module {
@@ -240,7 +240,7 @@ static CORRECT_PRESSURE_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "6297c4551ca809a4c3f5e6d1e7680416d4da47728ae7c11f86af3621f518104c",
+    hash: "ee8b829484edda91c7e71393a875972ebe23e36928dd39856a9d55c8faa37f1f",
 };
 
 static CORRECT_PRESSURE_WITH_MEASURED: Module = Module {
@@ -253,7 +253,7 @@ static CORRECT_PRESSURE_WITH_MEASURED: Module = Module {
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "a913b76b30f4ce66d8a0c8726f2d4aa0915bee33812ce4c0e4deba5009cac423",
+    hash: "e40d4694bb0d1c204ae44aa72d3a670bdb3d829012367488ee7659e3bd8115d0",
 };
 
 static CORRECT_PRESSURE_WITH_MEASURED_WITH_RELAXED_PRECISION: Module = Module {
@@ -266,7 +266,7 @@ static CORRECT_PRESSURE_WITH_MEASURED_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "53a12b83bb79fcb8ce12bf6074f60dfbb7be377e8a78e3c8315e7945dbe0d23d",
+    hash: "b3733bdf5e64c2e3c8814d238a1e1e882970887f8223b4f4dd894c65c7e0fd94",
 };
 
 static CORRECT_PRESSURE_WITH_MEASURED_WITH_HALF_PRECISION: Module = Module {
@@ -279,7 +279,7 @@ static CORRECT_PRESSURE_WITH_MEASURED_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 256,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "a4cef861c09da18002d3356d680697463bb115a18bc7cee257ca7eb95ea46166",
+    hash: "27c7b8496dc3a33d8a2490b3669bff3a68a1da3cac45240721fe79a9eb94d88b",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS: Module = Module {
@@ -292,7 +292,7 @@ static CORRECT_PRESSURE_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "128f433566d7ba19382115e888c8e8217c06d1e2607b2ba55f3ed46accef3bef",
+    hash: "cf94b8022c2b62ef1ddd2e5e4d4c453770d5e0867bd270cd6a1dc56a153ada03",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -305,7 +305,7 @@ static CORRECT_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "21a689ed2035ddb24a4d0890449a392ac29a4159753125266fd442619758699a",
+    hash: "6e331ef897edbfa4bffd605ade7fcae12312a383cee3643f8d35f13ff68ee832",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -318,7 +318,7 @@ static CORRECT_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "e8f9743f8fe3e1cb4bab9099963516e1e1b6e5cb9b09c0b0f76bba3055cfc958",
+    hash: "27eac60023d9f4181a8cd75ed66ef5cd316bfe864566873b3270cdb67b3439b6",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED: Module = Module {
@@ -331,7 +331,7 @@ static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED: Module = Module {
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "68343aee172db105f670b98a612f79890fed3c8193492742e19ab3a9c88cf016",
+    hash: "febbe659c6a8e91474c8989988d118adc30970929d2be85a53817d60a62a0cab",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_RELAXED_PRECISION: Module = Module {
@@ -344,7 +344,7 @@ static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_RELAXED_PRECISION: Module 
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "c7c1d7af5b2fcc4dc367e596901bfba185b9985299439d67454914b8a3ceab7b",
+    hash: "03e21d31d9b5dabf234932940a9a591bf20a74486056ab6300f9fe2ff7ddc8ed",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_HALF_PRECISION: Module = Module {
@@ -357,7 +357,7 @@ static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_HALF_PRECISION: Module = M
     shared_bytes: 256,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "1e9a9b575d378eabc3656aba0d81b315867681edcd21a83d87190b430cd9c390",
+    hash: "e9fca230a88cd89b4a509e9d2d8abaf1b5e6ed90922c495efc7cffae06e54156",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS: Module = Module {
@@ -370,7 +370,7 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "f7511952eae5ebbcd3cf9c74b16c7018a6d480e1697a31505d9df5842fccc6de",
+    hash: "426faf0ca8823246d81e900383df5401975a3bcf0256f4048f34304deaac8923",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -383,7 +383,7 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "c8c2551eaca092fd848126bcc7b5e7a3f720eea08d4c8e2e4931afee5c6cfcf9",
+    hash: "af02c8991d054a321b640d2065f86ea85a5848f4abfccc1e969b2ae5134be23e",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -396,7 +396,7 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "c0e2689d741f6e7162755a9c3b2ea252950d95dc9a09308b349b02519394d3ef",
+    hash: "a3947020f39e60a6658064fb655294292c790ee00a71a82f0ee9551d887344aa",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED: Module = Module {
@@ -409,7 +409,7 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED: Module = Module {
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "8b39d95aeaec8bf79259baccf1dc33856883bf9a33f4d9bd81f007bf6e3d4ca1",
+    hash: "66b08fa4db443f998083d1acb6c6544e650a8d32b2e0102d0fbd7234d58fd885",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED_WITH_RELAXED_PRECISION: Module = Module {
@@ -422,7 +422,7 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED_WITH_RELAXED_PRECISION: M
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "b19971b9b6306abf5c5ed7f9f390d780f169dfc570dc4a5a54a5654bd188fb84",
+    hash: "47c205baefc16d9bd26033cabcbb7d39f028af57e4f6c64e0d7ee8573a2845d6",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED_WITH_HALF_PRECISION: Module = Module {
@@ -435,5 +435,5 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED_WITH_HALF_PRECISION: Modu
     shared_bytes: 256,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "ee2dca67e90808b3566844f946b924f37affa3b73df7d7901810602b475c7457",
+    hash: "69bc7e8ed30fc5844088390dce3c7f0ef66ee307f2eca64634f54e04b75d2c85",
 };

@@ -154,7 +154,7 @@ static BINDINGS_1: &[BindingInfo] = &[
     BindingInfo {
         name: "solid_contacts",
         slot: 4,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 48 },
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 64 },
     },
     BindingInfo {
         name: "positions",
@@ -184,7 +184,7 @@ static FACTOR_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "a38a0a68b273c4307d651a024f0f737361fd2fa0e281456aa98079e83d46e0c5",
+    hash: "0d3137a534cad446f526300253cfc7ff2d479ac785abbf5ea360b7c5b95c4d54",
 };
 
 static FACTOR_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
@@ -197,7 +197,7 @@ static FACTOR_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "13ec867fc73e167573039e92abfa35fd521fc2f64eaae5643ded53462f61c5d9",
+    hash: "f435dc852fe8dba319ab117ed8bb3d8453c143e785f940c1430c5007800223cd",
 };
 
 static FACTOR_PRESSURE_WITH_HALF_PRECISION: Module = Module {
@@ -210,7 +210,7 @@ static FACTOR_PRESSURE_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "2d331a23a04b90fb42a0265f617d92045786a0f02c2927558a4bb466673e2f5a",
+    hash: "f33bbd8e77f821164cb9f1c97a01b04bafb9a2e957409b6af9d65a318f2cced8",
 };
 
 static FACTOR_PRESSURE_WITH_WALLS: Module = Module {
@@ -223,7 +223,7 @@ static FACTOR_PRESSURE_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "5b582ec1e5744345e8e141db6f882b616b37d653c18d5af16426c70f3d9e2ff6",
+    hash: "26b900813f7fc688c9ead3701a7c8a65ae2fe158b5e5b4459dfdf566bb4abc2c",
 };
 
 static FACTOR_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -236,7 +236,7 @@ static FACTOR_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "0903f8fcc7748930b626c71c5efcbcbc055a815e09c8fb8a81fa621ae41d3091",
+    hash: "62667ddf559f2436c7cd8289bd268e1a662f36649cae3f9e7ecd0334b99ad49d",
 };
 
 static FACTOR_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -249,44 +249,44 @@ static FACTOR_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "74ecb64fdc474b1e59eec9882bb7cd0f135c0b6adf05d451a78c62e40fd944b4",
+    hash: "f7640b271cef0f9f8842e11835ff46f29ef00b87ab96d1d3d6560f15d64d06e4",
 };
 
 static FACTOR_PRESSURE_WITH_SOLID_WALLS: Module = Module {
     name: "FactorPressure+SOLID_WALLS",
     entry: "FactorPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 89380, bytes: 20580 },
+    spirv: Spirv::Packed { pack: PACK, first: 89380, bytes: 20672 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "af0767c526f7b93b2ff34e8269373d9f8b5c5350d93edd26ce2a7baf68367fa5",
+    hash: "3ae75ee3db5aa3796761b14150e84c9ca5fec0782e059a44abebf9c0056a9722",
 };
 
 static FACTOR_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     name: "FactorPressure+SOLID_WALLS+RELAXED_PRECISION",
     entry: "FactorPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 109960, bytes: 20180 },
+    spirv: Spirv::Packed { pack: PACK, first: 110052, bytes: 20272 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "116f5a7eec1589e16e5d330fce79db8cf37685a142cee56a27be49fd9fe2304e",
+    hash: "37d81f0bb2830c2a64ca10a61c2329992dc7cacd812ab0cac9218f996a4889e7",
 };
 
 static FACTOR_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     name: "FactorPressure+SOLID_WALLS+HALF_PRECISION",
     entry: "FactorPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 130140, bytes: 20084 },
+    spirv: Spirv::Packed { pack: PACK, first: 130324, bytes: 20176 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "f87274de203a61ecf7d5a025048aff821d9f6b0e25dde43b841f57eca4ac24cf",
+    hash: "aadaa3ac8e76598b5a49e3fe7ee7bdda40bb3b48c6b231a78906a430495032ab",
 };

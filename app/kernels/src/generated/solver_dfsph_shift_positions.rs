@@ -124,7 +124,7 @@ static BINDINGS_1: &[BindingInfo] = &[
     },
     BindingInfo { name: "step_state", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "step_params", slot: 7, kind: BindingKind::Uniform { bytes: 96 } },
-    BindingInfo { name: "solids_params", slot: 8, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "solids_params", slot: 8, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
 static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/solver_dfsph_shift_positions.deflate"));
@@ -139,7 +139,7 @@ static SHIFT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "980db6a4c59f2e24dc426799c497c8cbb0711e4096ea7a77b050fde7389fcbb7",
+    hash: "e61b36da24f0b206fef12814f0d5729014bd2b5c275580c5ac8c5a7f0dc0311d",
 };
 
 static SHIFT_POSITIONS_WITH_PERIODIC: Module = Module {
@@ -152,7 +152,7 @@ static SHIFT_POSITIONS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "61b2b610201294210d5289df8829ab3323a1d59f268b1762127857a9170cf502",
+    hash: "dd4efeb854f10fbec9255101d72b9067f6ddb89f0e1db6f4aa0bab340085b631",
 };
 
 static SHIFT_POSITIONS_WITH_WALLS: Module = Module {
@@ -165,7 +165,7 @@ static SHIFT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "aadffebbaf1e2d7287f8f5b3ee4bd6ce748e44095518de374c89e50c70c97c88",
+    hash: "5d6f57b24be4d02953dd1aacab01f195f27ed3825b17cccaf88f8537b83d9593",
 };
 
 static SHIFT_POSITIONS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -178,31 +178,31 @@ static SHIFT_POSITIONS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "4b4c1d8c73f3ebfcf30871796373d3150478f246811b188bd8253a7729ac45f4",
+    hash: "b6601e87366e6df8552808bfa6e2511fd2d00e223d6e756527867dcbd500531d",
 };
 
 static SHIFT_POSITIONS_WITH_SOLID_WALLS: Module = Module {
     name: "ShiftPositions+SOLID_WALLS",
     entry: "ShiftPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 20808, bytes: 32352 },
+    spirv: Spirv::Packed { pack: PACK, first: 20808, bytes: 32544 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "e66d09ca3af5ef6c27b4a5180f1456b64e8fd2a776645c3c933ea0cd477cc92c",
+    hash: "69be2fff37fecf2590fb8eb36d834c6940f69a67e263147661a5fafcbbc8814d",
 };
 
 static SHIFT_POSITIONS_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
     name: "ShiftPositions+SOLID_WALLS+PERIODIC",
     entry: "ShiftPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 53160, bytes: 33320 },
+    spirv: Spirv::Packed { pack: PACK, first: 53352, bytes: 33512 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "f8a6499a47f8ba1ab950aa29ae15071964c3cd644b019a5b8948eb21cdfff7a9",
+    hash: "2658aaeb146615ba38aa74e4654c206fce8f902a5625ccff0ded4b5ebe22ccf7",
 };

@@ -105,7 +105,7 @@ static INTEGRATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "fb9fb5c2b88292631bed3093e1a6000d9e367a9f1dafb92b25ee2978df5c8c51",
+    hash: "b29e48afb3910cd3aa3a3d18559ff76fb9c4910f05950ba0a6caa7934e94fd49",
 };
 
 static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
@@ -118,7 +118,7 @@ static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "a7011404582ba4d90623cd2aaeadb6a5345218a29a6de63a2c92bb867ca82586",
+    hash: "294f35f601b4b6b240d6763556a7e12920afb0351a101807018143af85d8ad50",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
@@ -131,7 +131,7 @@ static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "465f9c784750adf0665cfa977fb85f804e28ceb068628a432b7118f0857f1f43",
+    hash: "6d058d9411f3b87e965f47426134025b06f8d2137b844dc93c6e62213601b526",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -144,5 +144,5 @@ static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "272b056156b90cd4c0f501462645a59f524cd31dc9596c69bc2a4dc10ff0d307",
+    hash: "c4ded9948581c3805c6a92b81fc39bf2f34a9e25f525fee3ed7b850079add662",
 };

@@ -547,7 +547,7 @@ static BINDINGS_12: &[BindingInfo] = &[
     BindingInfo {
         name: "solid_contacts",
         slot: 4,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 48 },
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 64 },
     },
     BindingInfo {
         name: "position_lambdas",
@@ -576,7 +576,7 @@ static BINDINGS_13: &[BindingInfo] = &[
     BindingInfo {
         name: "solid_contacts",
         slot: 4,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 48 },
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 64 },
     },
     BindingInfo {
         name: "packed_position_lambdas",
@@ -605,7 +605,7 @@ static BINDINGS_14: &[BindingInfo] = &[
     BindingInfo {
         name: "solid_contacts",
         slot: 4,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 48 },
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 64 },
     },
     BindingInfo {
         name: "position_lambdas",
@@ -635,7 +635,7 @@ static BINDINGS_15: &[BindingInfo] = &[
     BindingInfo {
         name: "solid_contacts",
         slot: 4,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 48 },
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 64 },
     },
     BindingInfo {
         name: "packed_position_lambdas",
@@ -665,7 +665,7 @@ static BINDINGS_16: &[BindingInfo] = &[
     BindingInfo {
         name: "solid_contacts",
         slot: 4,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 48 },
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 64 },
     },
     BindingInfo {
         name: "packed_position_lambdas",
@@ -700,7 +700,7 @@ static BINDINGS_17: &[BindingInfo] = &[
     BindingInfo {
         name: "solid_contacts",
         slot: 4,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 48 },
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 64 },
     },
     BindingInfo {
         name: "position_lambdas",
@@ -736,7 +736,7 @@ static BINDINGS_18: &[BindingInfo] = &[
     BindingInfo {
         name: "solid_contacts",
         slot: 4,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 48 },
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 64 },
     },
     BindingInfo {
         name: "packed_position_lambdas",
@@ -773,7 +773,7 @@ static CONSTRAIN_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "ad9a83e77202b283d4926b4e9cbdf680b41db7380c988fca826d1fc8028b9d24",
+    hash: "03c3d57ff5189ef6019eaa782935d727e7e47f2ff5582d63d09f96bc51a02356",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -786,7 +786,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "71f30cf2ff4611d053a52600aee38d8305d9c8f4609fbc963187914372226842",
+    hash: "7003fcd5245482c82eeaa76ec02f639ecab693fcf025f62bea592cc6b512b8b2",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -799,7 +799,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "99307c6d89605f9706038607a956deb733bbfd8fd0f279e8f25700a7af61ea63",
+    hash: "1401ab09fd30b8b0f464f1bca1a1d85952048bdc356b027f7da4d4400606298e",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
@@ -812,7 +812,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "81aac6ec5904109acbd257ee0f0131d1b902eaf58e3c5b805f5a92b92a628e12",
+    hash: "531c576b397f244a240fe52faa2bc3e000f8fbac47d1301209de7b005ee3867b",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -825,7 +825,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "4876cb1ed0775155bda7133d05828dbf404308eb37e59924318fb8b16c6119a0",
+    hash: "ffa502f7ea88d4dca28b0211b9fc405536d28a328dec4c6289c5e3bfc0a2eaa3",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -838,7 +838,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "0aff6cf46a011424091670ca4d4a186fe949965bdacb355c7fd01a0ecca333b0",
+    hash: "9699f3a735dee04e09788f775c14c5c05164944dc6dc07504cb1536a7d20e4b5",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -851,7 +851,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "a311780b44c2118971acc2be95e2991f96c1a447fe09c29b72e98f210f48cb37",
+    hash: "8bccf0ebf399d300325cabdd4ce4ebd27a6960219b540ee116854d7d20db292f",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -864,7 +864,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "afe2b7266d8e8c9439504dee134d0a60cec62b7a66613666d13f159a7cf714d8",
+    hash: "f13109d2fec4036e0da3f5f570de8e213179858ed59f97fb9fc2ea89f4647ab0",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -877,7 +877,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "7a71f614a76f86505ea7ccced8aa459ad8a38ac15f16e7726cba4d6750fd926d",
+    hash: "034c0b0a2a725f04711664457f6bbd69550aef9ec8ce31393ebfc2fb0fb6fdc0",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -890,7 +890,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "d70e50afb976d0f46c2ce3469b1efaa6abfa0e7ce009cf3992214552f0794386",
+    hash: "e4ade6792fc5c28bdc4e11b642ff08b8d847db66b08b8c29f503e4c1f97c14d2",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -903,7 +903,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "fcfc85940159d8bf4b556098c5a3f2d34c0a7d72a388a22feb265dd4f5fd0e36",
+    hash: "9a9783b42b186798df8eb5619b5dc566ee32b0ae16a98002aeb38e5d3feb41f2",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -916,7 +916,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "e10d49e362c51edefd23b3555b49831e55468d87aa6a9b89f45546cca0c57b11",
+    hash: "6989e37bc7d39c5a51a44064594ee2e8ce5ea48be373603df083839158d2adb4",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
@@ -929,7 +929,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "fdb277015c2a76bbe317976d9826ca07fbf5e7d8c7564857db7ccd4e53b6ef95",
+    hash: "7328513561c6a6e97a49ba83fa6cac2916398da756d67381918aa284426e4ae4",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -942,7 +942,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "5a86a9c86e65cae3a7c28523e403d8819d056b5b835b2f86c46ff96675c954a8",
+    hash: "e9f446ce7e69d18c394213928985a0db028fa39f994b49def1e166d9cb0d061a",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -955,7 +955,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "90745aad34b79a9ef261c0d5d964b42fcd2bfa11acc035ce3198dbd74d6751f0",
+    hash: "8b2ef5814d66217e4087ab2a39456299a750150e3fdf02d7739b26eb5b41aa69",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
@@ -968,7 +968,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "b3a37bce59e8c364988076cb7003f73040053ed3e6089c15f5466e05f5fe13af",
+    hash: "7910743065f85a029c4a608b4ef23296f043d4a584cd361e10b72bc03f227ac0",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -981,7 +981,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "a3dfb5d7f85f3066ee3e1da9d15b095ad528774076fa7eceaa613b25df51e2a5",
+    hash: "2620b5d5aa7f86efb2745a56e9423faa04b64433bc4548b3fea6841a00b89615",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -994,7 +994,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "d61bf57c035f8cba092bddb553bf479e002c1a24194d648a85fcb61c8c237aab",
+    hash: "c8e786c9046dd7f1e428995ffc00111b555be8aa09611f6da7a10ebb771c947c",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -1007,7 +1007,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "3c1407b5908eceb7181e58858baa171673bcc4059b8d9686c3b17fea0f08625c",
+    hash: "94962934100a2bbaa444daeba74732fc6a2f0b97ca67a3e292692b27894a6268",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1020,7 +1020,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECI
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "6b3b9ce566ab8fb31fbe2c578e7a7ffb4d550addcced2ef63c1298cea93b190b",
+    hash: "67ec1d3a863aab01422feee3a7ab316445e6c542de09c987788577a038113d0e",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1033,7 +1033,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISIO
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "72b486be59d063761adb99a61e92a01572a7ba2e8bb8bf3babb2324d3572ab0c",
+    hash: "67624dda92040759f539b31f616c4cca9136197c9b81109b45a490b7abbbf72d",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -1046,7 +1046,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "0784825894b5d6067f66ad3a6af415dfb43d27dd37f5464cf51f29a624b24df5",
+    hash: "979a1f34a3f615645d646cdea1976bd124262d03a2f34e558157973e603adb29",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1059,7 +1059,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECIS
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "ffe3bc50cac94c4f3da58a122e96b33185dbc68b89584b494a9e1645ca155f35",
+    hash: "181290c7b92fbcb983179b252dabe9bb0e2cd487296b5098f246e1e56b421a72",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1072,161 +1072,161 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "f90d712a552c95c5701dc852fb8aba550b51597bc28b82fa36317b45b69eb782",
+    hash: "a67224c1364b104feda7b194e4a623839d6bf836e083ba0e67fc7a05d8567b47",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS: Module = Module {
     name: "ConstrainDensity+SOLID_WALLS",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 292824, bytes: 14308 },
+    spirv: Spirv::Packed { pack: PACK, first: 292824, bytes: 14400 },
     bindings: BINDINGS_12,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "35952550a7e4099387db8b18fcc669866a7b221c39002ddbabbeccce8f66a675",
+    hash: "ba3b3d942be165ef61ed7c315337ac3153ec7acd59ebcb68cd51ddaba9acf7ad",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     name: "ConstrainDensity+SOLID_WALLS+RELAXED_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 307132, bytes: 13804 },
+    spirv: Spirv::Packed { pack: PACK, first: 307224, bytes: 13896 },
     bindings: BINDINGS_13,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "068ebff56d21c112aa9542680dc3b66e416b269cb0c910de8f0963aa3394ffbf",
+    hash: "e602fbb0f73da4e0291fa3c83b903ea86effdd5c4cfcb8e136a8c4ce1da9f472",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     name: "ConstrainDensity+SOLID_WALLS+HALF_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 320936, bytes: 13788 },
+    spirv: Spirv::Packed { pack: PACK, first: 321120, bytes: 13880 },
     bindings: BINDINGS_13,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "5bd9b02096c59ed896c9e43f19ee1dfae8bb8126e48c7238a234b2b6eae012ce",
+    hash: "179dae9d2bdca33ad2479be1b4028d180edde0263cb6fbb5c93195b91c6e8ad5",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM: Module = Module {
     name: "ConstrainDensity+SOLID_WALLS+MOMENTUM",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 334724, bytes: 15232 },
+    spirv: Spirv::Packed { pack: PACK, first: 335000, bytes: 15324 },
     bindings: BINDINGS_14,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "70ee81ae906b01929c690c23a836b3d073a997c340a207908bdc0f7117fa5451",
+    hash: "69bedc92dfc2decc77f4e6ca47b411321e56493a32284c767308d9daccb66362",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
     name: "ConstrainDensity+SOLID_WALLS+MOMENTUM+RELAXED_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 349956, bytes: 14808 },
+    spirv: Spirv::Packed { pack: PACK, first: 350324, bytes: 14900 },
     bindings: BINDINGS_15,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "90b4938cc517593df1bda5f5c3417ceed1dae429a82d8e9d9585de530c2e549e",
+    hash: "67cc110205e409a5489f64f1223d631ab38567e02a2fa1aa60be94a20573c774",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
     name: "ConstrainDensity+SOLID_WALLS+MOMENTUM+HALF_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 364764, bytes: 14792 },
+    spirv: Spirv::Packed { pack: PACK, first: 365224, bytes: 14884 },
     bindings: BINDINGS_15,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "636e3abefb9d2f41d9c8ad5b792268033893d439c037749b94f377aa1ea2b105",
+    hash: "ce27edefd3ff659d3ea3ce28fa89afd479b16204cec9c5c5e09e30269db524a8",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     name: "ConstrainDensity+SOLID_WALLS+ACCUMULATED_MOMENTUM",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 379556, bytes: 15348 },
+    spirv: Spirv::Packed { pack: PACK, first: 380108, bytes: 15440 },
     bindings: BINDINGS_14,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "3c32bcac0e997b18d8ecae8985a7848ea19fe34eea6418740f6fcf49a20eec2e",
+    hash: "7307a9d33972d130dcefa49fac60339f8d368aea260a903f8688ff89171f2882",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
     name: "ConstrainDensity+SOLID_WALLS+ACCUMULATED_MOMENTUM+RELAXED_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 394904, bytes: 15156 },
+    spirv: Spirv::Packed { pack: PACK, first: 395548, bytes: 15248 },
     bindings: BINDINGS_16,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "eebeed5a8e8569ed1a64ce32e51f4423240a46570eacf2d80b3641bbd9e5cb45",
+    hash: "cdc7f763263ce159b5a68a56cbd82174a126a26b712e3f430c81e296f6c74d0f",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
     name: "ConstrainDensity+SOLID_WALLS+ACCUMULATED_MOMENTUM+HALF_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 410060, bytes: 15140 },
+    spirv: Spirv::Packed { pack: PACK, first: 410796, bytes: 15232 },
     bindings: BINDINGS_16,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "a193f2404aea89c94318a800a3164165160f4f9fe329c2b0bee05a93c7e555f4",
+    hash: "d8a7e5d92fe3d0b3b40da1130c9c385beb1fbfd5a8225d6b3c9dcba21ac6b711",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
     name: "ConstrainDensity+SOLID_WALLS+RESTRICTED_MOMENTUM",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 425200, bytes: 18092 },
+    spirv: Spirv::Packed { pack: PACK, first: 426028, bytes: 18184 },
     bindings: BINDINGS_17,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "7386c51f99266b35ea8ddcdd1de523a9fe8fcde531c335ce9f2b4416d0a83f43",
+    hash: "012a30805135e8ecd9fad171f83e740feb1e4cb415ef8bba52c33a4094a9ecaf",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
     name: "ConstrainDensity+SOLID_WALLS+RESTRICTED_MOMENTUM+RELAXED_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 443292, bytes: 17884 },
+    spirv: Spirv::Packed { pack: PACK, first: 444212, bytes: 17976 },
     bindings: BINDINGS_18,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "f23c19193dfeb5028ff3cb629259885a7b3d0d4216db630a8cb157e0db8e1dd8",
+    hash: "498f6fcb6598de48b6e47096110963a695861d68e5812cd748afdee85422c223",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
     name: "ConstrainDensity+SOLID_WALLS+RESTRICTED_MOMENTUM+HALF_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 461176, bytes: 17868 },
+    spirv: Spirv::Packed { pack: PACK, first: 462188, bytes: 17960 },
     bindings: BINDINGS_18,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "80ca39369adf6d6980fd400b4023ad4eb748e6a2dd833da84cd2e9e50bfe6143",
+    hash: "a3f23f11e6b5ac7e4bf4567c0ec8c1789b60d812da32f4e0ab1d1481b6e36890",
 };

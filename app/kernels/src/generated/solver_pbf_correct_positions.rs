@@ -51,8 +51,8 @@ pub struct CorrectPositions<'a> {
     pub pbf: Uniform<'a, PbfParams>,
     /// `StructuredBuffer<uint2> packed_position_lambdas`.
     pub packed_position_lambdas: Option<Buf<'a, [u32; 2]>>,
-    /// `StructuredBuffer<SolidContact> solid_contacts`.
-    pub solid_contacts: Option<Buf<'a, SolidContact>>,
+    /// `RWStructuredBuffer<SolidContact> solid_contacts`.
+    pub solid_contacts: Option<BufMut<'a, SolidContact>>,
     /// `ConstantBuffer<SolidsParams> solids_params`.
     pub solids_params: Option<Uniform<'a, SolidsParams>>,
 }
@@ -221,7 +221,7 @@ static BINDINGS_2: &[BindingInfo] = &[
     BindingInfo {
         name: "solid_contacts",
         slot: 4,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 48 },
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 64 },
     },
     BindingInfo {
         name: "quantized_positions",
@@ -237,7 +237,7 @@ static BINDINGS_2: &[BindingInfo] = &[
     BindingInfo { name: "step_params", slot: 8, kind: BindingKind::Uniform { bytes: 96 } },
     BindingInfo { name: "kernel", slot: 9, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "pbf", slot: 10, kind: BindingKind::Uniform { bytes: 32 } },
-    BindingInfo { name: "solids_params", slot: 11, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "solids_params", slot: 11, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
 static BINDINGS_3: &[BindingInfo] = &[
@@ -256,7 +256,7 @@ static BINDINGS_3: &[BindingInfo] = &[
     BindingInfo {
         name: "solid_contacts",
         slot: 4,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 48 },
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 64 },
     },
     BindingInfo {
         name: "quantized_positions",
@@ -272,7 +272,7 @@ static BINDINGS_3: &[BindingInfo] = &[
     BindingInfo { name: "step_params", slot: 8, kind: BindingKind::Uniform { bytes: 96 } },
     BindingInfo { name: "kernel", slot: 9, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "pbf", slot: 10, kind: BindingKind::Uniform { bytes: 32 } },
-    BindingInfo { name: "solids_params", slot: 11, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "solids_params", slot: 11, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
 static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/solver_pbf_correct_positions.deflate"));
@@ -287,7 +287,7 @@ static CORRECT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "622786e4661bda36efbc46af18be96c30ffe91a88e7866f449319a2f7bfc01b4",
+    hash: "62c5e4e7a43313ddafd9d1ddbb8f7da6154dcf948a79b84552b56c142133f38e",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
@@ -300,7 +300,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "08b34f99aec2bdb7eacdc72570015235b78c82b17aae5729e1566459e72a3b20",
+    hash: "c166bcd93750c8a5fe0aa21c05a77e4fb53ce16a8ab774809820ec78baf35f7a",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
@@ -313,7 +313,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "03d7634943c382263bf42de3b9082b970bf113e5486bda48770814cfaa0dbc5a",
+    hash: "2bd7d552d3573e16aceb9bc3c2a0798bbbe63d59abf3f76b1ae800a337f2b5a1",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
@@ -326,7 +326,7 @@ static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "3502d747aad477ab80f443e2830c813f810b1639f190538a6be79f71f2572b9e",
+    hash: "c93ef75d76b96a316a6eed15ce32a09cf64006079c482b61b222f27eb5f0ea42",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -339,7 +339,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "021b9540def5926e32f27afa4bfd4428b29e8364349f69da03481fb483946b98",
+    hash: "72c40d990b11f78b1d1a33ac5665b255f533451877a3be363cf88db914acd232",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -352,7 +352,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "46cebbc72b2f662635a09cc13e497a3f0d8dd73b93477b597c6299adc4ddd878",
+    hash: "548082d488125b6e8ca633e2bad1e3827751e6b43a60d1ef7f74107759820bee",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
@@ -365,7 +365,7 @@ static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "188b2b8dfda064186b20932e2e378973099544202ee634e3fb3dfd574b5a0a29",
+    hash: "c3211d40f578f428835d7cea7d5edb87aeeb1bb542421da49def00fc90b5f1a5",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -378,7 +378,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "232ec6ec790acbd856e128d5c3d53d6fdf561f3f22eb93e2b773b5d1eb31f1aa",
+    hash: "929e0d6ba85eb5019ecce5a2a12ca1ca4c537271e0c514174ce698aa83b28709",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -391,7 +391,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "962d6184616e457d16592f02d1f957243f2e2937ede9a466da09a1955d298d6d",
+    hash: "52c0e30a51613546644ea72e5b95dd33775775cea9cbf594ac015b2e361c8827",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
@@ -404,7 +404,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "082fecd495f511f226c34beab837e4813d1f5f6cee6aa1864957fa18b9d9653b",
+    hash: "795af482bb9c4fc5eaa655422ed2d130836c4911fc322c20c1dee968f8b50cc4",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -417,7 +417,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "0b9e55f0aebd3c12f26bc663818f37b24f80718ea67a5a7e0fdbb9805f0dcb25",
+    hash: "b8d2f930aa7927756d0ef8d3da69777fa0ac36ab664c2fdc445b9a9b91ffc713",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -430,83 +430,83 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "91c300692789124f7edc97ac2c06ce8f32c82f0f202b717b97cc07e8137a5b0a",
+    hash: "f8ae54d4464ee71dc98064087933556a4855816a5178fe0cbad27fcc852599b8",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS: Module = Module {
     name: "CorrectPositions+SOLID_WALLS",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 196328, bytes: 20040 },
+    spirv: Spirv::Packed { pack: PACK, first: 196328, bytes: 21212 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "73183f61c7d9c707e6aa6b29709c83260073409a6e2028aba61a0eaa5e3d5098",
+    hash: "38b043788a658faa2b7451d94a9a8797736771f22fe8967746a5bb45c1bb5ae3",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPositions+SOLID_WALLS+RELAXED_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 216368, bytes: 19516 },
+    spirv: Spirv::Packed { pack: PACK, first: 217540, bytes: 20688 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "dad261ad72fbea45d3ccdc02c2d52d3b8861a40359909f5b54e993160148d759",
+    hash: "9813b537c955b0d740a0f73d1f6dac8f2c73bebb5eecd564bb53d1b3b9f3e4b3",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPositions+SOLID_WALLS+HALF_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 235884, bytes: 19604 },
+    spirv: Spirv::Packed { pack: PACK, first: 238228, bytes: 20776 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "91946397df961517b837a2944c0e389ee4b29e5fb560f5d93fe249667034bd55",
+    hash: "62a6170e660a352473d3760b39979f99f9c45ff2c2129fa917a9767f6325a7e0",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR: Module = Module {
     name: "CorrectPositions+SOLID_WALLS+S_CORR",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 255488, bytes: 21020 },
+    spirv: Spirv::Packed { pack: PACK, first: 259004, bytes: 22192 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "27f1fc72b7f605ad82f20e08f3533d91f7489e549cdf5f948a5d9d8a871fc8c6",
+    hash: "923fce649306a6e93c161c0f034097a4ec82b01417e6dbe76bb854efabd5de36",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPositions+SOLID_WALLS+S_CORR+RELAXED_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 276508, bytes: 20688 },
+    spirv: Spirv::Packed { pack: PACK, first: 281196, bytes: 21860 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "65a58fa2897bb53da3bb65a0d875a7b0d6e59fba7f99b627c3f58cf2215b9aac",
+    hash: "87dd399409684a016f183b8677b516908984d48dee12294385d75c388b1b5111",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPositions+SOLID_WALLS+S_CORR+HALF_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 297196, bytes: 20812 },
+    spirv: Spirv::Packed { pack: PACK, first: 303056, bytes: 21984 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "4b80285bbacc51ada0b775407bec4ad39be79fcddeeb546cbc32946b6faa6ce7",
+    hash: "0667a80eba4678887d996445fe3959986b2becfa9851ce024aca3b3a20ad990e",
 };

@@ -204,7 +204,7 @@ static START_WARM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "df6d1d4af5f300bdc0177e82d3350fc85baedb9aa47329b2e34e20594644950e",
+    hash: "6d39f841f795ef4be2825b2bf68ea83f70a01f572c33ddc02d95b955c0c30273",
 };
 
 static START_WARM_WITH_RELAXED_PRECISION: Module = Module {
@@ -217,7 +217,7 @@ static START_WARM_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "5807d63084e45dd6f1f18b392b46facf7e2dd3bb1039ba5956ecc00e38d6bf42",
+    hash: "2c3b99d2d0bde7994d7a82fc5fe4d0ae653aa271c1fb6ffdb33dc2b5a962ede0",
 };
 
 static START_WARM_WITH_WALLS: Module = Module {
@@ -230,7 +230,7 @@ static START_WARM_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "395768b35d50a04b8efd859a4ca9a16ab720eb07a3833de8e349b511de4a0fec",
+    hash: "2e3210a654fd47aebc2c0ad9d3c03f9baef3feb5aa3d11abf461e286d746eb0a",
 };
 
 static START_WARM_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -243,5 +243,5 @@ static START_WARM_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "2c99161288c8be9b856cd3b8d8daddab15eab2df31456474ca17e9322bdeb56a",
+    hash: "454b2859bad6d9f1104fc8d292cdb1b66670558b9f0196fce57c551b55737d1f",
 };

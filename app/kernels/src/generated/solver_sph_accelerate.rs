@@ -264,7 +264,7 @@ static ACCELERATE: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "524cf0f9263bd5f552d37c17f4e85d6842e78f1d565ee738884a6b8d66c2d346",
+    hash: "fba9f3ab13bcdbda87f01a0305211ce488121c9f08d73818f69139bad6932dee",
 };
 
 static ACCELERATE_WITH_RELAXED_PRECISION: Module = Module {
@@ -277,7 +277,7 @@ static ACCELERATE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "24d5dc45d92ff0aa71c0b5195efc8da9d5282f44b3991dd2037f4fcaee90f605",
+    hash: "64d681578b1dbd57f690329d49b4337b75d5f6b3ad3994798cc88f72cbe08773",
 };
 
 static ACCELERATE_WITH_HALF_PRECISION: Module = Module {
@@ -290,7 +290,7 @@ static ACCELERATE_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "6220b4c349108631f094d434f0e58bfbf25623d61f08faca73052210cd1296b9",
+    hash: "39ce9c366ab9fe7bb62130c35689f0d2bad4486056a5c588f52fd02393966cef",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION: Module = Module {
@@ -303,7 +303,7 @@ static ACCELERATE_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "b89a9bbeb7ca8bd092a1ab01617227b3df919e5b850638f035db29422c0805c2",
+    hash: "4ce57ba4a603e737715bbde3525601b393698fc95205dbdcad35ee4040d92a50",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -316,7 +316,7 @@ static ACCELERATE_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "3c8316b9383a12afe181f37ba44a885028022f284e209f0655a8f7dad85b2cf2",
+    hash: "3c2779526829038c35f2ed00d29877bd143af9da4c7752ada1d3d7cdb8bc8d58",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -329,7 +329,7 @@ static ACCELERATE_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "2a0995155412fd5ec86f9d41b96011d10e6f167423277ad0a386d4b349666dad",
+    hash: "56ebc26db6a5c8d180ee587cd1f0733f9be61988f12a957ecee75e8fab57d364",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS: Module = Module {
@@ -342,7 +342,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "07991af1524ef299074da55d21ca6a5af845056d0a812891ef480d653818eaef",
+    hash: "a20273faf386b1240b4aac1e0e77c0779fc8f12eb74da7ca8afaefd762369c37",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -355,7 +355,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "837c5493ac948a4cd75a2350672953e82a891d9373bc3873de181c7b9c4d9701",
+    hash: "5b4058e68d86c3dc6848ad9ae283bc2608c30d2fc5265db65ca8c6a7f6edf8b9",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -368,7 +368,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "a10f386c7327b06da8921789a10933b131616efb2cedf63ea9c078e19451d6c7",
+    hash: "9cad9866b0eb7bc155f25319b6313eef94352be3cf3946d14ddc58e95957f74b",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -381,7 +381,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "71e4a9e8216f20f6106a21ec22f213536ffe826cab7ee7e61605e41c1137b939",
+    hash: "f6faa20cff0e78f9f095ce3019d5e45daace60fe57d85bf087ef2ae701aba4b7",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -394,7 +394,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISIO
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "ae1b8f615c7da0077eb8280b7a46aab421db0c57254575415a10f7c76619eaf1",
+    hash: "b914917da4b30e3e3daa6dddfc655907fee86d1569301067a615844028c9e77f",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -407,7 +407,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: 
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "b6a72a761c8577afc83dccc64fce5a366df388b974ca3a9e1d3ef065946fdb02",
+    hash: "102f8ebf7906032926e5060a388139c603f0f13405113db19a1bb2795cc1df98",
 };
 
 static ACCELERATE_WITH_WALLS: Module = Module {
@@ -420,7 +420,7 @@ static ACCELERATE_WITH_WALLS: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "48328c8b8ad76c2796524683544fe415e5556a1cb8e881c866582df9b6646b4e",
+    hash: "5d3ec98b8d6896d15d409861e5c8743ebee285108e2917fcef35200484f15eac",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -433,7 +433,7 @@ static ACCELERATE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "80df6f91d3963dd578ae58eff21ef151131b26e4c054310cca2d5821f925f6b6",
+    hash: "4fcfb46772b7aa94d1b9f086f76b74de63038dc8540ba230713d3cefe8418157",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -446,7 +446,7 @@ static ACCELERATE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "07dd65ba2a63e7abd4eadd33a9c03a8958f0014f0aae8bafca764b4566a8e3cc",
+    hash: "9c75f88323402dcc03e9004011922001a96ff06fea6e283fa89b7bbd540f0eee",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
@@ -459,7 +459,7 @@ static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "0239ade19d01e3ee15cf351b97a384a51a6230c33cec1a593c98ef8da14d1de2",
+    hash: "f0ee7d505e5992dbde95df396636ca94ff8be14078241917dc68331290f51357",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -472,7 +472,7 @@ static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "770dd7b5b20947679f5d62a6befa6c4b308ca9b1b2fdf2e90ced564ffb7e797b",
+    hash: "79ba0e8b4af534844e1d10fa2c18ccad3f4a43043a9807aca52558d0cb90e8d4",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -485,7 +485,7 @@ static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = 
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "91227086524327e4081044f4e84f9f803951029816422399970e7e3f3c8b2547",
+    hash: "8799f5bda189b2f03f287af1d80b397242b6849e934c95f50ea47e2f8c76ab0f",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
@@ -498,7 +498,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "c70f427c8cab95a7f6b8afa45727bf08af5432d96a24b9a99efd94453a3381ee",
+    hash: "87ecacdbdcc07a1712240bcd93005fc8a886a42277842c63f296f2a7cf79abc1",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -511,7 +511,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module 
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "4be91e600317f28dfb108bc6a739a0d890f7e82ea35d421fc0ced70501e8ac62",
+    hash: "8ea28c29c646f7ebb131f4ae3387ec762df0a680bdb85e2a700da6ad919d2546",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -524,7 +524,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = M
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "cf6557c0cdb329d65f38f354a5b9e1aa539e49d28491d04ea8ccd5a8ba239aac",
+    hash: "9959f9599d510d229a10ac6649eae3fe7b2cae5652871e35a54eb25c020ff656",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -537,7 +537,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = 
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "6a980d073f6e59cbcd4cdcac164cefa06a69695bb47478ef5990e560faa073b6",
+    hash: "2906b52731cd64f7aabf33fded2266cb135f171b05307395316c509338d79d3b",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -550,7 +550,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAX
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "b7d23dcb5e77e8f920c63dfffb57c5f9fcf2aba793db5c582f4bedcae7d20a46",
+    hash: "2e49c38196638c3a7d918a9142df3c645f615e6bddcfa0c723bd523c53433541",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -563,5 +563,5 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "15f3217ba844b23464ce774ebe5507d4d2d1c153d9f7c4ea966efac2b16f4437",
+    hash: "fc420a6138517971d1ac3efab47d8c8e0958131433b6bd388e0e954956d2b4a7",
 };

@@ -27,8 +27,8 @@ pub struct AddSolidAcceleration<'a> {
     pub variant: AddSolidAccelerationVariant,
     /// `StructuredBuffer<Position> sorted_positions`.
     pub sorted_positions: Buf<'a, Position>,
-    /// `StructuredBuffer<SolidContact> solid_contacts`.
-    pub solid_contacts: Buf<'a, SolidContact>,
+    /// `RWStructuredBuffer<SolidContact> solid_contacts`.
+    pub solid_contacts: BufMut<'a, SolidContact>,
     /// `StructuredBuffer<VelocityPressure> velocity_pressures`.
     pub velocity_pressures: Option<Buf<'a, VelocityPressure>>,
     /// `RWStructuredBuffer<Velocity> velocities`.
@@ -89,7 +89,7 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo {
         name: "solid_contacts",
         slot: 1,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 48 },
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 64 },
     },
     BindingInfo {
         name: "velocity_pressures",
@@ -121,7 +121,7 @@ static BINDINGS_1: &[BindingInfo] = &[
     BindingInfo {
         name: "solid_contacts",
         slot: 1,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 48 },
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 64 },
     },
     BindingInfo {
         name: "velocity_pressure_normals",
@@ -150,24 +150,24 @@ static ADD_SOLID_ACCELERATION: Module = Module {
     name: "AddSolidAcceleration",
     entry: "AddSolidAcceleration",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 10240 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 10528 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_acceleration.compute",
-    hash: "a06193a9a440fb4da3c5880fe94d8891b309bc2afb3907883e05f4d2df557f3b",
+    hash: "73844e6ead25fcfb22d2996c951f64f2dcdf87c08ef1c2fba8dabb0e1daffb9c",
 };
 
 static ADD_SOLID_ACCELERATION_WITH_SURFACE_TENSION: Module = Module {
     name: "AddSolidAcceleration+SURFACE_TENSION",
     entry: "AddSolidAcceleration",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 10240, bytes: 10508 },
+    spirv: Spirv::Packed { pack: PACK, first: 10528, bytes: 10796 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_acceleration.compute",
-    hash: "0dc793e0397433c3d45f40e2c816ae78fe706a94b60e8f995ddc8084c7f5ec35",
+    hash: "2b354212f16cc2d5a81f308a039f2b06192529f1623bba862188ffe182e2103d",
 };

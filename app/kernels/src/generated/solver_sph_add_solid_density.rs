@@ -79,7 +79,7 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo {
         name: "solid_contacts",
         slot: 1,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 48 },
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 64 },
     },
     BindingInfo {
         name: "velocity_pressures",
@@ -101,7 +101,7 @@ static BINDINGS_1: &[BindingInfo] = &[
     BindingInfo {
         name: "solid_contacts",
         slot: 1,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 48 },
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 64 },
     },
     BindingInfo {
         name: "velocity_pressure_normals",
@@ -120,24 +120,24 @@ static ADD_SOLID_DENSITY: Module = Module {
     name: "AddSolidDensity",
     entry: "AddSolidDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 7800 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 7892 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_density.compute",
-    hash: "52446962307da8e9e88fff251544617571051edbe63cf3c650024cd2e8d860dc",
+    hash: "acbb8e4153cdbeacb3c2c5cc16c3798c702dea881947c167987ebf1155b2d783",
 };
 
 static ADD_SOLID_DENSITY_WITH_SURFACE_TENSION: Module = Module {
     name: "AddSolidDensity+SURFACE_TENSION",
     entry: "AddSolidDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 7800, bytes: 9476 },
+    spirv: Spirv::Packed { pack: PACK, first: 7892, bytes: 9568 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_density.compute",
-    hash: "a9b16f8b6c9202809afd374f21e9d7c12193a8bcda8ef91f5a06d04af4642bff",
+    hash: "d1b2707f55db4eae3fe54c3a7b5cb7cdfb5497b335fcdf2d1c3526a7b289dfdc",
 };

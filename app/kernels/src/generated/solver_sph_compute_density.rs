@@ -341,7 +341,7 @@ static COMPUTE_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "bfd7fd6551a70bfb0d26be64c7033079af2a80f51fa0836e6feb2bcd896cd977",
+    hash: "3bff73a99301c221ae79c44959b93466051c4c47a450d205ebdbdef433fbe5fd",
 };
 
 static COMPUTE_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -354,7 +354,7 @@ static COMPUTE_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "7e0b8bf22731181b1675a1c97012eb48c43050dd1c834658799b564e0675eac1",
+    hash: "ebb59e7e17fd4131289700a2506890c4eeb60b7e3a75996dd9bd87ec898111f0",
 };
 
 static COMPUTE_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -367,7 +367,7 @@ static COMPUTE_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "92306c4c4ab730a82080124a80b23cb14c77ef8b410f18796474b2434d295d18",
+    hash: "400ffb64d0e20f7c3e5d26779a45ca1f4e93152154316c138c8bce6ee437482d",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION: Module = Module {
@@ -380,7 +380,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "a355baa76d285709ebe4b81e4623d836c19108b12e006c822a9dcba2b8200db6",
+    hash: "25cab0cc505de13637afab396a307cef09fa050a8f779abb0dfca9d3feb85be7",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -393,7 +393,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Mod
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "313ed2d33053e970f6a52ed0e684060c073abaa1bcd7c685ba89b256ae980977",
+    hash: "61db99a1fdd08a2e0bf1c4fd700345b13b86ad1867bc423daa9cd2c11f359023",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -406,7 +406,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "61c89b077075dbc6259c268093e659284044ff8ee7651d7cfeb2e1fbab2bcb5d",
+    hash: "db61aba94dbadcf1561401abb2e3caf104a05401875c5b86b33c6ab30b94a42e",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS: Module = Module {
@@ -419,7 +419,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "1db1107f414e05e86d17c5fbc46fad0d80e5df06e5e2777274d5f65965abd7a8",
+    hash: "a0d6a5ebf93cbece9f9a189945bed46dce37765690b0959af589b2cc7d607d0b",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -432,7 +432,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Modu
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "c72c08942f33491ccd40e6d2a02d18dcbbed1c585c224406304b6e1b5c96666c",
+    hash: "92c12ca7c0208b68a6b71ff78d5bad506984a2a79e020a3ad37af92ba05b6a1b",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -445,7 +445,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "7672df88a827cefb42faba616be87312e95fd2e00c9779614c995ce8da7c876b",
+    hash: "737c3f224d0f9740c3b67fed88d4b20bb4bd50919adb67aeba4afb2032f30796",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -458,7 +458,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "0b5b98c391433abbaba8f395b70b59b493f1d205a0d40b7be4ab4851fed5a305",
+    hash: "f8e2d16309b01b2bd379f0808f3fe8e92f7adbbc3c219c2ce60635aa15057989",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -471,7 +471,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRE
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "94865dffda8982aa917163191bb269a3372ca83e0e0552161f910261dcfe0a78",
+    hash: "dc0d7d9069752c29e5a924193719774e38bf24891b28053e07f654ac041251ec",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -484,7 +484,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECIS
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "efcb887d4b018425c3dd939e51209037280ae261e1f278e908886e9acc988fa6",
+    hash: "f42cb56f95146f3c33373de16ea18221f66621bc4a0698617a5ead592732a3d4",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS: Module = Module {
@@ -497,7 +497,7 @@ static COMPUTE_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "c4b88cbefc5ae7809a88807f06b9701b9a6ae253b384d72efcb1801e38e6c44d",
+    hash: "780b6f7b35501c954ec8f71243a2221bfabf47cbed27ffe37111aa624e50731a",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -510,7 +510,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "a51f4700e494e08d6b57d307c71f21e86c891d27aaef4f94ffb63b78872e7f60",
+    hash: "84d12f949d3657b5065754656cc03600df948d28f4630571b4f573271e7797f7",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -523,7 +523,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "b36e39b28125a55ffae0842089d006b3553ca0197dcb4d179ae9c6d7c3094ce6",
+    hash: "cda4691279bb7d1c211c4226db92f3946a840bbd11fab7f2e6a09a01315b7810",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
@@ -536,7 +536,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "d71fa130b466ea242f67ae8f81c43b9b1dfddfa6473065edf5614002a8c9b03c",
+    hash: "6464b97d6b9cf94d380598fd9610da3eaa1bc511c67b981b5cbe37bb0748af14",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -549,7 +549,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: M
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "cb9c49592da7548cafe544c2afca53aa2fcf1649ac532b21d769981a4d573764",
+    hash: "09ebe703a39adbbadcc47db206d4aeb9a0dd994e9f98f9f029747491087bf119",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -562,7 +562,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Modu
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "db8d5b6266369ed6db012c15999a4abc73906fd9f7ed5a743b79bc91392a35bd",
+    hash: "3429d93af2e2066227be0e492c76d18c2cbff2bc7b5a30e061b74d627e773eb9",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
@@ -575,7 +575,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "756532f70887de440b4c7eb8c886108eea0489bba1e640c1bc05ca3c60f838be",
+    hash: "4a02f4df21b3a97942e4c48e06e1102ffa47fa8106c420cf771f52febd36238e",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -588,7 +588,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Mo
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "007d79568b0aa1e2d07cece0545db222b5e9defcc281bfbe99b8dcfa431aa8cd",
+    hash: "185e461ae63fbf58113c5ba101c8c68209665699a8b733227201f1ded35622a4",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -601,7 +601,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "58832dd0a158bb6dcd3dcc47e869c6f496e188fa0d32c69b5bbb023c39ea5947",
+    hash: "0df72330ca694f23cbece577f70dcddd6a6cf99d63b0a7c8ab8df995acae5a04",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -614,7 +614,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Modu
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "3488a0efe3560c085953987672bfe53d2b00412b6593961796c090328dd0a336",
+    hash: "e983cb9921e55d4bf8db826dd755ea18407482646f582620917e573de396899e",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -627,7 +627,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "07ca056e60b43c32ab63c364e40bcbf677b0d3eb6dc83e7e7fe6c6a3a24de042",
+    hash: "07d220a880cc028e8de667e80a888e29f82a875b3c1c5bfbbd9812f9132f9531",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -640,5 +640,5 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "48e4d98b94f0e010c84c2f4048cb1b276f79fec467ffe5a504d1c5a30d5a36d3",
+    hash: "6b313c7d75ad918d5169df19bf739761433efe924b76decc8c09696f1418c2a4",
 };

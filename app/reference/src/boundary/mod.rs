@@ -1,6 +1,7 @@
 //! What bounds the fluid, as solvers and measures ask it. (Shader: `boundary/boundary.hlsli`.) Walls are the first
 //! answer; in an open domain nothing is added, scaled or confined.
 
+pub mod bodies;
 pub mod drag_walls;
 pub mod mirror;
 pub mod solids;

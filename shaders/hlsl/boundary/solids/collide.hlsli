@@ -1,5 +1,5 @@
 // The way of a particle among solids. Includers declare `solids`, `solid_poses`, `solid_blocks`, `solids_params` and
-// `step_params`.
+// `step_params`. With BODIES they give back what they do to particles (boundary/bodies/react.hlsli).
 #ifndef BROOKLET_COLLIDE
 #define BROOKLET_COLLIDE
 
@@ -91,7 +91,14 @@ float3 PathAmongSolids(float3 start_m, float3 end_m, bool moving)
                 float3 pushed_m = ContactPath(solid, from_m, to_m) - to_m;
                 float push_m = length(pushed_m);
                 if (push_m > UNTOUCHED * solids_params.stop_m)
-                    end_m += Turned(pose.rotation, pushed_m);
+                {
+                    float3 taken_m = Turned(pose.rotation, pushed_m);
+                    end_m += taken_m;
+#if defined(BODIES)
+                    if (solid.body != NO_BODY)
+                        React(solid.body, end_m, taken_m / step_state.dt_s);
+#endif
+                }
                 furthest_m = max(furthest_m, push_m);
             }
         }

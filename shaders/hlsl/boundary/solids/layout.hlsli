@@ -27,7 +27,7 @@ struct Solid
     uint first_keyframe;    // of its motion
     uint keyframe_count;
     float period_s;         // after which keyframes begin again; 0: they end
-    uint reserved;
+    uint body;              // which body it is; NO_BODY (boundary/bodies): it moves by its keyframes
 };
 
 // Where a solid is at a time; between two it moves evenly, and turns evenly around one axis.
@@ -63,7 +63,9 @@ struct SolidContact
     float stop_offset_m;    // of its surface
     uint solid;             // the nearest
     float speed_m_s;        // of the nearest solid there, along `normal`
+    uint body;              // which the nearest is, or NO_BODY
     uint reserved1;
+    float3 taken_m_s;       // change of velocity that iterations gave the particle for solids, which a body gives back
     uint reserved2;
 };
 
@@ -76,6 +78,10 @@ struct SolidsParams
     float reach_m;          // from a surface, within which a particle knows of it
     float3 block_m;
     float stop_m;           // particles stay at least this far from a surface
+    uint body_count;
+    uint point_count;       // of all bodies' surfaces
+    float units_per_m_s;    // of a reaction's sum, a particle's change of velocity
+    float unit_kg_m_s;      // the impulse that is one of those
 };
 
 #endif

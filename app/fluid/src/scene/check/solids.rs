@@ -32,7 +32,8 @@ impl Scene {
             self.check_shape(check, &field, solid)?;
             self.check_cavity(check, &field, solid)?;
             self.check_motion(check, &field, solid)
-        })
+        })?;
+        self.check_bodies(check)
     }
 
     fn check_shape(&self, check: &Checker, field: &str, solid: &SolidSettings) -> Result<(), SceneError> {
@@ -100,6 +101,14 @@ impl Scene {
     }
 
     fn check_motion(&self, check: &Checker, field: &str, solid: &SolidSettings) -> Result<(), SceneError> {
+        if solid.density_kg_m3.is_some() {
+            return check.require(
+                solid.keyframes.is_empty() && !solid.repeat,
+                &format!("{field}.density_kg_m3"),
+                format_args!("{} keyframes", solid.keyframes.len()),
+                "not with keyframes or repeat: the fluid moves what has a density",
+            );
+        }
         let is_steady = solid.velocity_m_s != [0.0; 3] || solid.spin_deg_s != [0.0; 3];
         check.require(
             solid.velocity_m_s == [0.0; 3] || solid.spin_deg_s == [0.0; 3],

@@ -18,7 +18,7 @@ pub use weights::Weights;
 use brooklet_gpu::{Recording, Resources};
 use brooklet_kernels::{
     ApplyGravity, Buffer, FactorPressure, FactorPressureVariant, Kernel, LimitVelocity, PressureFactors,
-    ShiftPositions, ShiftPositionsVariant, SolveState, Velocity,
+    ShiftPositions, ShiftPositionsVariant, SolidContact, SolveState, Velocity,
 };
 
 use crate::forces::Forces;
@@ -52,6 +52,8 @@ pub(super) struct Shared {
     changes: Buffer<f32>,
     /// What tells when to end; none where the number of iterations is fixed.
     measured: Option<Measured>,
+    /// What particles know of solids, if there are any, and remember of what bodies give back.
+    contacts: Option<Buffer<SolidContact>>,
 }
 
 /// What ends a solve on the GPU.
@@ -76,6 +78,7 @@ impl Dfsph {
                 factors: resources.buffer("pressure_factors", capacity),
                 changes: resources.buffer("pressure_changes", capacity),
                 measured,
+                contacts: None,
             },
             divergence: PressureSolving::declare(resources, scene, Solve::Divergence, capacity),
             coarse: CoarseCorrection::declare(resources, coarse_grid_params(scene)),
@@ -110,7 +113,7 @@ impl Dfsph {
     ) {
         let Self { search, forces, shared, divergence, coarse, density, shifts } = self;
         advect(recording, context, particles, None);
-        if let Some(solids) = &context.solids {
+        if let Some(solids) = &mut context.solids {
             solids.record_collide(recording, &mut particles.positions, &mut particles.velocities);
         }
         search.sort(recording, context, particles);
@@ -131,6 +134,7 @@ impl Dfsph {
                 &mut *velocities
             }
         };
+        shared.contacts = context.solids.as_ref().map(|solids| solids.contacts().alias());
         context.slots.dispatch(
             recording,
             &FactorPressure {
@@ -171,6 +175,9 @@ impl Dfsph {
         );
         if let Some(density) = density {
             density.record(recording, context, search, shared, shifts, None);
+        }
+        if let Some(solids) = &mut context.solids {
+            solids.record_gather(recording, positions);
         }
         let stopping = context.solids.as_ref();
         context.slots.dispatch(

@@ -54,7 +54,7 @@ impl NonInteracting {
                 none: self.params.uniform(),
             },
         );
-        if let Some(solids) = &context.solids {
+        if let Some(solids) = &mut context.solids {
             solids.record_collide(recording, &mut particles.positions, &mut particles.velocities);
             self.bounce_walls(recording, context, particles);
         }

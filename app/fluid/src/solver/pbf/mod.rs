@@ -169,7 +169,7 @@ impl Pbf {
         particles: &mut Particles,
     ) {
         predict(recording, context, particles);
-        if let Some(solids) = &context.solids {
+        if let Some(solids) = &mut context.solids {
             solids.record_collide(recording, &mut particles.positions, &mut particles.velocities);
         }
         self.search.sort_forgetting(recording, context, particles);
@@ -178,7 +178,10 @@ impl Pbf {
         self.start_warm(recording, context, particles);
         particles.forget_until_moved(recording, &context.slots);
         self.iterate(recording, context, self.s_corr);
-        self.confine(recording, context);
+        self.confine(recording, context, true);
+        if let Some(solids) = &mut context.solids {
+            solids.record_gather(recording, &self.search.sorted.positions);
+        }
         self.keep_pressure(recording, context);
         let what = if self.forces.smooth() { Velocities::TakeInPlace } else { Velocities::TakeCorrections };
         update_velocity(recording, context, &mut self.search, particles, what);
@@ -216,7 +219,7 @@ impl Pbf {
         self.begin_cold(recording);
         particles.forget_until_moved(recording, &context.slots);
         self.iterate(recording, context, false);
-        self.confine(recording, context);
+        self.confine(recording, context, false);
         self.move_particles(recording, context, particles);
     }
 
@@ -240,13 +243,13 @@ impl Pbf {
         }
     }
 
-    /// Holds what the iterations moved to what solids let through.
-    fn confine(&mut self, recording: &mut Recording, context: &StepContext) {
-        if let Some(solids) = &context.solids {
+    /// Holds what the iterations moved to what solids let through; bodies feel it if time passes.
+    fn confine(&mut self, recording: &mut Recording, context: &mut StepContext, time_passes: bool) {
+        if let Some(solids) = &mut context.solids {
             let sorted = &mut self.search.sorted;
             let (positions, quantized_positions) = (&sorted.positions, &mut sorted.quantized_positions);
             let kernel = &self.search.smoothing_kernel;
-            solids.record_confine(recording, sorted.precision, positions, quantized_positions, kernel);
+            solids.record_confine(recording, sorted.precision, positions, quantized_positions, kernel, time_passes);
         }
     }
 

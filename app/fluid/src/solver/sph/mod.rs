@@ -131,7 +131,7 @@ impl Sph {
         particles: &mut Particles,
     ) {
         advect(recording, context, particles, Some((&self.accelerations, &self.kicks)));
-        if let Some(solids) = &context.solids {
+        if let Some(solids) = &mut context.solids {
             solids.record_collide(recording, &mut particles.positions, &mut particles.velocities);
         }
         self.search.sort(recording, context, particles);
@@ -144,8 +144,9 @@ impl Sph {
             add_solid_density(recording, self, solids, context);
         }
         accelerate(recording, self, context, particles);
-        if let Some(solids) = &context.solids {
-            add_solid_acceleration(recording, self, solids, context, particles);
+        if let Some(solids) = &mut context.solids {
+            add_solid_acceleration(recording, self, solids, (&context.slots, &context.step), particles);
+            solids.record_gather(recording, &self.search.sorted.positions);
         }
     }
 

@@ -2,10 +2,13 @@
 //! `add_solid_acceleration.compute`.)
 
 use brooklet_gpu::Recording;
-use brooklet_kernels::{AddSolidAcceleration, AddSolidAccelerationVariant, AddSolidDensity, AddSolidDensityVariant};
+use brooklet_kernels::{
+    AddSolidAcceleration, AddSolidAccelerationVariant, AddSolidDensity, AddSolidDensityVariant, Buffer, StepParams,
+};
 
 use super::{Gathered, Sph};
 use crate::boundary::solids::Solids;
+use crate::slots::Slots;
 use crate::step_context::{Particles, StepContext};
 
 /// To what `compute_density` left.
@@ -34,26 +37,26 @@ pub(super) fn add_solid_density(recording: &mut Recording, sph: &mut Sph, solids
 pub(super) fn add_solid_acceleration(
     recording: &mut Recording,
     sph: &mut Sph,
-    solids: &Solids,
-    context: &StepContext,
+    solids: &mut Solids,
+    (slots, step): (&Slots, &Buffer<StepParams>),
     particles: &mut Particles,
 ) {
     let (velocity_pressures, velocity_pressure_normals) = match &sph.gathered {
         Gathered::Flow(flow) => (Some(flow.read()), None),
         Gathered::FlowAndSurface(both) => (None, Some(both.read())),
     };
-    context.slots.dispatch(
+    slots.dispatch(
         recording,
         &AddSolidAcceleration {
             variant: AddSolidAccelerationVariant { surface_tension: velocity_pressure_normals.is_some() },
             sorted_positions: sph.search.sorted.positions.read(),
-            solid_contacts: solids.contacts().read(),
+            solid_contacts: solids.contacts_mut().write(),
             velocity_pressures,
             velocity_pressure_normals,
             velocities: particles.velocities.write(),
             accelerations: sph.accelerations.write(),
-            step_state: context.slots.state.uniform(),
-            step_params: context.step.uniform(),
+            step_state: slots.state.uniform(),
+            step_params: step.uniform(),
             pressure_walls: sph.pressure_walls.uniform(),
             sph: sph.params.uniform(),
         },

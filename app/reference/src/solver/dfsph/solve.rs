@@ -103,7 +103,7 @@ impl Fluid<'_> {
     fn apply(&self, velocities_m_s: &mut [DVec3], changes: &[f64]) {
         let Self { positions_m, neighbours, factors, step, smoothing } = self;
         let gains = parallel::map(velocities_m_s.len(), |i| {
-            apply_pressure(i, positions_m, changes, &neighbours[i], &factors[i], step, smoothing).0
+            apply_pressure(i, positions_m, changes, &neighbours[i], &factors[i], step, smoothing).gain_m_s
         });
         velocities_m_s.iter_mut().zip(gains).for_each(|(velocity, gain)| *velocity += gain);
     }

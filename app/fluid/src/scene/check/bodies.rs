@@ -1,0 +1,88 @@
+//! What solids may be that the fluid moves.
+
+use glam::DVec3;
+
+use super::{Checker, tidied};
+use crate::scene::bodies::{MOST_BODIES, body_solids, points_of};
+use crate::scene::field::Short;
+use crate::scene::solid_shapes::StandingSolid;
+use crate::scene::{Scene, SceneError, SolidSettings};
+
+/// Of the fluid's density: what is lighter or heavier was not tried.
+const RATIOS: [f64; 2] = [0.05, 20.0];
+
+impl Scene {
+    /// No more than a group has threads, of a density that was tried, in the domain, and none in another or in a solid.
+    pub(super) fn check_bodies(&self, check: &Checker) -> Result<(), SceneError> {
+        let count = body_solids(self).count();
+        check.require(
+            count <= MOST_BODIES,
+            "solid",
+            format_args!("{count} solids with a density_kg_m3"),
+            format_args!("at most {MOST_BODIES}"),
+        )?;
+        if count > 0 {
+            check.require(
+                self.solver.pbf.warm_start == 0.0,
+                "solver.pbf.warm_start",
+                Short(self.solver.pbf.warm_start),
+                "must be 0 with a solid that has a density_kg_m3: what it gave back is not begun with",
+            )?;
+        }
+        for (index, solid, density_kg_m3) in body_solids(self) {
+            let field = format!("solid.{index}");
+            let [least, most] = RATIOS.map(|ratio| ratio * self.rest_density_kg_m3());
+            check.require(
+                density_kg_m3 >= least && density_kg_m3 <= most,
+                &format!("{field}.density_kg_m3"),
+                Short(density_kg_m3),
+                format_args!("{} to {}: {} to {} times the fluid's", Short(least), Short(most), RATIOS[0], RATIOS[1]),
+            )?;
+            self.check_place(check, &field, solid)?;
+            self.check_overlap(check, &field, (index, solid))?;
+        }
+        Ok(())
+    }
+
+    /// Inside walls, where there are any.
+    fn check_place(&self, check: &Checker, field: &str, solid: &SolidSettings) -> Result<(), SceneError> {
+        let [low_m, high_m] = StandingSolid::of(solid).bounds_m();
+        let hair_m = 1e-6 * self.domain.size_m().into_iter().fold(0.0, f64::max);
+        for (axis, name) in ["x", "y", "z"].into_iter().enumerate() {
+            let [min_m, max_m] = [self.domain.min_m[axis], self.domain.max_m[axis]];
+            let is_inside = low_m[axis] >= min_m - hair_m && high_m[axis] <= max_m + hair_m;
+            check.require(
+                is_inside || !self.domain.has_walls(),
+                &format!("{field}.centre_m"),
+                format_args!("a body from {name} = {} to {}", Short(tidied(low_m[axis])), Short(tidied(high_m[axis]))),
+                format_args!("must begin in the domain, {} to {}", Short(min_m), Short(max_m)),
+            )?;
+        }
+        Ok(())
+    }
+
+    /// A quarter of a spacing into another is still let out gently.
+    fn check_overlap(
+        &self,
+        check: &Checker,
+        field: &str,
+        (index, solid): (usize, &SolidSettings),
+    ) -> Result<(), SceneError> {
+        let own = StandingSolid::of(solid);
+        let points: Vec<(DVec3, f64)> =
+            points_of(solid).into_iter().map(|(at, radius)| (own.placed_m(at), radius)).collect();
+        let allowed_m = 0.25 * self.fitted_spacing_m();
+        for (other, settings) in self.solids.iter().enumerate().filter(|(other, _)| *other != index) {
+            let standing = StandingSolid::of(settings);
+            let gaps_m = points.iter().map(|(at_m, radius_m)| standing.distance_m(at_m.to_array()) - radius_m);
+            let deepest_m = -gaps_m.fold(f64::INFINITY, f64::min);
+            check.require(
+                deepest_m <= allowed_m,
+                &format!("{field}.centre_m"),
+                format_args!("{} m of it are in solid.{other}", Short(tidied(deepest_m))),
+                format_args!("a quarter of a spacing at most, {} m", Short(tidied(allowed_m))),
+            )?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,172 @@
+//! Solids that the fluid moves: they float where Archimedes says, take what the fluid loses, rest on what is under them, and go
+//! on from a saved state.
+
+use brooklet_fluid::scene::body_mass_kg;
+use brooklet_fluid::state::State;
+use brooklet_fluid::{BodyMotion, ParticleSource, Scene, Session, SessionRecorder};
+use brooklet_kernels::BodyState;
+use brooklet_tests::{gpu, small};
+use glam::DVec3;
+
+fn vector(of: [f32; 3]) -> DVec3 {
+    DVec3::from_array(of.map(f64::from))
+}
+
+/// A flat box in a pool, afloat where it will be.
+fn floating(density_kg_m3: f64, method: &str) -> Scene {
+    let text = format!(
+        "spacing_m = 0.025\n[domain]\nmin_m = [0, 0, 0]\nmax_m = [0.4, 0.3, 0.4]\n\
+         [[fluid]]\nblock = {{ min_m = [0, 0, 0], max_m = [0.4, 0.15, 0.4] }}\n\
+         [[solid]]\nbox = {{ size_m = [0.2, 0.1, 0.2] }}\ncentre_m = [0.2, {}, 0.2]\ndensity_kg_m3 = {density_kg_m3}\n\
+         [solver]\nmethod = \"{method}\"\n[outputs]\nmeasure_every_steps = 1\n",
+        0.2 - 0.1 * density_kg_m3 / 1000.0,
+    );
+    Scene::from_toml(&text, "floating", &[]).unwrap()
+}
+
+/// How deep the box is in the water, m: of the fluid's volume, the box's, and the domain's area.
+fn draft_m(scene: &Scene, state: &BodyState) -> f64 {
+    let mass_kg = scene.particle_count() as f64 * scene.particle_mass_kg() + body_mass_kg(&scene.solids[0]);
+    mass_kg / 1000.0 / 0.16 - (f64::from(state.position_m[1]) - 0.05)
+}
+
+#[test]
+fn a_box_floats_as_deep_as_archimedes_says() {
+    let steps = if small() { 5 } else { 200 };
+    for (density_kg_m3, method) in [(300.0, "pbf"), (700.0, "pbf"), (500.0, "dfsph")] {
+        let scene = floating(density_kg_m3, method);
+        let mut session = Session::new(&gpu(), &scene).unwrap();
+        let mut drafts_m = Vec::new();
+        for step in 0..steps {
+            session.step().unwrap();
+            if step >= steps / 2 && step % 10 == 0 {
+                drafts_m.push(draft_m(&scene, &session.read_bodies().unwrap().states[0]));
+            }
+        }
+        let state = session.read_bodies().unwrap().states[0];
+        assert!(state.position_m.iter().all(|x| x.is_finite()));
+        if small() {
+            continue;
+        }
+        let (draft_m, expected_m) = (drafts_m.iter().sum::<f64>() / drafts_m.len() as f64, density_kg_m3 * 1e-4);
+        println!("{density_kg_m3} kg/m³ with {method}: draft {draft_m:.4} m, {expected_m:.4} expected; {state:?}");
+        assert!(
+            (draft_m - expected_m).abs() < 0.00625,
+            "{draft_m} m, not {expected_m}: more than a quarter of a spacing"
+        );
+        assert!(state.rotation[3].abs() > 0.99, "it tilts: {:?}", state.rotation);
+    }
+}
+
+/// A drop hits a ball that neither falls.
+#[test]
+fn momentum_goes_from_fluid_to_body_in_free_space() {
+    let text = "spacing_m = 0.025\ngravity_m_s2 = [0, 0, 0]\n[domain]\nwalls = false\nmin_m = [0, 0, 0]\nmax_m = [1, 1, 1]\n\
+         [[fluid]]\nsphere = { centre_m = [0.3, 0.5, 0.5], radius_m = 0.12 }\nvelocity_m_s = [2, 0.2, 0]\n\
+         [[solid]]\nsphere = { radius_m = 0.1 }\ncentre_m = [0.55, 0.5, 0.5]\ndensity_kg_m3 = 500\n\
+         [outputs]\nmeasure_every_steps = 1\n";
+    for method in ["pbf", "sph", "dfsph", "none"] {
+        let scene = Scene::from_toml(text, "hit", &[format!("solver.method={method}")]).unwrap();
+        let mass_kg = body_mass_kg(&scene.solids[0]);
+        let mut session = Session::new(&gpu(), &scene).unwrap();
+        let mut momenta = |steps: u32| {
+            (0..steps).for_each(|_| session.step().unwrap());
+            session.measure().unwrap();
+            let stats = session.finish().unwrap().into_iter().filter_map(|report| report.stats).next_back().unwrap();
+            let bodies = session.read_bodies().unwrap();
+            let state = bodies.states[0];
+            // What the fluid gave and the body has not taken yet counts as well.
+            let unit_kg_m_s = brooklet_fluid::boundary::solids::solids_params(&scene).unit_kg_m_s;
+            let word =
+                |k: usize| i64::from(bodies.reactions[2 * k]) | i64::from(bodies.reactions[2 * k + 1] as i32) << 32;
+            let given = DVec3::from_array(std::array::from_fn(|k| word(k) as f64 * f64::from(unit_kg_m_s)));
+            let body = mass_kg * vector(state.velocity_m_s) + vector(state.owed_kg_m_s) + given;
+            (DVec3::from_array(stats.momentum_kg_m_s), body)
+        };
+        let (fluid, body) = momenta(1);
+        let (first, before) = (fluid + body, fluid.length());
+        let (fluid, body) = momenta(if small() { 4 } else { 60 });
+        let off = (fluid + body - first).length() / before;
+        println!("{method}: {fluid} + {body} kg m/s, off by {off:.5}");
+        assert!(off < 0.01, "{method}: {first} became {fluid} and {body}");
+        assert!(small() || body.x > 0.1 * before, "{method}: the body took {body} of {before}");
+    }
+}
+
+/// Without fluid: a ball falls on a box that lies on the floor, and both come to rest on each other.
+#[test]
+fn bodies_fall_bounce_and_come_to_rest_on_each_other() {
+    let text = "spacing_m = 0.05\n[domain]\nmin_m = [0, 0, 0]\nmax_m = [1, 1, 1]\n\
+         [[fluid]]\nblock = { min_m = [0.9, 0.9, 0.9], max_m = [0.95, 0.95, 0.95] }\n\
+         [[solid]]\nbox = { size_m = [0.4, 0.2, 0.4] }\ncentre_m = [0.5, 0.3, 0.5]\ndensity_kg_m3 = 800\nfriction = 0.5\n\
+         [[solid]]\nsphere = { radius_m = 0.1 }\ncentre_m = [0.5, 0.7, 0.5]\ndensity_kg_m3 = 2000\nrestitution = 0.5\n\
+         [solver]\nmethod = \"none\"\n[outputs]\nmeasure_every_steps = 1\n";
+    let scene = Scene::from_toml(text, "fall", &[]).unwrap();
+    let mut session = Session::new(&gpu(), &scene).unwrap();
+    let mut falls = |seconds: f64| {
+        (0..(seconds / scene.solver.dt_s).round() as u32).for_each(|_| session.step().unwrap());
+        session.read_bodies().unwrap().states
+    };
+    // Free fall for .1 s: g t²/2 and a rounding of steps.
+    let states = falls(0.1);
+    let fell_m = 0.5 * 9.81 * 0.01;
+    assert!((f64::from(states[1].position_m[1]) - (0.7 - fell_m)).abs() < 0.006, "{:?}", states[1]);
+    let states = falls(if small() { 0.5 } else { 2.5 });
+    println!("{states:?}");
+    assert!((states[0].position_m[1] - 0.1).abs() < 0.01, "the box lies on the floor: {:?}", states[0]);
+    assert!(small() || (states[1].position_m[1] - 0.3).abs() < 0.01, "the ball lies on the box: {:?}", states[1]);
+    let fastest_m_s = states.iter().map(|state| vector(state.velocity_m_s).length()).fold(0.0, f64::max);
+    assert!(small() || fastest_m_s < 0.05, "{fastest_m_s} m/s");
+}
+
+#[test]
+fn a_saved_state_goes_on_bit_for_bit() {
+    let scene = floating(400.0, "pbf").with_setting("solver.deterministic=true").unwrap();
+    let mut session = Session::new(&gpu(), &scene).unwrap();
+    (0..6).for_each(|_| session.step().unwrap());
+    let saved = State {
+        scene: scene.clone(),
+        steps: session.steps(),
+        time_s: session.simulated_s(),
+        particles: session.read_particles().unwrap(),
+        bodies: session.read_bodies().unwrap(),
+    };
+    let bytes = saved.to_bytes();
+    let read = State::from_bytes(&bytes, "test").unwrap();
+    assert_eq!(read.bodies, saved.bodies);
+    let recorder = SessionRecorder::new(&read.scene, ParticleSource::Given(read.particles));
+    let mut planned = recorder.sweep().unwrap();
+    planned.start_at(read.steps, read.time_s, &read.bodies);
+    let mut resumed = Session::start(&gpu(), planned).unwrap();
+    for _ in 0..6 {
+        session.step().unwrap();
+        resumed.step().unwrap();
+    }
+    let (one, other) = (session.read_particles().unwrap(), resumed.read_particles().unwrap());
+    assert!(one.positions == other.positions && one.velocities == other.velocities, "particles go on alike");
+    assert_eq!(session.read_bodies().unwrap(), resumed.read_bodies().unwrap());
+    // The comparator: a body that begins anew does not.
+    resumed.write_bodies(&BodyMotion::first(&scene));
+    resumed.step().unwrap();
+    session.step().unwrap();
+    assert_ne!(session.read_bodies().unwrap(), resumed.read_bodies().unwrap());
+    // A rotation that is none is refused.
+    let mut broken = saved.clone();
+    broken.bodies.states[0].rotation = [0.0; 4];
+    let message = State::from_bytes(&broken.to_bytes(), "test").unwrap_err().to_string();
+    assert!(message.contains("the state of body 0"), "{message}");
+}
+
+#[test]
+fn a_scene_without_bodies_has_nothing_of_them() {
+    let stages = |scene: &Scene| {
+        let planned = SessionRecorder::new(scene, ParticleSource::Count(100)).sweep().unwrap();
+        format!("{:?}", planned.plan.passes().into_iter().map(|pass| pass.stage).collect::<Vec<_>>())
+    };
+    let scene = floating(500.0, "pbf");
+    let mut standing = scene.clone();
+    standing.solids[0].density_kg_m3 = None;
+    for stage in ["find_contacts", "step_bodies", "gather_reactions"] {
+        assert!(stages(&scene).contains(stage) && !stages(&standing).contains(stage), "{stage}");
+    }
+}
