@@ -6,6 +6,7 @@
 
 pub mod boundary;
 pub mod drag;
+pub mod emitters;
 pub mod forces;
 pub mod grid;
 pub mod measure;

@@ -22,7 +22,7 @@
 //! | section | version | content |
 //! |---|---|---|
 //! | `PART` | 1 | for each slot, inactive ones too, its position relative to the domain's lowest corner, 3 f32 in m, and its tag, u32 (`shared/layout.hlsli`); then for each its velocity, 3 f32 in m/s |
-//! | `AGES` | 1 | for each slot its particle's age, f32 in s; there only if some are not 0 |
+//! | `AGES` | 1 | for each slot its particle's age, f32 in s, below 0 what is left of its lifetime; there only if some are not 0 |
 //!
 //! In version 1 of the format the content of `PART` follows the header, without a list of sections, and the scene has
 //! the keys of `[solver.pbf]` and `[forces]` in `[solver]`.
@@ -182,7 +182,7 @@ impl State {
         bytes.extend_from_slice(&VERSION.to_le_bytes());
         bytes.extend_from_slice(&(header.len() as u32).to_le_bytes());
         bytes.extend_from_slice(&header);
-        let has_ages = self.particles.velocities.iter().any(|velocity| velocity.age_s > 0.0);
+        let has_ages = self.particles.velocities.iter().any(|velocity| velocity.age_s != 0.0);
         bytes.extend_from_slice(&(1 + u32::from(has_ages)).to_le_bytes());
         sections::append(&mut bytes, PARTICLES, 1, |bytes| append_particles(bytes, &self.particles));
         if has_ages {
@@ -333,8 +333,8 @@ fn check(particles: &ParticleSet) -> Result<(), String> {
             let most = seen.len() - 1;
             return Err(format!("particle {index} has the id {id}; each from 0 to {most} must be there once"));
         }
-        if !(velocity.age_s.is_finite() && velocity.age_s >= 0.0) {
-            return Err(format!("the age of particle {index} is {} s; it must be 0 or more", velocity.age_s));
+        if !velocity.age_s.is_finite() {
+            return Err(format!("the age of particle {index} is {} s; it must be finite", velocity.age_s));
         }
         seen[id] = true;
     }

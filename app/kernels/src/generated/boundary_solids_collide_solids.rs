@@ -95,5 +95,5 @@ static COLLIDE_SOLIDS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/collide_solids.compute",
-    hash: "cc1609ef5a44a19e043b7a971fcc5b9b8dbf35e56b94141ec9bdc83e9800f300",
+    hash: "1b49c6e477d3fd62544f9acf3f8c4945c92e86e6b2b91e7afc4084b9453a8df3",
 };

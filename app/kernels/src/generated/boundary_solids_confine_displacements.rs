@@ -109,7 +109,7 @@ static CONFINE_DISPLACEMENTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "9d132c4e24c6941efba58d68409fac86e13908adffa9bade141c51c2c5252ab3",
+    hash: "e7c03e31b319f81400b7ed5645659e88d232294064342118e37b20bbc9aa2092",
 };
 
 static CONFINE_DISPLACEMENTS_WITH_RELAXED_PRECISION: Module = Module {
@@ -122,5 +122,5 @@ static CONFINE_DISPLACEMENTS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "866f6ea475a997a193798217ea373fc1a105d87de1325af839963f2b19595ead",
+    hash: "c42a78f65d9528ce5c83dc0e8722de98374dcb934bbd50afbd2ba652f7e7dcd5",
 };

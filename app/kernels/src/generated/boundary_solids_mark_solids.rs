@@ -64,5 +64,5 @@ static MARK_SOLIDS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/mark_solids.compute",
-    hash: "ac2148c598f763a9ce37950264ed116c0acdb618270cdbfa8777850e70821627",
+    hash: "e107dd2584880c2c5a78a846e226c0a8ffb5daa3af930869ddb66a8f698d1768",
 };

@@ -8,8 +8,7 @@ use crate::{
     Uniform, bind,
 };
 
-/// Where solids are at a substep's end, and the boxes around them. Between two keyframes one moves evenly and turns evenly
-/// around one axis (a quaternion's slerp), no more than a quarter of a turn; before the first and behind the last it stands, or begins again.
+/// Where solids are at a substep's end, and the boxes around them (motion.hlsli).
 #[derive(Debug)]
 pub struct MoveSolids<'a> {
     /// `StructuredBuffer<Solid> solids`.
@@ -72,5 +71,5 @@ static MOVE_SOLIDS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/move_solids.compute",
-    hash: "0196c129c1f74a06c2f43106328dff4669979244db1d0b0c60917ad3791b3231",
+    hash: "03c62a2f4ffc00466f2fc92416fc55b095405c006b5f61abe578ab29c61362d5",
 };

@@ -89,5 +89,5 @@ static SAMPLE_SOLIDS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/sample_solids.compute",
-    hash: "96e28e27ce80c8ea826247bba1c67168dc7dc28d9ce3a6b5b47113f359c1b5c0",
+    hash: "4faf0106afa9a1cb218661c38fcf536b57ca1af387383f6cb4860ea5d6db6e46",
 };

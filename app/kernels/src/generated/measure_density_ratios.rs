@@ -126,7 +126,7 @@ static DENSITY_RATIOS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "066603a9a4438139a0564acf39cdeb8c1daee71e087cb6a9aa0c079924290d18",
+    hash: "70e028cd160e5217dc2aaff3356a312474886008f6f027e3a207cc2ceb98c678",
 };
 
 static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
@@ -139,7 +139,7 @@ static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "cf658cccea3175c0dba4419fa5de5825f1ad8fa3bfb8abe856892d976ecb0afe",
+    hash: "c4554e62c9cab2cf3ae3c4956f3db9b32e12d1c76d5e48ef85fcaa6591c26108",
 };
 
 static DENSITY_RATIOS_WITH_WALLS: Module = Module {
@@ -152,7 +152,7 @@ static DENSITY_RATIOS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "c52fa800460e2cb80ee9eafdfd89d77fc0d127e43e2b65d9ad367b7a6bdc97a0",
+    hash: "123026d2e0c5d98347f2d2f927d86c834de46d133c577c604e46b7e7f1762a84",
 };
 
 static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -165,7 +165,7 @@ static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "8bfae98e4b2b8fb939d3c4b988358189756bd29f0561f3aac3fd2e0b5f1d3b63",
+    hash: "b09ced4164f41bee647d3e8799159679aa0703a973c0b7216b4bd4785432630d",
 };
 
 static DENSITY_RATIOS_WITH_SOLID_WALLS: Module = Module {
@@ -178,7 +178,7 @@ static DENSITY_RATIOS_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "4fd8c9d0c502b080db5222f582c83a49f92cb573a82978e585b7ff18f6a55589",
+    hash: "92c639d1958deaf8743d033e85bb5886812d32a50f9c4751cf18e73ba5e33f1f",
 };
 
 static DENSITY_RATIOS_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
@@ -191,5 +191,5 @@ static DENSITY_RATIOS_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "5d27d3559a811dbdabf0db930b5f04c3c97954e431fdc85ae6a731fd2f9db3e5",
+    hash: "45b7a63a24ae98c69974a22c09fbeefade9d40d4dee98be76073cf0c8366cdae",
 };

@@ -171,7 +171,7 @@ static MEASURE_PARTICLES: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "d6db4d257a507e37cb2dfc99b048107ccaeb97fb831e1d08a142ef47c58eba0f",
+    hash: "3db65daa0bda0fb1293fbce87ccbcc918b8570e18a001b00b7fcde50a0d7b13f",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
@@ -184,7 +184,7 @@ static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "e6ad36c7ec8b111c145b50cc2419f86de85b8583a0c932a1b1c7c5e6c8180646",
+    hash: "037457368538d3597a0444d24c1250685dc79f4fc8d70057f6be0980c8e35489",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
@@ -197,7 +197,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "d5bf4decbc6ffc90b14ca394e792812b90803a6493704dc6c2559fb804d78a30",
+    hash: "fde19b378a231a9302873351f0d1ca9e437304f0a6cc3be61b798dee78a1650c",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
@@ -210,7 +210,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "7ccad16f1770ab19f8cb25a6dec9fbff7a55d36e1c72d77d3994030b5edc29ce",
+    hash: "f35bb886705dfe0045c88c2901e0106fa046d9298a79b700274b33a129e235e0",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -223,7 +223,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module 
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "0bb566c7b64fc247c2ae09aab0c5e62802c3fadb401e9df8c3463fc6f0715f7f",
+    hash: "4deeed7e13b70ea439987cd0f366dc50f8f3a5c1590b1ca15fdf994cb19f9efd",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS: Module = Module {
@@ -236,7 +236,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "01e906094791597cfc2bfa312554217049268644a42c05c4e03880d08dc79e37",
+    hash: "d2ec1e2ddbd92b3c8a5637c883de7409bbe31d5e3f991bdfe1a947f5452917a4",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
@@ -249,5 +249,5 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS_WITH_PERIODIC: Module = M
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "4c52299224851dfe09975534f79bb5014a6263ede88cd6daafad99f695a7c972",
+    hash: "4ab0cbed162a2c8178b69f650449f8149fc312cafc92322b85d3cc43b3db790b",
 };

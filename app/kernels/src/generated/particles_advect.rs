@@ -137,102 +137,102 @@ static ADVECT: Module = Module {
     name: "Advect",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 5300 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 5292 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "fc516c3eb041caedc834ef1ad2c474abf940973bb57d0636593c3c98b613fc26",
+    hash: "729a4486fdcde844b08e9958c4c478d3adde94d110c2df3a55b411d94bd547b5",
 };
 
 static ADVECT_WITH_PERIODIC: Module = Module {
     name: "Advect+PERIODIC",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 5300, bytes: 6284 },
+    spirv: Spirv::Packed { pack: PACK, first: 5292, bytes: 6276 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "9f74ad24d909f9f339d89d81b400991b491de39dbb34ebe01d89ffcdde07dd10",
+    hash: "4bc729598c879992e1795ac96660ad5faca52ca0b63a53c1d7f8726876a465ab",
 };
 
 static ADVECT_WITH_WALLS: Module = Module {
     name: "Advect+WALLS",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 11584, bytes: 5800 },
+    spirv: Spirv::Packed { pack: PACK, first: 11568, bytes: 5792 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "b134c4d3705aae106a976df52e1ce5c2dfbc3db9e122af0b8466df8b41a0800d",
+    hash: "367e21cd69964cebd4386a1b4f429b97e0ec78b9fa845cabcee29ffba6f97967",
 };
 
 static ADVECT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     name: "Advect+WALLS+PERIODIC",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 17384, bytes: 6768 },
+    spirv: Spirv::Packed { pack: PACK, first: 17360, bytes: 6760 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "5c12aaec2bd2b7fd06a01c32adc2ac6ab8cc2bdc8392bdc02ce45afba0a305ac",
+    hash: "9686ff7cc4dc835d5eab328baf3b6fad81d05224f7cef6da62f4b948e7ce8f64",
 };
 
 static ADVECT_WITH_ACCELERATED: Module = Module {
     name: "Advect+ACCELERATED",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 24152, bytes: 6268 },
+    spirv: Spirv::Packed { pack: PACK, first: 24120, bytes: 6260 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "97e245bb4c4d3bf0dc32ff016d764c36ebf8212197946e122824c486862003b9",
+    hash: "f1bfdba035942aea38f06851917de944c8dbeb084fcd2fd4fa58d98ac61c4c91",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_PERIODIC: Module = Module {
     name: "Advect+ACCELERATED+PERIODIC",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 30420, bytes: 7236 },
+    spirv: Spirv::Packed { pack: PACK, first: 30380, bytes: 7228 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "d3c5a6f447d52d3328155e76c5221da3e5e8463f9d9d8795cbf01cd36b18b1fa",
+    hash: "65d7cb7da71f3bf9c48ad196aa7dafa859216ae8a41c39040c65c8a8f55e2ed1",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_WALLS: Module = Module {
     name: "Advect+ACCELERATED+WALLS",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 37656, bytes: 6752 },
+    spirv: Spirv::Packed { pack: PACK, first: 37608, bytes: 6744 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "8e71069de8503da80cdea2b85ba66ee1a2221d0e96d9ff7998ff7950879b5ea0",
+    hash: "8f00db5d91d9ada160ed3d27e42feab833c10dd8bfb28b30c89f183537219333",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_WALLS_WITH_PERIODIC: Module = Module {
     name: "Advect+ACCELERATED+WALLS+PERIODIC",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 44408, bytes: 7720 },
+    spirv: Spirv::Packed { pack: PACK, first: 44352, bytes: 7712 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "87bc840c7d2ff85667b16a28d62bc64c60ab48679f53e872edf7e5dd401e6f22",
+    hash: "d192dac4c0e2595f59c976f5746ecfb4b9fe3e91f2cc83deaa741a45a8c28944",
 };

@@ -76,5 +76,5 @@ static BOUNCE_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/bounce_walls.compute",
-    hash: "4894e1c78e3e8f63758f9f541dd60e6c344b87729dc1bce63de20082ae5c1c71",
+    hash: "d8880327ae0db22422ab6801535206645b2b116c9de52838b367d2c619db6e9e",
 };

@@ -91,50 +91,50 @@ static PREDICT: Module = Module {
     name: "Predict",
     entry: "Predict",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 5392 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 5384 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "d7b4e7f94bcc6ffde991cf2060cdb43149b448a0fc742725ee08e124c45baa5d",
+    hash: "41126a218c3a45369be8552abfec87973b91a6649344473e00d557b160bc8c9c",
 };
 
 static PREDICT_WITH_PERIODIC: Module = Module {
     name: "Predict+PERIODIC",
     entry: "Predict",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 5392, bytes: 6360 },
+    spirv: Spirv::Packed { pack: PACK, first: 5384, bytes: 6352 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "8a0044884a24acb2bfc988951b50d755ef2ae9fbbf2eb49aed34ce543307c86f",
+    hash: "24c1906954ad84f3600561e36620e850c54c53e20243eccc0d501c7236527ffb",
 };
 
 static PREDICT_WITH_WALLS: Module = Module {
     name: "Predict+WALLS",
     entry: "Predict",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 11752, bytes: 5876 },
+    spirv: Spirv::Packed { pack: PACK, first: 11736, bytes: 5868 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "8c317518187a48968b914b880bbab0e1320ee0debd365a20d53cb59f1335144d",
+    hash: "a5afb6d0930546b3b61821dd03b2f853d7f5c1c9b820fd0892a69842d950a4ac",
 };
 
 static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     name: "Predict+WALLS+PERIODIC",
     entry: "Predict",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 17628, bytes: 6844 },
+    spirv: Spirv::Packed { pack: PACK, first: 17604, bytes: 6836 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "ee22ab68a1c83ef5fac5f3d6318fc501e654458111d73c0e594b7bae90be9850",
+    hash: "76ee986c0d2a96574a8122896880f13470b67c2d3f6aae5c0e60ced8297b493f",
 };

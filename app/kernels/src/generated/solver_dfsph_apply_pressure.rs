@@ -175,7 +175,7 @@ static APPLY_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "e13e063c1ce8bb5a17b5f444e4ab1fe35d9c1756c33a648bbab85762f68cad5c",
+    hash: "e0a9a6062d499b008379c931ed28278403fe15fc5faecd2ce07b334d84b9cf60",
 };
 
 static APPLY_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
@@ -188,7 +188,7 @@ static APPLY_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "74b0ec25353f641617bcc95da88ab81f70929d1361efbcae9eacc9adca200788",
+    hash: "9a2237e5af010fccd5cf4bde129171c78b4cc3bca851f9d8d655cff6cbd6a827",
 };
 
 static APPLY_PRESSURE_WITH_HALF_PRECISION: Module = Module {
@@ -201,7 +201,7 @@ static APPLY_PRESSURE_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "51f8b75a2afc84feb1868d836a49c3ff4120a64c43d29eacc089db3d50c91f75",
+    hash: "44571c4c7deab72ad54a957315c4470647fccbd916c60338c7431252a9a59d82",
 };
 
 static APPLY_PRESSURE_WITH_WALLS: Module = Module {
@@ -214,7 +214,7 @@ static APPLY_PRESSURE_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "80e4d1088bb4431543d10f824c142e798ddf81dfa5efe953002c2c3d8fdd8cdd",
+    hash: "79f6be033359e66c3f888d644675b94d5ea665ce33446fc0a89d5795f2810b8b",
 };
 
 static APPLY_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -227,7 +227,7 @@ static APPLY_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "841b0ed7a6f7429c9a5757b1d64a93dfd43b7bd69bce6c6f95274282517c0343",
+    hash: "6ae47d380708a071b62764f5dbc09e3500f484b1fec05435b6a38e5281bcbdd2",
 };
 
 static APPLY_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -240,7 +240,7 @@ static APPLY_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "a4eb3b83354447898ca9719445a8488e5f2fc8ce28b6496edeb9846bdaea57e4",
+    hash: "8a9629ac23354211dd94800422967c1467b0b58aed59b60645d4ceae62967f48",
 };
 
 static APPLY_PRESSURE_WITH_SOLID_WALLS: Module = Module {
@@ -253,7 +253,7 @@ static APPLY_PRESSURE_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "63a06108554be6ffb7359713ba3038974ad90479399eacbe106afdc7b6394694",
+    hash: "ec2f6c38904379c9fd1f681a9780fc3dd4e81225ca93237615bba94d92586cfa",
 };
 
 static APPLY_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -266,7 +266,7 @@ static APPLY_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "778a9df930f611de99ee6f25562cf423f844d150b1102e092715918d7af943e4",
+    hash: "7bdba4121c6bee8ad52035943fe8445f0229f7bddd04c94769188771ac399da0",
 };
 
 static APPLY_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -279,5 +279,5 @@ static APPLY_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "95635ee813f98bb20e3cb3a0672e6077af9572aa0d97aa08df9877abbe4fe1c7",
+    hash: "77b2c6c67071b5a46a10581a05161d1be25ee99e480b58e00f7bb960ab085359",
 };

@@ -214,7 +214,7 @@ static CORRECT_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "8787afff7e948dd66f5c6c793e8fe373c0d31a9386ddc61a4b06da102efe1b2b",
+    hash: "5b8530caf16c3eb9e1bbcb2004dd67d61d7f6cc5fbfc12b467840430700e5910",
 };
 
 static CORRECT_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
@@ -227,7 +227,7 @@ static CORRECT_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "2e95f46770d2b0f530315fef5a8026056c441f0c6c5ce7671f6b6ef1e63b5fb6",
+    hash: "05859feb730c9ffe238e4e299b3b3e61aa9d854af3d0753867962e21590bee96",
 };
 
 static CORRECT_PRESSURE_WITH_HALF_PRECISION: Module = Module {
@@ -240,7 +240,7 @@ static CORRECT_PRESSURE_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "6297c4551ca809a4c3f5e6d1e7680416d4da47728ae7c11f86af3621f518104c",
+    hash: "c0aa687fe8009a015e767edf62874d2d67b7457e63e67138301cf7d63f318584",
 };
 
 static CORRECT_PRESSURE_WITH_MEASURED: Module = Module {
@@ -253,7 +253,7 @@ static CORRECT_PRESSURE_WITH_MEASURED: Module = Module {
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "a913b76b30f4ce66d8a0c8726f2d4aa0915bee33812ce4c0e4deba5009cac423",
+    hash: "45426f098d4e9357f2345e83bf4d8e24f267ade6d147df44de1630931d690f04",
 };
 
 static CORRECT_PRESSURE_WITH_MEASURED_WITH_RELAXED_PRECISION: Module = Module {
@@ -266,7 +266,7 @@ static CORRECT_PRESSURE_WITH_MEASURED_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "53a12b83bb79fcb8ce12bf6074f60dfbb7be377e8a78e3c8315e7945dbe0d23d",
+    hash: "269e5a4b4cf61095f046961dbe688aac8fc2bb59a4ff007160db4ad78560c2e8",
 };
 
 static CORRECT_PRESSURE_WITH_MEASURED_WITH_HALF_PRECISION: Module = Module {
@@ -279,7 +279,7 @@ static CORRECT_PRESSURE_WITH_MEASURED_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 256,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "a4cef861c09da18002d3356d680697463bb115a18bc7cee257ca7eb95ea46166",
+    hash: "452bbfb7f39317b695dd1d9c282d1324b3c6f3198911e83bae2c5e08e74862f0",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS: Module = Module {
@@ -292,7 +292,7 @@ static CORRECT_PRESSURE_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "128f433566d7ba19382115e888c8e8217c06d1e2607b2ba55f3ed46accef3bef",
+    hash: "1053fbd5387446d3ec1fd790d9283b18d10f3c690c270c80b0ce9641b2f4a664",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -305,7 +305,7 @@ static CORRECT_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "21a689ed2035ddb24a4d0890449a392ac29a4159753125266fd442619758699a",
+    hash: "459a4dd62ed57eb7b06ddb0460b4c8ef15fba4e0395b41bfb20d07907fcc615e",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -318,7 +318,7 @@ static CORRECT_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "e8f9743f8fe3e1cb4bab9099963516e1e1b6e5cb9b09c0b0f76bba3055cfc958",
+    hash: "4ee247520c5c87d6b124ae8fe8e9ec433d5e1317919795fffb48ba35e936aa6d",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED: Module = Module {
@@ -331,7 +331,7 @@ static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED: Module = Module {
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "68343aee172db105f670b98a612f79890fed3c8193492742e19ab3a9c88cf016",
+    hash: "85dd362d2e72018cba7d13103ca2fee0a310501fbfe58564f0ea262a38549641",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_RELAXED_PRECISION: Module = Module {
@@ -344,7 +344,7 @@ static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_RELAXED_PRECISION: Module 
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "c7c1d7af5b2fcc4dc367e596901bfba185b9985299439d67454914b8a3ceab7b",
+    hash: "45016ca39b6dc4176bb41eb56973e62578a95985203eb3606d6a3338ffbec3d9",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_HALF_PRECISION: Module = Module {
@@ -357,7 +357,7 @@ static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_HALF_PRECISION: Module = M
     shared_bytes: 256,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "1e9a9b575d378eabc3656aba0d81b315867681edcd21a83d87190b430cd9c390",
+    hash: "f9ecdc6ecbc7891bbab0b517a9e30e8f8ca3d10363a4ae9ac8b28079a94c5f40",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS: Module = Module {
@@ -370,7 +370,7 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "f7511952eae5ebbcd3cf9c74b16c7018a6d480e1697a31505d9df5842fccc6de",
+    hash: "d194cd843274e9e571af0e07cc516810305c0b35d3129ad7d2f7cf569635d894",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -383,7 +383,7 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "c8c2551eaca092fd848126bcc7b5e7a3f720eea08d4c8e2e4931afee5c6cfcf9",
+    hash: "f1a5534d5cad7887d84dd724aa608a431f18a25cd9cda03e43f038821a224ad0",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -396,7 +396,7 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "c0e2689d741f6e7162755a9c3b2ea252950d95dc9a09308b349b02519394d3ef",
+    hash: "4be65f35fde7b6257359667e4124e9dbae206cdc278e9e26edb06a38a7dd50e0",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED: Module = Module {
@@ -409,7 +409,7 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED: Module = Module {
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "8b39d95aeaec8bf79259baccf1dc33856883bf9a33f4d9bd81f007bf6e3d4ca1",
+    hash: "363d8d4617adfb785d6aff640948eb7b0c055863bbac64b53c24a301c5986d79",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED_WITH_RELAXED_PRECISION: Module = Module {
@@ -422,7 +422,7 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED_WITH_RELAXED_PRECISION: M
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "b19971b9b6306abf5c5ed7f9f390d780f169dfc570dc4a5a54a5654bd188fb84",
+    hash: "a6cd0e5255b14b0309c7cdd13a417eb5ade3d4a97683ef94f072dd9168f30ad2",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED_WITH_HALF_PRECISION: Module = Module {
@@ -435,5 +435,5 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED_WITH_HALF_PRECISION: Modu
     shared_bytes: 256,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "ee2dca67e90808b3566844f946b924f37affa3b73df7d7901810602b475c7457",
+    hash: "f70c6aea3d7e61d5f35e875232ba31e21fd50f6711b66cc68f912ff14a65141a",
 };

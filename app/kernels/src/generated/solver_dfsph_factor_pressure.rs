@@ -184,7 +184,7 @@ static FACTOR_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "a38a0a68b273c4307d651a024f0f737361fd2fa0e281456aa98079e83d46e0c5",
+    hash: "f13a47f4262274386d44a4830a0a562850b452805e5bea7b39fa7efc7a56c176",
 };
 
 static FACTOR_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
@@ -197,7 +197,7 @@ static FACTOR_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "13ec867fc73e167573039e92abfa35fd521fc2f64eaae5643ded53462f61c5d9",
+    hash: "8c9c04864864e6800a21e52e8833b28c8c550b336457b9c9e273279862bba249",
 };
 
 static FACTOR_PRESSURE_WITH_HALF_PRECISION: Module = Module {
@@ -210,7 +210,7 @@ static FACTOR_PRESSURE_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "2d331a23a04b90fb42a0265f617d92045786a0f02c2927558a4bb466673e2f5a",
+    hash: "8a3b9afaf92af9d8ea0f204b92923eb797c2dd273d4401b962bb62a8ac398fe8",
 };
 
 static FACTOR_PRESSURE_WITH_WALLS: Module = Module {
@@ -223,7 +223,7 @@ static FACTOR_PRESSURE_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "5b582ec1e5744345e8e141db6f882b616b37d653c18d5af16426c70f3d9e2ff6",
+    hash: "68c79db4edb6b04edf83fea8b06fa790862cbe1c3bcdf674d44031b845c48ff1",
 };
 
 static FACTOR_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -236,7 +236,7 @@ static FACTOR_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "0903f8fcc7748930b626c71c5efcbcbc055a815e09c8fb8a81fa621ae41d3091",
+    hash: "49985bfcb2f5d12b9a54ef1a55cb1faf93c7e7cdc37a55500f6c5583a20d4505",
 };
 
 static FACTOR_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -249,7 +249,7 @@ static FACTOR_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "74ecb64fdc474b1e59eec9882bb7cd0f135c0b6adf05d451a78c62e40fd944b4",
+    hash: "80c961fbb214b51c16a01eaceb7ccd2c0f23cebb0c8aacc9fd935a1789146548",
 };
 
 static FACTOR_PRESSURE_WITH_SOLID_WALLS: Module = Module {
@@ -262,7 +262,7 @@ static FACTOR_PRESSURE_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "af0767c526f7b93b2ff34e8269373d9f8b5c5350d93edd26ce2a7baf68367fa5",
+    hash: "ed418c1e98c2c01238f48fe380f83718f05d475a9734143c8e2a57fd3dc6458e",
 };
 
 static FACTOR_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -275,7 +275,7 @@ static FACTOR_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "116f5a7eec1589e16e5d330fce79db8cf37685a142cee56a27be49fd9fe2304e",
+    hash: "c3fbe00e886c2b5a5a8ccab9fc7635a2a1280d7760ed89aa7cd4f7a025728b68",
 };
 
 static FACTOR_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -288,5 +288,5 @@ static FACTOR_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "f87274de203a61ecf7d5a025048aff821d9f6b0e25dde43b841f57eca4ac24cf",
+    hash: "f93013f1cb1826ae2d3c79fa141ed896b80e8a9c7631a942195792d14caaadbe",
 };

@@ -133,76 +133,76 @@ static SHIFT_POSITIONS: Module = Module {
     name: "ShiftPositions",
     entry: "ShiftPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 4584 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 4576 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "980db6a4c59f2e24dc426799c497c8cbb0711e4096ea7a77b050fde7389fcbb7",
+    hash: "c7f72eab2ad2d253b7e23af8600cb4c4dc94e8d3a0a34638d5f767cfaf2a215e",
 };
 
 static SHIFT_POSITIONS_WITH_PERIODIC: Module = Module {
     name: "ShiftPositions+PERIODIC",
     entry: "ShiftPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 4584, bytes: 5568 },
+    spirv: Spirv::Packed { pack: PACK, first: 4576, bytes: 5560 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "61b2b610201294210d5289df8829ab3323a1d59f268b1762127857a9170cf502",
+    hash: "972f033ba7b85c0fc5eef997dcdc66ccd970810bf597e80f9de650417d8bb4c7",
 };
 
 static SHIFT_POSITIONS_WITH_WALLS: Module = Module {
     name: "ShiftPositions+WALLS",
     entry: "ShiftPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 10152, bytes: 4836 },
+    spirv: Spirv::Packed { pack: PACK, first: 10136, bytes: 4828 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "aadffebbaf1e2d7287f8f5b3ee4bd6ce748e44095518de374c89e50c70c97c88",
+    hash: "774942d8134ca48fa9885ad7014da38efbae15b8440104ca998df0963f0c862e",
 };
 
 static SHIFT_POSITIONS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     name: "ShiftPositions+WALLS+PERIODIC",
     entry: "ShiftPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 14988, bytes: 5820 },
+    spirv: Spirv::Packed { pack: PACK, first: 14964, bytes: 5812 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "4b4c1d8c73f3ebfcf30871796373d3150478f246811b188bd8253a7729ac45f4",
+    hash: "2425ab8bddcaf0a8f4b8a4e332ae0a2fba9b28c9f956925d4516dec0f9ba3848",
 };
 
 static SHIFT_POSITIONS_WITH_SOLID_WALLS: Module = Module {
     name: "ShiftPositions+SOLID_WALLS",
     entry: "ShiftPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 20808, bytes: 32352 },
+    spirv: Spirv::Packed { pack: PACK, first: 20776, bytes: 32344 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "e66d09ca3af5ef6c27b4a5180f1456b64e8fd2a776645c3c933ea0cd477cc92c",
+    hash: "d3acea33a00e0ad47083ca398cd1e3f529ad70de67896f159fcf22013e5167bc",
 };
 
 static SHIFT_POSITIONS_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
     name: "ShiftPositions+SOLID_WALLS+PERIODIC",
     entry: "ShiftPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 53160, bytes: 33320 },
+    spirv: Spirv::Packed { pack: PACK, first: 53120, bytes: 33312 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "f8a6499a47f8ba1ab950aa29ae15071964c3cd644b019a5b8948eb21cdfff7a9",
+    hash: "c980bb1eed18b9d211e649f8e647fb9f7fc360f01d27b226e5d3050a4e48267a",
 };

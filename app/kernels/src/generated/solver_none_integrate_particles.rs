@@ -99,50 +99,50 @@ static INTEGRATE_PARTICLES: Module = Module {
     name: "IntegrateParticles",
     entry: "IntegrateParticles",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 6532 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 6596 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "fb9fb5c2b88292631bed3093e1a6000d9e367a9f1dafb92b25ee2978df5c8c51",
+    hash: "f63240ff5ba24b742b85155b2c0b175a1a53e58d35c3f4f2896ddcbf3e950a5e",
 };
 
 static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
     name: "IntegrateParticles+PERIODIC",
     entry: "IntegrateParticles",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 6532, bytes: 7484 },
+    spirv: Spirv::Packed { pack: PACK, first: 6596, bytes: 7548 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "a7011404582ba4d90623cd2aaeadb6a5345218a29a6de63a2c92bb867ca82586",
+    hash: "842f6f93f0987d90b09b8da2b4d462f698b6053682eb03f3b9bab0d9155a2fe1",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
     name: "IntegrateParticles+WALLS",
     entry: "IntegrateParticles",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 14016, bytes: 7076 },
+    spirv: Spirv::Packed { pack: PACK, first: 14144, bytes: 7140 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "465f9c784750adf0665cfa977fb85f804e28ceb068628a432b7118f0857f1f43",
+    hash: "0c9e8e0b195ff595fc879883ec93730b30dd77c040661fd8c477b3266e7d7d7e",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
     name: "IntegrateParticles+WALLS+PERIODIC",
     entry: "IntegrateParticles",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 21092, bytes: 8028 },
+    spirv: Spirv::Packed { pack: PACK, first: 21284, bytes: 8092 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "272b056156b90cd4c0f501462645a59f524cd31dc9596c69bc2a4dc10ff0d307",
+    hash: "4904586db5e57a73d9c7dd4ad469abc582352fe31a2c9e1fbc1cfc103290c67d",
 };

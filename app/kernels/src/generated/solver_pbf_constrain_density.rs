@@ -773,7 +773,7 @@ static CONSTRAIN_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "ad9a83e77202b283d4926b4e9cbdf680b41db7380c988fca826d1fc8028b9d24",
+    hash: "d291de7d097450963737c46401519e8b088b8d4cc53fe4345b86929dd4aa81ef",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -786,7 +786,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "71f30cf2ff4611d053a52600aee38d8305d9c8f4609fbc963187914372226842",
+    hash: "3f5bffb57898e7c6beb1e3df7b1207cd3aeb2f684bb1b258c76aababf5d0a7a1",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -799,7 +799,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "99307c6d89605f9706038607a956deb733bbfd8fd0f279e8f25700a7af61ea63",
+    hash: "18add5e392d6cc43cc87835f60c9893f6418277b2dcd607134791e2e0aefa677",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
@@ -812,7 +812,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "81aac6ec5904109acbd257ee0f0131d1b902eaf58e3c5b805f5a92b92a628e12",
+    hash: "fa0448ee5502bc888a16ad27b5771b7816e691fa40b3ee627c6f9325fae7840d",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -825,7 +825,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "4876cb1ed0775155bda7133d05828dbf404308eb37e59924318fb8b16c6119a0",
+    hash: "91be3fb9a5d324544cf54b6dcb59e4d55a084597134489f836a39670a12a7570",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -838,7 +838,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "0aff6cf46a011424091670ca4d4a186fe949965bdacb355c7fd01a0ecca333b0",
+    hash: "42acfeafe42b03922762ee8805ea5c3f4cc0edf5647e74379e3388f8a6716a3c",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -851,7 +851,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "a311780b44c2118971acc2be95e2991f96c1a447fe09c29b72e98f210f48cb37",
+    hash: "47da3b7878c2abf44dd38d2da9c73aa2300e82cbaeb589779f87e53b9b7b3436",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -864,7 +864,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "afe2b7266d8e8c9439504dee134d0a60cec62b7a66613666d13f159a7cf714d8",
+    hash: "3eac34930096f27143f480cea809910e1d5a1b6842aff735756002d6cc5a9ca3",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -877,7 +877,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "7a71f614a76f86505ea7ccced8aa459ad8a38ac15f16e7726cba4d6750fd926d",
+    hash: "6b3d2e934106cb5ecce6532fe9b2f49922b2458c5f53e56b5e68ea1cf4502f5d",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -890,7 +890,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "d70e50afb976d0f46c2ce3469b1efaa6abfa0e7ce009cf3992214552f0794386",
+    hash: "611ac63af6e218ffdf432a1505c4416b03b4e04a386b1ef8401457c6ca649b41",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -903,7 +903,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "fcfc85940159d8bf4b556098c5a3f2d34c0a7d72a388a22feb265dd4f5fd0e36",
+    hash: "49086adabc62e0196dbec54d001aca84abdbf38cecc82f31d87d6ce607c11aad",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -916,7 +916,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "e10d49e362c51edefd23b3555b49831e55468d87aa6a9b89f45546cca0c57b11",
+    hash: "58188c1a5880fe132298c483225802904fe8439978b40115aa5435c5a3e26d2c",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
@@ -929,7 +929,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "fdb277015c2a76bbe317976d9826ca07fbf5e7d8c7564857db7ccd4e53b6ef95",
+    hash: "b0967ca57c44c5fab84eaa93748ff588569dc63e3d37d9c207e2995fa3849dc1",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -942,7 +942,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "5a86a9c86e65cae3a7c28523e403d8819d056b5b835b2f86c46ff96675c954a8",
+    hash: "ec3f37629a5aeeb7eae94084852e4a630b49c67b5e070f3010ff283c33dbd657",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -955,7 +955,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "90745aad34b79a9ef261c0d5d964b42fcd2bfa11acc035ce3198dbd74d6751f0",
+    hash: "75e7842345bf343e4274f7c8d4d2b714428eed02e7473a2ccf7f03b688903fc8",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
@@ -968,7 +968,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "b3a37bce59e8c364988076cb7003f73040053ed3e6089c15f5466e05f5fe13af",
+    hash: "1a466500f836910e8bad8f5053219977756933ac37dafd42a6a0e811e83955ab",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -981,7 +981,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "a3dfb5d7f85f3066ee3e1da9d15b095ad528774076fa7eceaa613b25df51e2a5",
+    hash: "0ba4b4dc2d11b4c6d42448a9c9165b925b1a36c72ba036c0a53694efe5908cd1",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -994,7 +994,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "d61bf57c035f8cba092bddb553bf479e002c1a24194d648a85fcb61c8c237aab",
+    hash: "e3fd2e546cc43d3e1a2e1e5a989093c011530c507e0554a4dbfbbd1d148482c8",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -1007,7 +1007,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "3c1407b5908eceb7181e58858baa171673bcc4059b8d9686c3b17fea0f08625c",
+    hash: "360b7840647b09745fa345e420a09c46c9f5acac8bd17d944715402d363a6346",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1020,7 +1020,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECI
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "6b3b9ce566ab8fb31fbe2c578e7a7ffb4d550addcced2ef63c1298cea93b190b",
+    hash: "b8d75b4771d205ac46e9e6db9874724a45a9b5d874067a598392f1c51f5a992a",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1033,7 +1033,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISIO
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "72b486be59d063761adb99a61e92a01572a7ba2e8bb8bf3babb2324d3572ab0c",
+    hash: "e70b88f2f3571687e4335dcaacc8e5e9f1ed8f7fa6666f46273fae326e853413",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -1046,7 +1046,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "0784825894b5d6067f66ad3a6af415dfb43d27dd37f5464cf51f29a624b24df5",
+    hash: "eee303d1199af9b36eb865d4d98205e2e9e0e70533fc679854f75b9bafa9ddfc",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1059,7 +1059,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECIS
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "ffe3bc50cac94c4f3da58a122e96b33185dbc68b89584b494a9e1645ca155f35",
+    hash: "bf47fe85772bbe8513a5512782f4b9e01b3f78112d89f3e6ded225d1b3faf1db",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1072,7 +1072,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "f90d712a552c95c5701dc852fb8aba550b51597bc28b82fa36317b45b69eb782",
+    hash: "a3fc7a01142f2d3437b1be1a02941f9377631921f83fbea8aaa9dd1024aea711",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS: Module = Module {
@@ -1085,7 +1085,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "35952550a7e4099387db8b18fcc669866a7b221c39002ddbabbeccce8f66a675",
+    hash: "f7db17e3f368aa3d624699e6a85a4ce63977c3633376e756950b11acd2f0f400",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -1098,7 +1098,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "068ebff56d21c112aa9542680dc3b66e416b269cb0c910de8f0963aa3394ffbf",
+    hash: "c39c348646a917df3cabb023c194bd72b8c382d0eb0db736a78a0c4c53e6da9d",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -1111,7 +1111,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "5bd9b02096c59ed896c9e43f19ee1dfae8bb8126e48c7238a234b2b6eae012ce",
+    hash: "eb3bf053dd6a306cb88f9dc1792673f03a1c600b9732b272f1bf06efa1843ec4",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM: Module = Module {
@@ -1124,7 +1124,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "70ee81ae906b01929c690c23a836b3d073a997c340a207908bdc0f7117fa5451",
+    hash: "c0d42733b20b030cfbc02083d51eb12c661ae560f4d155c14ba907cfdb609cac",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1137,7 +1137,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "90b4938cc517593df1bda5f5c3417ceed1dae429a82d8e9d9585de530c2e549e",
+    hash: "1c31388f6438cd86801c1be3d4cc21429703696879b8408029c9aa88dd153fdc",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1150,7 +1150,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Mod
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "636e3abefb9d2f41d9c8ad5b792268033893d439c037749b94f377aa1ea2b105",
+    hash: "94448e16beee1601b8fad9cb7e5150b06ea536f78f08be48f39ffeda2ef8b762",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -1163,7 +1163,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Mo
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "3c32bcac0e997b18d8ecae8985a7848ea19fe34eea6418740f6fcf49a20eec2e",
+    hash: "8b67221b6e65893f8d59b17e98df8cf98d4e8177f0a3ab6c0060bc53b856261b",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1176,7 +1176,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "eebeed5a8e8569ed1a64ce32e51f4423240a46570eacf2d80b3641bbd9e5cb45",
+    hash: "9c47b04201afbd31fd50973692fdb0962c304dd93366c65e8bc6b20a93be56bb",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1189,7 +1189,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PR
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "a193f2404aea89c94318a800a3164165160f4f9fe329c2b0bee05a93c7e555f4",
+    hash: "2a4f6dc2253dfdcbb95993a05996f96fb14f45a2a1b33c0d353bb12883cfa807",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -1202,7 +1202,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Mod
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "7386c51f99266b35ea8ddcdd1de523a9fe8fcde531c335ce9f2b4416d0a83f43",
+    hash: "d9147d96e775971050ad09766de5f78b555fa4ec2dac3ac71c380d04c538e1b5",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1215,7 +1215,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "f23c19193dfeb5028ff3cb629259885a7b3d0d4216db630a8cb157e0db8e1dd8",
+    hash: "ce8a0196df702cd06e47a1f1785d3cfd67158baac408806ae2220f6f271347ec",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1228,5 +1228,5 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRE
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "80ca39369adf6d6980fd400b4023ad4eb748e6a2dd833da84cd2e9e50bfe6143",
+    hash: "5db0572b3d8bac9080a2b03e2f49ce236690036c4d473f802cdff75581d0d68e",
 };

@@ -281,232 +281,232 @@ static CORRECT_POSITIONS: Module = Module {
     name: "CorrectPositions",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 14972 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 14964 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "622786e4661bda36efbc46af18be96c30ffe91a88e7866f449319a2f7bfc01b4",
+    hash: "8cbd93115fe083b53502175efcd7b44d8dd4d39c5795af43820f77c5fed35350",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPositions+RELAXED_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 14972, bytes: 14448 },
+    spirv: Spirv::Packed { pack: PACK, first: 14964, bytes: 14440 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "08b34f99aec2bdb7eacdc72570015235b78c82b17aae5729e1566459e72a3b20",
+    hash: "20f3a39da6c73624711e545defa2d559b6fcfc75935c169e5b9fca701b739f93",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPositions+HALF_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 29420, bytes: 14536 },
+    spirv: Spirv::Packed { pack: PACK, first: 29404, bytes: 14528 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "03d7634943c382263bf42de3b9082b970bf113e5486bda48770814cfaa0dbc5a",
+    hash: "812f668830faf4b87cc1699c73328994807065adfe39a114aa537cbca8068d79",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
     name: "CorrectPositions+S_CORR",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 43956, bytes: 15968 },
+    spirv: Spirv::Packed { pack: PACK, first: 43932, bytes: 15960 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "3502d747aad477ab80f443e2830c813f810b1639f190538a6be79f71f2572b9e",
+    hash: "3889e46c04845992823df48d5f93f51c613760983277cdae59d3e76f11ca411b",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPositions+S_CORR+RELAXED_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 59924, bytes: 15636 },
+    spirv: Spirv::Packed { pack: PACK, first: 59892, bytes: 15628 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "021b9540def5926e32f27afa4bfd4428b29e8364349f69da03481fb483946b98",
+    hash: "7e43bae4b7732b8c8bd1e722fc65242ff334a317ffe56acc9d791e07137dd101",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPositions+S_CORR+HALF_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 75560, bytes: 15744 },
+    spirv: Spirv::Packed { pack: PACK, first: 75520, bytes: 15736 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "46cebbc72b2f662635a09cc13e497a3f0d8dd73b93477b597c6299adc4ddd878",
+    hash: "ef873e50334ff58831b490ad194f67e7a3440824d386e9e90fce6ef9c2091718",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
     name: "CorrectPositions+WALLS",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 91304, bytes: 17264 },
+    spirv: Spirv::Packed { pack: PACK, first: 91256, bytes: 17256 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "188b2b8dfda064186b20932e2e378973099544202ee634e3fb3dfd574b5a0a29",
+    hash: "d4ead3e27dd4fc9ba84c86cc346d36d5c5b38a9b388a02a02dff4fa486d04848",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPositions+WALLS+RELAXED_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 108568, bytes: 16740 },
+    spirv: Spirv::Packed { pack: PACK, first: 108512, bytes: 16732 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "232ec6ec790acbd856e128d5c3d53d6fdf561f3f22eb93e2b773b5d1eb31f1aa",
+    hash: "f2655c0c9e71805cd7fb692298cddde38f7507237ae6a97a3186691715dc6860",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPositions+WALLS+HALF_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 125308, bytes: 16828 },
+    spirv: Spirv::Packed { pack: PACK, first: 125244, bytes: 16820 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "962d6184616e457d16592f02d1f957243f2e2937ede9a466da09a1955d298d6d",
+    hash: "f45167e9c93afda250bdfdc9d3e40baa571306098d7c6d084a24d034202b5652",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
     name: "CorrectPositions+WALLS+S_CORR",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 142136, bytes: 18244 },
+    spirv: Spirv::Packed { pack: PACK, first: 142064, bytes: 18236 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "082fecd495f511f226c34beab837e4813d1f5f6cee6aa1864957fa18b9d9653b",
+    hash: "fca29c2db48bd23212e427518cfe54c810b350e760b7c424e1d8971b659bae20",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPositions+WALLS+S_CORR+RELAXED_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 160380, bytes: 17912 },
+    spirv: Spirv::Packed { pack: PACK, first: 160300, bytes: 17904 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "0b9e55f0aebd3c12f26bc663818f37b24f80718ea67a5a7e0fdbb9805f0dcb25",
+    hash: "510216d2e8659ec1cd0729284991d3aa99c81d424bad9d3a032d03d4edb8f5e5",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPositions+WALLS+S_CORR+HALF_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 178292, bytes: 18036 },
+    spirv: Spirv::Packed { pack: PACK, first: 178204, bytes: 18028 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "91c300692789124f7edc97ac2c06ce8f32c82f0f202b717b97cc07e8137a5b0a",
+    hash: "91e4bf0d391ae02be4bcb506f665a5cd687891558d14af1feef5bd10cbe2bdec",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS: Module = Module {
     name: "CorrectPositions+SOLID_WALLS",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 196328, bytes: 20040 },
+    spirv: Spirv::Packed { pack: PACK, first: 196232, bytes: 20032 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "73183f61c7d9c707e6aa6b29709c83260073409a6e2028aba61a0eaa5e3d5098",
+    hash: "e90dcc0e24438a304e834998382ae2df39bdb534f04185eacf00b3b3c3070f2b",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPositions+SOLID_WALLS+RELAXED_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 216368, bytes: 19516 },
+    spirv: Spirv::Packed { pack: PACK, first: 216264, bytes: 19508 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "dad261ad72fbea45d3ccdc02c2d52d3b8861a40359909f5b54e993160148d759",
+    hash: "f2d69b791f7790f874649d307854c7fba05ed3a444df896d2249df7e7115a062",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPositions+SOLID_WALLS+HALF_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 235884, bytes: 19604 },
+    spirv: Spirv::Packed { pack: PACK, first: 235772, bytes: 19596 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "91946397df961517b837a2944c0e389ee4b29e5fb560f5d93fe249667034bd55",
+    hash: "4c7796269038c0348a69cd190b5069b7bd0a2e44eaa4ff02f0a7898d3d5c5511",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR: Module = Module {
     name: "CorrectPositions+SOLID_WALLS+S_CORR",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 255488, bytes: 21020 },
+    spirv: Spirv::Packed { pack: PACK, first: 255368, bytes: 21012 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "27f1fc72b7f605ad82f20e08f3533d91f7489e549cdf5f948a5d9d8a871fc8c6",
+    hash: "c1b4fad684fa42159b3cab11bb2c2b4ed67c19db41bd1815b4ee77ce9b792acc",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPositions+SOLID_WALLS+S_CORR+RELAXED_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 276508, bytes: 20688 },
+    spirv: Spirv::Packed { pack: PACK, first: 276380, bytes: 20680 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "65a58fa2897bb53da3bb65a0d875a7b0d6e59fba7f99b627c3f58cf2215b9aac",
+    hash: "253898193a3d5176058475a46136382b010db9c1b61197aa1c9c7569f753940e",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPositions+SOLID_WALLS+S_CORR+HALF_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 297196, bytes: 20812 },
+    spirv: Spirv::Packed { pack: PACK, first: 297060, bytes: 20804 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "4b80285bbacc51ada0b775407bec4ad39be79fcddeeb546cbc32946b6faa6ce7",
+    hash: "5d3989755438bbc18e6360d21f05dda26f4b24b316ab04af7b5bd0f150bdba73",
 };

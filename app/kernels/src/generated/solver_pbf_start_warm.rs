@@ -204,7 +204,7 @@ static START_WARM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "df6d1d4af5f300bdc0177e82d3350fc85baedb9aa47329b2e34e20594644950e",
+    hash: "69866d56528eab6cd05fce67ea00f3b1e653f33d093819d20b3414a0375a9c27",
 };
 
 static START_WARM_WITH_RELAXED_PRECISION: Module = Module {
@@ -217,7 +217,7 @@ static START_WARM_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "5807d63084e45dd6f1f18b392b46facf7e2dd3bb1039ba5956ecc00e38d6bf42",
+    hash: "d7269b58d766382a95c55035f01eb0d1ea0ff565d7ffc755729d9d4edf99e143",
 };
 
 static START_WARM_WITH_WALLS: Module = Module {
@@ -230,7 +230,7 @@ static START_WARM_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "395768b35d50a04b8efd859a4ca9a16ab720eb07a3833de8e349b511de4a0fec",
+    hash: "edf8acc18439100b910423d9b5aec67c33988ebbad4e616897f2e78977fd15d2",
 };
 
 static START_WARM_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -243,5 +243,5 @@ static START_WARM_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "2c99161288c8be9b856cd3b8d8daddab15eab2df31456474ca17e9322bdeb56a",
+    hash: "e4053b66a6f1ce5603bca887c17bbd22a331c5a6163dc5e00333637045c17f32",
 };

@@ -258,310 +258,310 @@ static ACCELERATE: Module = Module {
     name: "Accelerate",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 15808 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 15940 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "524cf0f9263bd5f552d37c17f4e85d6842e78f1d565ee738884a6b8d66c2d346",
+    hash: "3624a30c06e88fcce61651e1ff57e7d6280d8b051dc9338027116b7a1daf9132",
 };
 
 static ACCELERATE_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 15808, bytes: 15172 },
+    spirv: Spirv::Packed { pack: PACK, first: 15940, bytes: 15304 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "24d5dc45d92ff0aa71c0b5195efc8da9d5282f44b3991dd2037f4fcaee90f605",
+    hash: "cd54bbbf8013ca7049112fa9eaadcd9f7b77334a8f22f3f2e0482d17188795e9",
 };
 
 static ACCELERATE_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 30980, bytes: 15252 },
+    spirv: Spirv::Packed { pack: PACK, first: 31244, bytes: 15384 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "6220b4c349108631f094d434f0e58bfbf25623d61f08faca73052210cd1296b9",
+    hash: "af6270c8e6593d82bbf97c89935a022d2308e96ef21d7b668f8218079e5a3cb1",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION: Module = Module {
     name: "Accelerate+SURFACE_TENSION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 46232, bytes: 17988 },
+    spirv: Spirv::Packed { pack: PACK, first: 46628, bytes: 18120 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "b89a9bbeb7ca8bd092a1ab01617227b3df919e5b850638f035db29422c0805c2",
+    hash: "58c240de8fe277cf408d11287e47c31541e9f484a60639d40d306d6a34f1ac5f",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 64220, bytes: 17352 },
+    spirv: Spirv::Packed { pack: PACK, first: 64748, bytes: 17484 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "3c8316b9383a12afe181f37ba44a885028022f284e209f0655a8f7dad85b2cf2",
+    hash: "95110e75b01a489a9fb8120d59c9b29fd1e00e47829174ee5be8e54c900554ed",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+SURFACE_TENSION+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 81572, bytes: 17432 },
+    spirv: Spirv::Packed { pack: PACK, first: 82232, bytes: 17564 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "2a0995155412fd5ec86f9d41b96011d10e6f167423277ad0a386d4b349666dad",
+    hash: "91f0b042b0a20e55fd53ae84edb3fe2207d7bba8506c7fae7110c1364f4cbb69",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS: Module = Module {
     name: "Accelerate+CHOSEN_KERNELS",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 99004, bytes: 18640 },
+    spirv: Spirv::Packed { pack: PACK, first: 99796, bytes: 18772 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "07991af1524ef299074da55d21ca6a5af845056d0a812891ef480d653818eaef",
+    hash: "7f8a9a7a0c3cdde75ff78c66a282929097976c88ec22eb2301d87fa6963eb08d",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+CHOSEN_KERNELS+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 117644, bytes: 17908 },
+    spirv: Spirv::Packed { pack: PACK, first: 118568, bytes: 18040 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "837c5493ac948a4cd75a2350672953e82a891d9373bc3873de181c7b9c4d9701",
+    hash: "55fd4907c507e53ce196d79e6f7fa387f6fe2820f97cf5d99ed35186c2d3568c",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+CHOSEN_KERNELS+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 135552, bytes: 17908 },
+    spirv: Spirv::Packed { pack: PACK, first: 136608, bytes: 18040 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "a10f386c7327b06da8921789a10933b131616efb2cedf63ea9c078e19451d6c7",
+    hash: "beacf51e733fa0d722838db3fbfa2d8700d9a829adbb026a756a80ba05315e86",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
     name: "Accelerate+CHOSEN_KERNELS+SURFACE_TENSION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 153460, bytes: 20800 },
+    spirv: Spirv::Packed { pack: PACK, first: 154648, bytes: 20932 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "71e4a9e8216f20f6106a21ec22f213536ffe826cab7ee7e61605e41c1137b939",
+    hash: "baccc06a824c36b8fe6d0c125f2031dd93c87043bb85c01ffc9365d12f3b15e8",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+CHOSEN_KERNELS+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 174260, bytes: 20068 },
+    spirv: Spirv::Packed { pack: PACK, first: 175580, bytes: 20200 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "ae1b8f615c7da0077eb8280b7a46aab421db0c57254575415a10f7c76619eaf1",
+    hash: "e43afdf6e583f53974f45dbaa1597a3243cba9c14344cbe22aa6ff72b0446f81",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+CHOSEN_KERNELS+SURFACE_TENSION+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 194328, bytes: 20068 },
+    spirv: Spirv::Packed { pack: PACK, first: 195780, bytes: 20200 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "b6a72a761c8577afc83dccc64fce5a366df388b974ca3a9e1d3ef065946fdb02",
+    hash: "2b9663ea4cfd6c35193f7b183752bf46aa6068dde90fe4cfdb440b903789042d",
 };
 
 static ACCELERATE_WITH_WALLS: Module = Module {
     name: "Accelerate+WALLS",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 214396, bytes: 18552 },
+    spirv: Spirv::Packed { pack: PACK, first: 215980, bytes: 18684 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "48328c8b8ad76c2796524683544fe415e5556a1cb8e881c866582df9b6646b4e",
+    hash: "8b3ad650c3c9175691b37d3bd29c03481de94083d5f9fa1d039247c7315efcd1",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+WALLS+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 232948, bytes: 17916 },
+    spirv: Spirv::Packed { pack: PACK, first: 234664, bytes: 18048 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "80df6f91d3963dd578ae58eff21ef151131b26e4c054310cca2d5821f925f6b6",
+    hash: "24aa06d6a51deaad25b8d5ab2d1f9d681446e4df87b63fe4d4a9bec16e382ef4",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+WALLS+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 250864, bytes: 17996 },
+    spirv: Spirv::Packed { pack: PACK, first: 252712, bytes: 18128 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "07dd65ba2a63e7abd4eadd33a9c03a8958f0014f0aae8bafca764b4566a8e3cc",
+    hash: "a0afab423a0ed6d56474b2800e6d47ef01b369574a7509ce6d3ddd19aedc3911",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
     name: "Accelerate+WALLS+SURFACE_TENSION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 268860, bytes: 20732 },
+    spirv: Spirv::Packed { pack: PACK, first: 270840, bytes: 20864 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "0239ade19d01e3ee15cf351b97a384a51a6230c33cec1a593c98ef8da14d1de2",
+    hash: "d3f825744f2c3538621427550d1b54deb48c66bc6f652b8d548897ba15212ac2",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+WALLS+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 289592, bytes: 20096 },
+    spirv: Spirv::Packed { pack: PACK, first: 291704, bytes: 20228 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "770dd7b5b20947679f5d62a6befa6c4b308ca9b1b2fdf2e90ced564ffb7e797b",
+    hash: "9b3b8b7386c0477c4e7988fdb1ec5c5ec1d2464a235908db24e230f153cf530d",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+WALLS+SURFACE_TENSION+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 309688, bytes: 20176 },
+    spirv: Spirv::Packed { pack: PACK, first: 311932, bytes: 20308 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "91227086524327e4081044f4e84f9f803951029816422399970e7e3f3c8b2547",
+    hash: "6393687dfcff23c022d53b47003b6800d4bcf5a159b2bb46d34772d5a0c658b0",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 329864, bytes: 21336 },
+    spirv: Spirv::Packed { pack: PACK, first: 332240, bytes: 21468 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "c70f427c8cab95a7f6b8afa45727bf08af5432d96a24b9a99efd94453a3381ee",
+    hash: "e9e10a0af0b98e115de831a8e889e4fe726c3f1ebaf00116bed6e0ffeb428f60",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 351200, bytes: 20604 },
+    spirv: Spirv::Packed { pack: PACK, first: 353708, bytes: 20736 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "4be91e600317f28dfb108bc6a739a0d890f7e82ea35d421fc0ced70501e8ac62",
+    hash: "e7bedddf6f99639c4d63839e42a5ae975bfb9eda11ebfef824179633049a3472",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 371804, bytes: 20604 },
+    spirv: Spirv::Packed { pack: PACK, first: 374444, bytes: 20736 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "cf6557c0cdb329d65f38f354a5b9e1aa539e49d28491d04ea8ccd5a8ba239aac",
+    hash: "20f047a976779a4d6f4cc303042963bfe6e95d4b5fb68ac3f53157d987b65313",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS+SURFACE_TENSION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 392408, bytes: 23496 },
+    spirv: Spirv::Packed { pack: PACK, first: 395180, bytes: 23628 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "6a980d073f6e59cbcd4cdcac164cefa06a69695bb47478ef5990e560faa073b6",
+    hash: "cad187d4d0891f3a85ce3245a2bc734abdb074fe0f2d051c56ce0ffb1995e849",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 415904, bytes: 22764 },
+    spirv: Spirv::Packed { pack: PACK, first: 418808, bytes: 22896 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "b7d23dcb5e77e8f920c63dfffb57c5f9fcf2aba793db5c582f4bedcae7d20a46",
+    hash: "2665daaf23f3d881bb6f2098330400679d1b8f4ce271e29cfaab7f828f12e15d",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS+SURFACE_TENSION+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 438668, bytes: 22764 },
+    spirv: Spirv::Packed { pack: PACK, first: 441704, bytes: 22896 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "15f3217ba844b23464ce774ebe5507d4d2d1c153d9f7c4ea966efac2b16f4437",
+    hash: "77497ae44dd649d3c46f2842b4dc0e968c6fa55322a8da8fd0f191c0994f475f",
 };

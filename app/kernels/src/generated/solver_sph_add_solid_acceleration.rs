@@ -156,7 +156,7 @@ static ADD_SOLID_ACCELERATION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_acceleration.compute",
-    hash: "a06193a9a440fb4da3c5880fe94d8891b309bc2afb3907883e05f4d2df557f3b",
+    hash: "d551e436c1f0da3a8fcfdd43a0f511ba6fdfeaf4f101c23f05eb1fcafe556242",
 };
 
 static ADD_SOLID_ACCELERATION_WITH_SURFACE_TENSION: Module = Module {
@@ -169,5 +169,5 @@ static ADD_SOLID_ACCELERATION_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_acceleration.compute",
-    hash: "0dc793e0397433c3d45f40e2c816ae78fe706a94b60e8f995ddc8084c7f5ec35",
+    hash: "e8a8376d2a7c6fa602ae0ba2f51811ff0e15eb513270ceee75db65d2b5c560e4",
 };

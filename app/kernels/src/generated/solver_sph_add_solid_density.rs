@@ -126,7 +126,7 @@ static ADD_SOLID_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_density.compute",
-    hash: "52446962307da8e9e88fff251544617571051edbe63cf3c650024cd2e8d860dc",
+    hash: "9eb267ffefa7aab4b9b96ca2b2bcba95060ee43dbd3c6ec78dc7b6de3b37a189",
 };
 
 static ADD_SOLID_DENSITY_WITH_SURFACE_TENSION: Module = Module {
@@ -139,5 +139,5 @@ static ADD_SOLID_DENSITY_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_density.compute",
-    hash: "a9b16f8b6c9202809afd374f21e9d7c12193a8bcda8ef91f5a06d04af4642bff",
+    hash: "da2614575018b07ad6d5bd0c83daca703a1885e7177f59e7a8fa2d408bccb688",
 };

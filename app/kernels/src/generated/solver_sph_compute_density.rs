@@ -341,7 +341,7 @@ static COMPUTE_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "bfd7fd6551a70bfb0d26be64c7033079af2a80f51fa0836e6feb2bcd896cd977",
+    hash: "4c7e98b4474acace0669363e94e183c1cba6c068ee3f1c754f106cbe8fbd8bd9",
 };
 
 static COMPUTE_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -354,7 +354,7 @@ static COMPUTE_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "7e0b8bf22731181b1675a1c97012eb48c43050dd1c834658799b564e0675eac1",
+    hash: "e8c2936530953be33091c27cb40f8134667f769705b55a5de25cef9b71dba40c",
 };
 
 static COMPUTE_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -367,7 +367,7 @@ static COMPUTE_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "92306c4c4ab730a82080124a80b23cb14c77ef8b410f18796474b2434d295d18",
+    hash: "eb5456d568cc22dd4bd86f859366fe4ffa9008459530036b30b9cc911b42cdbf",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION: Module = Module {
@@ -380,7 +380,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "a355baa76d285709ebe4b81e4623d836c19108b12e006c822a9dcba2b8200db6",
+    hash: "1e8dfb91dd32f108966b6e985da1b944becf6ef64497c971e0ac410cc32c696b",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -393,7 +393,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Mod
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "313ed2d33053e970f6a52ed0e684060c073abaa1bcd7c685ba89b256ae980977",
+    hash: "720039699321173e6f246f7f14b448a38a1a84ea27760ca91649dc23d142f81d",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -406,7 +406,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "61c89b077075dbc6259c268093e659284044ff8ee7651d7cfeb2e1fbab2bcb5d",
+    hash: "715519db77462e00616fb9976774decdf2a136912b5ab97e81b0e02708549efb",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS: Module = Module {
@@ -419,7 +419,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "1db1107f414e05e86d17c5fbc46fad0d80e5df06e5e2777274d5f65965abd7a8",
+    hash: "323ca0ca296655b0bce8419b38580e2297ebda320b6ea069ad3571c55e33c8b9",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -432,7 +432,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Modu
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "c72c08942f33491ccd40e6d2a02d18dcbbed1c585c224406304b6e1b5c96666c",
+    hash: "c41e12b609b0abada7136403539a37c8840bf72a98fbc0ac53ee784c7a8ce1f2",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -445,7 +445,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "7672df88a827cefb42faba616be87312e95fd2e00c9779614c995ce8da7c876b",
+    hash: "0bbfe3f53aa54332809b382c2b74bcbdde1243d068996351845eafe0deab0fce",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -458,7 +458,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "0b5b98c391433abbaba8f395b70b59b493f1d205a0d40b7be4ab4851fed5a305",
+    hash: "21eec7936a571615b0b7e29064e94469f60b524573f97683dc49205208d69552",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -471,7 +471,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRE
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "94865dffda8982aa917163191bb269a3372ca83e0e0552161f910261dcfe0a78",
+    hash: "53983887ed5c87d315428bd70605862d801a826350b6f2899eff4c9a3002ee77",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -484,7 +484,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECIS
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "efcb887d4b018425c3dd939e51209037280ae261e1f278e908886e9acc988fa6",
+    hash: "606a5cf05414aabc824374b40360a935836951b9281ee700bac7abbfa0cb96e6",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS: Module = Module {
@@ -497,7 +497,7 @@ static COMPUTE_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "c4b88cbefc5ae7809a88807f06b9701b9a6ae253b384d72efcb1801e38e6c44d",
+    hash: "596fee9b09164d200f4e8eb070be4109382fef7675156e1d49d52849aa1c4632",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -510,7 +510,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "a51f4700e494e08d6b57d307c71f21e86c891d27aaef4f94ffb63b78872e7f60",
+    hash: "ec67f77a6a1b79572ec23e35c97fdd312b5f34500476df3a75c3759351cc61a0",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -523,7 +523,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "b36e39b28125a55ffae0842089d006b3553ca0197dcb4d179ae9c6d7c3094ce6",
+    hash: "ec5b66048a66dccfae04aba9c619accc4656ca5e84b2cada68ac4cae45e5755b",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
@@ -536,7 +536,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "d71fa130b466ea242f67ae8f81c43b9b1dfddfa6473065edf5614002a8c9b03c",
+    hash: "12c7436e3a05ed5bb67219e5e74c1f5722ef7c10ade70522d44ce9ea1a8a7fa7",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -549,7 +549,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: M
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "cb9c49592da7548cafe544c2afca53aa2fcf1649ac532b21d769981a4d573764",
+    hash: "c08434ce46fcea2330664c5db767dc1d1d4cdf2ec8848ed49863b98429268af2",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -562,7 +562,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Modu
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "db8d5b6266369ed6db012c15999a4abc73906fd9f7ed5a743b79bc91392a35bd",
+    hash: "381741fca7cc4bd5d0fb41e807ee9c63f2bc0ce38c7b06f1665a390d12474ed9",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
@@ -575,7 +575,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "756532f70887de440b4c7eb8c886108eea0489bba1e640c1bc05ca3c60f838be",
+    hash: "ec5968d6b8b9715b761ae628316fb95c07c8775c82517f4e774a982b72e7301e",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -588,7 +588,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Mo
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "007d79568b0aa1e2d07cece0545db222b5e9defcc281bfbe99b8dcfa431aa8cd",
+    hash: "b338432f7b3cbcb43e1ea537e075f536ca9320d64f3d838711415e1c246c830f",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -601,7 +601,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "58832dd0a158bb6dcd3dcc47e869c6f496e188fa0d32c69b5bbb023c39ea5947",
+    hash: "0cb6d26e1ace48b58ad0c8a6840bf7121e7bc274ae4c5c4e77e49b55ad28e1fa",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -614,7 +614,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Modu
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "3488a0efe3560c085953987672bfe53d2b00412b6593961796c090328dd0a336",
+    hash: "1cef6fff2b753a4025e784ea57aa5d132915782457f8bd3ea720b827d338fdc5",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -627,7 +627,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "07ca056e60b43c32ab63c364e40bcbf677b0d3eb6dc83e7e7fe6c6a3a24de042",
+    hash: "c780a7d9f5ef0535809fd27841f02dc1f2a7769519586a1fb721ed647c5fc5aa",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -640,5 +640,5 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "48e4d98b94f0e010c84c2f4048cb1b276f79fec467ffe5a504d1c5a30d5a36d3",
+    hash: "39a3c3e9c59e747b7b89db4e7564cac0dd8852bc45ca39a0e8d442bb2f6d6c3e",
 };

@@ -99,7 +99,7 @@ impl Scene {
         }
     }
 
-    fn check_motion(&self, check: &Checker, field: &str, solid: &SolidSettings) -> Result<(), SceneError> {
+    pub(super) fn check_motion(&self, check: &Checker, field: &str, solid: &SolidSettings) -> Result<(), SceneError> {
         let is_steady = solid.velocity_m_s != [0.0; 3] || solid.spin_deg_s != [0.0; 3];
         check.require(
             solid.velocity_m_s == [0.0; 3] || solid.spin_deg_s == [0.0; 3],
