@@ -110,7 +110,7 @@ pub(crate) fn drain_particles_matches_its_twin(device: &Device) {
             let got = run_drains(device, &case, regions, counts_ages);
             let expected = drained_by_twin(&case, regions, counts_ages);
             ensure_eq!(got, expected, "{size} particles, {} drains", regions.len());
-            ensure!(size < 300 || (20..size as u32 - 20).contains(&got.2), "{} of {size}", got.2);
+            ensure!(size < 300 || (5..size as u32 - 5).contains(&got.2), "{} of {size}", got.2);
             cases += size;
         }
     }
